@@ -70,6 +70,17 @@ struct Indexed_location
   std::array<double, 3> coordinates = {{0., 0., 0.}};
 };
 
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * is the source of the distance: a point of the mesh, and the vertex it is at, if any.
+ */
+struct Indexed_source
+{
+  Indexed_location location;
+  Index vertex = null_index;
+};
+
 } // namespace Cut_loci
 } // namespace CGAL
 

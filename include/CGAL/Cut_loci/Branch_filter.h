@@ -1,0 +1,254 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_BRANCH_FILTER_H
+#define CGAL_CUT_LOCI_BRANCH_FILTER_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/internal/vector_3.h>
+#include <CGAL/Cut_loci/region_growing_tree.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+
+/// \ingroup PkgSurfaceMeshCutLocusRef
+/// how a threshold on the strength of the vertices selects a part of the tree
+enum class Filter_policy
+{
+  PRUNING, ///< leaves below the threshold are removed again and again: a branch stays up to its last strong vertex
+  GROWING  ///< the tree is followed from its root as long as the vertices are above the threshold
+};
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * holds the thresholds of `Branch_filter`.
+ */
+struct Branch_thresholds
+{
+  double gradient_angle = 0.;          ///< in radians
+  double laplacian = -(std::numeric_limits<double>::infinity)(); ///< for minus the Laplacian times the mean edge length
+  Filter_policy policy = Filter_policy::PRUNING;
+  Index minimum_edges = 0;             ///< branches of fewer edges are removed
+  double minimum_length = 0.;          ///< branches that are shorter are removed
+};
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * selects the cut locus from a spanning tree of the mesh and its homology generators.
+ *
+ * The union of both cuts the surface into one open disk, and removing vertices of degree 1 keeps that so. The filter does
+ * nothing else: it keeps the root, the generators, the paths of the tree from these (and from each border loop) to the
+ * root, and the branches that pass the thresholds. The answer to both policies is stored with each vertex, the largest
+ * strength below it and the smallest above, so that a new threshold costs time in proportion to the size of the result.
+ */
+class Branch_filter
+{
+public:
+  /// an edge of the result, from a vertex to the next one on the way to the root
+  struct Edge
+  {
+    Index vertex, parent;
+    Index halfedge;
+    float strength; ///< of the branch: the largest gradient angle found on it from here to its tips
+  };
+  struct Result
+  {
+    std::vector<Index> vertices; ///< the root first
+    std::vector<Edge> edges;     ///< the generators last
+  };
+
+  Branch_filter() = default;
+
+  /*!
+   * @param tree a spanning tree over all vertices
+   * @param candidates the number of vertices at the start of `tree.order` that may be kept for their strength; the
+   *        others serve to join the generators to the root
+   * @param generators halfedges of the generators
+   * @param gradient_angle, laplacian the two strengths of each vertex; the latter in units of the inverse of the mean
+   *        edge length, negative where gradients converge
+   */
+  Branch_filter(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Spanning_tree& tree,
+                std::size_t candidates, const std::vector<Index>& generators, const std::vector<float>& gradient_angle,
+                const std::vector<float>& laplacian)
+    : root_(tree.root), generators_(generators), is_kept_(tree.parent.size(), false)
+  {
+    link(connectivity, tree);
+    keep_homology(mesh, connectivity, tree);
+    accumulate(tree, candidates, gradient_angle, laplacian);
+  }
+
+  Result operator()(const Indexed_triangle_mesh& mesh, const Branch_thresholds& thresholds) const
+  {
+    const std::vector<Strength>& strength = thresholds.policy == Filter_policy::PRUNING ? below_ : above_;
+    Result result;
+    std::vector<Index> parent_position(1, null_index);
+    result.vertices.push_back(root_);
+    for(std::size_t i = 0; i < result.vertices.size(); ++i) // grows on the way
+      for(Index c = child_begin_[result.vertices[i]]; c < child_begin_[result.vertices[i] + 1]; ++c)
+      {
+        const Index w = children_[c].vertex;
+        if(!is_kept_[w] && !(strength[w].gradient_angle >= thresholds.gradient_angle &&
+                             strength[w].laplacian >= thresholds.laplacian))
+          continue;
+        result.vertices.push_back(w);
+        result.edges.push_back({w, result.vertices[i], children_[c].halfedge, below_[w].gradient_angle});
+        parent_position.push_back(static_cast<Index>(i));
+      }
+    if(thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.)
+      remove_short_branches(mesh, thresholds, parent_position, result);
+    for(Index h : generators_)
+      result.edges.push_back({mesh.source(h), mesh.target(h), h, (std::numeric_limits<float>::max)()});
+    return result;
+  }
+
+private:
+  struct Child
+  {
+    Index vertex, halfedge;
+  };
+  struct Strength
+  {
+    float gradient_angle, laplacian;
+  };
+
+  void link(const Mesh_connectivity& connectivity, const Spanning_tree& tree)
+  {
+    const std::size_t nv = tree.parent.size();
+    child_begin_.assign(nv + 1, 0);
+    for(Index v : tree.order)
+      if(v != root_)
+        ++child_begin_[tree.parent[v] + 1];
+    for(std::size_t v = 0; v < nv; ++v)
+      child_begin_[v + 1] += child_begin_[v];
+    children_.resize(child_begin_[nv]);
+    std::vector<Index> next(child_begin_.begin(), child_begin_.end() - 1);
+    for(Index v : tree.order)
+      if(v != root_)
+      {
+        const Index h = connectivity.ring_halfedge[tree.parent_entry[v]];
+        children_[next[tree.parent[v]]++] = {v, h};
+      }
+  }
+
+  void keep_homology(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                     const Spanning_tree& tree)
+  {
+    const auto keep_path = [&](Index v)
+    {
+      for(; v != root_ && !is_kept_[v]; v = tree.parent[v])
+        is_kept_[v] = true;
+    };
+    is_kept_[root_] = true;
+    for(Index h : generators_)
+    {
+      keep_path(mesh.source(h));
+      keep_path(mesh.target(h));
+    }
+    std::vector<bool> loop_is_joined(connectivity.number_of_border_loops, false);
+    if(connectivity.number_of_border_loops > 0)
+      for(Index v : tree.order) // the first vertex of a loop in this order is where the tree enters it
+        if(connectivity.is_border(v) && !loop_is_joined[connectivity.border_loop[v]])
+        {
+          loop_is_joined[connectivity.border_loop[v]] = true;
+          keep_path(v);
+        }
+  }
+
+  void accumulate(const Spanning_tree& tree, std::size_t candidates, const std::vector<float>& gradient_angle,
+                  const std::vector<float>& laplacian)
+  {
+    const float never = -(std::numeric_limits<float>::infinity)();
+    below_.assign(tree.parent.size(), {never, never});
+    above_ = below_;
+    for(std::size_t i = candidates; i-- > 0;)
+    {
+      const Index v = tree.order[i];
+      Strength& s = below_[v];
+      s.gradient_angle = (std::max)(s.gradient_angle, gradient_angle[v]);
+      s.laplacian = (std::max)(s.laplacian, -laplacian[v]);
+      if(v == root_)
+        continue;
+      Strength& p = below_[tree.parent[v]];
+      p.gradient_angle = (std::max)(p.gradient_angle, s.gradient_angle);
+      p.laplacian = (std::max)(p.laplacian, s.laplacian);
+    }
+    for(std::size_t i = 0; i < candidates; ++i)
+    {
+      const Index v = tree.order[i];
+      above_[v] = {gradient_angle[v], -laplacian[v]};
+      if(v == root_ || tree.parent[v] == root_) // the root is on the cut locus, whatever its strength
+        continue;
+      const Strength& p = above_[tree.parent[v]];
+      above_[v].gradient_angle = (std::min)(above_[v].gradient_angle, p.gradient_angle);
+      above_[v].laplacian = (std::min)(above_[v].laplacian, p.laplacian);
+    }
+  }
+
+  // Where branches meet, the longest one continues and the others end: those that are short are removed.
+  void remove_short_branches(const Indexed_triangle_mesh& mesh, const Branch_thresholds& thresholds,
+                             const std::vector<Index>& parent_position, Result& result) const
+  {
+    using namespace internal;
+    struct Height
+    {
+      double length = 0.;
+      Index edges = 0;
+    };
+    const std::size_t n = result.vertices.size();
+    std::vector<Height> height(n);
+    std::vector<double> longest(n, -1.);        // among the branches that meet at a vertex
+    std::vector<Index> continued(n, null_index); // the position of that branch's first vertex
+    for(std::size_t i = n; i-- > 1;)
+    {
+      const Index p = parent_position[i], v = result.vertices[i];
+      const double length = height[i].length + norm(mesh.points[v] - mesh.points[result.vertices[p]]);
+      // What is kept for the homology continues before any branch.
+      const double rank = is_kept_[v] ? (std::numeric_limits<double>::max)() : length;
+      if(rank > longest[p] || (rank == longest[p] && v < result.vertices[continued[p]]))
+      {
+        longest[p] = rank;
+        continued[p] = static_cast<Index>(i);
+        height[p] = {length, height[i].edges + 1};
+      }
+    }
+    std::vector<bool> removed(n, false);
+    std::size_t size = 1;
+    for(std::size_t i = 1; i < n; ++i)
+    {
+      const Index p = parent_position[i], v = result.vertices[i];
+      const double length = height[i].length + norm(mesh.points[v] - mesh.points[result.vertices[p]]);
+      const bool is_short = height[i].edges + 1 < thresholds.minimum_edges || length < thresholds.minimum_length;
+      removed[i] = removed[p] || (!is_kept_[v] && continued[p] != i && is_short);
+      if(removed[i])
+        continue;
+      result.vertices[size] = v;
+      result.edges[size - 1] = result.edges[i - 1];
+      ++size;
+    }
+    result.vertices.resize(size);
+    result.edges.resize(size - 1);
+  }
+
+  Index root_ = null_index;
+  std::vector<Index> generators_;
+  std::vector<bool> is_kept_;     // part of the homology, at any threshold
+  std::vector<Index> child_begin_;
+  std::vector<Child> children_;
+  std::vector<Strength> below_, above_; // the largest strength in the subtree of each vertex; the smallest up to the root
+};
+
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_BRANCH_FILTER_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_HOMOLOGY_H
+#define CGAL_CUT_LOCI_HOMOLOGY_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/internal/vertex_queue.h>
+#include <CGAL/Cut_loci/region_growing_tree.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * extends `tree` over all vertices of the mesh, those of largest distance first, so that its front moves from the cut
+ * locus towards the source. O(n log n).
+ */
+inline void extend_tree(Spanning_tree& tree, const Mesh_connectivity& connectivity, const std::vector<double>& distance)
+{
+  internal::Vertex_queue queue;
+  const auto push = [&](Index v) { queue.push({-distance[v], v}); };
+  for(Index v : std::vector<Index>(tree.order))
+    push(v);
+  while(!queue.empty())
+  {
+    const Index v = queue.top().vertex;
+    queue.pop();
+    internal::add_neighbors(tree, connectivity, v, push);
+  }
+}
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * grows a spanning tree of the faces (the cotree) from `source_face`, across edges that are not in the spanning tree
+ * `tree`, faces of smallest mean distance first, and returns the halfedges of the edges that are in neither: the
+ * generators of the first homology \cgalCite{cgal:ew-gohhb-05}, 2g of them on a surface of genus g, where the two
+ * fronts of the cotree meet. The union of `tree` and the generators cuts the surface into one open disk.
+ * Each border loop, which `tree` takes as one node, counts as part of that union. O(n log n).
+ */
+inline std::vector<Index> homology_generators(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                                              const Spanning_tree& tree, const std::vector<double>& distance,
+                                              Index source_face)
+{
+  std::vector<bool> covered(connectivity.number_of_edges(), false);
+  for(Index v : tree.order)
+    if(v != tree.root)
+      covered[connectivity.ring_edge(tree.parent_entry[v])] = true;
+
+  std::vector<bool> reached(mesh.number_of_faces(), false);
+  internal::Vertex_queue queue;
+  const auto push = [&](Index f)
+  {
+    reached[f] = true;
+    const Indexed_triangle_mesh::Triangle& t = mesh.triangles[f];
+    queue.push({distance[t[0]] + distance[t[1]] + distance[t[2]], f});
+  };
+  push(source_face);
+  while(!queue.empty())
+  {
+    const Index f = queue.top().vertex;
+    queue.pop();
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const Index opposite = mesh.opposite[h], edge = connectivity.edge_of_halfedge[h];
+      if(opposite == null_index || covered[edge] || reached[opposite / 3])
+        continue;
+      covered[edge] = true;
+      push(opposite / 3);
+    }
+  }
+
+  std::vector<Index> generators;
+  for(Index e = 0; e < connectivity.number_of_edges(); ++e)
+    if(!covered[e] && !mesh.is_border_edge(connectivity.halfedge_of_edge[e]))
+      generators.push_back(connectivity.halfedge_of_edge[e]);
+  return generators;
+}
+
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_HOMOLOGY_H

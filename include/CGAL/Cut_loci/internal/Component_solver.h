@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_INTERNAL_COMPONENT_SOLVER_H
+#define CGAL_CUT_LOCI_INTERNAL_COMPONENT_SOLVER_H
+
+#include <CGAL/Cut_loci/Branch_filter.h>
+#include <CGAL/Cut_loci/Differential_operators.h>
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/Tangent_directions.h>
+#include <CGAL/Cut_loci/gradient_angles.h>
+#include <CGAL/Cut_loci/homology.h>
+#include <CGAL/Cut_loci/internal/vector_3.h>
+#include <CGAL/Cut_loci/region_growing_tree.h>
+#include <CGAL/Cut_loci/thinning.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// The pipeline of the paper on one connected component: the stages in their order, on dense indices.
+class Component_solver
+{
+public:
+  // once per mesh
+  Component_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type)
+    : mesh_(mesh), connectivity_(mesh),
+      tangent_(checked(mesh, connectivity_), connectivity_),
+      operators_(mesh, connectivity_, type),
+      genus_(connectivity_.genus(mesh))
+  {}
+
+  // once per source, in three parts
+  void set_distance(const Indexed_source& source, std::vector<double> distance)
+  {
+    source_ = source;
+    distance_ = std::move(distance);
+    farthest_ = static_cast<Index>(std::max_element(distance_.begin(), distance_.end()) - distance_.begin());
+  }
+
+  void compute_strengths()
+  {
+    const Eigen::Map<const Eigen::VectorXd> d(distance_.data(), static_cast<Eigen::Index>(distance_.size()));
+    angle_ = gradient_angles(connectivity_, tangent_, operators_.gradient * d);
+    const Eigen::VectorXd laplacian = operators_.laplacian * d;
+    laplacian_.resize(distance_.size());
+    const double h = connectivity_.mean_edge_length; // makes the Laplacian free of the unit of length
+    for(std::size_t v = 0; v < distance_.size(); ++v)
+      laplacian_[v] = static_cast<float>(h * laplacian[static_cast<Eigen::Index>(v)]);
+    if(source_.vertex != null_index)
+    {
+      // never on the cut locus, however the operators see this singularity
+      angle_[source_.vertex] = -1.f;
+      laplacian_[source_.vertex] = (std::numeric_limits<float>::max)();
+    }
+  }
+
+  void grow_tree()
+  {
+    tree_ = region_growing_tree(connectivity_, laplacian_, choose_root());
+    thin(tree_, connectivity_, laplacian_);
+  }
+
+  void close_cycles()
+  {
+    const std::size_t candidates = tree_.order.size();
+    extend_tree(tree_, connectivity_, distance_);
+    const std::vector<Index> generators =
+      homology_generators(mesh_, connectivity_, tree_, distance_, source_.location.face);
+    filter_ = Branch_filter(mesh_, connectivity_, tree_, candidates, generators, angle_, laplacian_);
+  }
+
+  // once per threshold
+  Branch_filter::Result filter(const Branch_thresholds& thresholds) const { return filter_(mesh_, thresholds); }
+
+  const Indexed_triangle_mesh& mesh() const { return mesh_; }
+  const Mesh_connectivity& connectivity() const { return connectivity_; }
+  const Differential_operators& operators() const { return operators_; }
+  const std::vector<double>& distance() const { return distance_; }
+  const std::vector<float>& gradient_angle() const { return angle_; }
+  const std::vector<float>& laplacian() const { return laplacian_; }
+  Index genus() const { return genus_; }
+  Index root() const { return tree_.root; }
+  Index farthest() const { return farthest_; }
+
+private:
+  // Faces without area have no tangent plane. Coordinates of the size of a face resolve 2^-53 of it: at 100 times that,
+  // the direction of its normal is noise.
+  static const Indexed_triangle_mesh& checked(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity)
+  {
+    if(!connectivity.first_non_manifold.empty())
+      throw Non_manifold_vertex{connectivity.first_non_manifold.front()};
+    for(Index f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      const Vector &p = mesh.points[mesh.triangles[f][0]], &q = mesh.points[mesh.triangles[f][1]],
+                   &r = mesh.points[mesh.triangles[f][2]];
+      const Vector a = q - p, b = r - p, c = r - q;
+      const double longest = (std::max)({dot(a, a), dot(b, b), dot(c, c)});
+      if(!(norm(cross(a, b)) > 1e-14 * longest))
+        throw Face_without_area{f};
+    }
+    return mesh;
+  }
+
+  // The farthest vertex is on the cut locus of a closed surface. A border vertex may be farthest without being on it: then
+  // the lowest Laplacian is the best guess.
+  Index choose_root() const
+  {
+    if(!connectivity_.is_border(farthest_))
+      return farthest_;
+    Index best = null_index;
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
+      if(!connectivity_.is_border(v) && v != source_.vertex && (best == null_index || laplacian_[v] < laplacian_[best]))
+        best = v;
+    return best != null_index ? best : farthest_;
+  }
+
+public:
+  // thrown with the component's index, for the caller to name the element of the input
+  struct Face_without_area { Index face; };
+  struct Non_manifold_vertex { Index vertex; };
+
+private:
+  const Indexed_triangle_mesh& mesh_;
+  Mesh_connectivity connectivity_;
+  Tangent_directions tangent_;
+  Differential_operators operators_;
+  Index genus_;
+
+  Indexed_source source_;
+  std::vector<double> distance_;
+  Index farthest_ = null_index;
+  std::vector<float> angle_, laplacian_;
+  Spanning_tree tree_;
+  Branch_filter filter_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_INTERNAL_COMPONENT_SOLVER_H

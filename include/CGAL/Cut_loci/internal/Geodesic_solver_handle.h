@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_INTERNAL_GEODESIC_SOLVER_HANDLE_H
+#define CGAL_CUT_LOCI_INTERNAL_GEODESIC_SOLVER_HANDLE_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// Holds a model of GeodesicSolver of any type.
+class Geodesic_solver_handle
+{
+public:
+  Geodesic_solver_handle() = default;
+
+  template <typename Solver>
+  explicit Geodesic_solver_handle(const Solver& solver) : model_(new Model<Solver>(solver)) {}
+
+  bool empty() const { return !model_; }
+
+  // a solver of the same kind for another mesh, which must stay where it is
+  Geodesic_solver_handle bound_to(const Indexed_triangle_mesh& mesh) const
+  {
+    Geodesic_solver_handle result;
+    result.model_ = model_->copy();
+    result.model_->set_mesh(mesh);
+    return result;
+  }
+
+  void compute_distances(const Indexed_source& source, std::vector<double>& distances)
+  {
+    model_->compute_distances(source, distances);
+  }
+
+private:
+  struct Concept
+  {
+    virtual ~Concept() = default;
+    virtual std::unique_ptr<Concept> copy() const = 0;
+    virtual void set_mesh(const Indexed_triangle_mesh& mesh) = 0;
+    virtual void compute_distances(const Indexed_source& source, std::vector<double>& distances) = 0;
+  };
+
+  template <typename Solver>
+  struct Model : public Concept
+  {
+    explicit Model(const Solver& s) : solver(s) {}
+    std::unique_ptr<Concept> copy() const override { return std::unique_ptr<Concept>(new Model(solver)); }
+    void set_mesh(const Indexed_triangle_mesh& mesh) override { solver.set_mesh(mesh); }
+    void compute_distances(const Indexed_source& source, std::vector<double>& distances) override
+    {
+      solver.compute_distances(source, distances);
+    }
+    Solver solver;
+  };
+
+  std::unique_ptr<Concept> model_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_INTERNAL_GEODESIC_SOLVER_HANDLE_H

@@ -1,0 +1,15 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// The named parameters of the package, in the form of CGAL's own list: no include guard, read several times.
+CGAL_add_named_parameter(geodesic_solver_t, geodesic_solver, geodesic_solver)
+CGAL_add_named_parameter(vertex_distance_map_t, vertex_distance_map, vertex_distance_map)
+CGAL_add_named_parameter(laplacian_operator_t, laplacian_operator, laplacian_operator)
+CGAL_add_named_parameter(gradient_angle_threshold_t, gradient_angle_threshold, gradient_angle_threshold)
+CGAL_add_named_parameter(laplacian_threshold_t, laplacian_threshold, laplacian_threshold)
+CGAL_add_named_parameter(filter_policy_t, filter_policy, filter_policy)
+CGAL_add_named_parameter(minimum_branch_edges_t, minimum_branch_edges, minimum_branch_edges)
+CGAL_add_named_parameter(minimum_branch_length_t, minimum_branch_length, minimum_branch_length)

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_THINNING_H
+#define CGAL_CUT_LOCI_THINNING_H
+
+#include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/internal/vertex_queue.h>
+#include <CGAL/Cut_loci/region_growing_tree.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * removes from the leaves of `tree`, those of highest `key` first, the vertices next to a stronger branch: those with a
+ * neighbor of lower key in the tree that is neither their parent nor a child of their parent. Parallel branches that
+ * flood a band of the surface shrink to one; the tree stays connected. O(n log n).
+ */
+template <typename Key>
+void thin(Spanning_tree& tree, const Mesh_connectivity& connectivity, const Key& key)
+{
+  std::vector<Index> children(tree.parent.size(), 0);
+  for(Index v : tree.order)
+    if(v != tree.root)
+      ++children[tree.parent[v]];
+
+  internal::Vertex_queue leaves;
+  for(Index v : tree.order)
+    if(v != tree.root && children[v] == 0)
+      leaves.push({-static_cast<double>(key[v]), v});
+
+  std::vector<bool> removed(tree.parent.size(), false);
+  while(!leaves.empty())
+  {
+    const Index v = leaves.top().vertex, parent = tree.parent[v];
+    leaves.pop();
+    const auto begin = connectivity.ring_vertex.begin() + connectivity.ring_begin[v],
+               end = connectivity.ring_vertex.begin() + connectivity.ring_begin[v + 1];
+    const bool is_next_to_stronger_branch = std::any_of(begin, end, [&](Index w)
+    {
+      return key[w] < key[v] && w != parent && tree.contains(w) && !removed[w] && tree.parent[w] != parent;
+    });
+    if(!is_next_to_stronger_branch)
+      continue;
+    removed[v] = true;
+    if(--children[parent] == 0 && parent != tree.root)
+      leaves.push({-static_cast<double>(key[parent]), parent});
+  }
+
+  tree.order.erase(std::remove_if(tree.order.begin(), tree.order.end(), [&](Index v) { return removed[v]; }),
+                   tree.order.end());
+  for(Index v = 0; v < removed.size(); ++v)
+    if(removed[v])
+      tree.parent[v] = tree.parent_entry[v] = null_index;
+}
+
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_THINNING_H

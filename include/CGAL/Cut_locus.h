@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCUS_H
+#define CGAL_CUT_LOCUS_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+
+#include <CGAL/Kernel_traits.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+namespace Cut_loci {
+
+/// \ingroup PkgSurfaceMeshCutLocusRef
+/// a vertex of the graph of a `Cut_locus`
+template <typename TriangleMesh, typename Point_3>
+struct Cut_locus_vertex
+{
+  using FT = typename Kernel_traits<Point_3>::Kernel::FT;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+
+  std::pair<face_descriptor, std::array<FT, 3> > location; ///< face and barycentric coordinates, as in `Polygon_mesh_processing`
+  Point_3 point;                 ///< the point in space
+  vertex_descriptor mesh_vertex; ///< the vertex of the mesh it is at, or `null_vertex()`
+  double distance = 0.;          ///< the distance to the source
+};
+
+/// \ingroup PkgSurfaceMeshCutLocusRef
+/// an edge of the graph of a `Cut_locus`
+template <typename TriangleMesh>
+struct Cut_locus_edge
+{
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+
+  halfedge_descriptor mesh_halfedge; ///< a halfedge on the edge of the mesh it follows, or `null_halfedge()`
+  double strength = 0.;              ///< the largest strength on the branch from here to its tips, in the unit of the filter
+  bool is_on_border = false;         ///< whether it follows the border of the mesh
+};
+
+namespace internal {
+
+// What a source yields and all results for it share.
+struct Source_result
+{
+  std::vector<double> distance; // for each dense index of the whole mesh; infinity where unreached
+  Index root = null_index;
+  Index farthest = null_index;
+  Index genus = 0;
+  Index number_of_border_loops = 0;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusRef
+ *
+ * is the cut locus of a source point on a triangle mesh: a graph, and the distances to the source. The class is an
+ * immutable value; it refers to the mesh by descriptors. All functions can be called from several threads.
+ *
+ * On a closed surface of genus g the graph is connected, has 2g independent cycles, and its complement in the surface is
+ * one open disk. On a surface with boundary the same holds for the union of the graph and the boundary, each border loop
+ * being counted as a point.
+ *
+ * @tparam TriangleMesh a model of `FaceListGraph`
+ * @tparam Point_3 the value type of the vertex point map
+ */
+template <typename TriangleMesh, typename Point_3>
+class Cut_locus
+{
+public:
+  using mesh_vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Vertex = Cut_loci::Cut_locus_vertex<TriangleMesh, Point_3>;
+  using Edge = Cut_loci::Cut_locus_edge<TriangleMesh>;
+  /// the type of the graph, a model of `VertexAndEdgeListGraph` and `IncidenceGraph` with the properties above
+  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Vertex, Edge>;
+  using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;
+  using Distance_function = std::function<double(mesh_vertex_descriptor)>;
+
+  Cut_locus(Graph graph, Vertex source, mesh_vertex_descriptor farthest,
+            std::shared_ptr<const Cut_loci::internal::Source_result> result, Distance_function distance)
+    : graph_(std::move(graph)), source_(std::move(source)), farthest_(farthest), result_(std::move(result)),
+      distance_(std::move(distance))
+  {}
+
+  /// the graph
+  const Graph& graph() const { return graph_; }
+
+  /// the vertex of the graph from which the cut locus was grown: on a closed surface the one farthest from the source
+  vertex_descriptor root() const { return 0; }
+
+  /// the source
+  const Vertex& source() const { return source_; }
+
+  /// the vertex of the mesh that is farthest from the source
+  mesh_vertex_descriptor farthest_vertex() const { return farthest_; }
+
+  /// the geodesic distance of a mesh vertex to the source; infinity if no path leads there
+  double distance(mesh_vertex_descriptor v) const { return distance_(v); }
+
+  /// the genus of the source's component
+  std::size_t genus() const { return result_->genus; }
+
+  /// the number of border loops of the source's component
+  std::size_t number_of_border_loops() const { return result_->number_of_border_loops; }
+
+private:
+  Graph graph_;
+  Vertex source_;
+  mesh_vertex_descriptor farthest_;
+  std::shared_ptr<const Cut_loci::internal::Source_result> result_;
+  Distance_function distance_;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCUS_H

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_HEAT_METHOD_GEODESIC_SOLVER_H
+#define CGAL_HEAT_METHOD_GEODESIC_SOLVER_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/internal/insert_vertex.h>
+#include <CGAL/Cut_loci/internal/surface_mesh_copy.h>
+
+#include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
+
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusSolvers
+ *
+ * approximates geodesic distances with `CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3`
+ * \cgalCite{cgal:cww-ghnac-13}. The matrices are factored once per mesh; each
+ * source takes two back substitutions. A source that is not a vertex is inserted into a copy of the mesh, which is
+ * factored anew.
+ *
+ * @tparam Mode `Heat_method_3::Direct`, or `Heat_method_3::Intrinsic_Delaunay`, which is more accurate on meshes with
+ *         badly shaped faces
+ *
+ * \cgalModels{GeodesicSolver}
+ */
+template <typename Mode = Heat_method_3::Intrinsic_Delaunay>
+class Heat_method_geodesic_solver
+{
+public:
+  void set_mesh(const Cut_loci::Indexed_triangle_mesh& mesh)
+  {
+    input_ = &mesh;
+    factored_.reset();
+  }
+
+  void compute_distances(const Cut_loci::Indexed_source& source, std::vector<double>& distances)
+  {
+    if(source.vertex == Cut_loci::null_index)
+    {
+      const Cut_loci::Indexed_triangle_mesh refined = Cut_loci::internal::insert_vertex(*input_, source.location);
+      Factored(refined).compute(input_->number_of_vertices(), distances);
+      distances.resize(input_->number_of_vertices());
+      return;
+    }
+    if(!factored_)
+      factored_ = std::make_shared<Factored>(*input_);
+    factored_->compute(source.vertex, distances);
+  }
+
+private:
+  using Mesh = Cut_loci::internal::Geodesic_mesh;
+
+  struct Factored
+  {
+    Mesh mesh;
+    Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, Mode> heat_method;
+
+    explicit Factored(const Cut_loci::Indexed_triangle_mesh& input)
+      : mesh(Cut_loci::internal::surface_mesh_copy(input)), heat_method(mesh)
+    {}
+
+    void compute(Cut_loci::Index source, std::vector<double>& distances)
+    {
+      using Vertex = Mesh::Vertex_index;
+      heat_method.clear_sources();
+      heat_method.add_source(Vertex(source));
+      Mesh::Property_map<Vertex, double> distance = mesh.add_property_map<Vertex, double>("v:heat_distance", 0.).first;
+      heat_method.estimate_geodesic_distances(distance);
+      distances.resize(mesh.number_of_vertices());
+      for(Vertex v : mesh.vertices())
+        distances[v] = distance[v];
+    }
+  };
+
+  const Cut_loci::Indexed_triangle_mesh* input_ = nullptr;
+  std::shared_ptr<Factored> factored_;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_HEAT_METHOD_GEODESIC_SOLVER_H

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
+#define CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/internal/surface_mesh_copy.h>
+
+#include <CGAL/Surface_mesh_shortest_path.h>
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusSolvers
+ *
+ * computes exact geodesic distances with `CGAL::Surface_mesh_shortest_path` \cgalCite{Xin2009Improvingchenandhan}.
+ * Exact on the polyhedron, and slow: a sequence tree for 100 000 faces takes many seconds.
+ *
+ * \cgalModels{GeodesicSolver}
+ */
+class Shortest_path_geodesic_solver
+{
+public:
+  void set_mesh(const Cut_loci::Indexed_triangle_mesh& mesh)
+  {
+    mesh_ = std::make_shared<const Mesh>(Cut_loci::internal::surface_mesh_copy(mesh));
+  }
+
+  void compute_distances(const Cut_loci::Indexed_source& source, std::vector<double>& distances)
+  {
+    Shortest_path solver(*mesh_);
+    if(source.vertex != Cut_loci::null_index)
+      solver.add_source_point(Mesh::Vertex_index(source.vertex));
+    else
+    {
+      const std::array<double, 3>& c = source.location.coordinates;
+      solver.add_source_point(Mesh::Face_index(source.location.face), {{c[0], c[1], c[2]}});
+    }
+    solver.build_sequence_tree();
+    distances.resize(mesh_->number_of_vertices());
+    for(Mesh::Vertex_index v : mesh_->vertices())
+    {
+      const double d = solver.shortest_distance_to_source_points(v).first;
+      distances[v] = d < 0. ? (std::numeric_limits<double>::infinity)() : d;
+    }
+  }
+
+private:
+  using Mesh = Cut_loci::internal::Geodesic_mesh;
+  using Traits = CGAL::Surface_mesh_shortest_path_traits<Cut_loci::internal::Geodesic_kernel, Mesh>;
+  using Shortest_path = CGAL::Surface_mesh_shortest_path<Traits>;
+
+  std::shared_ptr<const Mesh> mesh_;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_COMPUTE_CUT_LOCUS_H
+#define CGAL_COMPUTE_CUT_LOCUS_H
+
+#include <CGAL/Surface_mesh_cut_locus.h>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusRef
+ *
+ * computes the cut locus of a point on a triangle mesh: the closure of the set of points that have more than one shortest
+ * path to the source.
+ *
+ * The function constructs a `Surface_mesh_cut_locus`, sets the source and returns the cut locus. For several sources
+ * on a mesh or several thresholds for a source, the class does what they share only once.
+ *
+ * @tparam TriangleMesh a model of `FaceListGraph`
+ * @tparam Source `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or a pair of a face and barycentric coordinates as
+ *         in `Polygon_mesh_processing`
+ *
+ * @param tm a triangle mesh
+ * @param source the source
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor, of
+ *        `set_source()` and of `cut_locus()` of `Surface_mesh_cut_locus`
+ *
+ * @return the graph of the cut locus, and the distances to the source
+ *
+ * @throws Cut_loci::Invalid_input where the mesh, the source or a parameter can not be used, with a message that names
+ *         the cause
+ */
+template <typename TriangleMesh, typename Source, typename CGAL_NP_TEMPLATE_PARAMETERS>
+auto compute_cut_locus(const TriangleMesh& tm, const Source& source,
+                       const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::const_type;
+  Surface_mesh_cut_locus<TriangleMesh, Vertex_point_map> solver(tm, np);
+  solver.set_source(source, np);
+  return solver.cut_locus(np);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_COMPUTE_CUT_LOCUS_H
