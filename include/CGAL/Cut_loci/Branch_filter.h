@@ -85,9 +85,9 @@ public:
     : root_(tree.root), generators_(generators), is_kept_(tree.parent.size(), false)
   {
     keep_homology(mesh, connectivity, spanning_tree);
-    const Spanning_tree joined = join(tree, spanning_tree);
+    const Spanning_tree joined = join(connectivity, tree, spanning_tree);
     link(connectivity, joined);
-    accumulate(joined, gradient_angle, laplacian);
+    accumulate(connectivity, joined, gradient_angle, laplacian);
   }
 
   Result operator()(const Indexed_triangle_mesh& mesh, const Branch_thresholds& thresholds) const
@@ -167,31 +167,41 @@ private:
         }
   }
 
-  // The kept paths of the spanning tree, and the candidates hanging on them.
-  Spanning_tree join(const Spanning_tree& tree, const Spanning_tree& spanning_tree) const
+  // The kept paths and the border loops of the spanning tree, and the candidates hanging on them. A loop that candidates
+  // entered at another place than the spanning tree would be on a cycle.
+  Spanning_tree join(const Mesh_connectivity& connectivity, const Spanning_tree& tree,
+                     const Spanning_tree& spanning_tree) const
   {
+    const auto is_fixed = [&](Index v) { return is_kept_[v] || connectivity.is_border(v); };
     Spanning_tree result = tree;
     result.order.clear();
     for(Index v : spanning_tree.order)
-      if(is_kept_[v])
+      if(is_fixed(v))
       {
         result.order.push_back(v);
         result.parent[v] = spanning_tree.parent[v];
         result.parent_entry[v] = spanning_tree.parent_entry[v];
       }
     for(Index v : tree.order)
-      if(!is_kept_[v])
+      if(!is_fixed(v))
         result.order.push_back(v);
     return result;
   }
 
-  void accumulate(const Spanning_tree& tree, const std::vector<float>& gradient_angle,
-                  const std::vector<float>& laplacian)
+  void accumulate(const Mesh_connectivity& connectivity, const Spanning_tree& tree,
+                  const std::vector<float>& gradient_angle, const std::vector<float>& laplacian)
   {
+    const float infinity = (std::numeric_limits<float>::infinity)();
     below_.resize(tree.parent.size());
+    above_.resize(tree.parent.size());
     for(Index v : tree.order)
-      below_[v] = {gradient_angle[v], -laplacian[v]};
-    above_ = below_;
+      if(connectivity.is_border(v)) // joins branches that reach the border, and is none itself
+      {
+        below_[v] = {-infinity, -infinity};
+        above_[v] = {infinity, infinity};
+      }
+      else
+        below_[v] = above_[v] = {gradient_angle[v], -laplacian[v]};
     for(std::size_t i = tree.order.size(); i-- > 1;)
     {
       const Strength& s = below_[tree.order[i]];
@@ -221,19 +231,20 @@ private:
     };
     const std::size_t n = result.vertices.size();
     std::vector<Height> height(n);
+    std::vector<Height> branch(n);              // from a vertex' parent on
     std::vector<double> longest(n, -1.);        // among the branches that meet at a vertex
     std::vector<Index> continued(n, null_index); // the position of that branch's first vertex
     for(std::size_t i = n; i-- > 1;)
     {
       const Index p = parent_position[i], v = result.vertices[i];
-      const double length = height[i].length + norm(mesh.points[v] - mesh.points[result.vertices[p]]);
+      branch[i] = {height[i].length + norm(mesh.points[v] - mesh.points[result.vertices[p]]), height[i].edges + 1};
       // What is kept for the homology continues before any branch.
-      const double rank = is_kept_[v] ? (std::numeric_limits<double>::max)() : length;
+      const double rank = is_kept_[v] ? (std::numeric_limits<double>::max)() : branch[i].length;
       if(rank > longest[p] || (rank == longest[p] && v < result.vertices[continued[p]]))
       {
         longest[p] = rank;
         continued[p] = static_cast<Index>(i);
-        height[p] = {length, height[i].edges + 1};
+        height[p] = branch[i];
       }
     }
     std::vector<bool> removed(n, false);
@@ -241,8 +252,7 @@ private:
     for(std::size_t i = 1; i < n; ++i)
     {
       const Index p = parent_position[i], v = result.vertices[i];
-      const double length = height[i].length + norm(mesh.points[v] - mesh.points[result.vertices[p]]);
-      const bool is_short = height[i].edges + 1 < thresholds.minimum_edges || length < thresholds.minimum_length;
+      const bool is_short = branch[i].edges < thresholds.minimum_edges || branch[i].length < thresholds.minimum_length;
       removed[i] = removed[p] || (!is_kept_[v] && continued[p] != i && is_short);
       if(removed[i])
         continue;
