@@ -136,9 +136,9 @@ TEST(Rough_sphere, is_cleared_by_a_wider_angle_or_by_growing)
   const Built built(rough(bumpy_sphere(20, 0.5, 1), 0.1, 1));
   Solver solver(built.mesh);
   solver.set_source(built.vertices[5]);
-  const Cut_locus fine = solver.cut_locus(params::gradient_angle_threshold(0.3));
+  const Cut_locus fine = solver.cut_locus(params::gradient_angle_threshold(0.1));
   const Cut_locus coarse = solver.cut_locus(params::gradient_angle_threshold(1.));
-  const Cut_locus grown = solver.cut_locus(params::gradient_angle_threshold(0.3).filter_policy(Filter_policy::GROWING));
+  const Cut_locus grown = solver.cut_locus(params::gradient_angle_threshold(0.1).filter_policy(Filter_policy::GROWING));
   EXPECT_LT(number_of_leaves(coarse), number_of_leaves(fine) / 2);
   EXPECT_LT(num_edges(grown.graph()), num_edges(fine.graph()));
 }
