@@ -27,8 +27,14 @@ inline void extend_tree(Spanning_tree& tree, const Mesh_connectivity& connectivi
 {
   internal::Vertex_queue queue;
   const auto push = [&](Index v) { queue.push({-distance[v], v}); };
-  for(Index v : std::vector<Index>(tree.order))
+  const std::vector<Index> given = tree.order;
+  for(Index v : given)
+  {
     push(v);
+    // A loop that is in the tree in part grows along the border: entered a second time, its node would be on a cycle.
+    if(connectivity.is_border(v))
+      internal::add_border_loop(tree, connectivity, v, push);
+  }
   while(!queue.empty())
   {
     const Index v = queue.top().vertex;
