@@ -207,19 +207,20 @@ private:
     };
     const std::size_t n = result.vertices.size();
     std::vector<Height> height(n);
+    std::vector<Height> branch(n);              // from a vertex' parent on
     std::vector<double> longest(n, -1.);        // among the branches that meet at a vertex
     std::vector<Index> continued(n, null_index); // the position of that branch's first vertex
     for(std::size_t i = n; i-- > 1;)
     {
       const Index p = parent_position[i], v = result.vertices[i];
-      const double length = height[i].length + norm(mesh.points[v] - mesh.points[result.vertices[p]]);
+      branch[i] = {height[i].length + norm(mesh.points[v] - mesh.points[result.vertices[p]]), height[i].edges + 1};
       // What is kept for the homology continues before any branch.
-      const double rank = is_kept_[v] ? (std::numeric_limits<double>::max)() : length;
+      const double rank = is_kept_[v] ? (std::numeric_limits<double>::max)() : branch[i].length;
       if(rank > longest[p] || (rank == longest[p] && v < result.vertices[continued[p]]))
       {
         longest[p] = rank;
         continued[p] = static_cast<Index>(i);
-        height[p] = {length, height[i].edges + 1};
+        height[p] = branch[i];
       }
     }
     std::vector<bool> removed(n, false);
@@ -227,8 +228,7 @@ private:
     for(std::size_t i = 1; i < n; ++i)
     {
       const Index p = parent_position[i], v = result.vertices[i];
-      const double length = height[i].length + norm(mesh.points[v] - mesh.points[result.vertices[p]]);
-      const bool is_short = height[i].edges + 1 < thresholds.minimum_edges || length < thresholds.minimum_length;
+      const bool is_short = branch[i].edges < thresholds.minimum_edges || branch[i].length < thresholds.minimum_length;
       removed[i] = removed[p] || (!is_kept_[v] && continued[p] != i && is_short);
       if(removed[i])
         continue;
