@@ -23,7 +23,8 @@ namespace Cut_loci {
  * extends `tree` over all vertices of the mesh, those of largest distance first, so that its front moves from the cut
  * locus towards the source. O(n log n).
  */
-inline void extend_tree(Spanning_tree& tree, const Mesh_connectivity& connectivity, const std::vector<double>& distance)
+inline void extend_tree(Spanning_tree& tree, const Mesh_connectivity& connectivity, const std::vector<double>& distance,
+                        const Source_element& source = Source_element())
 {
   internal::Vertex_queue queue;
   const auto push = [&](Index v) { queue.push({-distance[v], v}); };
@@ -39,22 +40,24 @@ inline void extend_tree(Spanning_tree& tree, const Mesh_connectivity& connectivi
   {
     const Index v = queue.top().vertex;
     queue.pop();
-    internal::add_neighbors(tree, connectivity, v, push);
+    internal::add_neighbors(tree, connectivity, v, source, push);
   }
+  internal::add_source(tree, connectivity, source);
 }
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * grows a spanning tree of the faces (the cotree) from `source_face`, across edges that are not in the spanning tree
+ * grows a spanning tree of the faces (the cotree) from those around the source, across edges that are not in the spanning tree
  * `tree`, faces of smallest mean distance first, and returns the halfedges of the edges that are in neither: the
  * generators of the first homology \cgalCite{cgal:ew-gohhb-05}, 2g of them on a surface of genus g, where the two
  * fronts of the cotree meet. The union of `tree` and the generators cuts the surface into one open disk.
- * Each border loop, which `tree` takes as one node, counts as part of that union. O(n log n).
+ * Each border loop, which `tree` takes as one node, counts as part of that union. The source is in the cotree, not on a
+ * generator, whatever the distances. O(n log n).
  */
 inline std::vector<Index> homology_generators(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                                               const Spanning_tree& tree, const std::vector<double>& distance,
-                                              Index source_face)
+                                              const Indexed_source& source)
 {
   std::vector<bool> covered(connectivity.number_of_edges(), false);
   for(Index v : tree.order)
@@ -69,19 +72,44 @@ inline std::vector<Index> homology_generators(const Indexed_triangle_mesh& mesh,
     const Indexed_triangle_mesh::Triangle& t = mesh.triangles[f];
     queue.push({distance[t[0]] + distance[t[1]] + distance[t[2]], f});
   };
-  push(source_face);
+  const auto cross = [&](Index h)
+  {
+    const Index opposite = mesh.opposite[h], edge = connectivity.edge_of_halfedge[h];
+    if(opposite == null_index || covered[edge] || reached[opposite / 3])
+      return;
+    covered[edge] = true;
+    push(opposite / 3);
+  };
+
+  const Source_element element(connectivity, source);
+  if(element.vertex != null_index)
+  {
+    // all faces around, from the tree's edge on
+    const Index begin = connectivity.ring_begin[element.vertex], k = connectivity.valence(element.vertex);
+    Index first = 0;
+    if(!connectivity.is_border(element.vertex))
+      while(first + 1 < k && !covered[connectivity.ring_edge(begin + first)])
+        ++first;
+    push(connectivity.ring_halfedge[begin + first] / 3);
+    for(Index i = 1; i < k; ++i)
+    {
+      const Index before = mesh.opposite[connectivity.ring_halfedge[begin + (first + i) % k]];
+      if(before != null_index && reached[before / 3])
+        cross(before);
+    }
+  }
+  else
+    push(source.location.face);
+  if(element.edge != null_index)
+    for(Index h = 3 * source.location.face; h < 3 * source.location.face + 3; ++h)
+      if(connectivity.edge_of_halfedge[h] == element.edge)
+        cross(h);
   while(!queue.empty())
   {
     const Index f = queue.top().vertex;
     queue.pop();
     for(Index h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      const Index opposite = mesh.opposite[h], edge = connectivity.edge_of_halfedge[h];
-      if(opposite == null_index || covered[edge] || reached[opposite / 3])
-        continue;
-      covered[edge] = true;
-      push(opposite / 3);
-    }
+      cross(h);
   }
 
   std::vector<Index> generators;

@@ -47,7 +47,10 @@ public:
   {
     source_ = source;
     distance_ = std::move(distance);
-    farthest_ = static_cast<Index>(std::max_element(distance_.begin(), distance_.end()) - distance_.begin());
+    farthest_ = source.vertex == 0 ? 1 : 0;
+    for(Index v = farthest_ + 1; v < distance_.size(); ++v) // the source is not it even if all distances are equal
+      if(v != source.vertex && distance_[v] > distance_[farthest_])
+        farthest_ = v;
   }
 
   void compute_strengths()
@@ -69,16 +72,16 @@ public:
 
   void grow_tree()
   {
-    tree_ = region_growing_tree(connectivity_, laplacian_, choose_root());
+    tree_ = region_growing_tree(connectivity_, laplacian_, choose_root(), Source_element(connectivity_, source_));
     thin(tree_, connectivity_, laplacian_);
   }
 
   void close_cycles()
   {
     const std::size_t candidates = tree_.order.size();
-    extend_tree(tree_, connectivity_, distance_);
+    extend_tree(tree_, connectivity_, distance_, Source_element(connectivity_, source_));
     const std::vector<Index> generators =
-      homology_generators(mesh_, connectivity_, tree_, distance_, source_.location.face);
+      homology_generators(mesh_, connectivity_, tree_, distance_, source_);
     filter_ = Branch_filter(mesh_, connectivity_, tree_, candidates, generators, angle_, laplacian_);
   }
 
