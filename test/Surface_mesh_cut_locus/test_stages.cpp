@@ -151,20 +151,31 @@ std::vector<Mesh_data> meshes_with_border()
           punctured(torus(1., 0.4, 24, 14, 0.2, 4), {{{-1.4, 0., 0.}}, {{0., 1.4, 0.}}}, 0.3)};
 }
 
+Indexed_source source_at(const Fixture& f, std::size_t v)
+{
+  Indexed_source source;
+  source.vertex = static_cast<Index>(v);
+  const Index h = f.connectivity.ring_halfedge[f.connectivity.ring_begin[v]];
+  source.location.face = h / 3;
+  source.location.coordinates[h % 3] = 1.;
+  return source;
+}
+
 // the library's order of the stages on one key
 struct Trees
 {
   Spanning_tree full, thinned, extended;
 };
 
-Trees grow(const Fixture& f, const std::vector<float>& key, const std::vector<double>& distance, Index root)
+Trees grow(const Fixture& f, const std::vector<float>& key, const std::vector<double>& distance, Index root,
+           const Source_element& source = Source_element())
 {
   Trees t;
-  t.full = region_growing_tree(f.connectivity, key, root);
+  t.full = region_growing_tree(f.connectivity, key, root, source);
   t.thinned = t.full;
   thin(t.thinned, f.connectivity, key);
   t.extended = t.thinned;
-  extend_tree(t.extended, f.connectivity, distance);
+  extend_tree(t.extended, f.connectivity, distance, source);
   return t;
 }
 
@@ -325,9 +336,10 @@ TEST(Homology_generators, are_two_per_handle_and_cut_the_surface_into_a_disk_tog
         const topology_checker::Surface surface(data.triangles, 0);
         const Index source = static_cast<Index>(11 * seed % data.points.size());
         const std::vector<double> distance = distances(data, source);
-        const Trees trees = grow(f, random_keys(data.points.size(), seed), distance, farthest(distance));
-        const std::vector<Index> generators = homology_generators(
-          f.mesh, f.connectivity, trees.extended, distance, f.connectivity.ring_halfedge[f.connectivity.ring_begin[source]] / 3);
+        const Indexed_source at = source_at(f, source);
+        const Trees trees = grow(f, random_keys(data.points.size(), seed), distance, farthest(distance),
+                                 Source_element(f.connectivity, at));
+        const std::vector<Index> generators = homology_generators(f.mesh, f.connectivity, trees.extended, distance, at);
         EXPECT_EQ(long(generators.size()), 2 * surface.genus());
         EXPECT_EQ(long(f.connectivity.genus(f.mesh)), surface.genus());
         EXPECT_EQ(f.connectivity.number_of_border_loops, surface.number_of_loops);
@@ -438,9 +450,9 @@ struct Filter_case
   {
     const std::size_t n = data.points.size();
     const std::vector<double> distance = distances(data, seed % n);
-    trees = grow(f, random_keys(n, seed), distance, farthest(distance));
-    const Index source_face = f.connectivity.ring_halfedge[f.connectivity.ring_begin[seed % n]] / 3;
-    generators = homology_generators(f.mesh, f.connectivity, trees.extended, distance, source_face);
+    const Indexed_source source = source_at(f, seed % n);
+    trees = grow(f, random_keys(n, seed), distance, farthest(distance), Source_element(f.connectivity, source));
+    generators = homology_generators(f.mesh, f.connectivity, trees.extended, distance, source);
     angle = random_keys(n, seed + 100);
     for(float& a : angle)
       a = std::abs(a) * float(pi);
