@@ -107,6 +107,8 @@ public:
         result.edges.push_back({w, result.vertices[i], children_[c].halfedge, below_[w].gradient_angle});
         parent_position.push_back(static_cast<Index>(i));
       }
+    if(!only_joins_.empty())
+      remove_needless_joins(parent_position, result);
     if(thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.)
       remove_short_branches(mesh, thresholds, parent_position, result);
     for(Index h : generators_)
@@ -194,9 +196,12 @@ private:
     const float infinity = (std::numeric_limits<float>::infinity)();
     below_.resize(tree.parent.size());
     above_.resize(tree.parent.size());
+    if(connectivity.number_of_border_loops > 0)
+      only_joins_.resize(tree.parent.size());
     for(Index v : tree.order)
       if(connectivity.is_border(v)) // joins branches that reach the border, and is none itself
       {
+        only_joins_[v] = true;
         below_[v] = {-infinity, -infinity};
         above_[v] = {infinity, infinity};
       }
@@ -217,6 +222,34 @@ private:
       above_[v].gradient_angle = (std::min)(above_[v].gradient_angle, p.gradient_angle);
       above_[v].laplacian = (std::min)(above_[v].laplacian, p.laplacian);
     }
+  }
+
+  // Border vertices from which no branch goes on.
+  void remove_needless_joins(std::vector<Index>& parent_position, Result& result) const
+  {
+    const std::size_t n = result.vertices.size();
+    std::vector<bool> is_needed(n, false);
+    for(std::size_t i = n; i-- > 1;)
+    {
+      const Index v = result.vertices[i];
+      if(is_kept_[v] || !only_joins_[v])
+        is_needed[i] = true;
+      if(is_needed[i])
+        is_needed[parent_position[i]] = true;
+    }
+    std::vector<Index> new_position(n, 0);
+    std::size_t size = 1;
+    for(std::size_t i = 1; i < n; ++i)
+      if(is_needed[i])
+      {
+        new_position[i] = static_cast<Index>(size);
+        result.vertices[size] = result.vertices[i];
+        result.edges[size - 1] = result.edges[i - 1];
+        parent_position[size++] = new_position[parent_position[i]];
+      }
+    result.vertices.resize(size);
+    result.edges.resize(size - 1);
+    parent_position.resize(size);
   }
 
   // Where branches meet, the longest one continues and the others end, and at the root all of them: those that are
@@ -269,6 +302,7 @@ private:
   Index root_ = null_index;
   std::vector<Index> generators_;
   std::vector<bool> is_kept_;     // part of the homology, at any threshold
+  std::vector<bool> only_joins_;  // border vertices; empty if there are none
   std::vector<Index> child_begin_;
   std::vector<Child> children_;
   std::vector<Strength> below_; // the largest strength in the subtree of each vertex
