@@ -428,8 +428,8 @@ private:
       std::string name = Cut_loci::internal::face_name(f) + " (vertices";
       for(Index v : read_->mesh.triangles[f])
         name += " " + std::to_string(read_->positions[v]);
-      throw Cut_loci::Invalid_input(name + ") has no area: it must be removed or repaired first "
-                                    "(CGAL::Polygon_mesh_processing::remove_degenerate_faces() does)");
+      throw Cut_loci::Invalid_input(name + ") has no area, or in this unit of length one that is not a normal number: it "
+                                    "must be removed or repaired first (CGAL::Polygon_mesh_processing::remove_degenerate_faces() does)");
     }
     catch(const Solver::Non_manifold_vertex& error)
     {
@@ -488,6 +488,9 @@ private:
 
   void check_distances(const Component& component, const std::vector<double>& distance, const std::string& who) const
   {
+    if(distance.size() != component.mesh->number_of_vertices())
+      throw Cut_loci::Invalid_input(who + " " + std::to_string(distance.size()) + " distances for " +
+                                    std::to_string(component.mesh->number_of_vertices()) + " vertices");
     for(Index v = 0; v < distance.size(); ++v)
       if(!std::isfinite(distance[v]))
         throw Cut_loci::Invalid_input(who + " a distance that is not a finite number for " +
