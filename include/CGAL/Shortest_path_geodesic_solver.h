@@ -67,7 +67,8 @@ private:
     return false;
   }
 
-  static void compute_distances(const Mesh& mesh, const Cut_loci::Indexed_source& source, std::vector<double>& distances)
+  static void compute_distances(const Mesh& mesh, const Cut_loci::Indexed_source& source,
+                                std::vector<double>& distances)
   {
     Shortest_path solver(mesh);
     if(source.vertex != Cut_loci::null_index)

@@ -428,8 +428,9 @@ private:
       std::string name = Cut_loci::internal::face_name(f) + " (vertices";
       for(Index v : read_->mesh.triangles[f])
         name += " " + std::to_string(read_->positions[v]);
-      throw Cut_loci::Invalid_input(name + ") has no area, or in this unit of length one that is not a normal number: it "
-                                    "must be removed or repaired first (CGAL::Polygon_mesh_processing::remove_degenerate_faces() does)");
+      throw Cut_loci::Invalid_input(name + ") has no area, or in this unit of length one that is not a normal number: "
+                                    "it must be removed or repaired first "
+                                    "(CGAL::Polygon_mesh_processing::remove_degenerate_faces() does)");
     }
     catch(const Solver::Non_manifold_vertex& error)
     {

@@ -128,7 +128,8 @@ TEST(Bad_input, a_face_that_is_not_a_triangle_is_refused_by_its_position_and_num
 {
   Mesh mesh;
   std::vector<Mesh::Vertex_index> v;
-  for(const Point& p : std::vector<Point>{{{0., 0., 0.}}, {{1., 0., 0.}}, {{1., 1., 0.}}, {{0., 1., 0.}}, {{2., 0.5, 0.}}})
+  for(const Point& p : std::vector<Point>{{{0., 0., 0.}}, {{1., 0., 0.}}, {{1., 1., 0.}}, {{0., 1., 0.}},
+                                             {{2., 0.5, 0.}}})
     v.push_back(mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2])));
   mesh.add_face(v[1], v[4], v[2]);
   mesh.add_face(v[0], v[1], v[2], v[3]);
@@ -287,10 +288,12 @@ TEST(Bad_input, thresholds_that_are_not_in_their_range_are_refused)
   Solver solver(built.mesh);
   expect_refused([&] { solver.cut_locus(); }, {"no source", "set_source()"});
   solver.set_source(built.vertices[0]);
-  expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(not_a_number)); }, {"gradient angle", "not negative"});
+  expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(not_a_number)); },
+                 {"gradient angle", "not negative"});
   expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(-0.1)); }, {"gradient angle", "not negative"});
   expect_refused([&] { solver.cut_locus(params::laplacian_threshold(not_a_number)); }, {"Laplacian", "not a number"});
-  expect_refused([&] { solver.cut_locus(params::minimum_branch_length(not_a_number)); }, {"minimum length", "not negative"});
+  expect_refused([&] { solver.cut_locus(params::minimum_branch_length(not_a_number)); },
+                 {"minimum length", "not negative"});
   expect_refused([&] { solver.cut_locus(params::minimum_branch_length(-1.)); }, {"minimum length", "not negative"});
   EXPECT_EQ(message_of([&] { solver.cut_locus(params::gradient_angle_threshold(infinity)); }), "nothing was thrown");
   EXPECT_EQ(message_of([&] { solver.cut_locus(params::laplacian_threshold(-infinity)); }), "nothing was thrown");
@@ -318,7 +321,8 @@ TEST(Bad_input, distances_that_are_not_finite_are_refused_by_their_vertex)
     auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
     for(std::size_t v = 0; v < built.vertices.size(); ++v)
       put(distance, built.vertices[v], v == 4 ? bad : double(v));
-    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], params::vertex_distance_map(distance)); },
+    const auto np = params::vertex_distance_map(distance);
+    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], np); },
                    {"distance map", "not a finite number", "vertex #4"});
   }
 }
@@ -341,7 +345,8 @@ TEST(Odd_input, the_smallest_meshes_have_cut_loci)
   triangle.triangles = {{{0, 1, 2}}};
   Mesh_data pillow = triangle; // two faces glued along all three edges
   pillow.triangles.push_back({{0, 2, 1}});
-  for(const Mesh_data& data : {tetrahedron(), octahedron(), triangle, pillow, square(1), icosahedron(), box(1, 1, 1, 1)})
+  for(const Mesh_data& data : {tetrahedron(), octahedron(), triangle, pillow, square(1), icosahedron(),
+                               box(1, 1, 1, 1)})
     expect_sound_from_everywhere(data);
 }
 

@@ -110,7 +110,8 @@ float bottleneck_in_tree(const Spanning_tree& tree, const std::vector<float>& ke
 }
 
 // the smallest possible such key: the least bound below which a path from v to the root exists
-float least_bottleneck(const std::vector<std::set<Index> >& neighbor, const std::vector<float>& key, Index v, Index root)
+float least_bottleneck(const std::vector<std::set<Index> >& neighbor, const std::vector<float>& key, Index v,
+                       Index root)
 {
   std::vector<float> bounds(key.begin(), key.end());
   bounds.push_back(-2.f);
@@ -224,7 +225,7 @@ TEST(Region_growing_tree, breaks_ties_by_index)
   const Fixture f(icosahedron());
   const std::vector<float> key(12, 0.f);
   const Spanning_tree tree = region_growing_tree(f.connectivity, key, 4);
-  // with equal keys the waiting vertex of lowest index goes first: each parent is the first that had the vertex as neighbor
+  // with equal keys the waiting vertex of lowest index goes first: a parent is the first that had the vertex around it
   std::vector<Index> parent(12, null_index);
   std::priority_queue<Index, std::vector<Index>, std::greater<Index> > queue;
   const auto neighbor = neighbors(f.data);
@@ -260,7 +261,8 @@ TEST(Region_growing_tree, enters_each_border_loop_once)
         {
           const auto loop = surface.loop_of_vertex.find(v);
           if(loop != surface.loop_of_vertex.end())
-            entered[loop->second] += v == tree->root || !surface.border_edges.count(make_edge(v, tree->parent[v])) ? 1 : 0;
+            entered[loop->second] +=
+              v == tree->root || !surface.border_edges.count(make_edge(v, tree->parent[v])) ? 1 : 0;
         }
         for(const auto& e : entered)
           EXPECT_EQ(e.second, 1) << "loop " << e.first << ", seed " << seed << ", "
@@ -457,7 +459,8 @@ struct Filter_case
     for(float& a : angle)
       a = std::abs(a) * float(pi);
     laplacian = random_keys(n, seed + 200);
-    filter = Branch_filter(f.mesh, f.connectivity, trees.extended, trees.thinned.order.size(), generators, angle, laplacian);
+    filter = Branch_filter(f.mesh, f.connectivity, trees.extended, trees.thinned.order.size(), generators, angle,
+                           laplacian);
     neighbor = neighbors(data);
   }
 

@@ -37,8 +37,8 @@ struct Spanning_tree
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * is the vertex or the inner edge that the source is on, or neither if it is inside a face. It is never on the cut locus:
- * a vertex becomes a leaf of the tree, or a part of a border loop that nothing joins there, and an edge is left out.
+ * is the vertex or the edge that the source is on, or neither if it is inside a face. It is never on the cut locus: a
+ * vertex becomes a leaf of the tree, or a part of a border loop that nothing joins there, and an edge is left out.
  */
 struct Source_element
 {
@@ -90,7 +90,7 @@ void add_border_loop(Spanning_tree& tree, const Mesh_connectivity& connectivity,
   }
 }
 
-// Adds all neighbors of `v` that are not in the tree, each with its border loop if it is on one, but not past the source.
+// Adds all neighbors of `v` that are not in the tree, each with its border loop if it is on one, but not the source.
 template <typename Function>
 void add_neighbors(Spanning_tree& tree, const Mesh_connectivity& connectivity, Index v, const Source_element& source,
                    const Function& reached)
