@@ -14,6 +14,7 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -40,7 +41,7 @@ struct Built_mesh
 
   std::size_t index(vertex_descriptor v) const { return get(index_map, v); }
 
-  // the barycentric coordinates given for data.triangles[f], in the order in which the mesh has the corners of this face
+  // barycentric coordinates given for data.triangles[f], in the order in which the mesh has the corners of this face
   template <typename FT>
   std::pair<face_descriptor, std::array<FT, 3> > location(std::size_t f, const std::array<double, 3>& coordinates) const
   {
@@ -81,8 +82,13 @@ protected:
   void finish()
   {
     index_map = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+    const auto vpm = get(CGAL::vertex_point, mesh);
     for(std::size_t i = 0; i < vertices.size(); ++i)
+    {
       put(index_map, vertices[i], i);
+      const auto& p = get(vpm, vertices[i]); // CGAL's map for OpenMesh rounds to single precision
+      data.points[i] = {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
+    }
   }
 };
 
@@ -152,7 +158,8 @@ topology_checker::Cut cut_of(const Built& built, const Result& result)
 // All that must hold for a result, whatever the thresholds; `corners` of `face` are those around the source. Returns
 // what does not, or an empty string.
 template <typename Built, typename Result>
-std::string fault_of(const Built& built, const Result& result, std::size_t face, const std::vector<std::size_t>& corners)
+std::string fault_of(const Built& built, const Result& result, std::size_t face,
+                     const std::vector<std::size_t>& corners)
 {
   const topology_checker::Surface surface(built.data.triangles, face);
   const topology_checker::Cut cut = cut_of(built, result);

@@ -295,7 +295,8 @@ TEST(Differential_operators, follow_a_change_of_scale_and_a_rigid_motion)
       const Indexed_triangle_mesh moved_mesh = indexed(moved);
       const Mesh_connectivity moved_connectivity(moved_mesh);
       const Differential_operators moved_operators(moved_mesh, moved_connectivity, type);
-      const Eigen::VectorXd moved_gradient = moved_operators.gradient * f, moved_laplacian = moved_operators.laplacian * f;
+      const Eigen::VectorXd moved_gradient = moved_operators.gradient * f;
+      const Eigen::VectorXd moved_laplacian = moved_operators.laplacian * f;
       for(Index v = 0; v < data.points.size(); ++v)
       {
         const Point expected = turn(operators.gradient_in_space(gradient, v));

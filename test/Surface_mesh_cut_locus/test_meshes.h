@@ -340,7 +340,7 @@ inline Mesh_data smoothed(Mesh_data m, int times)
   return m;
 }
 
-// A plate with `holes_x` times `holes_y` square holes: a closed surface whose genus is their number. Rounded, irregular.
+// A plate with `holes_x` times `holes_y` square holes: a closed surface whose genus is their number.
 inline Mesh_data perforated_plate(int holes_x, int holes_y, int n, unsigned seed)
 {
   std::set<Voxel> voxels;
@@ -360,7 +360,8 @@ inline Mesh_data square(std::size_t n, double amount = 0., unsigned seed = 0)
     for(std::size_t j = 0; j <= n; ++j)
     {
       const double x = amount * random_unit(engine), y = amount * random_unit(engine);
-      m.points.push_back({{(double(i) + (i > 0 && i < n ? x : 0.)) / n, (double(j) + (j > 0 && j < n ? y : 0.)) / n, 0.}});
+      m.points.push_back({{(double(i) + (i > 0 && i < n ? x : 0.)) / n,
+                           (double(j) + (j > 0 && j < n ? y : 0.)) / n, 0.}});
     }
   for(std::size_t i = 0; i < n; ++i)
     for(std::size_t j = 0; j < n; ++j)
@@ -424,7 +425,7 @@ inline Mesh_data without_isolated_vertices(const Mesh_data& m)
   return result;
 }
 
-// Takes the faces out whose first vertex lies in one of the balls; these are taken wide enough apart to leave a manifold.
+// Takes the faces out whose centroid lies in one of the balls, which must be wide enough apart to leave a manifold.
 inline Mesh_data punctured(const Mesh_data& m, const std::vector<Point>& centers, double radius)
 {
   Mesh_data result = m;

@@ -107,8 +107,8 @@ inline Spanning_tree strength_aware_tree(const Indexed_triangle_mesh& mesh, cons
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * grows a spanning tree of the faces (the cotree) from those around the source, across edges that are not in the spanning tree
- * `tree`, faces of smallest mean distance first, and returns the halfedges of the edges that are in neither: the
+ * grows a spanning tree of the faces (the cotree) from those around the source, across edges that are not in the spanning
+ * tree `tree`, faces of smallest mean distance first, and returns the halfedges of the edges that are in neither: the
  * generators of the first homology \cgalCite{cgal:ew-gohhb-05}, 2g of them on a surface of genus g, where the two
  * fronts of the cotree meet. The union of `tree` and the generators cuts the surface into one open disk.
  * Each border loop, which `tree` takes as one node, counts as part of that union. The source is in the cotree, not on a

@@ -120,7 +120,8 @@ private:
                    &r = mesh.points[mesh.triangles[f][2]];
       const Vector a = q - p, b = r - p, c = r - q;
       const double longest = (std::max)({dot(a, a), dot(b, b), dot(c, c)});
-      if(!(norm(cross(a, b)) > 1e-14 * longest))
+      const double twice_area = norm(cross(a, b));
+      if(!(twice_area > 1e-14 * longest) || !std::isfinite(twice_area))
         throw Face_without_area{f};
     }
     return mesh;
