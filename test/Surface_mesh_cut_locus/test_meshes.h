@@ -156,6 +156,29 @@ inline Mesh_data bumpy_sphere(std::size_t n, double height, unsigned seed)
   return m;
 }
 
+// The unit sphere with a bell of some height and width (of its Gaussian, in radians) in the direction of `top`.
+inline Mesh_data sphere_with_bump(std::size_t n, const Point& top, double height, double width)
+{
+  Mesh_data m = sphere(n);
+  for(Point& p : m.points)
+  {
+    const double angle = std::atan2(norm(cross(p, top)), dot(p, top));
+    p = (1. + height * std::exp(-0.5 * angle * angle / (width * width))) * p;
+  }
+  return m;
+}
+
+// The same surface with each vertex moved at random by up to `amount` of the mean edge length, in each coordinate.
+inline Mesh_data rough(Mesh_data m, double amount, unsigned seed)
+{
+  std::mt19937 engine(seed);
+  const double h = mean_edge_length(m);
+  for(Point& p : m.points)
+    for(double& x : p)
+      x += amount * h * random_unit(engine);
+  return m;
+}
+
 // Rings of `nu` vertices between two poles.
 template <typename Profile>
 Mesh_data surface_of_revolution(std::size_t nu, std::size_t nt, const Profile& profile)

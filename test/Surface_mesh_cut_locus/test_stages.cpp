@@ -169,14 +169,16 @@ struct Trees
 };
 
 Trees grow(const Fixture& f, const std::vector<float>& key, const std::vector<double>& distance, Index root,
-           const Source_element& source = Source_element())
+           const Source_element& source = Source_element(), std::vector<float> strength = {})
 {
   Trees t;
   t.full = region_growing_tree(f.connectivity, key, root, source);
   t.thinned = t.full;
   thin(t.thinned, f.connectivity, key);
-  t.extended = t.thinned;
-  extend_tree(t.extended, f.connectivity, distance, source);
+  if(strength.empty())
+    for(float k : key)
+      strength.push_back(-k);
+  t.extended = strength_aware_tree(f.connectivity, t.thinned, strength, 0.3, distance, source);
   return t;
 }
 
@@ -452,16 +454,25 @@ struct Filter_case
   {
     const std::size_t n = data.points.size();
     const std::vector<double> distance = distances(data, seed % n);
-    const Indexed_source source = source_at(f, seed % n);
-    trees = grow(f, random_keys(n, seed), distance, farthest(distance), Source_element(f.connectivity, source));
-    generators = homology_generators(f.mesh, f.connectivity, trees.extended, distance, source);
     angle = random_keys(n, seed + 100);
-    for(float& a : angle)
-      a = std::abs(a) * float(pi);
+    for(float& radians : angle)
+      radians = std::abs(radians) * float(pi);
     laplacian = random_keys(n, seed + 200);
-    filter = Branch_filter(f.mesh, f.connectivity, trees.extended, trees.thinned.order.size(), generators, angle,
-                           laplacian);
-    neighbor = neighbors(data);
+    const Indexed_source source = source_at(f, seed % n);
+    trees = grow(f, random_keys(n, seed), distance, farthest(distance), Source_element(f.connectivity, source), angle);
+    generators = homology_generators(f.mesh, f.connectivity, trees.extended, distance, source);
+    filter = Branch_filter(f.mesh, f.connectivity, trees.thinned, trees.extended, generators, angle, laplacian);
+
+    // what is kept and the border loops as the spanning tree has them, the candidates hanging on these
+    parent.assign(n, null_index);
+    const std::set<Index> always = kept();
+    for(Index v = 0; v < n; ++v)
+    {
+      const bool is_fixed = always.count(v) || f.connectivity.is_border(v);
+      parent[v] = (is_fixed ? trees.extended : trees.thinned).parent[v];
+      if(v == trees.extended.root || parent[v] != null_index)
+        members.push_back(v);
+    }
   }
 
   // everything that the homology needs: paths from the generators and from where the tree enters the border loops
@@ -481,8 +492,8 @@ struct Filter_case
     const topology_checker::Surface surface(f.data.triangles, 0);
     for(const auto& v : surface.loop_of_vertex)
     {
-      const Index parent = trees.extended.parent[v.first];
-      if(parent != null_index && !surface.border_edges.count(make_edge(v.first, parent)))
+      const Index above = trees.extended.parent[v.first];
+      if(above != null_index && !surface.border_edges.count(make_edge(v.first, above)))
         keep(static_cast<Index>(v.first));
     }
     return result;
@@ -497,20 +508,20 @@ struct Filter_case
     std::set<Index> result = always;
     if(t.policy == Filter_policy::GROWING)
     {
-      for(Index v : trees.thinned.order)
+      for(Index v : members)
       {
         bool passes = true;
-        for(Index w = v; w != trees.thinned.root && passes; w = trees.thinned.parent[w])
-          passes = is_strong(w) && is_low(w);
+        for(Index w = v; !always.count(w) && passes; w = parent[w])
+          passes = f.connectivity.is_border(w) || (is_strong(w) && is_low(w));
         if(passes)
           result.insert(v);
       }
       return result;
     }
-    // a branch needs a vertex at or below that is strong, and one that is low
+    // a branch needs a vertex at or below that is strong, and one that is low; the border is no branch itself
     std::set<Index> strong_below, low_below;
-    for(Index v : trees.thinned.order)
-      for(Index w = v; w != null_index; w = trees.thinned.parent[w])
+    for(Index v : members)
+      for(Index w = v; w != null_index && !f.connectivity.is_border(v); w = parent[w])
       {
         if(is_strong(v))
           strong_below.insert(w);
@@ -528,7 +539,7 @@ struct Filter_case
   std::vector<Index> generators;
   std::vector<float> angle, laplacian;
   Branch_filter filter;
-  std::vector<std::set<Index> > neighbor;
+  std::vector<Index> parent, members;
 };
 
 std::vector<Filter_case> filter_cases()
@@ -613,7 +624,7 @@ TEST(Branch_filter, growing_selects_a_part_of_what_pruning_selects)
       const std::vector<Index> grown = c.filter(c.f.mesh, t).vertices;
       const std::set<Index> all(pruned.begin(), pruned.end());
       for(Index v : grown)
-        EXPECT_TRUE(all.count(v));
+        EXPECT_TRUE(all.count(v) || c.f.connectivity.is_border(v));
     }
 }
 
@@ -622,14 +633,14 @@ TEST(Branch_filter, an_edge_has_the_largest_strength_from_there_to_the_tips_of_i
   for(const Filter_case& c : filter_cases())
   {
     std::vector<float> strongest(c.angle.size(), -1.f);
-    for(Index v : c.trees.thinned.order)
-      for(Index w = v; w != null_index; w = c.trees.thinned.parent[w])
+    for(Index v : c.members)
+      for(Index w = v; w != null_index && !c.f.connectivity.is_border(v); w = c.parent[w])
         strongest[w] = (std::max)(strongest[w], c.angle[v]);
     const Branch_filter::Result result = c.filter(c.f.mesh, Branch_thresholds());
     for(std::size_t i = 0; i + c.generators.size() < result.edges.size(); ++i)
     {
       const Index v = result.edges[i].vertex;
-      if(c.trees.thinned.contains(v))
+      if(strongest[v] >= 0.f)
       {
         EXPECT_EQ(result.edges[i].strength, strongest[v]);
       }
@@ -648,13 +659,13 @@ TEST(Branch_filter, removes_short_branches_where_a_longer_one_continues)
         const std::set<Index> all = c.naive(t), always = c.kept();
         t.minimum_edges = minimum_edges;
         t.minimum_length = minimum_length;
-        const Spanning_tree& tree = c.trees.extended;
+        const Index root = c.trees.extended.root;
 
         // naive: the path down from each vertex along the child whose branch is longest
         std::map<Index, std::vector<Index> > children;
         for(Index v : all)
-          if(v != tree.root)
-            children[tree.parent[v]].push_back(v);
+          if(v != root)
+            children[c.parent[v]].push_back(v);
         struct Branch { double length; Index edges; };
         const std::function<Branch(Index)> branch_at = [&](Index v) // the branch that starts with the edge above v
         {
@@ -670,7 +681,7 @@ TEST(Branch_filter, removes_short_branches_where_a_longer_one_continues)
               down = b;
             }
           }
-          return Branch{down.length + norm(c.f.mesh.points[v] - c.f.mesh.points[tree.parent[v]]), down.edges + 1};
+          return Branch{down.length + norm(c.f.mesh.points[v] - c.f.mesh.points[c.parent[v]]), down.edges + 1};
         };
         std::set<Index> expected;
         const std::function<void(Index)> visit = [&](Index v)
@@ -690,11 +701,11 @@ TEST(Branch_filter, removes_short_branches_where_a_longer_one_continues)
           for(Index w : children[v])
           {
             const Branch b = branch_at(w);
-            if(always.count(w) || w == longest || (b.edges >= minimum_edges && b.length >= minimum_length))
+            if(always.count(w) || (w == longest && v != root) || (b.edges >= minimum_edges && b.length >= minimum_length))
               visit(w);
           }
         };
-        visit(tree.root);
+        visit(root);
         const Branch_filter::Result result = c.filter(c.f.mesh, t);
         EXPECT_EQ(std::set<Index>(result.vertices.begin(), result.vertices.end()), expected)
           << minimum_edges << " edges, length " << minimum_length;

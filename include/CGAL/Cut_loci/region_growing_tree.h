@@ -90,17 +90,16 @@ void add_border_loop(Spanning_tree& tree, const Mesh_connectivity& connectivity,
   }
 }
 
-// Adds all neighbors of `v` that are not in the tree, each with its border loop if it is on one, but not the source.
+// Does the same, with the whole border loop of the vertex if it is on one, but never passes the source.
 template <typename Function>
-void add_neighbors(Spanning_tree& tree, const Mesh_connectivity& connectivity, Index v, const Source_element& source,
-                   const Function& reached)
+void add_with_border_loop(Spanning_tree& tree, const Mesh_connectivity& connectivity, Index entry, Index v,
+                          const Source_element& source, const Function& reached)
 {
-  if(v == source.vertex)
+  const Index w = connectivity.ring_vertex[entry];
+  if(v == source.vertex || w == source.vertex || connectivity.ring_edge(entry) == source.edge)
     return;
-  for(Index entry = connectivity.ring_begin[v]; entry < connectivity.ring_begin[v + 1]; ++entry)
-    if(connectivity.ring_vertex[entry] != source.vertex && connectivity.ring_edge(entry) != source.edge &&
-       add_vertex(tree, connectivity, entry, v, reached) && connectivity.is_border(connectivity.ring_vertex[entry]))
-      add_border_loop(tree, connectivity, connectivity.ring_vertex[entry], reached);
+  if(add_vertex(tree, connectivity, entry, v, reached) && connectivity.is_border(w))
+    add_border_loop(tree, connectivity, w, reached);
 }
 
 // Adds the source as a leaf, at the first neighbor in its ring, when all other vertices are in the tree.
@@ -150,7 +149,8 @@ Spanning_tree region_growing_tree(const Mesh_connectivity& connectivity, const K
   {
     const Index v = queue.top().vertex;
     queue.pop();
-    internal::add_neighbors(tree, connectivity, v, source, push);
+    for(Index entry = connectivity.ring_begin[v]; entry < connectivity.ring_begin[v + 1]; ++entry)
+      internal::add_with_border_loop(tree, connectivity, entry, v, source, push);
   }
   internal::add_source(tree, connectivity, source);
   return tree;
