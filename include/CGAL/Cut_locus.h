@@ -34,7 +34,8 @@ struct Cut_locus_vertex
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
-  std::pair<face_descriptor, std::array<FT, 3> > location; ///< face and barycentric coordinates, as in `Polygon_mesh_processing`
+  /// face and barycentric coordinates, as in `Polygon_mesh_processing`
+  std::pair<face_descriptor, std::array<FT, 3> > location;
   Point_3 point;                 ///< the point in space
   vertex_descriptor mesh_vertex; ///< the vertex of the mesh it is at, or `null_vertex()`
   double distance = 0.;          ///< the distance to the source
@@ -47,9 +48,11 @@ struct Cut_locus_edge
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
-  halfedge_descriptor mesh_halfedge; ///< a halfedge on the edge of the mesh it follows, or `null_halfedge()`
+  /// a halfedge on the edge of the mesh it follows, or `null_halfedge()`
+  halfedge_descriptor mesh_halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
   double strength = 0.;              ///< the largest strength on the branch from here to its tips, in the unit of the filter
   bool is_on_border = false;         ///< whether it follows the border of the mesh
+  std::size_t origin = 0;            ///< the edge it replaces, or is, in the graph of mesh edges of the same thresholds
 };
 
 namespace internal {

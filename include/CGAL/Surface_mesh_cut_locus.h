@@ -277,13 +277,13 @@ public:
       throw Cut_loci::Invalid_input("the minimum length of a branch must be a number that is not negative");
     thresholds.minimum_length *= component_->diagonal;
 
-    const Cut_loci::Branch_filter::Result filtered = component_->solver->filter(thresholds);
-    mark_edges(filtered, get_parameter(np, internal_np::edge_is_constrained));
-    return make_result(filtered);
+    const Cut_loci::Indexed_cut_locus cut_locus = component_->solver->filter(thresholds);
+    mark_edges(cut_locus, get_parameter(np, internal_np::edge_is_constrained));
+    return make_result(cut_locus);
   }
 
   /// the default of `gradient_angle_threshold`, in radians
-  static double default_gradient_angle_threshold() { return 0.5; }
+  static double default_gradient_angle_threshold() { return 0.7; }
   /// the default of `minimum_branch_edges`
   static std::size_t default_minimum_branch_edges() { return 3; }
 
@@ -314,12 +314,17 @@ private:
     Cut_loci::Stage stage;
   };
 
+  template <typename T>
+  static T& unwrapped(T& t) { return t; }
+  template <typename T>
+  static T& unwrapped(std::reference_wrapper<T>& t) { return t.get(); }
+
   template <typename Visitor>
   void set_visitor(Visitor visitor)
   {
     visit_ = [visitor](Cut_loci::Stage stage, bool starts) mutable
     {
-      auto& v = internal_np::get_reference(visitor);
+      auto& v = unwrapped(visitor);
       if(starts)
         v.start_stage(stage);
       else
@@ -349,8 +354,8 @@ private:
     source_result_.reset();
     Component& component = component_at(component_of_face_[source.location.face]);
     component_ = &component;
-    source_ = source;
     to_component(component, source);
+    source_ = source;
 
     std::vector<double> distance;
     {
@@ -482,71 +487,57 @@ private:
   // the halfedge of `read_` that a halfedge of the component stands for
   Index global_halfedge(Index h) const { return 3 * component_->face(h / 3) + h % 3; }
 
-  void mark_edges(const Cut_loci::Branch_filter::Result&, internal_np::Param_not_found) const {}
+  void mark_edges(const Cut_loci::Indexed_cut_locus&, internal_np::Param_not_found) const {}
 
   template <typename EdgeIsConstrainedMap>
-  void mark_edges(const Cut_loci::Branch_filter::Result& filtered, EdgeIsConstrainedMap map) const
+  void mark_edges(const Cut_loci::Indexed_cut_locus& cut_locus, EdgeIsConstrainedMap map) const
   {
-    for(const Cut_loci::Branch_filter::Edge& e : filtered.edges)
-      put(map, edge(read_->halfedges[global_halfedge(e.halfedge)], tm_), true);
+    for(const Cut_loci::Indexed_cut_locus::Edge& e : cut_locus.edges)
+      if(e.halfedge != Cut_loci::null_index)
+        put(map, edge(read_->halfedges[global_halfedge(e.halfedge)], tm_), true);
   }
 
-  typename Result::Vertex make_vertex(const Cut_loci::Indexed_location& location, Index vertex) const
+  // `location` is in the component
+  typename Result::Vertex make_vertex(const Cut_loci::Indexed_location& location, Index vertex, double distance) const
   {
     typename Result::Vertex result;
-    result.location.first = face(read_->halfedges[3 * std::size_t(location.face)], tm_);
+    result.location.first = face(read_->halfedges[3 * std::size_t(component_->face(location.face))], tm_);
     for(int i = 0; i < 3; ++i)
       result.location.second[i] = FT(location.coordinates[i]);
-    const auto& triangle = read_->mesh.triangles[location.face];
+    result.distance = distance;
     if(vertex != Cut_loci::null_index)
     {
-      result.mesh_vertex = read_->vertices[vertex];
+      result.mesh_vertex = read_->vertices[component_->vertex(vertex)];
       result.point = get(vpm_, result.mesh_vertex);
-      result.distance = source_result_->distance[vertex];
       return result;
     }
     result.mesh_vertex = boost::graph_traits<TriangleMesh>::null_vertex();
+    using Cut_loci::internal::operator+;
+    using Cut_loci::internal::operator*;
+    const auto& triangle = component_->mesh->triangles[location.face];
     std::array<double, 3> p = {{0., 0., 0.}};
     for(int i = 0; i < 3; ++i)
-    {
-      using Cut_loci::internal::operator+;
-      using Cut_loci::internal::operator*;
-      p = p + location.coordinates[i] * read_->mesh.points[triangle[i]];
-    }
+      p = p + location.coordinates[i] * component_->mesh->points[triangle[i]];
     result.point = Point_3(p[0], p[1], p[2]);
     return result;
   }
 
-  Result make_result(const Cut_loci::Branch_filter::Result& filtered) const
+  Result make_result(const Cut_loci::Indexed_cut_locus& cut_locus) const
   {
-    typename Result::Graph graph(filtered.vertices.size());
-    const Cut_loci::Mesh_connectivity& connectivity = component_->solver->connectivity();
-    for(std::size_t i = 0; i < filtered.vertices.size(); ++i)
-    {
-      const Index v = filtered.vertices[i];
-      const Index h = connectivity.ring_halfedge[connectivity.ring_begin[v]]; // outgoing
-      Cut_loci::Indexed_location location;
-      location.face = component_->face(h / 3);
-      location.coordinates[h % 3] = 1.;
-      graph[i] = make_vertex(location, component_->vertex(v));
-    }
-    // The vertices of the result are few: a search in a sorted copy costs no table over the mesh.
-    std::vector<std::pair<Index, std::size_t> > position;
-    position.reserve(filtered.vertices.size());
-    for(std::size_t i = 0; i < filtered.vertices.size(); ++i)
-      position.emplace_back(filtered.vertices[i], i);
-    std::sort(position.begin(), position.end());
-    const auto find = [&](Index v)
-    {
-      return std::lower_bound(position.begin(), position.end(), std::make_pair(v, std::size_t(0)))->second;
-    };
-    for(const Cut_loci::Branch_filter::Edge& e : filtered.edges)
+    typename Result::Graph graph(cut_locus.nodes.size());
+    for(std::size_t i = 0; i < cut_locus.nodes.size(); ++i)
+      graph[i] = make_vertex(cut_locus.nodes[i].location, cut_locus.nodes[i].vertex, cut_locus.nodes[i].distance);
+    for(const Cut_loci::Indexed_cut_locus::Edge& e : cut_locus.edges)
     {
       typename Result::Edge edge;
-      edge.mesh_halfedge = read_->halfedges[global_halfedge(e.halfedge)];
       edge.strength = e.strength;
-      edge.is_on_border = component_->mesh->is_border_edge(e.halfedge);
-      add_edge(find(e.vertex), find(e.parent), edge, graph);
+      edge.origin = e.origin;
+      if(e.halfedge != Cut_loci::null_index)
+      {
+        edge.mesh_halfedge = read_->halfedges[global_halfedge(e.halfedge)];
+        edge.is_on_border = component_->mesh->is_border_edge(e.halfedge);
+      }
+      add_edge(e.source, e.target, edge, graph);
     }
 
     const std::shared_ptr<const Cut_loci::internal::Source_result> shared = source_result_;
@@ -556,7 +547,7 @@ private:
       const Index i = get(read->index_of_vertex, v);
       return i == Cut_loci::null_index ? (std::numeric_limits<double>::infinity)() : shared->distance[i];
     };
-    return Result(std::move(graph), make_vertex(source_.location, source_.vertex), read_->vertices[shared->farthest],
+    return Result(std::move(graph), make_vertex(source_.location, source_.vertex, 0.), read_->vertices[shared->farthest],
                   shared, distance);
   }
 
@@ -572,7 +563,7 @@ private:
   std::map<Index, std::unique_ptr<Component> > components_;
 
   Component* component_ = nullptr;    // that of the source
-  Cut_loci::Indexed_source source_;   // in the whole mesh
+  Cut_loci::Indexed_source source_;   // in its component
   std::shared_ptr<const Cut_loci::internal::Source_result> source_result_;
 };
 

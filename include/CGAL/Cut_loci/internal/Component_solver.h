@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/Branch_filter.h>
 #include <CGAL/Cut_loci/Differential_operators.h>
+#include <CGAL/Cut_loci/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
@@ -82,7 +83,10 @@ public:
   }
 
   // once per threshold
-  Branch_filter::Result filter(const Branch_thresholds& thresholds) const { return filter_(mesh_, thresholds); }
+  Indexed_cut_locus filter(const Branch_thresholds& thresholds) const
+  {
+    return mesh_edge_graph(connectivity_, distance_, filter_(mesh_, thresholds));
+  }
 
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
   const Mesh_connectivity& connectivity() const { return connectivity_; }

@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// How far the computed cut locus is from the true one on surfaces where that is known, at several resolutions.
+// All figures are in units of the mean edge length h: mean and max distance from the estimate to the truth, and from the
+// truth to the estimate; the larger max is the two-sided Hausdorff distance.
+
+#include "analytic_surfaces.h"
+#include "curve_distance.h"
+#include "remeshed_surface.h"
+
+#include <CGAL/Heat_method_geodesic_solver.h>
+#include <CGAL/Shortest_path_geodesic_solver.h>
+#include <CGAL/Surface_mesh_cut_locus.h>
+
+#include <boost/program_options.hpp>
+
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <optional>
+#include <string>
+
+namespace {
+
+using namespace analytic;
+using Cut_locus = CGAL::Cut_locus<Mesh, Point>;
+
+struct Case
+{
+  std::string name;
+  Point source;
+  std::function<Polylines(double)> truth; // sampled at a step
+};
+
+Polylines segments(const Cut_locus& cut_locus)
+{
+  Polylines result;
+  const auto& g = cut_locus.graph();
+  for(auto e : CGAL::make_range(edges(g)))
+    result.push_back({g[source(e, g)].point, g[target(e, g)].point});
+  if(result.empty())
+    result.push_back({g[cut_locus.root()].point});
+  return result;
+}
+
+// The mesh of the surface with edges of about `length`, from the folder `cache` if it was made before.
+template <typename Surface>
+Mesh cached_mesh(const Surface& surface, const std::string& name, double length, const std::string& cache)
+{
+  const std::string file = cache.empty() ? "" : cache + "/" + name + "_" + std::to_string(length) + ".off";
+  Mesh mesh;
+  if(!file.empty() && std::ifstream(file).good() && CGAL::IO::read_OFF(file, mesh))
+    return mesh;
+  mesh = remeshed(surface, length);
+  if(!file.empty())
+    CGAL::IO::write_OFF(file, mesh, CGAL::parameters::stream_precision(17));
+  return mesh;
+}
+
+struct Thresholds
+{
+  std::optional<double> angle, laplacian;
+  std::size_t minimum_edges = 3;
+};
+
+template <typename Solver>
+void run(const std::string& solver_name, const Solver& solver, const Case& test, Mesh mesh, const Thresholds& t)
+{
+  namespace params = CGAL::parameters;
+  const Mesh::Vertex_index source = snap_vertex(mesh, test.source);
+  const double h = mean_edge_length(mesh);
+  CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(mesh, params::geodesic_solver(solver));
+  cut_loci.set_source(source);
+  const double angle = t.angle.value_or(cut_loci.default_gradient_angle_threshold());
+  const double laplacian = t.laplacian.value_or(-1e300);
+  const Cut_locus result = cut_loci.cut_locus(params::gradient_angle_threshold(angle)
+                                                .laplacian_threshold(laplacian)
+                                                .minimum_branch_edges(t.minimum_edges));
+  const Polylines estimate = segments(result), truth = test.truth(h / 5.);
+  const Deviation e = deviation(estimate, truth, h / 5.), m = deviation(truth, estimate, h / 5.);
+  std::printf("%-22s %7u %8.5f  %-10s %5.2f %9.3g  %7.3f %7.2f  %7.3f %7.2f\n", test.name.c_str(),
+              unsigned(mesh.number_of_faces()), h, solver_name.c_str(), angle,
+              t.laplacian ? laplacian : -(std::numeric_limits<double>::infinity)(), e.mean / h, e.max / h, m.mean / h,
+              m.max / h);
+  std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  namespace po = boost::program_options;
+  std::string cache;
+  std::vector<double> lengths, angles, laplacians;
+  std::vector<std::string> solvers;
+  std::size_t minimum_edges = 3;
+  po::options_description options("Accuracy of the cut locus against closed forms");
+  options.add_options()
+    ("help", "print this")
+    ("cache", po::value(&cache), "folder that keeps the generated meshes")
+    ("length", po::value(&lengths)->multitoken()->default_value({0.064, 0.032, 0.022}, "0.064 0.032 0.022"),
+     "edge lengths; the torus has radii 1 and 0.4")
+    ("angle", po::value(&angles)->multitoken(), "thresholds for the gradient angle (default: the library's)")
+    ("laplacian", po::value(&laplacians)->multitoken(), "thresholds for the Laplacian (default: none)")
+    ("min-branch-edges", po::value(&minimum_edges), "branches of fewer edges are removed")
+    ("solver", po::value(&solvers)->multitoken()->default_value({"cgal-exact", "heat"}, "cgal-exact heat"),
+     "cgal-exact, heat, heat-direct");
+  po::variables_map values;
+  try
+  {
+    po::store(po::parse_command_line(argc, argv, options), values);
+    po::notify(values);
+  }
+  catch(const po::error& error)
+  {
+    std::cerr << error.what() << "\n";
+    return EXIT_FAILURE;
+  }
+  if(values.count("help"))
+  {
+    std::cout << options;
+    return EXIT_SUCCESS;
+  }
+
+  const Torus torus;
+  const std::vector<Case> cases = {
+    {"torus outer equator", torus.point(0., 0.), [&](double s) { return torus.cut_locus_of_outer_equator(0., s); }},
+    {"torus inner equator", torus.point(1., pi), [&](double s) { return torus.cut_locus_of_inner_equator(1., s); }}};
+
+  std::printf("%-22s %7s %8s  %-10s %5s %9s  %7s %7s  %7s %7s\n", "surface and source", "faces", "h", "solver", "angle",
+              "laplacian", "est mean", "max", "truth mean", "max");
+  for(double length : lengths)
+  {
+    const Mesh mesh = cached_mesh(torus, "torus", length, cache);
+    for(const Case& c : cases)
+      for(const std::string& solver : solvers)
+      {
+        std::vector<Thresholds> thresholds;
+        for(double a : angles)
+          thresholds.push_back({a, std::nullopt, minimum_edges});
+        for(double l : laplacians)
+          thresholds.push_back({std::nullopt, l, minimum_edges});
+        if(thresholds.empty())
+          thresholds.push_back({std::nullopt, std::nullopt, minimum_edges});
+        for(const Thresholds& t : thresholds)
+          if(solver == "cgal-exact")
+            run(solver, CGAL::Shortest_path_geodesic_solver(), c, mesh, t);
+          else if(solver == "heat")
+            run(solver, CGAL::Heat_method_geodesic_solver<>(), c, mesh, t);
+          else if(solver == "heat-direct")
+            run(solver, CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct>(), c, mesh, t);
+          else
+          {
+            std::cerr << "unknown solver " << solver << "\n";
+            return EXIT_FAILURE;
+          }
+      }
+  }
+}
