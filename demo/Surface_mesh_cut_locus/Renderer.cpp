@@ -123,7 +123,7 @@ private:
     const Vector half = normalized(key + Vector{{0., 0., 1.}});
     const double gloss = 0.10 * std::pow((std::max)(0., dot(n, half)), 40.);
     const double rim = 0.62 + 0.38 * std::pow(facing, 0.45);
-    const Color lit = scaled(color, (0.42 + 0.16 * facing + 0.58 * diffuse) * rim);
+    const Color lit = scaled(color, (0.50 + 0.16 * facing + 0.50 * diffuse) * rim);
     return blend(lit, {1., 1., 1.}, gloss);
   }
 

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace picture {
 
@@ -26,7 +28,7 @@ struct Trial
   double elevation = 0.;           // in radians above the horizon
   double coverage = 0.;            // pixels
   double front = 0., back = 0.;    // whether and how well the two points are seen, in [0, 1]
-  std::vector<bool> samples;       // which of the polylines' points
+  std::vector<double> samples;     // the same for points on the polylines
 };
 
 std::vector<Vector> sample_polylines(const Scene& scene)
@@ -59,6 +61,18 @@ Vector normal_at(const Scene& scene, const Vector& p)
       sum = sum + cross(b - a, c - a);
   }
   return normalized(sum);
+}
+
+// Seen at a slant of 60 degrees, a point is seen well.
+double how_well_seen(const Vector& normal, const View& view)
+{
+  return (std::min)(1., 2. * (std::max)(0., dot(normal, view.toward)));
+}
+
+Vector triangle_normal(const Scene& scene, std::uint32_t triangle)
+{
+  const auto& t = scene.triangles[triangle];
+  return normalized(cross(scene.points[t[1]] - scene.points[t[0]], scene.points[t[2]] - scene.points[t[0]]));
 }
 
 } // namespace
@@ -121,17 +135,19 @@ std::vector<View> choose_two_views(const Scene& scene, const Vector& front, cons
       largest_coverage = (std::max)(largest_coverage, trial.coverage);
       const auto shown = [&](const Vector& p, const Vector& normal)
       {
-        return buffer.is_visible(p) ? (std::max)(0., dot(normal, trial.view.toward)) : 0.;
+        return buffer.is_visible(p) ? how_well_seen(normal, trial.view) : 0.;
       };
       trial.front = shown(front, front_normal);
       trial.back = shown(back, back_normal);
       for(const Vector& p : samples)
-        trial.samples.push_back(buffer.is_visible(p));
+      {
+        const int column = static_cast<int>(buffer.frame().x(p)), row = static_cast<int>(buffer.frame().y(p));
+        const std::uint32_t triangle = buffer.triangle(column, row);
+        trial.samples.push_back(triangle == Depth_buffer::no_triangle ? 0. : shown(p, triangle_normal(scene, triangle)));
+      }
       trials.push_back(std::move(trial));
     }
 
-  // Seen at a slant of 60 degrees, a point is seen well.
-  const auto well_seen = [](double cosine) { return (std::min)(1., 2. * cosine); };
   // A little from above is how things are usually looked at.
   const auto habit = [](double elevation) { return -0.5 * std::abs(elevation - pi / 8.); };
   const auto best = [&](const auto& score)
@@ -139,23 +155,23 @@ std::vector<View> choose_two_views(const Scene& scene, const Vector& front, cons
     return *std::max_element(trials.begin(), trials.end(),
                              [&](const Trial& s, const Trial& t) { return score(s) < score(t); });
   };
+  const double number_of_samples = static_cast<double>((std::max)(std::size_t(1), samples.size()));
   const Trial first = best([&](const Trial& t)
   {
-    const std::size_t seen = std::count(t.samples.begin(), t.samples.end(), true);
-    return t.coverage / largest_coverage + 2. * well_seen(t.front) + habit(t.elevation) +
-           0.4 * seen / (std::max)(std::size_t(1), samples.size());
+    const double seen = std::accumulate(t.samples.begin(), t.samples.end(), 0.);
+    return t.coverage / largest_coverage + 2. * t.front + habit(t.elevation) + 0.4 * seen / number_of_samples;
   });
   const Trial second = best([&](const Trial& t)
   {
-    std::size_t added = 0, seen = 0;
+    double added = 0., seen = 0.;
     for(std::size_t i = 0; i < samples.size(); ++i)
     {
-      added += t.samples[i] && !first.samples[i];
+      added += (std::max)(0., t.samples[i] - first.samples[i]);
       seen += t.samples[i];
     }
     const double opposite = -dot(t.view.toward, first.view.toward);
-    return t.coverage / largest_coverage + well_seen(t.back) + habit(t.elevation) + 1.5 * (std::min)(0.5, opposite) +
-           (1.2 * added + 0.5 * seen) / (std::max)(std::size_t(1), samples.size());
+    return t.coverage / largest_coverage + t.back + habit(t.elevation) + 1.5 * (std::min)(0.4, opposite) +
+           (1.5 * added + 0.5 * seen) / number_of_samples;
   });
   return {first.view, second.view};
 }
