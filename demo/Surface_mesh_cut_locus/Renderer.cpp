@@ -219,7 +219,7 @@ void add_visible_parts(const Polyline& polyline, const Depth_buffer& buffer, int
   const auto end_part = [&](bool is_cut)
   {
     // what flickers at a silhouette is not worth drawing
-    if(part.points.size() > 1 && !(is_cut && arc_length(part.points) < 1.5))
+    if(part.points.size() > 1 && !(is_cut && arc_length(part.points) < 4.))
       parts.push_back(part);
     part.points.clear();
   };
