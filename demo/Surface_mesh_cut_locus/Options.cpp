@@ -47,19 +47,15 @@ std::size_t to_count(const std::string& text, const std::string& option)
 
 std::array<double, 3> to_point(const std::string& text, const std::string& option)
 {
-  std::array<double, 3> point;
-  std::istringstream stream(text);
-  std::string coordinate;
-  std::size_t n = 0;
-  while(std::getline(stream, coordinate, ','))
-  {
-    if(n == 3)
-      break;
-    point[n++] = to_number(coordinate, option);
-  }
-  if(n != 3 || !stream.eof() || text.back() == ',')
+  std::vector<std::string> parts(1);
+  for(char c : text)
+    if(c == ',')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  if(parts.size() != 3)
     throw Usage_error(option + " takes three numbers x,y,z, not '" + text + "'");
-  return point;
+  return {{to_number(parts[0], option), to_number(parts[1], option), to_number(parts[2], option)}};
 }
 
 void check_output_path(const std::string& path, const std::string& option)
