@@ -73,7 +73,8 @@ void check_output_path(const std::string& path, const std::string& option)
 
 po::options_description visible_options()
 {
-  po::options_description description("Options");
+  constexpr unsigned columns = 110;
+  po::options_description description("Options", columns, columns / 2);
   description.add_options()
     ("source", po::value<std::string>()->value_name("V"),
      "vertex of the mesh, counted from 0 (default: the first one that belongs to a face)")

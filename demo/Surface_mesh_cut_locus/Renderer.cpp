@@ -16,7 +16,7 @@ namespace {
 
 constexpr int samples_per_pixel_side = 3;
 constexpr Color background = {1., 1., 1.};
-constexpr Color surface_color = {0.80, 0.83, 0.87};
+constexpr Color surface_color = {0.80, 0.83, 0.87}, back_color = {0.84, 0.76, 0.64};
 constexpr int number_of_bands = 32;
 constexpr double band_contrast = 0.07;
 constexpr double crease_cosine = 0.75; // beyond about 40 degrees an edge is shaded as sharp
@@ -89,10 +89,11 @@ public:
     for(int i = 0; i < 3; ++i)
       normal = normal + weight[i] * (dot(normals_[t[i]], flat) > crease_cosine ? normals_[t[i]] : flat);
     normal = normalized(normal);
-    if(dot(flat, frame_.view.toward) < 0.) // the back of an open or inverted surface
+    const bool is_back = dot(flat, frame_.view.toward) < 0.; // of an open or inverted surface
+    if(is_back)
       normal = -1. * normal;
 
-    Color color = surface_color;
+    Color color = is_back ? back_color : surface_color;
     if(bands_per_unit_ > 0.)
     {
       double value = 0.;

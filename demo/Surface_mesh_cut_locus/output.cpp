@@ -117,7 +117,7 @@ std::string output_descriptions()
 {
   std::string result;
   for(const Format& format : formats)
-    result += std::string("  ") + format.extension + ": " + format.description + "\n";
+    result += std::string(result.empty() ? "  " : "\n  ") + format.extension + ": " + format.description;
   return result;
 }
 

@@ -69,7 +69,7 @@ std::string solver_descriptions()
 {
   std::string result;
   for(const Solver_entry& s : solvers)
-    result += std::string("  ") + s.name + ": " + s.description + "\n";
+    result += std::string(result.empty() ? "  " : "\n  ") + s.name + ": " + s.description;
   return result;
 }
 
