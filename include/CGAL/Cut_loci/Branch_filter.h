@@ -219,7 +219,8 @@ private:
     }
   }
 
-  // Where branches meet, the longest one continues and the others end: those that are short are removed.
+  // Where branches meet, the longest one continues and the others end, and at the root all of them: those that are
+  // short are removed.
   void remove_short_branches(const Indexed_triangle_mesh& mesh, const Branch_thresholds& thresholds,
                              const std::vector<Index>& parent_position, Result& result) const
   {
@@ -253,7 +254,8 @@ private:
     {
       const Index p = parent_position[i], v = result.vertices[i];
       const bool is_short = branch[i].edges < thresholds.minimum_edges || branch[i].length < thresholds.minimum_length;
-      removed[i] = removed[p] || (!is_kept_[v] && continued[p] != i && is_short);
+      // at the root even the longest branch may be nothing but noise around a point
+      removed[i] = removed[p] || (!is_kept_[v] && (p == 0 || continued[p] != i) && is_short);
       if(removed[i])
         continue;
       result.vertices[size] = v;
