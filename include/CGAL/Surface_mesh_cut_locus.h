@@ -456,7 +456,8 @@ private:
     {
       throw Cut_loci::Invalid_input(
         Cut_loci::internal::vertex_name(read_->positions[component->vertex(error.vertex)]) +
-        " is not manifold: its faces form several fans (CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() splits it)");
+        " is not manifold: its faces form several fans "
+        "(CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() splits it)");
     }
     component->diagonal = diagonal(*component->mesh);
     return *components_.emplace(id, std::move(component)).first->second;

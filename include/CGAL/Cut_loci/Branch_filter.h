@@ -169,7 +169,8 @@ private:
         }
   }
 
-  // The kept paths and the border loops of the spanning tree, and the candidates hanging on them. A loop that candidates
+  // The kept paths and the border loops of the spanning tree, and the candidates hanging on them. A loop that
+  // candidates
   // entered at another place than the spanning tree would be on a cycle.
   Spanning_tree join(const Mesh_connectivity& connectivity, const Spanning_tree& tree,
                      const Spanning_tree& spanning_tree) const
