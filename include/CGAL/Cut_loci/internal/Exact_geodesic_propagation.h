@@ -624,7 +624,7 @@ private:
         }
       if(apart) {
         // the windows of a source inside of the face are not in order with those that enter it
-        Geodesic_window_list* envelope = m_pool.allocate(3 * size);
+        Geodesic_window_list* envelope = m_pool.allocate(4 * size);
         Geodesic_envelope<columns>()(*lists[1], *all, *envelope, length);
         m_pool.release(lists[1]);
         m_pool.release(all);
@@ -728,7 +728,7 @@ private:
       lists[side] = list;
     else {
       // a second batch from the same side
-      Geodesic_window_list* envelope = m_pool.allocate(3 * std::size_t(list->size() + lists[side]->size()));
+      Geodesic_window_list* envelope = m_pool.allocate(4 * std::size_t(list->size() + lists[side]->size()));
       Geodesic_envelope<columns>()(*lists[side], *list, *envelope, length);
       m_pool.release(list);
       m_pool.release(lists[side]);

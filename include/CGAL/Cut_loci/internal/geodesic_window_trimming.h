@@ -72,15 +72,12 @@ inline void resolve_overlap(Geodesic_window& left, Geodesic_window& right)
 {
   const double low = (std::max)(left.a, right.a), high = (std::min)(left.b, right.b);
   if(low < high) {
-    double t;
     if(left.distance(low) >= right.distance(low))
-      t = low;
+      left.b = low;
     else if(left.distance(high) <= right.distance(high))
-      t = high;
+      right.a = high;
     else
-      t = find_tie(left, right, low, high);
-    left.b = (std::min)(left.b, t);
-    right.a = (std::max)(right.a, t);
+      left.b = right.a = find_tie(left, right, low, high);
     return;
   }
   // the outer rays meet below the halfedge, at the depth y; whoever comes there first is better on all crossings
@@ -206,7 +203,7 @@ template <int columns>
 class Geodesic_envelope
 {
 public:
-  /// trims `first` and `second`, and writes their lower envelope to `result`, which needs room for three times as many
+  /// trims `first` and `second`, and writes their lower envelope to `result`, which needs room for four times as many
   void operator()(Geodesic_window_list& first, Geodesic_window_list& second, Geodesic_window_list& result, double length)
   {
     Geodesic_trimming<columns>(first, length, true)(first.begin, false);
