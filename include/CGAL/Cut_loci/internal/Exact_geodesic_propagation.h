@@ -111,6 +111,23 @@ public:
     return location;
   }
 
+  /// \throws Invalid_input if `location` is none on the mesh
+  void check(const Indexed_location& location) const
+  {
+    if(location.face >= m_faces.number_of_faces())
+      throw Invalid_input("a location is in face " + std::to_string(location.face) +
+                                  ", which does not exist");
+    double sum = 0.;
+    bool is_inside = true;
+    for(double c : location.coordinates) {
+      is_inside = is_inside && c >= -1e-9; // what point location by projection may get wrong
+      sum += c;
+    }
+    if(!is_inside || !(std::fabs(sum - 1.) <= 1e-9))
+      throw Invalid_input("the coordinates of a location in face " +
+                                  std::to_string(location.face) + " are not barycentric");
+  }
+
   const Geodesic_faces& faces() const { return m_faces; }
 
   /// the distance of each vertex, infinite if not reached
@@ -120,9 +137,8 @@ public:
 
   /// the direction at its source in which the shortest path to `v` starts
   ///
-  /// It is an angle in the unrolled tangent plane of the source, counterclockwise in `[0, source_angle())`. Zero is, for a
-  /// source at a vertex, `Geodesic_faces::first_halfedge()`; for one on an edge, halfedge `i` of its face, where the
-  /// edge joins the vertices `i` and `i + 1` of it; otherwise the first halfedge of its face.
+  /// It is an angle in the unrolled tangent plane of the source, counterclockwise from `source_halfedge()`, in
+  /// `[0, source_angle())`, up to and including `source_angle()` if the source is on the border.
   /// \pre directions have been asked for, `v` is reached and no source
   double direction_at_source(Index v) const { return direction_at_source(m_arrival[v], end_in_frame(m_arrival[v], v)); }
 
@@ -169,6 +185,15 @@ public:
   std::size_t number_of_sources() const { return m_sources.size(); }
   /// the total angle at source number `i`: two pi in faces
   double source_angle(std::size_t i = 0) const { return m_sources[i].total_angle; }
+
+  /// the halfedge along which directions at source number `i` are zero
+  Index source_halfedge(std::size_t i = 0) const
+  {
+    const Source& source = m_sources[i];
+    if(source.vertex != null_index)
+      return m_faces.first_halfedge(source.vertex);
+    return source.halfedge != null_index ? source.halfedge : 3 * source.location.face;
+  }
 
   /// the number of query locations: those of the options, then one per face if centroids have been asked for
   std::size_t number_of_queries() const { return m_queries.size(); }
@@ -304,22 +329,6 @@ private:
           source.total_angle = geodesic_pi;
       }
     return source;
-  }
-
-  void check(const Indexed_location& location) const
-  {
-    if(location.face >= m_faces.number_of_faces())
-      throw Invalid_input("a location is in face " + std::to_string(location.face) +
-                                  ", which does not exist");
-    double sum = 0.;
-    bool is_inside = true;
-    for(double c : location.coordinates) {
-      is_inside = is_inside && c >= -1e-9; // what point location by projection may get wrong
-      sum += c;
-    }
-    if(!is_inside || !(std::fabs(sum - 1.) <= 1e-9))
-      throw Invalid_input("the coordinates of a location in face " +
-                                  std::to_string(location.face) + " are not barycentric");
   }
 
   void prepare_queries(const Exact_geodesic_options& options)
