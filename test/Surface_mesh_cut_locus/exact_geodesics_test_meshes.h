@@ -181,15 +181,64 @@ inline Mesh box(const std::array<double, 3>& size, const std::array<Index, 3>& c
   return make_mesh(points, triangles);
 }
 
+/// every marked edge gets a vertex at its middle
+inline Mesh split_edges(const Mesh& mesh, const std::vector<char>& is_marked)
+{
+  std::vector<Point> points = mesh.points;
+  std::vector<Index> middle(mesh.number_of_halfedges(), null_index);
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h) {
+    if(!is_marked[h])
+      continue;
+    const Index o = mesh.opposite[h];
+    if(o != null_index && middle[o] != null_index) {
+      middle[h] = middle[o];
+      continue;
+    }
+    middle[h] = Index(points.size());
+    const Point &p = mesh.points[mesh.source(h)], &q = mesh.points[mesh.target(h)];
+    points.push_back({{0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])}});
+  }
+  std::vector<Mesh::Triangle> triangles;
+  for(Index f = 0; f < mesh.number_of_faces(); ++f) {
+    // cut the corners between two marked edges off, then cut what is left from its first new vertex
+    std::vector<Index> polygon;
+    for(Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const Index before = middle[Mesh::previous(h)];
+      if(before != null_index && middle[h] != null_index)
+        triangles.push_back({{before, mesh.source(h), middle[h]}});
+      else
+        polygon.push_back(mesh.source(h));
+      if(middle[h] != null_index)
+        polygon.push_back(middle[h]);
+    }
+    std::size_t first = 0;
+    while(first + 1 < polygon.size() && polygon[first] < mesh.number_of_vertices())
+      ++first;
+    for(std::size_t k = 1; k + 1 < polygon.size(); ++k)
+      triangles.push_back({{polygon[first], polygon[(first + k) % polygon.size()],
+                            polygon[(first + k + 1) % polygon.size()]}});
+  }
+  return make_mesh(points, triangles);
+}
+
 /// two copies of a mesh with border, glued along the border; `move` gives the points of the second
 template <typename Move>
-Mesh doubled(const Mesh& mesh, const Move& move)
+Mesh doubled(const Mesh& open, const Move& move)
 {
+  const auto mark_border = [](const Mesh& mesh) {
+    std::vector<char> is_border(mesh.number_of_vertices(), 0);
+    for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+      if(mesh.is_border_edge(h))
+        is_border[mesh.source(h)] = is_border[mesh.target(h)] = 1;
+    return is_border;
+  };
+  // inner edges from border to border would be the same in both copies
+  std::vector<char> is_border = mark_border(open), is_marked(open.number_of_halfedges(), 0);
+  for(Index h = 0; h < open.number_of_halfedges(); ++h)
+    is_marked[h] = !open.is_border_edge(h) && is_border[open.source(h)] && is_border[open.target(h)];
+  const Mesh mesh = split_edges(open, is_marked);
+  is_border = mark_border(mesh);
   const Index n = mesh.number_of_vertices();
-  std::vector<char> is_border(n, 0);
-  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-    if(mesh.is_border_edge(h))
-      is_border[mesh.source(h)] = is_border[mesh.target(h)] = 1;
   std::vector<Point> points = mesh.points;
   std::vector<Mesh::Triangle> triangles = mesh.triangles;
   for(const Point& p : mesh.points)
