@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
 
 namespace {
 
@@ -58,17 +59,28 @@ void expect_agreement(const Mesh& mesh, std::size_t number_of_sources, unsigned 
     options.queries.push_back(random_location(mesh, random, 0));
   std::vector<Indexed_location> sources;
   for(unsigned k = 0; k < number_of_sources; ++k)
-    sources.push_back(random_location(mesh, random, seed + k));
+    sources.push_back(random_location(mesh, random, (seed + k) % 2 ? 0 : 2));
   Geodesics geodesics(mesh);
   geodesics.run(sources, options);
   Path_tracing tracing(geodesics);
-  Shortest_path shortest_path(surface);
-  for(const Indexed_location& source : sources)
-    shortest_path.add_source_point(to_cgal(source));
+  // one source at a time: CGAL 5.5 overestimates distances from several points of one face, and from points on edges
+  std::vector<std::unique_ptr<Shortest_path>> shortest_paths;
+  for(const Indexed_location& source : sources) {
+    shortest_paths.emplace_back(new Shortest_path(surface));
+    shortest_paths.back()->add_source_point(to_cgal(source));
+  }
+  const auto cgal_distance = [&](const auto&... target) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for(const std::unique_ptr<Shortest_path>& shortest_path : shortest_paths) {
+      const double d = shortest_path->shortest_distance_to_source_points(target...).first;
+      nearest = d < 0. ? nearest : (std::min)(nearest, d);
+    }
+    return nearest;
+  };
   double scale = 0.;
   for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
-    const double expected = shortest_path.shortest_distance_to_source_points(Surface_mesh::Vertex_index(v)).first;
-    if(expected < 0.) {
+    const double expected = cgal_distance(Surface_mesh::Vertex_index(v));
+    if(expected == std::numeric_limits<double>::infinity()) {
       EXPECT_FALSE(geodesics.is_reached(v)) << "vertex " << v;
       continue;
     }
@@ -81,8 +93,8 @@ void expect_agreement(const Mesh& mesh, std::size_t number_of_sources, unsigned 
   }
   for(std::size_t q = 0; q < options.queries.size(); ++q) {
     const Shortest_path::Face_location target = to_cgal(options.queries[q]);
-    const double expected = shortest_path.shortest_distance_to_source_points(target.first, target.second).first;
-    if(expected < 0.) {
+    const double expected = cgal_distance(target.first, target.second);
+    if(expected == std::numeric_limits<double>::infinity()) {
       EXPECT_EQ(geodesics.query_distance(q), std::numeric_limits<double>::infinity());
     } else {
       EXPECT_NEAR(geodesics.query_distance(q), expected, relative * expected + 1e-14 * scale) << "query " << q;

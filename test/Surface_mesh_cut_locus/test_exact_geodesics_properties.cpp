@@ -392,6 +392,28 @@ TEST(Exact_geodesics, distance_is_continuous_in_the_source)
   }
 }
 
+TEST(Exact_geodesics, source_on_an_edge_is_a_vertex_of_the_split_edge)
+{
+  for(const Mesh& mesh : some_meshes()) {
+    Geodesics geodesics(mesh);
+    for(Index h = 2; h < mesh.number_of_halfedges(); h += 97) {
+      std::vector<char> is_marked(mesh.number_of_halfedges(), 0);
+      is_marked[h] = 1;
+      if(!mesh.is_border_edge(h))
+        is_marked[mesh.opposite[h]] = 1;
+      const Mesh split = split_edges(mesh, is_marked);
+      Geodesics other(split);
+      Indexed_location middle;
+      middle.face = h / 3;
+      middle.coordinates[h % 3] = middle.coordinates[Mesh::next(h) % 3] = 0.5;
+      geodesics.run({middle});
+      other.run(mesh.number_of_vertices());
+      for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+        EXPECT_NEAR(geodesics.distance(v), other.distance(v), exact * other.distance(v));
+    }
+  }
+}
+
 TEST(Exact_geodesics, bad_input_is_named)
 {
   const auto message = [](const Mesh& mesh) {
