@@ -13,6 +13,7 @@
 #include "curve_distance.h"
 #include "remeshed_surface.h"
 
+#include <CGAL/Exact_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
@@ -77,7 +78,7 @@ void run(const std::string& solver_name, const Solver& solver, const Case& test,
   const double h = mean_edge_length(mesh);
   CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(mesh, params::geodesic_solver(solver));
   cut_loci.set_source(source);
-  const double angle = t.angle.value_or(cut_loci.default_gradient_angle_threshold());
+  const double angle = t.angle.value_or(cut_loci.gradient_angle_threshold());
   const double laplacian = t.laplacian.value_or(-1e300);
   const Cut_locus result = cut_loci.cut_locus(params::gradient_angle_threshold(angle)
                                                 .laplacian_threshold(laplacian)
@@ -109,8 +110,8 @@ int main(int argc, char** argv)
     ("angle", po::value(&angles)->multitoken(), "thresholds for the gradient angle (default: the library's)")
     ("laplacian", po::value(&laplacians)->multitoken(), "thresholds for the Laplacian (default: none)")
     ("min-branch-edges", po::value(&minimum_edges), "branches of fewer edges are removed")
-    ("solver", po::value(&solvers)->multitoken()->default_value({"cgal-exact", "heat"}, "cgal-exact heat"),
-     "cgal-exact, heat, heat-direct");
+    ("solver", po::value(&solvers)->multitoken()->default_value({"exact", "heat"}, "exact heat"),
+     "exact, cgal-exact, heat, heat-direct");
   po::variables_map values;
   try
   {
@@ -149,7 +150,9 @@ int main(int argc, char** argv)
         if(thresholds.empty())
           thresholds.push_back({std::nullopt, std::nullopt, minimum_edges});
         for(const Thresholds& t : thresholds)
-          if(solver == "cgal-exact")
+          if(solver == "exact")
+            run(solver, CGAL::Exact_geodesic_solver(), c, mesh, t);
+          else if(solver == "cgal-exact")
             run(solver, CGAL::Shortest_path_geodesic_solver(), c, mesh, t);
           else if(solver == "heat")
             run(solver, CGAL::Heat_method_geodesic_solver<>(), c, mesh, t);

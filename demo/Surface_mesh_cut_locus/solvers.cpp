@@ -6,6 +6,7 @@
 
 #include "solvers.h"
 
+#include <CGAL/Exact_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>
 
@@ -32,6 +33,7 @@ std::unique_ptr<Cut_locus_solver> make(const Mesh& mesh, Progress& progress)
 
 // The first one is the default.
 const Solver_entry solvers[] = {
+  {"exact", "exact geodesic distances", make<CGAL::Exact_geodesic_solver>},
   {"cgal-exact", "CGAL's exact shortest paths", make<CGAL::Shortest_path_geodesic_solver>},
   {"heat", "CGAL's heat method on an intrinsic Delaunay triangulation",
    make<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Intrinsic_Delaunay> >},

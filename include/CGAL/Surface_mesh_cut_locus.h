@@ -15,7 +15,7 @@
 #include <CGAL/Cut_loci/internal/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 #include <CGAL/Cut_locus.h>
-#include <CGAL/Shortest_path_geodesic_solver.h>
+#include <CGAL/Exact_geodesic_solver.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -89,7 +89,7 @@ public:
    *   \cgalParamNBegin{geodesic_solver}
    *     \cgalParamDescription{the solver that computes the distances}
    *     \cgalParamType{a model of `GeodesicSolver`}
-   *     \cgalParamDefault{`Shortest_path_geodesic_solver()`}
+   *     \cgalParamDefault{`Exact_geodesic_solver()`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{laplacian_operator}
    *     \cgalParamDescription{the discretization of the Laplace-Beltrami operator}
@@ -116,7 +116,7 @@ public:
       laplacian_operator_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::laplacian_operator),
                                                        Cut_loci::Laplacian_operator::QUADRATIC_FIT)),
       solver_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_solver),
-                                           Shortest_path_geodesic_solver()))
+                                           Exact_geodesic_solver()))
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
@@ -236,7 +236,7 @@ public:
    *     \cgalParamDescription{the angle at which shortest paths must meet, in radians in [0, pi]; a larger one removes
    *                           weaker branches}
    *     \cgalParamType{`double`}
-   *     \cgalParamDefault{`default_gradient_angle_threshold()`}
+   *     \cgalParamDefault{`default_gradient_angle_threshold()`, unless the geodesic solver asks for another one}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{laplacian_threshold}
    *     \cgalParamDescription{the least value of minus the Laplacian of the distance, times the mean edge length}
@@ -284,7 +284,7 @@ public:
     const Stage_scope scope(*this, Cut_loci::Stage::FILTER);
     Cut_loci::Branch_thresholds thresholds;
     thresholds.gradient_angle = choose_parameter(get_parameter(np, internal_np::gradient_angle_threshold),
-                                                 default_gradient_angle_threshold());
+                                                 source_angle_threshold_);
     thresholds.laplacian = choose_parameter(get_parameter(np, internal_np::laplacian_threshold), thresholds.laplacian);
     thresholds.policy = choose_parameter(get_parameter(np, internal_np::filter_policy), thresholds.policy);
     const std::size_t minimum_edges = choose_parameter(get_parameter(np, internal_np::minimum_branch_edges),
@@ -310,6 +310,8 @@ public:
   {
     return Cut_loci::internal::Component_solver::default_gradient_angle_threshold();
   }
+  /// the default of `gradient_angle_threshold` for the current source: the geodesic solver may ask for one of its own
+  double gradient_angle_threshold() const { return source_angle_threshold_; }
   /// the default of `minimum_branch_edges`
   static std::size_t default_minimum_branch_edges() { return 3; }
 
@@ -382,6 +384,10 @@ private:
   void solve(Cut_loci::Indexed_source source, const NamedParameters& np)
   {
     source_result_.reset();
+    constexpr bool runs_solver =
+      parameters::is_default_parameter<NamedParameters, internal_np::vertex_distance_map_t>::value;
+    source_angle_threshold_ = runs_solver && solver_.gradient_angle_threshold() > 0.
+                              ? solver_.gradient_angle_threshold() : default_gradient_angle_threshold();
     Component& component = component_at(component_of_face_[source.location.face]);
     component_ = &component;
     to_component(component, source);
@@ -599,6 +605,7 @@ private:
 
   Component* component_ = nullptr;    // that of the source
   Cut_loci::Indexed_source source_;   // in its component
+  double source_angle_threshold_ = default_gradient_angle_threshold();
   std::shared_ptr<const Cut_loci::internal::Source_result> source_result_;
 };
 
