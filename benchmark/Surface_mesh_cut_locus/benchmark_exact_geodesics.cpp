@@ -7,8 +7,8 @@
 // Times the exact geodesic solver.
 //
 //   benchmark_exact_geodesics [--trials n] [--cgal-trials n] mesh...
-//     against CGAL's Surface_mesh_shortest_path: from the mesh object to the distances of all vertices, and for CGAL the
-//     construction of its sequence tree alone
+//     against CGAL's Surface_mesh_shortest_path: from the mesh object to the distances of all vertices, and for CGAL
+//     the construction of its sequence tree alone
 //   benchmark_exact_geodesics --growth [largest number of faces]
 //     on jittered tori; prints time, memory and windows, as comma-separated values, and the exponents fitted to them
 
@@ -72,8 +72,8 @@ struct Times
 };
 
 /// the whole way from the mesh object to distances, and to directions if wanted; `again` is one more source
-Times time_ours(const Mesh& mesh, Vertex source, bool directions, bool centroids, int trials, std::vector<double>& distances,
-                std::size_t& windows)
+Times time_ours(const Mesh& mesh, Vertex source, bool directions, bool centroids, int trials,
+                std::vector<double>& distances, std::size_t& windows)
 {
   std::vector<double> read, total, again, angles(num_vertices(mesh));
   for(int i = 0; i < trials; ++i) {
@@ -113,8 +113,8 @@ void compare(const std::string& file, int trials, int cgal_trials)
   const Times directed = time_ours(mesh, source, true, false, trials, distances, windows);
   const Times centroids = time_ours(mesh, source, false, true, trials, distances, windows);
   std::printf("%s: %zu faces, %.2f M windows\n", file.c_str(), std::size_t(num_faces(mesh)), windows * 1e-6);
-  std::printf("  mesh to distances                 %8.4f s (of it reading the mesh %.4f; one more source %.4f)\n", plain.total,
-              plain.read, plain.again);
+  std::printf("  mesh to distances                 %8.4f s (of it reading the mesh %.4f; one more source %.4f)\n",
+              plain.total, plain.read, plain.again);
   std::printf("  mesh to distances and directions  %8.4f s\n", directed.total);
   std::printf("  ... and to centroids              %8.4f s\n", centroids.total);
   if(cgal_trials == 0)
@@ -134,8 +134,8 @@ void compare(const std::string& file, int trials, int cgal_trials)
     }
   }
   const double cgal = median(cgal_times);
-  std::printf("  CGAL's sequence tree              %8.4f s: ratio %.0f, with directions %.0f\n", cgal, cgal / plain.total,
-              cgal / directed.total);
+  std::printf("  CGAL's sequence tree              %8.4f s: ratio %.0f, with directions %.0f\n", cgal,
+              cgal / plain.total, cgal / directed.total);
   std::printf("  largest relative difference of the distances %.2g\n", difference);
 }
 

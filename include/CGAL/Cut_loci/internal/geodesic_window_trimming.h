@@ -36,9 +36,9 @@ inline bool is_alive(const Geodesic_window& w, double narrow)
   return w.b - w.a > narrow;
 }
 
-/// the point of `[low, high]` up to which `left` is better; `at_low` and `at_high` are by how much its distance is larger
-inline double find_tie(const Geodesic_window& left, const Geodesic_window& right, double low, double high, double at_low,
-                       double at_high)
+/// the point of `[low, high]` up to which `left` is better; `at_low` and `at_high` tell by how much its distance is larger
+inline double find_tie(const Geodesic_window& left, const Geodesic_window& right, double low, double high,
+                       double at_low, double at_high)
 {
   if(left.sigma == right.sigma) {
     // the bisector of two points
@@ -79,7 +79,8 @@ inline void resolve_overlap(Geodesic_window& left, Geodesic_window& right)
 {
   const double low = (std::max)(left.a, right.a), high = (std::min)(left.b, right.b);
   if(low < high) {
-    const double at_low = left.distance(low) - right.distance(low), at_high = left.distance(high) - right.distance(high);
+    const double at_low = left.distance(low) - right.distance(low),
+                 at_high = left.distance(high) - right.distance(high);
     if(at_low >= 0.)
       left.b = low;
     else if(at_high <= 0.)
@@ -113,7 +114,7 @@ inline bool are_mergeable(const Geodesic_window& left, const Geodesic_window& ri
          left.a <= right.b + geodesic_cover * length && left.nearest == right.nearest;
 }
 
-/// restores the order of a list, as a stack on its first places.
+/// restores the order of a list, using its first places as a stack.
 template <int columns>
 class Geodesic_trimming
 {
@@ -212,7 +213,8 @@ class Geodesic_envelope
 {
 public:
   /// trims `first` and `second`, and writes their lower envelope to `result`, which needs room for four times as many
-  void operator()(Geodesic_window_list& first, Geodesic_window_list& second, Geodesic_window_list& result, double length)
+  void operator()(Geodesic_window_list& first, Geodesic_window_list& second, Geodesic_window_list& result,
+                  double length)
   {
     Geodesic_trimming<columns>(first, length, true)(first.begin, false);
     Geodesic_trimming<columns>(second, length, true)(second.begin, false);
