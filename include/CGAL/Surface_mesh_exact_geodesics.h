@@ -44,8 +44,8 @@ namespace CGAL {
  * \cgalCite{xw-ich-09}, and, as Xu et al. \cgalCite{xu-fwp-15} and Qin et al. \cgalCite{qin-vtp-16}, in batches: all
  * windows of a halfedge cross its face at once.
  *
- * In the worst case, time grows like \cgalBigO{n^2} and more with the number of faces. On meshes of smooth surfaces, the
- * number of windows grows like \cgalBigO{n^{1.5}}, the time a little slower, and the memory linearly.
+ * In the worst case, time grows like \cgalBigO{n^2} and more with the number of faces. On meshes of smooth surfaces,
+ * the number of windows grows like \cgalBigO{n^{1.5}}, the time a little slower, and the memory linearly.
  *
  * Faces must have an area: a face whose height is less than about `1e-13` of its longest edge can not be unfolded in
  * `double`, and is refused. Vertices whose faces form more than one fan are refused as well. In both cases the
@@ -92,7 +92,8 @@ public:
    *   \cgalParamNBegin{vertex_point_map}
    *     \cgalParamDescription{a property map associating points to the vertices of `tm`}
    *     \cgalParamType{a class model of `ReadablePropertyMap` with
-   *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+   *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value
+   *                    type}
    *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
    *     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t` must be
    *                     available in `TriangleMesh`.}

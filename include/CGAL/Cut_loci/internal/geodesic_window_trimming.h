@@ -36,7 +36,7 @@ inline bool is_alive(const Geodesic_window& w, double narrow)
   return w.b - w.a > narrow;
 }
 
-/// the point of `[low, high]` up to which `left` is better; `at_low` and `at_high` tell by how much its distance is larger
+/// the point of `[low, high]` up to which `left` is better; `at_low` and `at_high`: how much further it is there
 inline double find_tie(const Geodesic_window& left, const Geodesic_window& right, double low, double high,
                        double at_low, double at_high)
 {
