@@ -89,7 +89,7 @@ private:
   // The unit direction in the face of `h` with the given components along `h` and to its left.
   Vector in_face(Index h, double along, double left) const
   {
-    Vector e, m;
+    Vector e = {{0., 0., 0.}}, m = e;
     unit(mesh_.points[mesh_.target(h)] - mesh_.points[mesh_.source(h)], e);
     unit(cross(normal_of_face(mesh_, h / 3), e), m);
     return along * e + left * m;
