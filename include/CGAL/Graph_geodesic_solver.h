@@ -61,9 +61,9 @@ public:
     else
       reach_from(source.location, [&](Index v, double distance) { reach(v, distance / scale); });
 
-    // An item whose vertex has come closer since it was pushed is left in the queue and skipped; one that has come closer
-    // by less than the precision of the keys is taken again. The distances are the only solution of Bellman's equations in
-    // floating point, whatever the order of equal keys.
+    // An item whose vertex has come closer since it was pushed is left in the queue and skipped; one that has come
+    // closer by less than the precision of the keys is taken again. The distances are the only solution of Bellman's
+    // equations in floating point, whatever the order of equal keys.
     while(!queue_.empty())
     {
       const auto [key, v] = queue_.pop();
@@ -145,8 +145,8 @@ private:
     }
   };
 
-  // The length of the straight line from `p`, a point of the face of `h` laid out as by `flat_position`, across `h` to the
-  // opposite vertex of the next face; negative if it misses the edge.
+  // The length of the straight line from `p`, a point of the face of `h` laid out as by `flat_position`, across `h` to
+  // the opposite vertex of the next face; negative if it misses the edge.
   static double straight_line_across(const Mesh& mesh, Index h, const std::array<double, 2>& p)
   {
     using namespace Cut_loci::internal;

@@ -301,8 +301,8 @@ public:
     const Cut_loci::Indexed_cut_locus cut_locus = component_->solver->filter(thresholds);
     mark_edges(cut_locus, get_parameter(np, internal_np::edge_is_constrained));
     Cut_loci::Smoothing_parameters smoothing;
-    smoothing.number_of_iterations =
-      choose_parameter(get_parameter(np, internal_np::number_of_iterations), Index(0));
+    smoothing.number_of_iterations = static_cast<Index>(
+      choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(0)));
     if(smoothing.number_of_iterations == 0)
       return make_result(cut_locus);
     return make_result(component_->solver->smoothed(cut_locus, smoothing));

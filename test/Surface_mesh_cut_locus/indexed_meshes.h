@@ -60,8 +60,8 @@ inline Mesh grid(Index nx, Index ny)
   return glued(points, triangles);
 }
 
-// radii 1 and `r`; vertex `i * n + j` at the angles 2 pi i / m around the axis and 2 pi j / n around the tube; the triangles
-// of the rows are shifted, and so nearly equilateral for m / n = 1 / r
+// radii 1 and `r`; vertex `i * n + j` at the angles 2 pi i / m around the axis and 2 pi j / n around the tube; the
+// triangles of the rows are shifted, and so nearly equilateral for m / n = 1 / r
 inline Mesh torus(Index m, Index n, double r = 0.4)
 {
   std::vector<Mesh::Point> points;

@@ -91,9 +91,10 @@ TEST(Straightest_geodesic, is_a_line_in_the_plane)
   }
   EXPECT_GT(inside, 500);
   // through vertices, along edges, and not at all
-  const Indexed_location corner = straightest_geodesic(mesh, connectivity, {0, {{1., 0., 0.}}}, {{1., 1., 0.}}, 5. * std::sqrt(2.));
+  const Indexed_location origin = {0, {{1., 0., 0.}}};
+  const Indexed_location corner = straightest_geodesic(mesh, connectivity, origin, {{1., 1., 0.}}, 5. * std::sqrt(2.));
   EXPECT_LE(norm(position(mesh, corner) - Vector{{5., 5., 0.}}), 1e-5);
-  const Indexed_location out = straightest_geodesic(mesh, connectivity, {0, {{1., 0., 0.}}}, {{-1., 0.5, 0.}}, 1.);
+  const Indexed_location out = straightest_geodesic(mesh, connectivity, origin, {{-1., 0.5, 0.}}, 1.);
   EXPECT_LE(norm(position(mesh, out)), 1e-9);
   const Indexed_location still = straightest_geodesic(mesh, connectivity, {3, {{0.2, 0.3, 0.5}}}, {{0., 0., 0.}}, 1.);
   EXPECT_LE(norm(position(mesh, still) - position(mesh, {3, {{0.2, 0.3, 0.5}}})), 1e-12);
@@ -120,7 +121,8 @@ TEST(Straightest_geodesic, follows_the_unfolding_of_a_cube)
       const Indexed_location b = straightest_geodesic(mesh, connectivity, a, {{1., 0., 0.}}, 8.);
       EXPECT_LE(norm(position(mesh, b) - p), 1e-4);
       const double to_side = 1. - p[0];
-      const Indexed_location c = straightest_geodesic(mesh, connectivity, a, {{1., y, 0.}}, (to_side + 0.5) * std::hypot(1., y));
+      const double way = (to_side + 0.5) * std::hypot(1., y);
+      const Indexed_location c = straightest_geodesic(mesh, connectivity, a, {{1., y, 0.}}, way);
       const Vector expected = {{1., p[1] + y * (to_side + 0.5), 0.5}};
       EXPECT_TRUE(std::abs(expected[1]) >= 1. || norm(position(mesh, c) - expected) <= 1e-4);
     }
@@ -181,7 +183,8 @@ double length(const Mesh& mesh, const std::vector<Indexed_location>& path)
 }
 
 // whether some face holds all vertices with a coordinate in `a` or `b`
-bool share_a_face(const Mesh& mesh, const Mesh_connectivity& connectivity, const Indexed_location& a, const Indexed_location& b)
+bool share_a_face(const Mesh& mesh, const Mesh_connectivity& connectivity, const Indexed_location& a,
+                  const Indexed_location& b)
 {
   std::set<Index> vertices;
   for(const Indexed_location& x : {a, b})
@@ -381,7 +384,8 @@ void expect_sound(const Mesh& mesh, const Smoothed& s)
   const Mesh_connectivity connectivity(mesh);
   ASSERT_FALSE(s.after.nodes.empty());
   // Euler characteristic and the way the branches meet
-  EXPECT_EQ(int(s.after.nodes.size()) - int(s.after.edges.size()), int(s.before.nodes.size()) - int(s.before.edges.size()));
+  EXPECT_EQ(int(s.after.nodes.size()) - int(s.after.edges.size()),
+            int(s.before.nodes.size()) - int(s.before.edges.size()));
   std::vector<int> degree_before(s.before.nodes.size(), 0), degree(s.after.nodes.size(), 0);
   for(const auto& e : s.before.edges)
   {
@@ -395,8 +399,9 @@ void expect_sound(const Mesh& mesh, const Smoothed& s)
     ++degree[e.target];
     neighbors[e.source].push_back(e.target);
     neighbors[e.target].push_back(e.source);
-    ASSERT_TRUE(share_a_face(mesh, connectivity, s.after.nodes[e.source].location, s.after.nodes[e.target].location));
-    ASSERT_GT(norm(position(mesh, s.after.nodes[e.source].location) - position(mesh, s.after.nodes[e.target].location)), 0.);
+    const Indexed_location &a = s.after.nodes[e.source].location, &b = s.after.nodes[e.target].location;
+    ASSERT_TRUE(share_a_face(mesh, connectivity, a, b));
+    ASSERT_GT(norm(position(mesh, a) - position(mesh, b)), 0.);
     ASSERT_EQ(e.halfedge, null_index);
     ASSERT_LT(e.origin, s.before.edges.size());
     ASSERT_EQ(e.strength, s.before.edges[e.origin].strength);
@@ -473,7 +478,8 @@ double mean_error_on_torus(const Mesh& mesh, const Indexed_cut_locus& graph, dou
   return sum / weight;
 }
 
-// with wavy rows and jitter, so that no row of edges follows the cut locus; vertex `n / 2` is on the inner equator for even n
+// with wavy rows and jitter, so that no row of edges follows the cut locus; vertex `n / 2` is on the inner equator for
+// even n
 Mesh irregular_torus(Index m, Index n)
 {
   std::mt19937 random(6);
@@ -535,7 +541,8 @@ TEST(Smoothing, does_not_depend_on_scale_and_pose)
 
 TEST(Smoothing, keeps_the_topology_of_any_input)
 {
-  for(const Mesh& mesh : {torus(40, 17), bumpy_sphere(20), needles(12), grid(15, 15), irregular_torus(25, 10), sphere(8)})
+  for(const Mesh& mesh :
+      {torus(40, 17), bumpy_sphere(20), needles(12), grid(15, 15), irregular_torus(25, 10), sphere(8)})
     for(double angle : {0., 0.2, 0.7})
       for(Index source : {Index(0), mesh.number_of_vertices() / 3})
       {

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -25,9 +27,9 @@ namespace Cut_loci {
  * joins nearby points of a mesh by geodesic segments through the faces.
  *
  * The fewest faces that lead from one point to the other are laid out flat, the shortest path in that strip is found by
- * the funnel algorithm \cgalCite{cgal:lp-espsb-84}, and where it bends around a vertex the strip is led around the other
- * side of that vertex if the angle there is less than pi, until no such vertex is left: the path is then a geodesic. The
- * time is in proportion to the square of the number of faces between the points.
+ * the funnel algorithm \cgalCite{cgal:lp-espsb-84}, and where it bends around a vertex the strip is led around the
+ * other side of that vertex if the angle there is less than pi, until no such vertex is left: the path is then a
+ * geodesic. The time is in proportion to the square of the number of faces between the points.
  */
 class Local_geodesics
 {
@@ -37,9 +39,9 @@ public:
   {}
 
   /*!
-   * appends to `path` the points at which a geodesic from `a` to `b` crosses edges, and `b`. Two points in a row lie in a
-   * common face and differ; their coordinates tell it: those that are not zero belong to vertices of that face. Nothing
-   * is appended if `a` and `b` are the same point.
+   * appends to `path` the points at which a geodesic from `a` to `b` crosses edges, and `b`. Two points in a row lie
+   * in a common face and differ; their coordinates tell it: those that are not zero belong to vertices of that face.
+   * Nothing is appended if `a` and `b` are the same point.
    *
    * @return whether there is a path
    */
@@ -345,8 +347,9 @@ private:
       if(fan_.size() > connectivity_.valence(v))
         return false;
     }
-    strip_.erase(strip_.begin() + static_cast<std::ptrdiff_t>(begin), strip_.begin() + static_cast<std::ptrdiff_t>(end));
-    strip_.insert(strip_.begin() + static_cast<std::ptrdiff_t>(begin), fan_.begin(), fan_.end());
+    const auto begin_of_fan = strip_.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto next = strip_.erase(begin_of_fan, begin_of_fan + static_cast<std::ptrdiff_t>(end - begin));
+    strip_.insert(next, fan_.begin(), fan_.end());
     return true;
   }
 

@@ -32,7 +32,7 @@ namespace Cut_loci {
 struct Smoothing_parameters
 {
   Index number_of_iterations = 4;
-  double damping = 0.5;            ///< the part of the way that the first iteration leaves; each next one leaves half of it
+  double damping = 0.5;            ///< the part of the way that an iteration leaves: halved with each one
   Index number_of_relaxations = 1; ///< steps of smoothing in the tangent plane at the end
 };
 
@@ -83,12 +83,14 @@ public:
 private:
   using Chain = Curve_network::Chain;
 
-  // The unit tangent of the curve at place `i` of a chain, from nodes a few places before and after, as neighbors zigzag
-  // along the edges of the mesh.
+  // The unit tangent of the curve at place `i` of a chain, from nodes a few places before and after, as neighbors
+  // zigzag along the edges of the mesh.
   bool tangent(const std::vector<Index>& nodes, std::size_t i, const Vector& normal, Vector& result) const
   {
     const std::size_t last = nodes.size() - 1;
-    const std::size_t before = i - (std::min)(i, window), after = (std::min)(last, i + window);
+    // at a leaf, that of its neighbor, transported
+    const std::size_t at = i == 0 ? 1 : i == last ? last - 1 : i;
+    const std::size_t before = at - (std::min)(at, window), after = (std::min)(last, at + window);
     return unit(tangential(position_[nodes[after]] - position_[nodes[before]], normal), result);
   }
 
@@ -107,35 +109,49 @@ private:
         if(!unit(normal_at(mesh_, connectivity_, location_[node]), normal) || !tangent(chain.nodes, i, normal, t))
           continue;
         const Vector n = cross(normal, t);
-        Vector& d = displacement_[node];
+        const Vector to_neighbors = towards_neighbors(chain.nodes, i, t);
 
         network_.seeds(chain, i - (std::min)(i, window), (std::min)(chain.edges.size(), i + window), seeds);
         sides_.gather(seeds, [&](Index v) { return network_.node_of_vertex(v) != null_index; });
+        Balance balance;
         if(sides_.fit(position_[node], t, n))
-          d = part * towards_balance(node) * n;
-        if(!is_end)
-        {
-          const Vector middle = 0.5 * (position_[chain.nodes[i - 1]] + position_[chain.nodes[i + 1]]);
-          d = d + 0.5 * dot(middle - position_[node], t) * t;
-        }
+          balance = balance_of_sides(node);
+        const double way = balance.confidence * balance.way + (1. - balance.confidence) * dot(to_neighbors, n);
+        displacement_[node] = part * way * n + dot(to_neighbors, t) * t;
       }
     for(Index node = 0; node < location_.size(); ++node)
       if(network_.degree(node) > 2)
         displacement_[node] = part * (centroid_of_neighbors(node) - position_[node]);
   }
 
-  // The way along the normal to where both sides give the same distance.
-  double towards_balance(Index node) const
+  // The way along the normal to where both sides give the same distance, and how far it can be trusted.
+  struct Balance
+  {
+    double way = 0., confidence = 0.;
+  };
+
+  Balance balance_of_sides(Index node) const
   {
     const One_sided_distances::Quadric &l = sides_.left(), &r = sides_.right();
     const double slope = r.gradient[1] - l.gradient[1];
     if(!(slope > 0.)) // the sides do not converge
-      return 0.;
+      return {};
+    // One half where the error of the distances moves their balance by an edge.
     const double edge = network_.edge_length(node);
-    // The error of the slope: where the sides meet at an angle below it, they do not tell the place.
     const double noise = (l.error + r.error) / edge;
-    const double way = (l.value - r.value) * slope / (slope * slope + noise * noise);
-    return (std::max)(-edge, (std::min)(edge, way));
+    const double way = (l.value - r.value) / slope;
+    return {(std::max)(-edge, (std::min)(edge, way)), slope * slope / (slope * slope + noise * noise)};
+  }
+
+  // Half of the way to the middle of the neighbors; at a leaf, all of the way to the straight continuation of its
+  // branch.
+  Vector towards_neighbors(const std::vector<Index>& nodes, std::size_t i, const Vector& t) const
+  {
+    const Vector& p = position_[nodes[i]];
+    if(i > 0 && i + 1 < nodes.size())
+      return 0.5 * (0.5 * (position_[nodes[i - 1]] + position_[nodes[i + 1]]) - p);
+    const Vector to_neighbor = position_[nodes[i == 0 ? 1 : i - 1]] - p;
+    return to_neighbor - dot(to_neighbor, t) * t;
   }
 
   Vector centroid_of_neighbors(Index node) const
@@ -306,6 +322,34 @@ private:
 
 } // namespace internal
 
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * moves a cut locus from the edges of the mesh onto the smooth curves it stands for, through the faces.
+ *
+ * The branches stay as they are and meet as they did; their nodes become points in faces, joined by geodesic segments.
+ * Each edge of the result lies in one face and tells the edge of `cut_locus` that it comes from; no edge has length
+ * zero, and no node at which a branch turned back by more than a right angle is left. Distances are interpolated in
+ * the faces.
+ *
+ * The scheme is that of Mancinelli, Livesu and Puppo \cgalCite{cgal:mlp-pccld-21}: in each iteration, regular nodes
+ * move along straightest geodesics in the direction of the tangential normal of their curve, by no more than the
+ * length of an edge, branch points move to the centroid of their neighbors, and a relaxation in the tangent plane
+ * comes last. It differs in the length of the step. In the paper it is the component of the gradient along the normal;
+ * but a gradient estimated across the cut locus averages both sides, over the width of the estimator. Here, quadrics
+ * are fitted to the distances on either side of the curve, and the node moves to where both give the same distance. So
+ * the damping leaves 0.5 of the way at first, and half of that with each iteration, where the paper's takes it. Where
+ * the sides hardly differ, by the errors of the fits, the node follows its neighbors.
+ *
+ * At a leaf, the paper displaces in the direction opposite to the transported normal of the neighbor. As a displacement
+ * by the component of the gradient along a normal does not depend on the sign of the normal, this is read as: a leaf
+ * takes its normal from its neighbor, and moves across the straight continuation of its branch.
+ *
+ * @param distance the distance of each vertex to the source
+ * @param cut_locus a graph of mesh edges
+ *
+ * The time is linear in the size of the mesh, for tables, and in the size of `cut_locus`, for everything else.
+ */
 inline Indexed_cut_locus smoothed_cut_locus(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                                             const std::vector<double>& distance, const Indexed_cut_locus& cut_locus,
                                             const Smoothing_parameters& parameters = Smoothing_parameters())

@@ -12,6 +12,7 @@
 #include <CGAL/Cut_loci/internal/surface_location.h>
 #include <CGAL/Cut_loci/internal/vector_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -111,7 +112,8 @@ private:
     return result;
   }
 
-  // Continues from vertex `v` at an angle from the first edge of its ring; outside of the fan of a border vertex, it stops.
+  // Continues from vertex `v` at an angle from the first edge of its ring; outside of the fan of a border vertex, it
+  // stops.
   bool leave_vertex(Index v, double angle)
   {
     Index h = null_index;
@@ -223,13 +225,13 @@ private:
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * follows the straightest geodesic \cgalCite{cgal:ps-sgps-98} from `start` for a given length and returns where it ends:
- * straight across edges, and with equal angles on both sides through interior vertices. It stops at the border.
+ * follows the straightest geodesic \cgalCite{cgal:ps-sgps-98} from `start` for a given length and returns where it
+ * ends: straight across edges, and with equal angles on both sides through interior vertices. It stops at the border.
  *
  * @param direction a vector in space, of any length. Inside a face its part in the plane of the face counts; on an edge
- *        its part orthogonal to the mean normal of the faces there. At a vertex its angle to the first edge of the ring,
- *        seen along the normal of the vertex, counts, where the angles around an interior vertex are scaled to sum up to
- *        2 pi, as in `Tangent_directions`.
+ *        its part orthogonal to the mean normal of the faces there. At a vertex its angle to the first edge of the
+ *        ring, seen along the normal of the vertex, counts, where the angles around an interior vertex are scaled to
+ *        sum up to 2 pi, as in `Tangent_directions`.
  */
 inline Indexed_location straightest_geodesic(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                                              const Indexed_location& start, const std::array<double, 3>& direction,

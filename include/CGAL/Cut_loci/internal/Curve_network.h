@@ -31,7 +31,8 @@ public:
 
   std::vector<Chain> chains;
 
-  Curve_network(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Indexed_cut_locus& graph)
+  Curve_network(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                const Indexed_cut_locus& graph)
     : mesh_(mesh), connectivity_(connectivity), graph_(graph), node_of_vertex_(mesh.number_of_vertices(), null_index)
   {
     const Index n = static_cast<Index>(graph.nodes.size());
@@ -76,8 +77,8 @@ public:
     return sum / connectivity_.valence(v);
   }
 
-  // The vertices next to edges `begin`, ..., `end - 1` of `chain`, on its left and on its right. What is around a leaf is on
-  // no side.
+  // The vertices next to edges `begin`, ..., `end - 1` of `chain`, on its left and on its right. What is around a leaf
+  // is on no side.
   void seeds(const Chain& chain, std::size_t begin, std::size_t end, std::array<std::vector<Index>, 2>& result) const
   {
     result[0].clear();

@@ -22,10 +22,10 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-// Near the cut locus the distance is the smaller one of two smooth functions, those of the shortest paths that arrive from
-// either side. This class finds both around a point, as quadrics in the tangent plane there, fitted to the distances at
-// the vertices of each side, up to a few rings from the curve. At first the sides are those of the curve; then each vertex
-// goes to the side whose function is lower there, as the curve may run a vertex beside the cut locus.
+// Near the cut locus the distance is the smaller one of two smooth functions, those of the shortest paths that arrive
+// from either side. This class finds both around a point, as quadrics in the tangent plane there, fitted to the
+// distances at the vertices of each side, up to a few rings from the curve. At first the sides are those of the curve;
+// then each vertex goes to the side whose function is lower there, as the curve may run a vertex beside the cut locus.
 class One_sided_distances
 {
 public:
@@ -33,7 +33,7 @@ public:
 
   struct Quadric
   {
-    double value = 0., error = 0.;           // at the point; the root mean square of the residuals
+    double value = 0., error = 0.;           // at the point; the most that residuals as large can amount to there
     std::array<double, 2> gradient = {{0., 0.}};
   };
 
@@ -127,8 +127,8 @@ public:
 
 private:
   static constexpr int neither = 2;
-  // A quadric has six coefficients, and a ring of one side about six vertices: four of them leave enough if those next to
-  // the curve are on its wrong side.
+  // A quadric has six coefficients, and a ring of one side about six vertices: four of them leave enough if those next
+  // to the curve are on its wrong side.
   static constexpr unsigned char rings = 4;
   static constexpr int rounds = 3;
 
@@ -163,19 +163,21 @@ private:
       return false;
     // far below the weight of any vertex: only decides what the vertices leave open
     a.diagonal().array() += 1e-10 * a.trace();
-    const Row x = a.ldlt().solve(b);
+    const Eigen::LDLT<Eigen::Matrix<double, 6, 6> > factored(a);
+    const Row x = factored.solve(b);
     if(!x.allFinite())
       return false;
     coefficients_[side] = x;
-    double sum = 0., weight = 0.;
+    double sum = 0.;
     for(const Candidate& c : candidates_)
       if(c.side == side)
       {
         const double r = x.dot(monomials(c)) - c.distance;
         sum += c.weight * r * r;
-        weight += c.weight;
       }
-    quadric_[side] = {x[0], std::sqrt(sum / weight), {{x[1] / radius_, x[2] / radius_}}};
+    // The value is a linear function of the distances: the inequality of Cauchy and Schwarz.
+    const double leverage = factored.solve(Row::Unit(0))[0];
+    quadric_[side] = {x[0], std::sqrt((std::max)(0., sum * leverage)), {{x[1] / radius_, x[2] / radius_}}};
     return true;
   }
 

@@ -19,10 +19,10 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-// A radix heap: a priority queue for keys that are not negative, each at least the last one taken. The bits of such numbers
-// are ordered as they are. Bucket `i` holds the keys whose highest bit that differs from the last one taken is the
-// `i - 1`st; an item only ever moves to lower buckets. Faster than a heap, and, unlike buckets of a fixed width, as fast
-// when the lengths of the arcs differ by orders of magnitude.
+// A radix heap: a priority queue for keys that are not negative, each at least the last one taken. The bits of such
+// numbers are ordered as they are. Bucket `i` holds the keys whose highest bit that differs from the last one taken is
+// the `i - 1`st; an item only ever moves to lower buckets. Faster than a heap, and, unlike buckets of a fixed width,
+// as fast when the lengths of the arcs differ by orders of magnitude.
 class Monotone_queue
 {
 public:

@@ -48,7 +48,8 @@ inline Index vertex_of(const Indexed_triangle_mesh& mesh, const Indexed_location
 inline Index edge_of(const Indexed_location& location)
 {
   for(Index i = 0; i < 3; ++i)
-    if(location.coordinates[(i + 2) % 3] == 0. && location.coordinates[i] > 0. && location.coordinates[(i + 1) % 3] > 0.)
+    if(location.coordinates[(i + 2) % 3] == 0. && location.coordinates[i] > 0. &&
+       location.coordinates[(i + 1) % 3] > 0.)
       return 3 * location.face + i;
   return null_index;
 }
