@@ -456,6 +456,55 @@ int sharp_turns(const Mesh& mesh, const Indexed_cut_locus& graph)
   return result;
 }
 
+// The pairs of edges in a face that cross each other.
+int crossings(const Mesh& mesh, const Indexed_cut_locus& graph)
+{
+  const Mesh_connectivity connectivity(mesh);
+  struct Piece
+  {
+    Index a, b;
+    std::array<double, 2> p, q;
+  };
+  std::map<Index, std::vector<Piece>> pieces; // of each face
+  for(const auto& e : graph.edges)
+    for(Index end : {e.source, e.target}) // a segment in a face names it at one end, or lies on an edge
+    {
+      const Index f = graph.nodes[end].location.face;
+      std::array<std::array<double, 2>, 2> point;
+      bool is_in_face = true;
+      for(int k = 0; k < 2; ++k)
+      {
+        const Indexed_location& x = graph.nodes[k == 0 ? e.source : e.target].location;
+        std::array<double, 3> c = {{0., 0., 0.}};
+        for(int i = 0; i < 3; ++i)
+          for(int j = 0; j < 3; ++j)
+            if(mesh.triangles[f][j] == mesh.triangles[x.face][i])
+              c[j] = x.coordinates[i];
+        is_in_face = is_in_face && std::abs(c[0] + c[1] + c[2] - 1.) < 1e-9;
+        point[k] = {{c[0], c[1]}};
+      }
+      if(is_in_face)
+        pieces[f].push_back({e.source, e.target, point[0], point[1]});
+      if(graph.nodes[e.source].location.face == graph.nodes[e.target].location.face)
+        break;
+    }
+  int result = 0;
+  for(const auto& of_face : pieces)
+    for(const Piece& s : of_face.second)
+      for(const Piece& t : of_face.second)
+      {
+        if(s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b)
+          continue;
+        const auto side = [](const Piece& x, const std::array<double, 2>& p)
+        {
+          return cross(x.q - x.p, p - x.p);
+        };
+        if(side(s, t.p) * side(s, t.q) < 0. && side(t, s.p) * side(t, s.q) < 0.)
+          ++result;
+      }
+  return result / 2;
+}
+
 // The cut locus of a point of the inner equator of a torus, at u = 0: the opposite meridian and the outer equator.
 double mean_error_on_torus(const Mesh& mesh, const Indexed_cut_locus& graph, double scale = 1.)
 {
@@ -507,6 +556,7 @@ TEST(Smoothing, comes_closer_to_the_closed_form)
     const Smoothed s = smoothed<CGAL::Shortest_path_geodesic_solver>(mesh, n / 2, 0.7);
     expect_sound(mesh, s);
     EXPECT_EQ(s.after.edges.size(), s.after.nodes.size() + 1);
+    EXPECT_EQ(crossings(mesh, s.after), 0);
     EXPECT_EQ(sharp_turns(mesh, s.after), 0);
     const double before = mean_error_on_torus(mesh, s.before), after = mean_error_on_torus(mesh, s.after);
     EXPECT_LE(after, before / 3.);
@@ -550,7 +600,8 @@ TEST(Smoothing, keeps_the_topology_of_any_input)
         expect_sound(mesh, s);
         if(::testing::Test::HasFatalFailure())
           return;
-        EXPECT_EQ(junctions(s.before).size(), junctions(s.after).size());
+        EXPECT_EQ(junctions(s.before), junctions(s.after));
+        EXPECT_EQ(crossings(mesh, s.after), 0);
       }
 }
 
@@ -560,6 +611,7 @@ TEST(Smoothing, turns_back_nowhere_on_strong_branches)
   {
     const Smoothed s = smoothed<CGAL::Shortest_path_geodesic_solver>(mesh, 0, 0.7);
     EXPECT_EQ(sharp_turns(mesh, s.after), 0);
+    EXPECT_EQ(crossings(mesh, s.after), 0);
   }
 }
 

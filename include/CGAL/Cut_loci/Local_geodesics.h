@@ -66,11 +66,33 @@ public:
     return true;
   }
 
-  /// whether two locations, with zeros where they are on edges and vertices, lie in a common face
-  bool are_in_common_face(const Indexed_location& a, const Indexed_location& b) const
+  /// calls `f` with each face that two locations, with zeros where they are on edges and vertices, have in common
+  template <typename Function>
+  void for_each_common_face(const Indexed_location& a, const Indexed_location& b, const Function& f) const
   {
-    bool result = false;
-    for_each_face(a, [&](Index f) { result = result || is_in_face(b, f); });
+    for_each_face(a, [&](Index face)
+    {
+      if(is_in_face(b, face))
+        f(face);
+    });
+  }
+
+  /// the same point, which is in `face`, in the coordinates of that face
+  Indexed_location in_face(const Indexed_location& location, Index face) const
+  {
+    if(location.face == face)
+      return location;
+    const Index v = internal::vertex_of(mesh_, location);
+    if(v == null_index)
+      return internal::across(mesh_, internal::edge_of(location), location);
+    Indexed_location result;
+    result.face = face;
+    for(Index i = 0; i < 3; ++i)
+      if(mesh_.triangles[face][i] == v)
+      {
+        result.coordinates[i] = 1.;
+        break;
+      }
     return result;
   }
 
@@ -111,25 +133,6 @@ private:
   {
     bool result = false;
     for_each_face(location, [&](Index f) { result = result || f == face; });
-    return result;
-  }
-
-  // The coordinates of the same point in `face`, which it is in.
-  Indexed_location in_face(const Indexed_location& location, Index face) const
-  {
-    if(location.face == face)
-      return location;
-    const Index v = internal::vertex_of(mesh_, location);
-    if(v == null_index)
-      return internal::across(mesh_, internal::edge_of(location), location);
-    Indexed_location result;
-    result.face = face;
-    for(Index i = 0; i < 3; ++i)
-      if(mesh_.triangles[face][i] == v)
-      {
-        result.coordinates[i] = 1.;
-        break;
-      }
     return result;
   }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/internal/Curve_network.h>
 #include <CGAL/Cut_loci/internal/One_sided_distances.h>
+#include <CGAL/Cut_loci/internal/crossing_edges.h>
 #include <CGAL/Cut_loci/internal/surface_location.h>
 #include <CGAL/Cut_loci/straightest_geodesic.h>
 
@@ -77,7 +78,7 @@ public:
     }
     drop_fold_backs();
     separate_branch_points();
-    return joined();
+    return without_crossings();
   }
 
 private:
@@ -210,8 +211,9 @@ private:
     {
       const std::vector<Index>& nodes = network_.chains[c].nodes;
       std::vector<Index>& kept = current_[c];
-      // Two nodes between its ends keep a chain apart from any other with the same ends.
-      for(std::size_t i = 1; i + 1 < kept.size() && kept.size() > 4;)
+      // Two nodes between its ends keep a chain open, and apart from any other with the same ends.
+      const std::size_t least = is_only_one(nodes.front(), nodes.back()) ? 2 : 4;
+      for(std::size_t i = 1; i + 1 < kept.size() && kept.size() > least;)
       {
         const Vector& p = position_[nodes[kept[i]]];
         if(dot(p - position_[nodes[kept[i - 1]]], position_[nodes[kept[i + 1]]] - p) > 0.)
@@ -225,6 +227,16 @@ private:
     }
   }
 
+  // whether one chain joins two nodes that are not the same
+  bool is_only_one(Index a, Index b) const
+  {
+    return a != b && 1 == std::count_if(network_.chains.begin(), network_.chains.end(), [&](const Chain& chain)
+    {
+      const Index s = chain.nodes.front(), t = chain.nodes.back();
+      return (s == a && t == b) || (s == b && t == a);
+    });
+  }
+
   // Ends of a chain that have moved to the same point go back to their vertices.
   void separate_branch_points()
   {
@@ -236,11 +248,8 @@ private:
         const Index a = nodes[current_[c][i - 1]], b = nodes[current_[c][i]];
         if(position_[a] != position_[b])
           continue;
-        for(Index node : {a, b})
-        {
-          location_[node] = input_.nodes[node].location;
-          position_[node] = position(mesh_, location_[node]);
-        }
+        put_back(a);
+        put_back(b);
       }
     }
   }
@@ -251,10 +260,48 @@ private:
     return x.coordinates[0] * distance_[t[0]] + x.coordinates[1] * distance_[t[1]] + x.coordinates[2] * distance_[t[2]];
   }
 
+  // Where branches have come to cross each other, as on a mesh of needles, their nodes go back to their vertices: the
+  // edges of the mesh do not cross.
+  Indexed_cut_locus without_crossings()
+  {
+    Local_geodesics geodesics(mesh_, connectivity_);
+    std::vector<bool> is_put_back(location_.size(), false);
+    while(true)
+    {
+      Indexed_cut_locus result = joined(geodesics);
+      bool has_changed = false;
+      for(Index e : crossing_edges(geodesics, result))
+      {
+        const Span& span = spans_[e];
+        for(Index place = span.from; place <= span.to; ++place)
+        {
+          const Index node = network_.chains[span.chain].nodes[place];
+          if(is_put_back[node])
+            continue;
+          is_put_back[node] = has_changed = true;
+          put_back(node);
+          std::vector<Index>& kept = current_[span.chain];
+          const auto next = std::lower_bound(kept.begin(), kept.end(), place);
+          if(next == kept.end() || *next != place)
+            kept.insert(next, place);
+        }
+      }
+      if(!has_changed)
+        return result;
+    }
+  }
+
+  void put_back(Index node)
+  {
+    location_[node] = input_.nodes[node].location;
+    position_[node] = position(mesh_, location_[node]);
+  }
+
   // The nodes that are left, joined by geodesic segments.
-  Indexed_cut_locus joined() const
+  Indexed_cut_locus joined(Local_geodesics& geodesics)
   {
     Indexed_cut_locus result;
+    spans_.clear();
     std::vector<Index> output(location_.size(), null_index);
     const auto add = [&](const Indexed_location& x)
     {
@@ -269,7 +316,6 @@ private:
     };
     add_node(root());
 
-    Local_geodesics geodesics(mesh_, connectivity_);
     std::vector<Indexed_location> path;
     for(std::size_t c = 0; c < current_.size(); ++c)
     {
@@ -279,12 +325,15 @@ private:
         const Index from = current_[c][i - 1], to = current_[c][i];
         path.clear();
         geodesics.append_segment(location_[chain.nodes[from]], location_[chain.nodes[to]], path);
+        if(path.empty()) // not the same point, but as near as points can be: the branch must not break
+          path.push_back(location_[chain.nodes[to]]);
         Index last = add_node(chain.nodes[from]);
         for(std::size_t k = 0; k < path.size(); ++k)
         {
           const Index next = k + 1 < path.size() ? add(path[k]) : add_node(chain.nodes[to]);
           const Indexed_cut_locus::Edge& origin = input_.edges[chain.edges[from + k * (to - from) / path.size()]];
           result.edges.push_back({last, next, null_index, origin.strength, origin.origin});
+          spans_.push_back({static_cast<Index>(c), from, to});
           last = next;
         }
       }
@@ -309,6 +358,12 @@ private:
   // less one
   static constexpr std::size_t window = 3;
 
+  // the places of a chain that an edge of the result joins
+  struct Span
+  {
+    Index chain, from, to;
+  };
+
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   const std::vector<double>& distance_;
@@ -318,6 +373,7 @@ private:
   std::vector<Indexed_location> location_;   // of each node
   std::vector<Vector> position_, displacement_;
   std::vector<std::vector<Index> > current_; // the places of each chain that have not been dropped
+  std::vector<Span> spans_;                  // of each edge of the result
 };
 
 } // namespace internal
