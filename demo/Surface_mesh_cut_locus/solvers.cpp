@@ -7,6 +7,7 @@
 #include "solvers.h"
 
 #include <CGAL/Exact_geodesic_solver.h>
+#include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>
 
@@ -39,6 +40,7 @@ const Solver_entry solvers[] = {
    make<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Intrinsic_Delaunay> >},
   {"heat-direct", "CGAL's heat method on the mesh as it is",
    make<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct> >},
+  {"graph", "shortest paths over edges and dual edges", make<CGAL::Graph_geodesic_solver>},
 };
 
 const Solver_entry* find_solver(const std::string& name)

@@ -269,6 +269,14 @@ public:
    *     `boost::graph_traits<TriangleMesh>::%edge_descriptor`
    *                    as key type and `bool` as value type}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{number_of_iterations}
+   *     \cgalParamDescription{the number of steps that move the curves from the edges of the mesh onto the cut locus,
+   *                           through the faces}
+   *     \cgalParamType{`unsigned int`}
+   *     \cgalParamDefault{0: the curves consist of edges of the mesh}
+   *     \cgalParamExtra{Each step leaves half of the way that the one before has left; 4 are enough. The edges of
+   *                     the mesh that `edge_is_constrained_map` tells are those of the curves before.}
+   *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
    * @throws Cut_loci::Invalid_input if there is no source, or if a threshold is not a number or out of its range
@@ -302,7 +310,12 @@ public:
 
     const Cut_loci::Indexed_cut_locus cut_locus = component_->solver->filter(thresholds);
     mark_edges(cut_locus, get_parameter(np, internal_np::edge_is_constrained));
-    return make_result(cut_locus);
+    Cut_loci::Smoothing_parameters smoothing;
+    smoothing.number_of_iterations = static_cast<Index>(
+      choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(0)));
+    if(smoothing.number_of_iterations == 0)
+      return make_result(cut_locus);
+    return make_result(component_->solver->smoothed(cut_locus, smoothing));
   }
 
   /// the default of `gradient_angle_threshold`, in radians

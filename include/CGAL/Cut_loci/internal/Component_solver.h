@@ -18,6 +18,7 @@
 #include <CGAL/Cut_loci/homology.h>
 #include <CGAL/Cut_loci/internal/vector_3.h>
 #include <CGAL/Cut_loci/region_growing_tree.h>
+#include <CGAL/Cut_loci/smoothing.h>
 #include <CGAL/Cut_loci/thinning.h>
 
 #include <algorithm>
@@ -94,6 +95,11 @@ public:
   Indexed_cut_locus filter(const Branch_thresholds& thresholds) const
   {
     return mesh_edge_graph(connectivity_, distance_, filter_(mesh_, thresholds));
+  }
+
+  Indexed_cut_locus smoothed(const Indexed_cut_locus& cut_locus, const Smoothing_parameters& parameters) const
+  {
+    return smoothed_cut_locus(mesh_, connectivity_, distance_, cut_locus, parameters);
   }
 
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
