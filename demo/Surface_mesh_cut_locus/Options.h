@@ -26,6 +26,7 @@ struct Options
   bool grow = false;
   std::optional<std::size_t> minimum_branch_edges;
   std::optional<double> minimum_branch_length;
+  std::size_t smoothing = 0; // iterations
   std::vector<std::string> outputs;
   std::string edges;
   std::string report;

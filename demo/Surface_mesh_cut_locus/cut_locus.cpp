@@ -45,15 +45,16 @@ void set_source(const Options& options, const Mesh& mesh, Cut_locus_solver& solv
   solver.set_source(v);
 }
 
-Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver)
+Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver, std::size_t smoothing)
 {
   using CGAL::Cut_loci::Filter_policy;
   return solver.cut_locus(
-    CGAL::parameters::gradient_angle_threshold(options.angle.value_or(solver.default_gradient_angle_threshold()))
+    CGAL::parameters::gradient_angle_threshold(options.angle.value_or(solver.gradient_angle_threshold()))
       .laplacian_threshold(options.laplacian.value_or(-std::numeric_limits<double>::infinity()))
       .filter_policy(options.grow ? Filter_policy::GROWING : Filter_policy::PRUNING)
       .minimum_branch_edges(options.minimum_branch_edges.value_or(solver.default_minimum_branch_edges()))
-      .minimum_branch_length(options.minimum_branch_length.value_or(0.)));
+      .minimum_branch_length(options.minimum_branch_length.value_or(0.))
+      .number_of_iterations(smoothing));
 }
 
 void run(const Options& options)
@@ -62,12 +63,12 @@ void run(const Options& options)
   const Mesh mesh = progress.run("read", [&]() { return read_mesh(options.mesh); });
   const std::unique_ptr<Cut_locus_solver> solver = make_solver(options.solver, mesh, progress);
   set_source(options, mesh, *solver);
-  const Cut_locus cut_locus = apply_thresholds(options, *solver);
+  const Cut_locus cut_locus = apply_thresholds(options, *solver, options.smoothing);
   progress.run("write", [&]()
   {
     write_outputs(options.outputs, cut_locus, mesh);
     if(!options.edges.empty())
-      write_edges(options.edges, cut_locus, mesh);
+      write_edges(options.edges, apply_thresholds(options, *solver, 0), mesh);
   });
   if(!options.report.empty())
     write_report(options, mesh, cut_locus, progress);

@@ -75,6 +75,7 @@ void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut
   parameters["laplacian"] = to_json(options.laplacian);
   parameters["policy"] = options.grow ? "grow" : "prune";
   parameters["min_branch_edges"] = to_json(options.minimum_branch_edges);
+  parameters["smooth"] = options.smoothing;
   parameters["min_branch_length"] = to_json(options.minimum_branch_length);
 
   Json& seconds = report["seconds"];

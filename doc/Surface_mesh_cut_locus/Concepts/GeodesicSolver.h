@@ -20,6 +20,7 @@
  * \cgalHasModels{CGAL::Exact_geodesic_solver}
  * \cgalHasModels{CGAL::Shortest_path_geodesic_solver}
  * \cgalHasModels{CGAL::Heat_method_geodesic_solver}
+ * \cgalHasModels{CGAL::Graph_geodesic_solver}
  * \cgalHasModelsEnd
  *
  * \sa `CGAL::Surface_mesh_cut_locus`
