@@ -250,6 +250,7 @@ int main(int argc, char** argv)
     done = true;
   }
   if(!done)
-    std::fprintf(stderr, "usage: %s [--cpu] [--trials n] [--cgal-trials n] mesh... | [--cpu] --growth [faces]\n", argv[0]);
+    std::fprintf(stderr,
+                 "usage: %s [--cpu] [--trials n] [--cgal-trials n] mesh... | [--cpu] --growth [faces]\n", argv[0]);
   return done ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -67,7 +67,7 @@ public:
 using Mesh_types = ::testing::Types<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>,
                                     CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>,
                                     CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>>;
-TYPED_TEST_SUITE(Exact_geodesics_interface, Mesh_types);
+TYPED_TEST_SUITE(Exact_geodesics_interface, Mesh_types, );
 
 TYPED_TEST(Exact_geodesics_interface, free_functions)
 {
