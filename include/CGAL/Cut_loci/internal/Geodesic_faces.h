@@ -1,0 +1,233 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_INTERNAL_GEODESIC_FACES_H
+#define CGAL_CUT_LOCI_INTERNAL_GEODESIC_FACES_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+constexpr double geodesic_pi = 3.14159265358979323846;
+
+/// is a point or a vector of the plane into which faces are unfolded.
+struct Plane_point
+{
+  double x, y;
+};
+
+/// is all that unfolding a face needs, in two cache lines: corner `i` is at vertex `i`, edge `i` goes from it to `i + 1`.
+struct alignas(64) Geodesic_face
+{
+  struct Corner
+  {
+    double length; // of the edge that starts at the corner
+    double cosine, sine, angle;
+  };
+
+  std::array<Index, 3> vertex;
+  std::array<Index, 3> opposite;
+  std::array<Corner, 3> corner;
+};
+
+/*!
+ * holds the intrinsic geometry of a triangle mesh, read once.
+ *
+ * The frame of a halfedge has its origin at the source of the halfedge, its x-axis along it and its face at `y > 0`.
+ */
+class Geodesic_faces
+{
+public:
+  using Mesh = Indexed_triangle_mesh;
+
+  /// \throws std::domain_error if a coordinate is not finite, a face has no area, or a vertex has more than one fan
+  explicit Geodesic_faces(const Mesh& mesh)
+    : m_faces(mesh.number_of_faces())
+    , m_total_angle(mesh.number_of_vertices(), 0.)
+    , m_first(mesh.number_of_vertices(), null_index)
+    , m_kind(mesh.number_of_vertices(), 0)
+  {
+    read_faces(mesh);
+    read_vertices(mesh);
+  }
+
+  Index number_of_faces() const { return static_cast<Index>(m_faces.size()); }
+  Index number_of_halfedges() const { return static_cast<Index>(3 * m_faces.size()); }
+  Index number_of_vertices() const { return static_cast<Index>(m_first.size()); }
+
+  const Geodesic_face& face(Index f) const { return m_faces[f]; }
+  const Geodesic_face& face_of(Index h) const { return m_faces[h / 3]; }
+
+  Index source(Index h) const { return m_faces[h / 3].vertex[h % 3]; }
+  Index target(Index h) const { return source(Mesh::next(h)); }
+  Index opposite(Index h) const { return m_faces[h / 3].opposite[h % 3]; }
+  double length(Index h) const { return m_faces[h / 3].corner[h % 3].length; }
+  /// the angle of the face of `h` at the source of `h`
+  double angle(Index h) const { return m_faces[h / 3].corner[h % 3].angle; }
+
+  /// the third vertex of the face, in the frame of `h`
+  Plane_point apex(Index h) const
+  {
+    const Geodesic_face::Corner& corner = m_faces[h / 3].corner[h % 3];
+    const double reach = length(Mesh::previous(h));
+    return {reach * corner.cosine, reach * corner.sine};
+  }
+
+  /// a location of the face of `h` in the frame of `h`
+  Plane_point in_frame(Index h, const std::array<double, 3>& coordinates) const
+  {
+    const Index i = h % 3;
+    const Plane_point c = apex(h);
+    const double second = coordinates[(i + 1) % 3], third = coordinates[(i + 2) % 3];
+    return {second * length(h) + third * c.x, third * c.y};
+  }
+
+  /// the sum of the angles at `v`
+  double total_angle(Index v) const { return m_total_angle[v]; }
+  /// the halfedge at which the angles around `v` start: the first of its fan if `v` is on the border, else the halfedge
+  /// of least index that leaves `v`; null if no face has `v`
+  Index first_halfedge(Index v) const { return m_first[v]; }
+  bool is_border(Index v) const { return (m_kind[v] & border) != 0; }
+  /// whether shortest paths may bend at `v`
+  bool is_pseudo_source(Index v) const { return (m_kind[v] & bends) != 0; }
+  double mean_edge_length() const { return m_mean_edge_length; }
+
+  /// the halfedge that follows `h` counterclockwise around the source of `h`, or null
+  Index next_around_source(Index h) const { return opposite(Mesh::previous(h)); }
+  /// the halfedge that precedes `h` counterclockwise around the source of `h`, or null
+  Index previous_around_source(Index h) const
+  {
+    const Index o = opposite(h);
+    return o == null_index ? null_index : Mesh::next(o);
+  }
+
+  /// the angle of `h` in the unrolled tangent plane of its source, counterclockwise from the first halfedge
+  double angle_around_source(Index h) const
+  {
+    const Index first = m_first[source(h)];
+    double sum = 0.;
+    while(h != first) {
+      h = previous_around_source(h);
+      sum += angle(h);
+    }
+    return sum;
+  }
+
+private:
+  enum : unsigned char
+  {
+    border = 1,
+    bends = 2
+  };
+
+  static double square_root_of_sum(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
+
+  void read_faces(const Mesh& mesh)
+  {
+    double sum = 0.;
+    for(Index f = 0; f < mesh.number_of_faces(); ++f) {
+      Geodesic_face& face = m_faces[f];
+      std::array<Mesh::Point, 3> edge;
+      std::array<double, 3> length;
+      for(std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = i == 2 ? 0 : i + 1;
+        const Mesh::Point& p = mesh.points[mesh.triangles[f][i]];
+        const Mesh::Point& q = mesh.points[mesh.triangles[f][j]];
+        edge[i] = {{q[0] - p[0], q[1] - p[1], q[2] - p[2]}};
+        length[i] = square_root_of_sum(edge[i][0], edge[i][1], edge[i][2]);
+        face.vertex[i] = mesh.triangles[f][i];
+        face.opposite[i] = mesh.opposite[3 * f + i];
+      }
+      const double twice_area = square_root_of_sum(edge[0][1] * edge[1][2] - edge[0][2] * edge[1][1],
+                                                   edge[0][2] * edge[1][0] - edge[0][0] * edge[1][2],
+                                                   edge[0][0] * edge[1][1] - edge[0][1] * edge[1][0]);
+      const double longest = (std::max)((std::max)(length[0], length[1]), length[2]);
+      // below this height the rounding of the coordinates decides the shape; the test also fails on NaN and infinity
+      if(!(twice_area > 1e-13 * longest * longest) || !(twice_area < (std::numeric_limits<double>::max)()))
+        throw std::domain_error(describe_bad_face(mesh, f));
+      for(std::size_t i = 0; i < 3; ++i) {
+        const std::size_t k = i == 0 ? 2 : i - 1;
+        const double dot = -(edge[i][0] * edge[k][0] + edge[i][1] * edge[k][1] + edge[i][2] * edge[k][2]);
+        const double scale = 1. / (length[i] * length[k]);
+        face.corner[i].length = length[i];
+        face.corner[i].cosine = dot * scale;
+        face.corner[i].sine = twice_area * scale;
+        face.corner[i].angle = std::atan2(twice_area, dot);
+        sum += length[i];
+      }
+    }
+    if(mesh.number_of_faces() > 0)
+      m_mean_edge_length = sum / (3. * mesh.number_of_faces());
+  }
+
+  static std::string describe_bad_face(const Mesh& mesh, Index f)
+  {
+    for(Index v : mesh.triangles[f])
+      for(double c : mesh.points[v])
+        if(!std::isfinite(c))
+          return "exact geodesics: vertex " + std::to_string(v) + " has a coordinate that is not finite";
+    return "exact geodesics: face " + std::to_string(f) + " has no area";
+  }
+
+  void read_vertices(const Mesh& mesh)
+  {
+    std::vector<Index> valence(mesh.number_of_vertices(), 0);
+    for(Index f = 0; f < number_of_faces(); ++f)
+      for(Index i = 0; i < 3; ++i) {
+        const Index v = m_faces[f].vertex[i];
+        ++valence[v];
+        m_total_angle[v] += m_faces[f].corner[i].angle;
+        if(m_faces[f].opposite[i] == null_index) {
+          if(m_kind[v] != 0)
+            throw std::domain_error(describe_bad_vertex(v));
+          m_kind[v] = border;
+          m_first[v] = 3 * f + i;
+        } else if(m_first[v] == null_index)
+          m_first[v] = 3 * f + i;
+      }
+    for(Index v = 0; v < number_of_vertices(); ++v) {
+      Index h = m_first[v], count = 0;
+      while(h != null_index && count <= valence[v]) {
+        ++count;
+        h = next_around_source(h);
+        if(h == m_first[v])
+          break;
+      }
+      if(count != valence[v])
+        throw std::domain_error(describe_bad_vertex(v));
+      // sums of angles carry rounding errors of some 1e-15 each: an excess below 1e-11 is none, and the detour it could
+      // save is of the square of it
+      if(is_border(v) ? m_total_angle[v] > geodesic_pi + 1e-11 : m_total_angle[v] > 2. * geodesic_pi + 1e-11)
+        m_kind[v] = static_cast<unsigned char>(m_kind[v] | bends);
+    }
+  }
+
+  static std::string describe_bad_vertex(Index v)
+  {
+    return "exact geodesics: the faces around vertex " + std::to_string(v) + " do not form one fan";
+  }
+
+  std::vector<Geodesic_face> m_faces;
+  std::vector<double> m_total_angle;
+  std::vector<Index> m_first;
+  std::vector<unsigned char> m_kind;
+  double m_mean_edge_length = 1.;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_INTERNAL_GEODESIC_FACES_H
