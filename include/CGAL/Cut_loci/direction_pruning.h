@@ -59,6 +59,11 @@ public:
   /// a node that is kept at any threshold
   Index root() const { return root_; }
 
+  /// all edges that some threshold keeps
+  const std::vector<Edge>& edges() const { return edges_; }
+  /// how many of them, at the begin, every threshold keeps
+  std::size_t number_of_core_edges() const { return number_of_core_edges_; }
+
   /// the edges that are kept: the cycles first, then each after the one that its inner node belongs to
   std::vector<Edge> operator()(double threshold) const
   {
