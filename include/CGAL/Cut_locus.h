@@ -50,7 +50,7 @@ struct Cut_locus_edge
 
   /// a halfedge on the edge of the mesh it follows, or `null_halfedge()`
   halfedge_descriptor mesh_halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
-  double strength = 0.;              ///< the largest strength on the branch from here to its tips, in the unit of the filter
+  double strength = 0.;              ///< the largest on the branch from here to its tips, in the unit of the filter
   bool is_on_border = false;         ///< whether it follows the border of the mesh
   std::size_t origin = 0;            ///< the edge it replaces, or is, in the graph of mesh edges of the same thresholds
 };
@@ -76,8 +76,10 @@ struct Source_result
  * is the cut locus of a source point on a triangle mesh: a graph, and the distances to the source. The class is an
  * immutable value; it refers to the mesh by descriptors. All functions can be called from several threads.
  *
- * On a closed surface of genus g the graph is connected, has 2g independent cycles, and its complement in the surface is
- * one open disk. On a surface with boundary the same holds for the union of the graph and the boundary, each border loop
+ * On a closed surface of genus g the graph is connected, has 2g independent cycles, and its complement in the surface
+ * is
+ * one open disk. On a surface with boundary the same holds for the union of the graph and the boundary, each border
+ * loop
  * being counted as a point.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`

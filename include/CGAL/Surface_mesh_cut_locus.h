@@ -37,19 +37,23 @@ namespace CGAL {
  * \ingroup PkgSurfaceMeshCutLocusRef
  *
  * computes cut loci on a triangle mesh, at three levels of cost: the constructor does what depends on the mesh alone,
- * `set_source()` what depends on the source, and `cut_locus()` applies thresholds in time proportional to the size of its
+ * `set_source()` what depends on the source, and `cut_locus()` applies thresholds in time proportional to the size of
+ * its
  * result, so that it follows a slider.
  *
  * The method is that of Mancinelli, Livesu and Puppo \cgalCite{cgal:mlp-pccld-21}: a spanning tree is grown from the
  * vertex farthest from the source along the valleys of the Laplacian of the distance, thinned, completed by homology
  * generators, and its weak branches are removed.
  *
- * Each edge-connected component is a surface of its own: the cut locus lies in the source's, and the distance is infinite
+ * Each edge-connected component is a surface of its own: the cut locus lies in the source's, and the distance is
+ * infinite
  * on all others. Isolated vertices are ignored.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
- * @tparam VertexPointMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as
- *         key type and a 3D point as value type. %Default: `boost::property_map<TriangleMesh, vertex_point_t>::%const_type`
+ * @tparam VertexPointMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+ * as
+ *         key type and a 3D point as value type. %Default: `boost::property_map<TriangleMesh,
+ *         vertex_point_t>::%const_type`
  */
 template <typename TriangleMesh, typename VertexPointMap = Default>
 class Surface_mesh_cut_locus
@@ -62,12 +66,14 @@ public:
 
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
-  /// a point of the mesh: a face, and barycentric coordinates in the order of the vertices from `source(halfedge(f, tm), tm)`
+  /// a point of the mesh: a face, and barycentric coordinates in the order of the vertices from `source(halfedge(f,
+  //tm), tm)`
   using Face_location = std::pair<face_descriptor, std::array<FT, 3> >;
   using Result = Cut_locus<TriangleMesh, Point_3>;
 
   /*!
-   * reads the mesh, which must not change as long as the object is used. The operators of a component are built with its
+   * reads the mesh, which must not change as long as the object is used. The operators of a component are built with
+   * its
    * first source.
    *
    * @param tm a triangle mesh
@@ -97,7 +103,8 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * @throws Cut_loci::Invalid_input if the mesh has no vertices or no faces, a face is not a triangle, or a coordinate is
+   * @throws Cut_loci::Invalid_input if the mesh has no vertices or no faces, a face is not a triangle, or a coordinate
+   * is
    *         not finite
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -130,7 +137,8 @@ public:
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{vertex_distance_map}
    *     \cgalParamDescription{the geodesic distance of each vertex to the source, if it is known: then no solver runs}
-   *     \cgalParamType{a class model of `ReadablePropertyMap` with `vertex_descriptor` as key type and a number as value
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with `vertex_descriptor` as key type and a number as
+   *     value
    *                    type}
    *     \cgalParamExtra{Only the values in the component of the source are read.}
    *   \cgalParamNEnd
@@ -141,7 +149,8 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * @throws Cut_loci::Invalid_input if the source is null, isolated or not in the mesh, if a face of its component has no
+   * @throws Cut_loci::Invalid_input if the source is null, isolated or not in the mesh, if a face of its component has
+   * no
    *         area, if a vertex of its component is not manifold, or if a distance is not a finite number
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -166,7 +175,8 @@ public:
   /*!
    * does the same for a source at any point of the mesh. Coordinates are normalized to sum up to one.
    *
-   * @throws Cut_loci::Invalid_input also if the face is null or not in the mesh, or if the coordinates are not finite, are
+   * @throws Cut_loci::Invalid_input also if the face is null or not in the mesh, or if the coordinates are not finite,
+   * are
    *         negative or sum up to zero
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -237,15 +247,18 @@ public:
    *     \cgalParamDefault{3, as in the paper}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{minimum_branch_length}
-   *     \cgalParamDescription{branches that are shorter are removed; in units of the diagonal of the bounding box of the
+   *     \cgalParamDescription{branches that are shorter are removed; in units of the diagonal of the bounding box of
+   *     the
    *                           source's component}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{0}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{edge_is_constrained_map}
-   *     \cgalParamDescription{a property map that is set to `true` for the edges of the mesh on the cut locus; the others
+   *     \cgalParamDescription{a property map that is set to `true` for the edges of the mesh on the cut locus; the
+   *     others
    *                           are left as they are}
-   *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
+   *     \cgalParamType{a class model of `WritablePropertyMap` with
+   *     `boost::graph_traits<TriangleMesh>::%edge_descriptor`
    *                    as key type and `bool` as value type}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
@@ -270,7 +283,7 @@ public:
       choose_parameter(get_parameter(np, internal_np::minimum_branch_edges), default_minimum_branch_edges()));
     thresholds.minimum_length = choose_parameter(get_parameter(np, internal_np::minimum_branch_length), 0.);
     if(!(thresholds.gradient_angle >= 0.))
-      throw Cut_loci::Invalid_input("the threshold for the gradient angle must be a number of radians that is not negative");
+      throw Cut_loci::Invalid_input("the threshold for the gradient angle must be a number that is not negative");
     if(std::isnan(thresholds.laplacian))
       throw Cut_loci::Invalid_input("the threshold for the Laplacian is not a number");
     if(!(thresholds.minimum_length >= 0.))
@@ -283,7 +296,10 @@ public:
   }
 
   /// the default of `gradient_angle_threshold`, in radians
-  static double default_gradient_angle_threshold() { return 0.7; }
+  static double default_gradient_angle_threshold()
+  {
+    return Cut_loci::internal::Component_solver::default_gradient_angle_threshold();
+  }
   /// the default of `minimum_branch_edges`
   static std::size_t default_minimum_branch_edges() { return 3; }
 
@@ -308,7 +324,11 @@ private:
 
   struct Stage_scope
   {
-    Stage_scope(const Surface_mesh_cut_locus& owner, Cut_loci::Stage s) : self(owner), stage(s) { self.visit_(s, true); }
+    Stage_scope(const Surface_mesh_cut_locus& owner, Cut_loci::Stage s)
+      : self(owner), stage(s)
+    {
+      self.visit_(s, true);
+    }
     ~Stage_scope() { self.visit_(stage, false); }
     const Surface_mesh_cut_locus& self;
     Cut_loci::Stage stage;
@@ -424,8 +444,8 @@ private:
     catch(const Solver::Non_manifold_vertex& error)
     {
       throw Cut_loci::Invalid_input(
-        Cut_loci::internal::vertex_name(read_->positions[component->vertex(error.vertex)]) + " is not manifold: its faces form "
-        "several fans (CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() splits it)");
+        Cut_loci::internal::vertex_name(read_->positions[component->vertex(error.vertex)]) +
+        " is not manifold: its faces form several fans (CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() splits it)");
     }
     component->diagonal = diagonal(*component->mesh);
     return *components_.emplace(id, std::move(component)).first->second;
@@ -547,8 +567,8 @@ private:
       const Index i = get(read->index_of_vertex, v);
       return i == Cut_loci::null_index ? (std::numeric_limits<double>::infinity)() : shared->distance[i];
     };
-    return Result(std::move(graph), make_vertex(source_.location, source_.vertex, 0.), read_->vertices[shared->farthest],
-                  shared, distance);
+    return Result(std::move(graph), make_vertex(source_.location, source_.vertex, 0.),
+                  read_->vertices[shared->farthest], shared, distance);
   }
 
   const TriangleMesh& tm_;

@@ -14,14 +14,16 @@ namespace CGAL {
 /*!
  * \ingroup PkgSurfaceMeshCutLocusRef
  *
- * computes the cut locus of a point on a triangle mesh: the closure of the set of points that have more than one shortest
+ * computes the cut locus of a point on a triangle mesh: the closure of the set of points that have more than one
+ * shortest
  * path to the source.
  *
  * The function constructs a `Surface_mesh_cut_locus`, sets the source and returns the cut locus. For several sources
  * on a mesh or several thresholds for a source, the class does what they share only once.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
- * @tparam Source `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or a pair of a face and barycentric coordinates as
+ * @tparam Source `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or a pair of a face and barycentric
+ * coordinates as
  *         in `Polygon_mesh_processing`
  *
  * @param tm a triangle mesh

@@ -45,12 +45,14 @@ struct Branch_thresholds
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * selects the cut locus from a spanning tree of the mesh and its homology generators.
+ * selects the cut locus from a tree of candidates and the part of the cut locus that the homology demands.
  *
- * The union of both cuts the surface into one open disk, and removing vertices of degree 1 keeps that so. The filter does
- * nothing else: it keeps the root, the generators, the paths of the tree from these (and from each border loop) to the
- * root, and the branches that pass the thresholds. The answer to both policies is stored with each vertex, the largest
- * strength below it and the smallest above, so that a new threshold costs time in proportion to the size of the result.
+ * That part is a graph which cuts the surface into one open disk. The tree hangs on it, so removing vertices of degree
+ * 1
+ * from the union keeps the disk, and the filter does nothing else: it keeps the root, the demanded part, and the
+ * branches that pass the thresholds. The answer to both policies is stored with each vertex, the largest strength
+ * below it
+ * and the smallest above, so that a new threshold costs time in proportion to the size of the result.
  */
 class Branch_filter
 {
@@ -71,21 +73,21 @@ public:
   Branch_filter() = default;
 
   /*!
-   * @param tree a spanning tree over all vertices
-   * @param candidates the number of vertices at the start of `tree.order` that may be kept for their strength; the
-   *        others serve to join the generators to the root
-   * @param generators halfedges of the generators
+   * @param tree the candidates
+   * @param spanning_tree a spanning tree of the mesh with the same root, and
+   * @param generators halfedges of the edges that cut the surface to a disk together with it
    * @param gradient_angle, laplacian the two strengths of each vertex; the latter in units of the inverse of the mean
    *        edge length, negative where gradients converge
    */
   Branch_filter(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Spanning_tree& tree,
-                std::size_t candidates, const std::vector<Index>& generators, const std::vector<float>& gradient_angle,
-                const std::vector<float>& laplacian)
+                const Spanning_tree& spanning_tree, const std::vector<Index>& generators,
+                const std::vector<float>& gradient_angle, const std::vector<float>& laplacian)
     : root_(tree.root), generators_(generators), is_kept_(tree.parent.size(), false)
   {
-    link(connectivity, tree);
-    keep_homology(mesh, connectivity, tree);
-    accumulate(tree, candidates, gradient_angle, laplacian);
+    keep_homology(mesh, connectivity, spanning_tree);
+    const Spanning_tree joined = join(connectivity, tree, spanning_tree);
+    link(connectivity, joined);
+    accumulate(connectivity, joined, gradient_angle, laplacian);
   }
 
   Result operator()(const Indexed_triangle_mesh& mesh, const Branch_thresholds& thresholds) const
@@ -165,30 +167,52 @@ private:
         }
   }
 
-  void accumulate(const Spanning_tree& tree, std::size_t candidates, const std::vector<float>& gradient_angle,
-                  const std::vector<float>& laplacian)
+  // The kept paths and the border loops of the spanning tree, and the candidates hanging on them. A loop that candidates
+  // entered at another place than the spanning tree would be on a cycle.
+  Spanning_tree join(const Mesh_connectivity& connectivity, const Spanning_tree& tree,
+                     const Spanning_tree& spanning_tree) const
   {
-    const float never = -(std::numeric_limits<float>::infinity)();
-    below_.assign(tree.parent.size(), {never, never});
-    above_ = below_;
-    for(std::size_t i = candidates; i-- > 0;)
+    const auto is_fixed = [&](Index v) { return is_kept_[v] || connectivity.is_border(v); };
+    Spanning_tree result = tree;
+    result.order.clear();
+    for(Index v : spanning_tree.order)
+      if(is_fixed(v))
+      {
+        result.order.push_back(v);
+        result.parent[v] = spanning_tree.parent[v];
+        result.parent_entry[v] = spanning_tree.parent_entry[v];
+      }
+    for(Index v : tree.order)
+      if(!is_fixed(v))
+        result.order.push_back(v);
+    return result;
+  }
+
+  void accumulate(const Mesh_connectivity& connectivity, const Spanning_tree& tree,
+                  const std::vector<float>& gradient_angle, const std::vector<float>& laplacian)
+  {
+    const float infinity = (std::numeric_limits<float>::infinity)();
+    below_.resize(tree.parent.size());
+    above_.resize(tree.parent.size());
+    for(Index v : tree.order)
+      if(connectivity.is_border(v)) // joins branches that reach the border, and is none itself
+      {
+        below_[v] = {-infinity, -infinity};
+        above_[v] = {infinity, infinity};
+      }
+      else
+        below_[v] = above_[v] = {gradient_angle[v], -laplacian[v]};
+    for(std::size_t i = tree.order.size(); i-- > 1;)
     {
-      const Index v = tree.order[i];
-      Strength& s = below_[v];
-      s.gradient_angle = (std::max)(s.gradient_angle, gradient_angle[v]);
-      s.laplacian = (std::max)(s.laplacian, -laplacian[v]);
-      if(v == root_)
-        continue;
-      Strength& p = below_[tree.parent[v]];
+      const Strength& s = below_[tree.order[i]];
+      Strength& p = below_[tree.parent[tree.order[i]]];
       p.gradient_angle = (std::max)(p.gradient_angle, s.gradient_angle);
       p.laplacian = (std::max)(p.laplacian, s.laplacian);
     }
-    for(std::size_t i = 0; i < candidates; ++i)
+    for(Index v : tree.order)
     {
-      const Index v = tree.order[i];
-      above_[v] = {gradient_angle[v], -laplacian[v]};
-      if(v == root_ || tree.parent[v] == root_) // the root is on the cut locus, whatever its strength
-        continue;
+      if(is_kept_[v] || is_kept_[tree.parent[v]])
+        continue; // growth starts anew from what is kept at any threshold
       const Strength& p = above_[tree.parent[v]];
       above_[v].gradient_angle = (std::min)(above_[v].gradient_angle, p.gradient_angle);
       above_[v].laplacian = (std::min)(above_[v].laplacian, p.laplacian);
@@ -207,19 +231,20 @@ private:
     };
     const std::size_t n = result.vertices.size();
     std::vector<Height> height(n);
+    std::vector<Height> branch(n);              // from a vertex' parent on
     std::vector<double> longest(n, -1.);        // among the branches that meet at a vertex
     std::vector<Index> continued(n, null_index); // the position of that branch's first vertex
     for(std::size_t i = n; i-- > 1;)
     {
       const Index p = parent_position[i], v = result.vertices[i];
-      const double length = height[i].length + norm(mesh.points[v] - mesh.points[result.vertices[p]]);
+      branch[i] = {height[i].length + norm(mesh.points[v] - mesh.points[result.vertices[p]]), height[i].edges + 1};
       // What is kept for the homology continues before any branch.
-      const double rank = is_kept_[v] ? (std::numeric_limits<double>::max)() : length;
+      const double rank = is_kept_[v] ? (std::numeric_limits<double>::max)() : branch[i].length;
       if(rank > longest[p] || (rank == longest[p] && v < result.vertices[continued[p]]))
       {
         longest[p] = rank;
         continued[p] = static_cast<Index>(i);
-        height[p] = {length, height[i].edges + 1};
+        height[p] = branch[i];
       }
     }
     std::vector<bool> removed(n, false);
@@ -227,8 +252,7 @@ private:
     for(std::size_t i = 1; i < n; ++i)
     {
       const Index p = parent_position[i], v = result.vertices[i];
-      const double length = height[i].length + norm(mesh.points[v] - mesh.points[result.vertices[p]]);
-      const bool is_short = height[i].edges + 1 < thresholds.minimum_edges || length < thresholds.minimum_length;
+      const bool is_short = branch[i].edges < thresholds.minimum_edges || branch[i].length < thresholds.minimum_length;
       removed[i] = removed[p] || (!is_kept_[v] && continued[p] != i && is_short);
       if(removed[i])
         continue;
@@ -245,7 +269,8 @@ private:
   std::vector<bool> is_kept_;     // part of the homology, at any threshold
   std::vector<Index> child_begin_;
   std::vector<Child> children_;
-  std::vector<Strength> below_, above_; // the largest strength in the subtree of each vertex; the smallest up to the root
+  std::vector<Strength> below_; // the largest strength in the subtree of each vertex
+  std::vector<Strength> above_; // the smallest on the way to what is kept at any threshold
 };
 
 } // namespace Cut_loci

@@ -20,21 +20,66 @@ namespace Cut_loci {
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * extends `tree` over all vertices of the mesh, those of largest distance first, so that its front moves from the cut
- * locus towards the source. O(n log n).
+ * grows a spanning tree of the vertices from the root of `tree`, those of largest distance first, so that its front
+ * moves
+ * from the cut locus towards the source. Connected parts of `tree` in which all vertices have a strength of at least
+ * `threshold` join as a whole as soon as one of their vertices does. Strong parts of the cut locus are thus joined
+ * along
+ * the highest ridges of the distance: a weak part of the cut locus nearly follows the gradient. O(n log n).
  */
-inline void extend_tree(Spanning_tree& tree, const Mesh_connectivity& connectivity, const std::vector<double>& distance)
+inline Spanning_tree strength_aware_tree(const Mesh_connectivity& connectivity, const Spanning_tree& tree,
+                                         const std::vector<float>& strength, double threshold,
+                                         const std::vector<double>& distance)
 {
+  // the edges of `tree` between strong vertices, as lists of children
+  const auto is_strong_edge = [&](Index v)
+  {
+    return strength[v] >= threshold && strength[tree.parent[v]] >= threshold;
+  };
+  std::vector<Index> first_child(tree.parent.size(), null_index), next_sibling(tree.parent.size(), null_index);
+  for(Index v : tree.order)
+    if(v != tree.root && is_strong_edge(v))
+    {
+      next_sibling[v] = first_child[tree.parent[v]];
+      first_child[tree.parent[v]] = v;
+    }
+
+  Spanning_tree result = internal::rooted_tree(connectivity, tree.root);
   internal::Vertex_queue queue;
-  const auto push = [&](Index v) { queue.push({-distance[v], v}); };
-  for(Index v : std::vector<Index>(tree.order))
-    push(v);
+  std::vector<Index> joined; // reached, but their strong part not yet
+  const auto push = [&](Index v)
+  {
+    queue.push({-distance[v], v});
+    joined.push_back(v);
+  };
+  const auto join_strong_parts = [&]()
+  {
+    while(!joined.empty())
+    {
+      const Index v = joined.back();
+      joined.pop_back();
+      if(v != tree.root && tree.contains(v) && is_strong_edge(v))
+        internal::add_with_border_loop(result, connectivity, tree.parent_entry[v], v, push);
+      for(Index c = first_child[v]; c != null_index; c = next_sibling[c])
+        internal::add_with_border_loop(result, connectivity, connectivity.ring_reverse[tree.parent_entry[c]], v, push);
+    }
+  };
+
+  push(tree.root);
+  if(connectivity.is_border(tree.root))
+    internal::add_border_loop(result, connectivity, tree.root, push);
+  join_strong_parts();
   while(!queue.empty())
   {
     const Index v = queue.top().vertex;
     queue.pop();
-    internal::add_neighbors(tree, connectivity, v, push);
+    for(Index entry = connectivity.ring_begin[v]; entry < connectivity.ring_begin[v + 1]; ++entry)
+    {
+      internal::add_with_border_loop(result, connectivity, entry, v, push);
+      join_strong_parts();
+    }
   }
+  return result;
 }
 
 /*!

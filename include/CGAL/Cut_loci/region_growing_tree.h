@@ -35,7 +35,8 @@ struct Spanning_tree
 
 namespace internal {
 
-// Adds to `tree` the vertex across `entry`, a ring entry of `v`, and calls `reached` for it, unless it is there already.
+// Adds to `tree` the vertex across `entry`, a ring entry of `v`, and calls `reached` for it, unless it is there
+// already.
 template <typename Function>
 bool add_vertex(Spanning_tree& tree, const Mesh_connectivity& connectivity, Index entry, Index v,
                 const Function& reached)
@@ -69,13 +70,12 @@ void add_border_loop(Spanning_tree& tree, const Mesh_connectivity& connectivity,
   }
 }
 
-// Adds all neighbors of `v` that are not in the tree, each with its border loop if it is on one.
 template <typename Function>
-void add_neighbors(Spanning_tree& tree, const Mesh_connectivity& connectivity, Index v, const Function& reached)
+void add_with_border_loop(Spanning_tree& tree, const Mesh_connectivity& connectivity, Index entry, Index v,
+                          const Function& reached)
 {
-  for(Index entry = connectivity.ring_begin[v]; entry < connectivity.ring_begin[v + 1]; ++entry)
-    if(add_vertex(tree, connectivity, entry, v, reached) && connectivity.is_border(connectivity.ring_vertex[entry]))
-      add_border_loop(tree, connectivity, connectivity.ring_vertex[entry], reached);
+  if(add_vertex(tree, connectivity, entry, v, reached) && connectivity.is_border(connectivity.ring_vertex[entry]))
+    add_border_loop(tree, connectivity, connectivity.ring_vertex[entry], reached);
 }
 
 inline Spanning_tree rooted_tree(const Mesh_connectivity& connectivity, Index root)
@@ -113,7 +113,8 @@ Spanning_tree region_growing_tree(const Mesh_connectivity& connectivity, const K
   {
     const Index v = queue.top().vertex;
     queue.pop();
-    internal::add_neighbors(tree, connectivity, v, push);
+    for(Index entry = connectivity.ring_begin[v]; entry < connectivity.ring_begin[v + 1]; ++entry)
+      internal::add_with_border_loop(tree, connectivity, entry, v, push);
   }
   return tree;
 }

@@ -73,14 +73,19 @@ public:
     thin(tree_, connectivity_, laplacian_);
   }
 
+  // What the homology demands is found once, from the branches that are strong by the default: weak parts of its cycles
+  // then follow the distance rather than noise of the Laplacian.
   void close_cycles()
   {
-    const std::size_t candidates = tree_.order.size();
-    extend_tree(tree_, connectivity_, distance_);
+    const Spanning_tree spanning_tree =
+      strength_aware_tree(connectivity_, tree_, angle_, 0.5 * default_gradient_angle_threshold(), distance_);
     const std::vector<Index> generators =
-      homology_generators(mesh_, connectivity_, tree_, distance_, source_.location.face);
-    filter_ = Branch_filter(mesh_, connectivity_, tree_, candidates, generators, angle_, laplacian_);
+      homology_generators(mesh_, connectivity_, spanning_tree, distance_, source_.location.face);
+    filter_ = Branch_filter(mesh_, connectivity_, tree_, spanning_tree, generators, angle_, laplacian_);
   }
+
+  // radians
+  static double default_gradient_angle_threshold() { return 0.7; }
 
   // once per threshold
   Indexed_cut_locus filter(const Branch_thresholds& thresholds) const
@@ -117,7 +122,8 @@ private:
     return mesh;
   }
 
-  // The farthest vertex is on the cut locus of a closed surface. A border vertex may be farthest without being on it: then
+  // The farthest vertex is on the cut locus of a closed surface. A border vertex may be farthest without being on it:
+  // then
   // the lowest Laplacian is the best guess.
   Index choose_root() const
   {

@@ -106,7 +106,8 @@ Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, Vert
     if(get(result.index_of_vertex, v) != null_index)
     {
       const auto& p = get(vpm, v);
-      const Indexed_triangle_mesh::Point point = {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }};
+      const Indexed_triangle_mesh::Point point = {{CGAL::to_double(p.x()), CGAL::to_double(p.y()),
+                                                   CGAL::to_double(p.z())}};
       if(!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
         throw Invalid_input(vertex_name(position) + " has a coordinate that is not finite");
       put(result.index_of_vertex, v, result.mesh.number_of_vertices());
