@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_INTERNAL_EXACT_GEODESIC_PROPAGATION_H
 
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/internal/Geodesic_bucket_queue.h>
 #include <CGAL/Cut_loci/internal/Geodesic_faces.h>
 #include <CGAL/Cut_loci/internal/Geodesic_windows.h>
@@ -18,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -67,18 +67,20 @@ struct Geodesic_arrival_direction
 class Exact_geodesic_propagation
 {
 public:
-  /// \throws std::domain_error see `Geodesic_faces`
-  explicit Exact_geodesic_propagation(const Indexed_triangle_mesh& mesh)
-    : m_faces(mesh)
+  /// \throws Invalid_input see `Geodesic_faces`
+  ///
+  /// `positions` are the numbers by which messages name the vertices, if not by their index.
+  explicit Exact_geodesic_propagation(const Indexed_triangle_mesh& mesh, const std::vector<Index>* positions = nullptr)
+    : m_faces(mesh, positions)
     , m_queue(0.5 * m_faces.mean_edge_length())
     , m_lists(3 * std::size_t(m_faces.number_of_halfedges()), nullptr)
   {}
 
-  /// \throws std::invalid_argument if there is no source, or a location is none on the mesh
+  /// \throws Invalid_input if there is no source, or a location is none on the mesh
   void run(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options = {})
   {
     if(sources.empty())
-      throw std::invalid_argument("exact geodesics: no source");
+      throw Invalid_input("no source");
     prepare(sources, options);
     m_columns = sources.size() > 1 ? 7 : options.directions ? 6 : 5;
     m_clean = false;
@@ -101,12 +103,29 @@ public:
   Indexed_location vertex_location(Index v) const
   {
     if(v >= m_faces.number_of_vertices() || m_faces.first_halfedge(v) == null_index)
-      throw std::invalid_argument("exact geodesics: vertex " + std::to_string(v) + " is on no face");
+      throw Invalid_input("vertex #" + std::to_string(v) + " is on no face");
     const Index h = m_faces.first_halfedge(v);
     Indexed_location location;
     location.face = h / 3;
     location.coordinates[h % 3] = 1.;
     return location;
+  }
+
+  /// \throws Invalid_input if `location` is none on the mesh
+  void check(const Indexed_location& location) const
+  {
+    if(location.face >= m_faces.number_of_faces())
+      throw Invalid_input("a location is in face " + std::to_string(location.face) +
+                                  ", which does not exist");
+    double sum = 0.;
+    bool is_inside = true;
+    for(double c : location.coordinates) {
+      is_inside = is_inside && c >= -1e-9; // what point location by projection may get wrong
+      sum += c;
+    }
+    if(!is_inside || !(std::fabs(sum - 1.) <= 1e-9))
+      throw Invalid_input("the coordinates of a location in face " +
+                                  std::to_string(location.face) + " are not barycentric");
   }
 
   const Geodesic_faces& faces() const { return m_faces; }
@@ -118,9 +137,8 @@ public:
 
   /// the direction at its source in which the shortest path to `v` starts
   ///
-  /// It is an angle in the unrolled tangent plane of the source, counterclockwise in `[0, source_angle())`. Zero is, for a
-  /// source at a vertex, `Geodesic_faces::first_halfedge()`; for one on an edge, halfedge `i` of its face, where the
-  /// edge joins the vertices `i` and `i + 1` of it; otherwise the first halfedge of its face.
+  /// It is an angle in the unrolled tangent plane of the source, counterclockwise from `source_halfedge()`, in
+  /// `[0, source_angle())`, up to and including `source_angle()` if the source is on the border.
   /// \pre directions have been asked for, `v` is reached and no source
   double direction_at_source(Index v) const { return direction_at_source(m_arrival[v], end_in_frame(m_arrival[v], v)); }
 
@@ -168,6 +186,15 @@ public:
   /// the total angle at source number `i`: two pi in faces
   double source_angle(std::size_t i = 0) const { return m_sources[i].total_angle; }
 
+  /// the halfedge along which directions at source number `i` are zero
+  Index source_halfedge(std::size_t i = 0) const
+  {
+    const Source& source = m_sources[i];
+    if(source.vertex != null_index)
+      return m_faces.first_halfedge(source.vertex);
+    return source.halfedge != null_index ? source.halfedge : 3 * source.location.face;
+  }
+
   /// the number of query locations: those of the options, then one per face if centroids have been asked for
   std::size_t number_of_queries() const { return m_queries.size(); }
   const Indexed_location& query(std::size_t i) const { return m_queries[i].location; }
@@ -187,6 +214,49 @@ public:
   const Geodesic_arrival& query_arrival(std::size_t i) const { return m_queries[i].arrival; }
   const Indexed_location& source_location(std::size_t i) const { return m_sources[i].location; }
   Index source_vertex(std::size_t i) const { return m_sources[i].vertex; }
+
+  /// a vertex of the face of `h` in the frame of `h`
+  Plane_point vertex_in_frame(Index h, Index v) const
+  {
+    if(m_faces.source(h) == v)
+      return {0., 0.};
+    if(m_faces.target(h) == v)
+      return {m_faces.length(h), 0.};
+    return m_faces.apex(h);
+  }
+  Plane_point end_in_frame(const Geodesic_arrival& arrival, Index v) const
+  {
+    return vertex_in_frame(arrival.halfedge, v);
+  }
+
+  /// source number `i` in the frame of `h`, if it lies in the face of `h`
+  bool source_in_frame(std::size_t i, Index h, Plane_point& p) const
+  {
+    const Source& source = m_sources[i];
+    const Index f = h / 3;
+    if(source.vertex != null_index) {
+      for(Index v : m_faces.face(f).vertex)
+        if(v == source.vertex) {
+          p = vertex_in_frame(h, v);
+          return true;
+        }
+      return false;
+    }
+    if(source.location.face == f) {
+      p = m_faces.in_frame(h, source.location.coordinates);
+      return true;
+    }
+    if(source.halfedge == null_index)
+      return false;
+    const Index o = m_faces.opposite(source.halfedge);
+    if(o == null_index || o / 3 != f)
+      return false;
+    std::array<double, 3> coordinates = {{0., 0., 0.}};
+    coordinates[o % 3] = source.location.coordinates[Mesh::next(source.halfedge) % 3];
+    coordinates[Mesh::next(o) % 3] = source.location.coordinates[source.halfedge % 3];
+    p = m_faces.in_frame(h, coordinates);
+    return true;
+  }
 
   /// the number of windows that have been propagated across a face in the last run
   std::size_t number_of_windows() const { return m_number_of_windows; }
@@ -259,22 +329,6 @@ private:
           source.total_angle = geodesic_pi;
       }
     return source;
-  }
-
-  void check(const Indexed_location& location) const
-  {
-    if(location.face >= m_faces.number_of_faces())
-      throw std::invalid_argument("exact geodesics: a location is in face " + std::to_string(location.face) +
-                                  ", which does not exist");
-    double sum = 0.;
-    bool is_inside = true;
-    for(double c : location.coordinates) {
-      is_inside = is_inside && c >= -1e-9; // what point location by projection may get wrong
-      sum += c;
-    }
-    if(!is_inside || !(std::fabs(sum - 1.) <= 1e-9))
-      throw std::invalid_argument("exact geodesics: the coordinates of a location in face " +
-                                  std::to_string(location.face) + " are not barycentric");
   }
 
   void prepare_queries(const Exact_geodesic_options& options)
@@ -833,16 +887,6 @@ private:
   }
 
   // -- directions ----------------------------------------------------------------------------------------------------
-
-  /// a vertex of the face of an arrival in the frame of the arrival
-  Plane_point end_in_frame(const Geodesic_arrival& arrival, Index v) const
-  {
-    if(m_faces.source(arrival.halfedge) == v)
-      return {0., 0.};
-    if(m_faces.target(arrival.halfedge) == v)
-      return {m_faces.length(arrival.halfedge), 0.};
-    return m_faces.apex(arrival.halfedge);
-  }
 
   double direction_at_source(const Geodesic_arrival& arrival, const Plane_point& end) const
   {

@@ -8,11 +8,12 @@
 #define CGAL_CUT_LOCI_INTERNAL_GEODESIC_FACES_H
 
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Invalid_input.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -52,15 +53,15 @@ class Geodesic_faces
 public:
   using Mesh = Indexed_triangle_mesh;
 
-  /// \throws std::domain_error if a coordinate is not finite, a face has no area, or a vertex has more than one fan
-  explicit Geodesic_faces(const Mesh& mesh)
+  /// \throws Invalid_input if a coordinate is not finite, a face has no area, or a vertex has more than one fan
+  explicit Geodesic_faces(const Mesh& mesh, const std::vector<Index>* positions = nullptr)
     : m_faces(mesh.number_of_faces())
     , m_total_angle(mesh.number_of_vertices(), 0.)
     , m_first(mesh.number_of_vertices(), null_index)
     , m_kind(mesh.number_of_vertices(), 0)
   {
-    read_faces(mesh);
-    read_vertices(mesh);
+    read_faces(mesh, positions);
+    read_vertices(positions);
   }
 
   Index number_of_faces() const { return static_cast<Index>(m_faces.size()); }
@@ -134,7 +135,7 @@ private:
 
   static double square_root_of_sum(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
 
-  void read_faces(const Mesh& mesh)
+  void read_faces(const Mesh& mesh, const std::vector<Index>* positions)
   {
     double sum = 0.;
     for(Index f = 0; f < mesh.number_of_faces(); ++f) {
@@ -156,7 +157,7 @@ private:
       const double longest = (std::max)((std::max)(length[0], length[1]), length[2]);
       // below this height the rounding of the coordinates decides the shape; the test also fails on NaN and infinity
       if(!(twice_area > 1e-13 * longest * longest) || !(twice_area < (std::numeric_limits<double>::max)()))
-        throw std::domain_error(describe_bad_face(mesh, f));
+        throw Invalid_input(describe_bad_face(mesh, f, positions));
       for(std::size_t i = 0; i < 3; ++i) {
         const std::size_t k = i == 0 ? 2 : i - 1;
         const double dot = -(edge[i][0] * edge[k][0] + edge[i][1] * edge[k][1] + edge[i][2] * edge[k][2]);
@@ -172,18 +173,23 @@ private:
       m_mean_edge_length = sum / (3. * mesh.number_of_faces());
   }
 
-  static std::string describe_bad_face(const Mesh& mesh, Index f)
+  static std::string name(Index v, const std::vector<Index>* positions)
+  {
+    return "vertex #" + std::to_string(positions == nullptr ? v : (*positions)[v]);
+  }
+
+  static std::string describe_bad_face(const Mesh& mesh, Index f, const std::vector<Index>* positions)
   {
     for(Index v : mesh.triangles[f])
       for(double c : mesh.points[v])
         if(!std::isfinite(c))
-          return "exact geodesics: vertex " + std::to_string(v) + " has a coordinate that is not finite";
-    return "exact geodesics: face " + std::to_string(f) + " has no area";
+          return name(v, positions) + " has a coordinate that is not finite";
+    return "face #" + std::to_string(f) + " has no area";
   }
 
-  void read_vertices(const Mesh& mesh)
+  void read_vertices(const std::vector<Index>* positions)
   {
-    std::vector<Index> valence(mesh.number_of_vertices(), 0);
+    std::vector<Index> valence(number_of_vertices(), 0);
     for(Index f = 0; f < number_of_faces(); ++f)
       for(Index i = 0; i < 3; ++i) {
         const Index v = m_faces[f].vertex[i];
@@ -191,7 +197,7 @@ private:
         m_total_angle[v] += m_faces[f].corner[i].angle;
         if(m_faces[f].opposite[i] == null_index) {
           if(m_kind[v] != 0)
-            throw std::domain_error(describe_bad_vertex(v));
+            throw Invalid_input(describe_bad_vertex(v, positions));
           m_kind[v] = border;
           m_first[v] = 3 * f + i;
         } else if(m_first[v] == null_index)
@@ -206,7 +212,7 @@ private:
           break;
       }
       if(count != valence[v])
-        throw std::domain_error(describe_bad_vertex(v));
+        throw Invalid_input(describe_bad_vertex(v, positions));
       // sums of angles carry rounding errors of some 1e-15 each: an excess below 1e-11 is none, and the detour it could
       // save is of the square of it
       if(is_border(v) ? m_total_angle[v] > geodesic_pi + 1e-11 : m_total_angle[v] > 2. * geodesic_pi + 1e-11)
@@ -214,9 +220,9 @@ private:
     }
   }
 
-  static std::string describe_bad_vertex(Index v)
+  static std::string describe_bad_vertex(Index v, const std::vector<Index>* positions)
   {
-    return "exact geodesics: the faces around vertex " + std::to_string(v) + " do not form one fan";
+    return name(v, positions) + " is not manifold: the faces around it do not form one fan";
   }
 
   std::vector<Geodesic_face> m_faces;

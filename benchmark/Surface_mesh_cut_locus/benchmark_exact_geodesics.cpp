@@ -1,0 +1,247 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// Times the exact geodesic solver.
+//
+//   benchmark_exact_geodesics [--trials n] [--cgal-trials n] mesh...
+//     against CGAL's Surface_mesh_shortest_path: from the mesh object to the distances of all vertices, and for CGAL the
+//     construction of its sequence tree alone
+//   benchmark_exact_geodesics --growth [largest number of faces]
+//     on jittered tori; prints time, memory and windows, as comma-separated values, and the exponents fitted to them
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_exact_geodesics.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Vertex = Mesh::Vertex_index;
+using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
+
+namespace {
+
+double now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// the peak memory of the process in megabytes
+double peak_memory()
+{
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  while(status >> word)
+    if(word == "VmHWM:") {
+      double kilobytes = 0.;
+      status >> kilobytes;
+      return kilobytes / 1024.;
+    }
+  return 0.;
+}
+
+struct Times
+{
+  double read, total, again;
+};
+
+/// the whole way from the mesh object to distances, and to directions if wanted; `again` is one more source
+Times time_ours(const Mesh& mesh, Vertex source, bool directions, bool centroids, int trials, std::vector<double>& distances,
+                std::size_t& windows)
+{
+  std::vector<double> read, total, again, angles(num_vertices(mesh));
+  for(int i = 0; i < trials; ++i) {
+    const double start = now();
+    Geodesics geodesics(mesh);
+    const double have_read = now();
+    geodesics.set_directions(directions);
+    geodesics.set_centroids(centroids);
+    geodesics.compute(source);
+    for(Vertex v : mesh.vertices())
+      distances[v] = geodesics.distance(v);
+    if(directions)
+      for(Vertex v : mesh.vertices())
+        if(v != source && distances[v] < std::numeric_limits<double>::infinity())
+          angles[v] = geodesics.direction_at_source(v);
+    const double end = now();
+    geodesics.compute(source);
+    again.push_back(now() - end);
+    read.push_back(have_read - start);
+    total.push_back(end - start);
+    windows = geodesics.number_of_windows();
+  }
+  return {median(read), median(total), median(again)};
+}
+
+void compare(const std::string& file, int trials, int cgal_trials)
+{
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh)) {
+    std::fprintf(stderr, "%s is no triangle mesh\n", file.c_str());
+    return;
+  }
+  const Vertex source(0);
+  std::vector<double> distances(num_vertices(mesh));
+  std::size_t windows = 0;
+  const Times plain = time_ours(mesh, source, false, false, trials, distances, windows);
+  const Times directed = time_ours(mesh, source, true, false, trials, distances, windows);
+  const Times centroids = time_ours(mesh, source, false, true, trials, distances, windows);
+  std::printf("%s: %zu faces, %.2f M windows\n", file.c_str(), std::size_t(num_faces(mesh)), windows * 1e-6);
+  std::printf("  mesh to distances                 %8.4f s (of it reading the mesh %.4f; one more source %.4f)\n", plain.total,
+              plain.read, plain.again);
+  std::printf("  mesh to distances and directions  %8.4f s\n", directed.total);
+  std::printf("  ... and to centroids              %8.4f s\n", centroids.total);
+  if(cgal_trials == 0)
+    return;
+  std::vector<double> cgal_times;
+  double difference = 0.;
+  for(int i = 0; i < cgal_trials; ++i) {
+    CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>> shortest_path(mesh);
+    shortest_path.add_source_point(source);
+    const double start = now();
+    shortest_path.build_sequence_tree();
+    cgal_times.push_back(now() - start);
+    for(Vertex v : mesh.vertices()) {
+      const double d = shortest_path.shortest_distance_to_source_points(v).first;
+      if(d > 0.)
+        difference = (std::max)(difference, std::fabs(d - distances[v]) / d);
+    }
+  }
+  const double cgal = median(cgal_times);
+  std::printf("  CGAL's sequence tree              %8.4f s: ratio %.0f, with directions %.0f\n", cgal, cgal / plain.total,
+              cgal / directed.total);
+  std::printf("  largest relative difference of the distances %.2g\n", difference);
+}
+
+Mesh jittered_torus(std::size_t faces)
+{
+  const double pi = 3.14159265358979323846;
+  // quadrilaterals of about the same width both ways
+  const std::size_t n = static_cast<std::size_t>(std::sqrt(0.5 * faces * 2.)), m = faces / 2 / n;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> jitter(-0.2, 0.2);
+  Mesh mesh;
+  mesh.reserve(Mesh::size_type(n * m), Mesh::size_type(3 * n * m), Mesh::size_type(2 * n * m));
+  for(std::size_t i = 0; i < n; ++i)
+    for(std::size_t j = 0; j < m; ++j) {
+      const double u = 2. * pi * (double(i) + jitter(random)) / double(n);
+      const double w = 2. * pi * (double(j) + jitter(random)) / double(m);
+      const double r = 1. + 0.4 * std::cos(w);
+      mesh.add_vertex(Point(r * std::cos(u), r * std::sin(u), 0.4 * std::sin(w)));
+    }
+  const auto vertex = [&](std::size_t i, std::size_t j) { return Vertex(Mesh::size_type((i % n) * m + j % m)); };
+  for(std::size_t i = 0; i < n; ++i)
+    for(std::size_t j = 0; j < m; ++j) {
+      mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
+      mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+    }
+  return mesh;
+}
+
+/// the slope of a line fitted to the logarithms
+double exponent(const std::vector<double>& x, const std::vector<double>& y)
+{
+  double sx = 0., sy = 0., sxx = 0., sxy = 0.;
+  for(std::size_t i = 0; i < x.size(); ++i) {
+    const double u = std::log(x[i]), v = std::log(y[i]);
+    sx += u;
+    sy += v;
+    sxx += u * u;
+    sxy += u * v;
+  }
+  const double n = double(x.size());
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+void growth(std::size_t largest)
+{
+  std::vector<double> sizes, times, counts;
+  std::printf("faces,mesh_to_distances_s,directions_s,peak_mb,mesh_only_mb,windows\n");
+  std::fflush(stdout);
+  for(std::size_t faces = 12500; faces <= largest; faces *= 2) {
+    // a process of its own per size, so that the peak of the memory is its own
+    int channel[2];
+    if(pipe(channel) != 0)
+      return;
+    const pid_t child = fork();
+    if(child < 0)
+      return;
+    if(child == 0) {
+      double result[6];
+      const Mesh mesh = jittered_torus(faces);
+      result[4] = peak_memory();
+      std::vector<double> distances(num_vertices(mesh));
+      std::size_t windows = 0;
+      result[0] = double(num_faces(mesh));
+      result[1] = time_ours(mesh, Vertex(0), false, false, 3, distances, windows).total;
+      result[2] = time_ours(mesh, Vertex(0), true, false, 3, distances, windows).total;
+      result[3] = peak_memory();
+      result[5] = double(windows);
+      const bool written = write(channel[1], result, sizeof(result)) == ssize_t(sizeof(result));
+      _exit(written ? 0 : 1);
+    }
+    double result[6];
+    const bool have_read = read(channel[0], result, sizeof(result)) == ssize_t(sizeof(result));
+    waitpid(child, nullptr, 0);
+    close(channel[0]);
+    close(channel[1]);
+    if(!have_read)
+      return;
+    std::printf("%.0f,%.4f,%.4f,%.0f,%.0f,%.0f\n", result[0], result[1], result[2], result[3], result[4], result[5]);
+    std::fflush(stdout);
+    sizes.push_back(result[0]);
+    times.push_back(result[1]);
+    counts.push_back(result[5]);
+  }
+  if(sizes.size() > 1)
+    std::printf("exponent of the time %.3f, of the windows %.3f\n", exponent(sizes, times), exponent(sizes, counts));
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  int trials = 5, cgal_trials = 1;
+  bool done = false;
+  for(int i = 1; i < argc; ++i) {
+    if(std::strcmp(argv[i], "--growth") == 0) {
+      const bool has_size = i + 1 < argc && std::atoi(argv[i + 1]) > 0;
+      growth(has_size ? std::size_t(std::atoi(argv[++i])) : 1600000);
+    } else if(std::strcmp(argv[i], "--trials") == 0 && i + 1 < argc)
+      trials = (std::max)(1, std::atoi(argv[++i]));
+    else if(std::strcmp(argv[i], "--cgal-trials") == 0 && i + 1 < argc)
+      cgal_trials = std::atoi(argv[++i]);
+    else
+      compare(argv[i], trials, cgal_trials);
+    done = true;
+  }
+  if(!done)
+    std::fprintf(stderr, "usage: %s [--trials n] [--cgal-trials n] mesh... | --growth [faces]\n", argv[0]);
+  return done ? EXIT_SUCCESS : EXIT_FAILURE;
+}

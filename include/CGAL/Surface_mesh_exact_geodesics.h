@@ -1,0 +1,335 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_SURFACE_MESH_EXACT_GEODESICS_H
+#define CGAL_SURFACE_MESH_EXACT_GEODESICS_H
+
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/internal/geodesic_path_tracing.h>
+#include <CGAL/Cut_loci/internal/read_triangle_mesh.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusSolvers
+ *
+ * computes exact geodesic distances, directions, and shortest paths on a triangle mesh.
+ *
+ * "Exact" is meant as in \ref PkgSurfaceMeshShortestPath "Triangulated Surface Mesh Shortest Paths": the algorithm finds
+ * the shortest path on the polyhedral surface, not an approximation of it, up to the rounding of `double`, in which all
+ * numbers are computed. The surface may have any genus and any number of borders and components.
+ *
+ * The mesh is read by the constructor; it must not change, and must stay alive, as long as the object is used. Sources are
+ * vertices or face locations. `compute()` then finds the distances to all vertices and to the query locations; all other
+ * functions with results are `const` and can be called from several threads at once. An object is meant to be used for
+ * many sources: it keeps the geometry of the mesh and all its memory.
+ *
+ * The algorithm propagates the windows of Mitchell, Mount and Papadimitriou \cgalCite{mmp-dgp-87} across the faces, with
+ * the rule "one angle, one split" of Chen and Han \cgalCite{ch-spp-90}, the filter of Xin and Wang \cgalCite{xw-ich-09},
+ * and, as Xu et al. \cgalCite{xu-fwp-15} and Qin et al. \cgalCite{qin-vtp-16}, in batches: all windows of a halfedge cross
+ * its face at once.
+ *
+ * The running time is \cgalBigO{n^2 \log n} in the worst case. On meshes of smooth surfaces, it grows like
+ * \cgalBigO{n^{1.5}}, and the memory for windows like \cgalBigO{n^{0.5}} beyond what is linear in the size of the mesh.
+ *
+ * Faces must have an area: a face whose height is less than about `1e-13` of its longest edge can not be unfolded in
+ * `double`, and is refused. Vertices whose faces form more than one fan are refused as well. In both cases the
+ * constructor throws `Cut_loci::Invalid_input` with a message that names the element.
+ *
+ * @tparam TriangleMesh a model of `FaceListGraph`
+ *
+ * \sa `CGAL::exact_geodesic_distances()`
+ * \sa `CGAL::Surface_mesh_shortest_path`
+ */
+template <typename TriangleMesh>
+class Surface_mesh_exact_geodesics
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+
+public:
+  /// \name Types
+  /// @{
+
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+
+  /// the number type of all results
+  using FT = double;
+
+  /// a point on the mesh: a face `f` and barycentric coordinates with respect to `source(halfedge(f, tm), tm)` and the two
+  /// vertices that follow counterclockwise, as in `Polygon_mesh_processing`
+  using Face_location = std::pair<face_descriptor, std::array<FT, 3> >;
+
+  /// a direction at a vertex: a halfedge that leaves it, and the angle from that halfedge, counterclockwise within its face
+  using Direction = std::pair<halfedge_descriptor, FT>;
+
+  /// @}
+
+  /*!
+   * reads the mesh.
+   *
+   * @param tm a triangle mesh
+   * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{vertex_point_map}
+   *     \cgalParamDescription{a property map associating points to the vertices of `tm`}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+   *                    as key type and `%Point_3` as value type}
+   *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+   *     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t` must be
+   *                     available in `TriangleMesh`.}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \throws Cut_loci::Invalid_input if `tm` has no faces, a face that is no triangle or has no area, a coordinate that is
+   *         not finite, or a vertex whose faces form more than one fan
+   */
+  template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+  explicit Surface_mesh_exact_geodesics(const TriangleMesh& tm,
+                                        const CGAL_NP_CLASS& np = parameters::default_values())
+    : m_mesh(&tm)
+    , m_read(Cut_loci::internal::read_triangle_mesh(
+          tm, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                           get_const_property_map(CGAL::vertex_point, tm))))
+    , m_geodesics(m_read.mesh, &m_read.positions)
+  {
+    // the solver has a copy of all it needs
+    m_read.mesh = Cut_loci::Indexed_triangle_mesh();
+    std::vector<Cut_loci::Index>().swap(m_read.positions);
+  }
+
+  Surface_mesh_exact_geodesics(const Surface_mesh_exact_geodesics&) = delete;
+  Surface_mesh_exact_geodesics& operator=(const Surface_mesh_exact_geodesics&) = delete;
+
+  /// \name Sources
+  /// With several sources, the distance is the one to the nearest.
+  /// @{
+
+  /// adds a vertex
+  /// \throws Cut_loci::Invalid_input if `v` is null or on no face
+  void add_source(vertex_descriptor v)
+  {
+    if(v == Graph_traits::null_vertex())
+      throw Cut_loci::Invalid_input("the source is the null vertex");
+    const Cut_loci::Index i = index(v);
+    if(i == Cut_loci::null_index)
+      throw Cut_loci::Invalid_input("the source is an isolated vertex: it is on no face");
+    m_sources.push_back(m_geodesics.vertex_location(i));
+  }
+
+  /// adds a point in a face, on an edge, or at a vertex
+  /// \throws Cut_loci::Invalid_input if the face is null or the coordinates are not barycentric
+  void add_source(const Face_location& location) { m_sources.push_back(to_indexed(location)); }
+
+  /// removes all sources
+  void clear_sources() { m_sources.clear(); }
+
+  /// the number of sources
+  std::size_t number_of_sources() const { return m_sources.size(); }
+
+  /// @}
+
+  /// \name Options
+  /// They hold for all following calls of `compute()`.
+  /// @{
+
+  /// stops the propagation at this distance; what is further away is not reached. Infinite by default.
+  void set_maximum_distance(FT distance) { m_options.maximum_distance = distance; }
+
+  /// asks for the directions at the source, at the price of some 10 % more time. Off by default.
+  void set_directions(bool wanted) { m_options.directions = wanted; }
+
+  /// asks for the distances at the centroids of all faces. Off by default.
+  void set_centroids(bool wanted) { m_options.all_centroids = wanted; }
+
+  /// adds a point to which the distance is wanted, and returns its number
+  std::size_t add_query(const Face_location& location)
+  {
+    m_options.queries.push_back(to_indexed(location));
+    return m_options.queries.size() - 1;
+  }
+
+  /// removes all points added by `add_query()`
+  void clear_queries() { m_options.queries.clear(); }
+
+  /// @}
+
+  /// computes everything that has been asked for
+  /// \throws Cut_loci::Invalid_input if there is no source
+  void compute() { m_geodesics.run(m_sources, m_options); }
+
+  /// the same with `source`, a vertex or a face location, as the only source
+  template <typename Source>
+  void compute(const Source& source)
+  {
+    clear_sources();
+    add_source(source);
+    compute();
+  }
+
+  /// \name Distances
+  /// They are infinite for what has not been reached.
+  /// @{
+
+  /// the distance from `v` to the nearest source
+  FT distance(vertex_descriptor v) const
+  {
+    const Cut_loci::Index i = index(v);
+    return i == Cut_loci::null_index ? infinity() : m_geodesics.distance(i);
+  }
+
+  /// writes the distances of all vertices
+  /// @tparam VertexDistanceMap a model of `WritablePropertyMap` with `vertex_descriptor` as key type and a value type to
+  ///         which `double` can be converted
+  template <typename VertexDistanceMap>
+  void distances(VertexDistanceMap vdm) const
+  {
+    for(Cut_loci::Index i = 0; i < m_read.vertices.size(); ++i)
+      put(vdm, m_read.vertices[i], m_geodesics.distance(i));
+    if(m_read.vertices.size() != num_vertices(*m_mesh))
+      for(vertex_descriptor v : CGAL::make_range(vertices(*m_mesh)))
+        if(index(v) == Cut_loci::null_index)
+          put(vdm, v, infinity());
+  }
+
+  /// the distance to query location number `i`
+  FT query_distance(std::size_t i) const { return m_geodesics.query_distance(i); }
+
+  /// the distance to the centroid of `f`
+  /// \pre centroids have been asked for
+  FT centroid_distance(face_descriptor f) const { return m_geodesics.query_distance(centroid(f)); }
+
+  /// @}
+
+  /// \name Sources and Directions
+  /// @{
+
+  /// the number of the source nearest to `v`, in the order in which sources were added
+  /// \pre `v` is reached
+  std::size_t nearest_source(vertex_descriptor v) const { return m_geodesics.nearest_source(index(v)); }
+
+  /// the direction at its source in which the shortest path to `v` starts
+  ///
+  /// It is an angle in the tangent plane of the source, unrolled without scaling: counterclockwise, in
+  /// `[0, source_angle())`, up to and including `source_angle()` for a source on the border. Zero is `source_halfedge()`.
+  /// \pre directions have been asked for, `v` is reached and not a source
+  FT direction_at_source(vertex_descriptor v) const { return m_geodesics.direction_at_source(index(v)); }
+
+  /// the same for query location number `i`
+  FT query_direction_at_source(std::size_t i) const { return m_geodesics.query_direction_at_source(i); }
+
+  /// the sum of the angles around source number `i`; \f$2\pi\f$ in faces
+  FT source_angle(std::size_t i = 0) const { return m_geodesics.source_angle(i); }
+
+  /// the halfedge along which the direction at source number `i` is zero
+  ///
+  /// For a vertex on the border, it is the first of its fan, which has the border on its right; for another vertex, the
+  /// first one that leaves it in the order of `faces(tm)`; on an edge, the halfedge of the edge in the face of the location;
+  /// and in a face `f`, `halfedge(f, tm)`.
+  halfedge_descriptor source_halfedge(std::size_t i = 0) const
+  {
+    return m_read.halfedges[m_geodesics.source_halfedge(i)];
+  }
+
+  /// the direction at `v` in which the shortest path to it leads back to its source
+  /// \pre `v` is reached and not a source
+  Direction arrival_direction(vertex_descriptor v) const
+  {
+    const Cut_loci::internal::Geodesic_arrival_direction direction = m_geodesics.arrival_direction(index(v));
+    return Direction(m_read.halfedges[direction.halfedge], direction.angle);
+  }
+
+  /// @}
+
+  /// \name Shortest Paths
+  /// A path is a sequence of face locations: its end, the points where it crosses edges or meets vertices, and its source.
+  /// No two consecutive ones are the same point. There are none if the end is not reached.
+  /// @{
+
+  /// writes the shortest path from `v` to its source
+  /// @tparam OutputIterator a model of `OutputIterator` that holds `Face_location`
+  template <typename OutputIterator>
+  OutputIterator shortest_path(vertex_descriptor v, OutputIterator out) const
+  {
+    const Cut_loci::Index i = index(v);
+    if(i == Cut_loci::null_index)
+      return out;
+    return write(Cut_loci::internal::Geodesic_path_tracing(m_geodesics).path_from_vertex(i), out);
+  }
+
+  /// writes the shortest path from query location number `i` to its source
+  template <typename OutputIterator>
+  OutputIterator query_shortest_path(std::size_t i, OutputIterator out) const
+  {
+    return write(Cut_loci::internal::Geodesic_path_tracing(m_geodesics).path_from_query(i), out);
+  }
+
+  /// writes the shortest path from the centroid of `f` to its source
+  /// \pre centroids have been asked for
+  template <typename OutputIterator>
+  OutputIterator centroid_shortest_path(face_descriptor f, OutputIterator out) const
+  {
+    return query_shortest_path(centroid(f), out);
+  }
+
+  /// @}
+
+  /// the number of windows that the last call of `compute()` has taken across a face
+  std::size_t number_of_windows() const { return m_geodesics.number_of_windows(); }
+
+private:
+  static constexpr FT infinity() { return (std::numeric_limits<FT>::infinity)(); }
+
+  Cut_loci::Index index(vertex_descriptor v) const { return get(m_read.index_of_vertex, v); }
+
+  std::size_t centroid(face_descriptor f) const
+  {
+    return m_geodesics.number_of_queries() - m_geodesics.faces().number_of_faces() + get(m_read.index_of_face, f);
+  }
+
+  Cut_loci::Indexed_location to_indexed(const Face_location& location) const
+  {
+    if(location.first == Graph_traits::null_face())
+      throw Cut_loci::Invalid_input("a location is in the null face");
+    Cut_loci::Indexed_location result;
+    result.face = get(m_read.index_of_face, location.first);
+    result.coordinates = location.second;
+    m_geodesics.check(result);
+    return result;
+  }
+
+  template <typename OutputIterator>
+  OutputIterator write(const std::vector<Cut_loci::Indexed_location>& path, OutputIterator out) const
+  {
+    for(const Cut_loci::Indexed_location& location : path)
+      *out++ = Face_location(face(m_read.halfedges[3 * location.face], *m_mesh), location.coordinates);
+    return out;
+  }
+
+  const TriangleMesh* m_mesh;
+  Cut_loci::internal::Read_triangle_mesh<TriangleMesh> m_read;
+  Cut_loci::internal::Exact_geodesic_propagation m_geodesics;
+  Cut_loci::internal::Exact_geodesic_options m_options;
+  std::vector<Cut_loci::Indexed_location> m_sources;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_EXACT_GEODESICS_H
