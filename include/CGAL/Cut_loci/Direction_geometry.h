@@ -57,6 +57,13 @@ struct Direction_geometry
     return {{polar[h], polar[n] + scale[mesh.source(n)] * corner[n]}};
   }
 
+  /*!
+   * the least strength of a branch that is no noise of the mesh.
+   *
+   * On a smooth mesh, strengths of up to 2 occur by chance, and 3 is clear of them.
+   */
+  double default_strength_threshold() const { return 3.; }
+
 private:
   static double pi() { return 3.14159265358979323846; }
 

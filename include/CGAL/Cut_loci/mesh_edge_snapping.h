@@ -50,6 +50,9 @@ public:
     order_edges(mesh, connectivity, pieces, branches, snaps);
   }
 
+  /// the vertex at which the tree of branches starts; one of the cycles, if there are any
+  Index root() const { return lone_vertex_; }
+
   /// the graph at `threshold`, its root first, as `Indexed_cut_locus::nodes` and `edges`
   Indexed_cut_locus operator()(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                                const Direction_field& field, double threshold) const

@@ -26,17 +26,29 @@ namespace Cut_loci {
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
+ * is a curve through the faces, with the face of each segment.
+ */
+struct Sub_edge_curve
+{
+  Indexed_cut_locus graph;
+  std::vector<Index> face;
+};
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
  * draws the kept edges of the graph of the faces as a polyline through the faces: a node on each edge, where the paths to
  * both of its ends are equally long, and one in each face with three of them, where the three fronts meet. Node `i` is on
  * edge `i` of `branches`. Time is proportional to the number of edges, but for a sort.
  */
-inline Indexed_cut_locus place_sub_edges(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                                         const Direction_geometry& geometry, const Direction_field& field,
-                                         const std::vector<Direction_branches::Edge>& branches)
+inline Sub_edge_curve place_sub_edges(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                                      const Direction_geometry& geometry, const Direction_field& field,
+                                      const std::vector<Direction_branches::Edge>& branches)
 {
   using Fronts = internal::Geodesic_fronts;
   const Fronts fronts(mesh, connectivity, geometry, field);
-  Indexed_cut_locus result;
+  Sub_edge_curve curve;
+  Indexed_cut_locus& result = curve.graph;
   std::vector<Fronts::Crossing> crossings;
   std::vector<std::pair<Index, Index> > by_node;
   for(const Direction_branches::Edge& e : branches)
@@ -80,9 +92,10 @@ inline Indexed_cut_locus place_sub_edges(const Indexed_triangle_mesh& mesh, cons
       for(std::size_t k = i; k < end; ++k)
         result.edges.push_back({by_node[k].second, node, null_index, strength(k), null_index});
     }
+    curve.face.resize(result.edges.size(), f);
     i = end;
   }
-  return result;
+  return curve;
 }
 
 } // namespace Cut_loci

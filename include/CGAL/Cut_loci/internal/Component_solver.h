@@ -103,7 +103,6 @@ public:
   Index root() const { return tree_.root; }
   Index farthest() const { return farthest_; }
 
-private:
   // Faces without area have no tangent plane. Coordinates of the size of a face resolve 2^-53 of it: at 100 times that,
   // the direction of its normal is noise.
   static const Indexed_triangle_mesh& checked(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity)
@@ -122,6 +121,7 @@ private:
     return mesh;
   }
 
+private:
   // The farthest vertex is on the cut locus of a closed surface. A border vertex may be farthest without being on it:
   // then
   // the lowest Laplacian is the best guess.
