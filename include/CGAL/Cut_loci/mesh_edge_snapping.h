@@ -398,6 +398,45 @@ private:
   std::vector<End> ends_;
 };
 
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * continues a branch of a graph of mesh edges along `vertices`, neighbors in their order of which the first is in the graph,
+ * as long as they are not in the graph: so its topology stays as it is.
+ */
+inline void continue_mesh_edges(const Mesh_connectivity& connectivity, const Direction_field& field,
+                                const std::vector<Index>& vertices, Indexed_cut_locus& graph)
+{
+  const auto node_of = [&](Index v)
+  {
+    for(Index i = 0; i < graph.nodes.size(); ++i)
+      if(graph.nodes[i].vertex == v)
+        return i;
+    return null_index;
+  };
+  Index node = vertices.empty() ? null_index : node_of(vertices.front());
+  for(std::size_t i = 1; i < vertices.size() && node != null_index; ++i)
+  {
+    const Index v = vertices[i], u = vertices[i - 1];
+    if(connectivity.is_border(v) || v == field.source.vertex || node_of(v) != null_index)
+      return;
+    Index entry = connectivity.ring_begin[u];
+    while(entry < connectivity.ring_begin[u + 1] && connectivity.ring_vertex[entry] != v)
+      ++entry;
+    if(entry == connectivity.ring_begin[u + 1])
+      return;
+    const Index next = static_cast<Index>(graph.nodes.size());
+    float strength = 0.f;
+    for(const Indexed_cut_locus::Edge& e : graph.edges)
+      if(e.source == node || e.target == node)
+        strength = strength == 0.f ? e.strength : (std::min)(strength, e.strength);
+    graph.nodes.push_back({internal::location_of_vertex(connectivity, v), v, field.vertices[v].distance});
+    graph.edges.push_back({node, next, connectivity.ring_halfedge[entry], strength,
+                           static_cast<Index>(graph.edges.size())});
+    node = next;
+  }
+}
+
 } // namespace Cut_loci
 } // namespace CGAL
 

@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/branch_ends.h>
 #include <CGAL/Cut_loci/curve_correspondence.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/direction_field.h>
@@ -82,10 +83,15 @@ public:
   // once per threshold
   Indexed_cut_locus filter(double threshold, Curve curve) const
   {
+    const std::vector<Direction_branches::Edge> kept = branches_(threshold);
+    Sub_edge_curve result = place_sub_edges(mesh_, connectivity_, geometry_, field_, kept);
+    const Branch_ends ends(mesh_, connectivity_, geometry_, field_);
+    const std::vector<std::vector<Index> > continuations = ends(kept, result);
     Indexed_cut_locus edges = mesh_edges_(mesh_, connectivity_, field_, threshold);
+    for(const std::vector<Index>& c : continuations)
+      continue_mesh_edges(connectivity_, field_, c, edges);
     if(curve == Curve::MESH_EDGES)
       return edges;
-    Sub_edge_curve result = place_sub_edges(mesh_, connectivity_, geometry_, field_, branches_(threshold));
     if(result.graph.nodes.empty())
     {
       edges.edges.clear(); // the single point that is left
