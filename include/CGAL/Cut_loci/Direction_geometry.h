@@ -58,11 +58,19 @@ struct Direction_geometry
   }
 
   /*!
-   * the least strength of a branch that is no noise of the mesh.
+   * the least strength of a branch that is no noise of the mesh, for distances up to `distance`.
    *
-   * On a smooth mesh, strengths of up to 2 occur by chance, and 3 is clear of them.
+   * On a smooth mesh, strengths of up to 2 occur by chance, and 3 is clear of them. On a rough one, paths are deflected by
+   * the deficits of the `n` vertices that they pass, and what they add up to is seen in units of one edge: the strengths
+   * of the branches that begin behind the bumps grow with `n` times the noise. Noise so large that it is most of what
+   * explains the jumps does not make them stronger, so that `n` alone bounds the threshold. The two constants hold for
+   * tori and ellipsoids with noise along the normals of up to a fifth of the edges.
    */
-  double default_strength_threshold() const { return 3.; }
+  double default_strength_threshold(double distance) const
+  {
+    const double n = distance / mean_edge_length;
+    return (std::max)(3., (std::min)(3. * std::pow(1. + n * deficit_noise, 0.7), 0.13 * n));
+  }
 
 private:
   static double pi() { return 3.14159265358979323846; }

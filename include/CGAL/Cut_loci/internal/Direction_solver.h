@@ -111,7 +111,7 @@ public:
   Index genus() const { return connectivity_.genus(mesh_); }
   // the vertex at the begin of the curve of mesh edges
   Index root() const { return mesh_edges_.root(); }
-  double default_threshold() const { return geometry_.default_strength_threshold(); }
+  double default_threshold() const { return geometry_.default_strength_threshold(distance_[farthest_]); }
 
 private:
   void find_farthest()
