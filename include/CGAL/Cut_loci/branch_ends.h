@@ -143,12 +143,20 @@ private:
                                   end = Fronts::coordinates(points, {{p[0] + way[0], p[1] + way[1]}});
       double part = 1.;
       int exit = -1; // the vertex opposite to the edge
+      bool turns_back = false;
       for(int i = 0; i < 3; ++i)
-        if(end[i] < 0. && c[i] / (c[i] - end[i]) < part && c[i] > 1e-9)
+      {
+        if(!(end[i] < 0.))
+          continue;
+        turns_back = turns_back || c[i] <= 1e-9;
+        if(c[i] / (c[i] - end[i]) < part)
         {
           part = c[i] / (c[i] - end[i]);
           exit = i;
         }
+      }
+      if(turns_back)
+        break;
       if(exit < 0)
       {
         std::array<double, 3> inside;

@@ -164,7 +164,7 @@ private:
     };
     Peeling peeling = peel(mesh, connectivity, graph, null_index);
     accumulate(peeling);
-    if(peeling.order.size() + 1 == n) // a tree without terminals
+    if(peeling.order.size() + 1 == n && n == graph.number_of_faces) // a tree without terminals
     {
       root_ = farthest_face;
       float best = 0.f;

@@ -46,7 +46,7 @@ public:
     const std::vector<Snap> snaps = snap(mesh, connectivity, geometry, field, branches);
     std::vector<Piece> pieces = join(mesh, connectivity, branches, snaps);
     make_complement_connected(mesh, connectivity, pieces);
-    number_nodes(mesh, connectivity, pieces, snaps, farthest);
+    number_nodes(mesh, connectivity, field, pieces, snaps, farthest);
     order_edges(mesh, connectivity, pieces, branches, snaps);
   }
 
@@ -243,9 +243,16 @@ private:
   }
 
   void number_nodes(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                    const std::vector<Piece>& pieces, const std::vector<Snap>& snaps, Index farthest)
+                    const Direction_field& field, const std::vector<Piece>& pieces, const std::vector<Snap>& snaps,
+                    Index farthest)
   {
     lone_vertex_ = snaps.empty() ? farthest : snaps.front().vertex;
+    if(snaps.empty() && !connectivity.border_loop.empty())
+      // All that is left is the border: its farthest vertex stands for it.
+      for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+        if(connectivity.is_border(v) && (!connectivity.is_border(lone_vertex_) ||
+                                         field.vertices[v].distance > field.vertices[lone_vertex_].distance))
+          lone_vertex_ = v;
     const auto add = [&](Index v)
     {
       if(!connectivity.is_border(v))
@@ -280,7 +287,7 @@ private:
     }
     for(Index g = static_cast<Index>(vertices_.size()); g < n; ++g)
       degree[g] += 2;
-    if(branches.number_of_core_edges() == 0)
+    if(branches.number_of_core_edges() == 0 && connectivity.number_of_border_loops == 0)
       degree[group(connectivity, lone_vertex_)] += 2; // the root of a tree
 
     std::vector<Index> stack;
