@@ -8,10 +8,12 @@
 #define CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
 
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/internal/insert_vertex.h>
 #include <CGAL/Cut_loci/internal/surface_mesh_copy.h>
 
 #include <CGAL/Surface_mesh_shortest_path.h>
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -31,12 +33,44 @@ class Shortest_path_geodesic_solver
 public:
   void set_mesh(const Cut_loci::Indexed_triangle_mesh& mesh)
   {
+    input_ = &mesh;
     mesh_ = std::make_shared<const Mesh>(Cut_loci::internal::surface_mesh_copy(mesh));
   }
 
   void compute_distances(const Cut_loci::Indexed_source& source, std::vector<double>& distances)
   {
-    Shortest_path solver(*mesh_);
+    if(is_on_border_edge(source))
+    {
+      // CGAL 5.5 takes the mirror image of a source on a border edge: there it becomes a vertex of its own.
+      const Mesh refined = Cut_loci::internal::surface_mesh_copy(
+        Cut_loci::internal::insert_vertex(*input_, source.location));
+      Cut_loci::Indexed_source inserted = source;
+      inserted.vertex = input_->number_of_vertices();
+      compute_distances(refined, inserted, distances);
+      distances.resize(input_->number_of_vertices());
+      return;
+    }
+    compute_distances(*mesh_, source, distances);
+  }
+
+private:
+  using Mesh = Cut_loci::internal::Geodesic_mesh;
+  using Traits = CGAL::Surface_mesh_shortest_path_traits<Cut_loci::internal::Geodesic_kernel, Mesh>;
+  using Shortest_path = CGAL::Surface_mesh_shortest_path<Traits>;
+
+  bool is_on_border_edge(const Cut_loci::Indexed_source& source) const
+  {
+    for(Cut_loci::Index i = 0; i < 3; ++i)
+      if(source.vertex == Cut_loci::null_index && source.location.coordinates[(i + 2) % 3] == 0. &&
+         input_->is_border_edge(3 * source.location.face + i))
+        return true;
+    return false;
+  }
+
+  static void compute_distances(const Mesh& mesh, const Cut_loci::Indexed_source& source,
+                                std::vector<double>& distances)
+  {
+    Shortest_path solver(mesh);
     if(source.vertex != Cut_loci::null_index)
       solver.add_source_point(Mesh::Vertex_index(source.vertex));
     else
@@ -45,19 +79,15 @@ public:
       solver.add_source_point(Mesh::Face_index(source.location.face), {{c[0], c[1], c[2]}});
     }
     solver.build_sequence_tree();
-    distances.resize(mesh_->number_of_vertices());
-    for(Mesh::Vertex_index v : mesh_->vertices())
+    distances.resize(mesh.number_of_vertices());
+    for(Mesh::Vertex_index v : mesh.vertices())
     {
       const double d = solver.shortest_distance_to_source_points(v).first;
       distances[v] = d < 0. ? (std::numeric_limits<double>::infinity)() : d;
     }
   }
 
-private:
-  using Mesh = Cut_loci::internal::Geodesic_mesh;
-  using Traits = CGAL::Surface_mesh_shortest_path_traits<Cut_loci::internal::Geodesic_kernel, Mesh>;
-  using Shortest_path = CGAL::Surface_mesh_shortest_path<Traits>;
-
+  const Cut_loci::Indexed_triangle_mesh* input_ = nullptr;
   std::shared_ptr<const Mesh> mesh_;
 };
 

@@ -23,6 +23,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -168,14 +169,18 @@ public:
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_source(vertex_descriptor v, const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    using Cut_loci::null_index;
     if(v == boost::graph_traits<TriangleMesh>::null_vertex())
       throw Cut_loci::Invalid_input("the source is the null vertex");
-    const Cut_loci::Index index = get(read_->index_of_vertex, v);
-    if(index == null_index)
-      throw Cut_loci::Invalid_input("the source is an isolated vertex: no face is incident to it");
-    if(index >= read_->vertices.size() || read_->vertices[index] != v)
+    // A descriptor of another mesh must not be used for a look-up: the search is linear, like all that a source costs.
+    const auto found = std::find(read_->vertices.begin(), read_->vertices.end(), v);
+    if(found == read_->vertices.end())
+    {
+      for(vertex_descriptor w : make_range(vertices(tm_)))
+        if(w == v)
+          throw Cut_loci::Invalid_input("the source is an isolated vertex: no face is incident to it");
       throw Cut_loci::Invalid_input("the source is not a vertex of the mesh");
+    }
+    const Cut_loci::Index index = static_cast<Cut_loci::Index>(found - read_->vertices.begin());
     const Cut_loci::Index h = outgoing_halfedge(index);
     Cut_loci::Indexed_source source;
     source.vertex = index;
@@ -194,15 +199,16 @@ public:
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_source(const Face_location& location, const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    using Cut_loci::null_index;
     if(location.first == boost::graph_traits<TriangleMesh>::null_face())
       throw Cut_loci::Invalid_input("the face of the source is null");
     const double tolerance = to_double(parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::snapping_tolerance), FT(1e-10)));
     Cut_loci::Indexed_source source;
-    source.location.face = get(read_->index_of_face, location.first);
-    if(source.location.face >= read_->mesh.number_of_faces() ||
-       face(read_->halfedges[3 * std::size_t(source.location.face)], tm_) != location.first)
+    source.location.face = 0;
+    while(source.location.face < read_->mesh.number_of_faces() &&
+          face(read_->halfedges[3 * std::size_t(source.location.face)], tm_) != location.first)
+      ++source.location.face;
+    if(source.location.face == read_->mesh.number_of_faces())
       throw Cut_loci::Invalid_input("the face of the source is not a face of the mesh");
 
     std::array<double, 3>& c = source.location.coordinates;
@@ -218,6 +224,8 @@ public:
         c[i] = 0.;
       sum += c[i];
     }
+    if(!std::isfinite(sum))
+      throw Cut_loci::Invalid_input("the sum of the barycentric coordinates of the source is not finite");
     if(!(sum > 0.))
       throw Cut_loci::Invalid_input("the barycentric coordinates of the source sum up to zero");
     for(int i = 0; i < 3; ++i)
@@ -315,8 +323,10 @@ public:
                                                  default_gradient_angle_threshold());
     thresholds.laplacian = choose_parameter(get_parameter(np, internal_np::laplacian_threshold), thresholds.laplacian);
     thresholds.policy = choose_parameter(get_parameter(np, internal_np::filter_policy), thresholds.policy);
+    const std::size_t minimum_edges = choose_parameter(get_parameter(np, internal_np::minimum_branch_edges),
+                                                       default_minimum_branch_edges());
     thresholds.minimum_edges = static_cast<Cut_loci::Index>(
-      choose_parameter(get_parameter(np, internal_np::minimum_branch_edges), default_minimum_branch_edges()));
+      (std::min)(minimum_edges, static_cast<std::size_t>(Cut_loci::null_index)));
     thresholds.minimum_length = choose_parameter(get_parameter(np, internal_np::minimum_branch_length), 0.);
     if(!(thresholds.gradient_angle >= 0.))
       throw Cut_loci::Invalid_input("the threshold for the gradient angle must be a number that is not negative");
@@ -510,14 +520,16 @@ private:
       std::string name = Cut_loci::internal::face_name(f) + " (vertices";
       for(Index v : read_->mesh.triangles[f])
         name += " " + std::to_string(read_->positions[v]);
-      throw Cut_loci::Invalid_input(name + ") has no area: it must be removed or repaired first "
+      throw Cut_loci::Invalid_input(name + ") has no area, or in this unit of length one that is not a normal number: "
+                                    "it must be removed or repaired first "
                                     "(CGAL::Polygon_mesh_processing::remove_degenerate_faces() does)");
     }
     catch(const Solver::Non_manifold_vertex& error)
     {
       throw Cut_loci::Invalid_input(
         Cut_loci::internal::vertex_name(read_->positions[component->vertex(error.vertex)]) +
-        " is not manifold: its faces form several fans (CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() splits it)");
+        " is not manifold: its faces form several fans "
+        "(CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() splits it)");
     }
     component->diagonal = diagonal(*component->mesh);
     return *components_.emplace(id, std::move(component)).first->second;
@@ -570,6 +582,9 @@ private:
 
   void check_distances(const Component& component, const std::vector<double>& distance, const std::string& who) const
   {
+    if(distance.size() != component.mesh->number_of_vertices())
+      throw Cut_loci::Invalid_input(who + " " + std::to_string(distance.size()) + " distances for " +
+                                    std::to_string(component.mesh->number_of_vertices()) + " vertices");
     for(Index v = 0; v < distance.size(); ++v)
       if(!std::isfinite(distance[v]))
         throw Cut_loci::Invalid_input(who + " a distance that is not a finite number for " +

@@ -107,6 +107,8 @@ public:
         result.edges.push_back({w, result.vertices[i], children_[c].halfedge, below_[w].gradient_angle});
         parent_position.push_back(static_cast<Index>(i));
       }
+    if(!only_joins_.empty())
+      remove_needless_joins(parent_position, result);
     if(thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.)
       remove_short_branches(mesh, thresholds, parent_position, result);
     for(Index h : generators_)
@@ -167,7 +169,8 @@ private:
         }
   }
 
-  // The kept paths and the border loops of the spanning tree, and the candidates hanging on them. A loop that candidates
+  // The kept paths and the border loops of the spanning tree, and the candidates hanging on them. A loop that
+  // candidates
   // entered at another place than the spanning tree would be on a cycle.
   Spanning_tree join(const Mesh_connectivity& connectivity, const Spanning_tree& tree,
                      const Spanning_tree& spanning_tree) const
@@ -194,9 +197,12 @@ private:
     const float infinity = (std::numeric_limits<float>::infinity)();
     below_.resize(tree.parent.size());
     above_.resize(tree.parent.size());
+    if(connectivity.number_of_border_loops > 0)
+      only_joins_.resize(tree.parent.size());
     for(Index v : tree.order)
       if(connectivity.is_border(v)) // joins branches that reach the border, and is none itself
       {
+        only_joins_[v] = true;
         below_[v] = {-infinity, -infinity};
         above_[v] = {infinity, infinity};
       }
@@ -219,7 +225,36 @@ private:
     }
   }
 
-  // Where branches meet, the longest one continues and the others end: those that are short are removed.
+  // Border vertices from which no branch goes on.
+  void remove_needless_joins(std::vector<Index>& parent_position, Result& result) const
+  {
+    const std::size_t n = result.vertices.size();
+    std::vector<bool> is_needed(n, false);
+    for(std::size_t i = n; i-- > 1;)
+    {
+      const Index v = result.vertices[i];
+      if(is_kept_[v] || !only_joins_[v])
+        is_needed[i] = true;
+      if(is_needed[i])
+        is_needed[parent_position[i]] = true;
+    }
+    std::vector<Index> new_position(n, 0);
+    std::size_t size = 1;
+    for(std::size_t i = 1; i < n; ++i)
+      if(is_needed[i])
+      {
+        new_position[i] = static_cast<Index>(size);
+        result.vertices[size] = result.vertices[i];
+        result.edges[size - 1] = result.edges[i - 1];
+        parent_position[size++] = new_position[parent_position[i]];
+      }
+    result.vertices.resize(size);
+    result.edges.resize(size - 1);
+    parent_position.resize(size);
+  }
+
+  // Where branches meet, the longest one continues and the others end, and at the root all of them: those that are
+  // short are removed.
   void remove_short_branches(const Indexed_triangle_mesh& mesh, const Branch_thresholds& thresholds,
                              const std::vector<Index>& parent_position, Result& result) const
   {
@@ -253,7 +288,8 @@ private:
     {
       const Index p = parent_position[i], v = result.vertices[i];
       const bool is_short = branch[i].edges < thresholds.minimum_edges || branch[i].length < thresholds.minimum_length;
-      removed[i] = removed[p] || (!is_kept_[v] && continued[p] != i && is_short);
+      // at the root even the longest branch may be nothing but noise around a point
+      removed[i] = removed[p] || (!is_kept_[v] && (p == 0 || continued[p] != i) && is_short);
       if(removed[i])
         continue;
       result.vertices[size] = v;
@@ -267,6 +303,7 @@ private:
   Index root_ = null_index;
   std::vector<Index> generators_;
   std::vector<bool> is_kept_;     // part of the homology, at any threshold
+  std::vector<bool> only_joins_;  // border vertices; empty if there are none
   std::vector<Index> child_begin_;
   std::vector<Child> children_;
   std::vector<Strength> below_; // the largest strength in the subtree of each vertex

@@ -31,7 +31,7 @@ struct Chained_named_parameters
   using Pack = Named_function_parameters<T, Tag, Base>;
 
   Chained_named_parameters(const T& value) : Pack(value) {}
-  Chained_named_parameters(const T& value, const Base& base) : Pack(value, base) {}
+  Chained_named_parameters(const T& value, const Base& rest) : Pack(value, rest) {}
 
 #define CGAL_add_named_parameter(X, Y, Z)                                           \
   template <typename K>                                                             \

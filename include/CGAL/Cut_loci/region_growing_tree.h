@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_REGION_GROWING_TREE_H
 #define CGAL_CUT_LOCI_REGION_GROWING_TREE_H
 
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/internal/vertex_queue.h>
 
@@ -31,6 +32,27 @@ struct Spanning_tree
   std::vector<Index> order;        ///< the vertices of the tree, parents before children
 
   bool contains(Index v) const { return v == root || parent[v] != null_index; }
+};
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * is the vertex or the inner edge that the source is on, or neither if it is inside a face. It is never on the cut
+ * locus:
+ * a vertex becomes a leaf of the tree, or a part of a border loop that nothing joins there, and an edge is left out.
+ */
+struct Source_element
+{
+  Index vertex = null_index;
+  Index edge = null_index;
+
+  Source_element() = default;
+  Source_element(const Mesh_connectivity& connectivity, const Indexed_source& source) : vertex(source.vertex)
+  {
+    for(Index i = 0; i < 3; ++i)
+      if(vertex == null_index && source.location.coordinates[(i + 2) % 3] == 0.)
+        edge = connectivity.edge_of_halfedge[3 * source.location.face + i];
+  }
 };
 
 namespace internal {
@@ -70,12 +92,43 @@ void add_border_loop(Spanning_tree& tree, const Mesh_connectivity& connectivity,
   }
 }
 
+// whether the edge of `entry`, in the ring of `v`, is at the source
+inline bool is_at_source(const Mesh_connectivity& connectivity, Index entry, Index v, const Source_element& source)
+{
+  return v == source.vertex || connectivity.ring_vertex[entry] == source.vertex ||
+         connectivity.ring_edge(entry) == source.edge;
+}
+
+// Adds the vertex across `entry` and its border loop if it is on one, but across no edge at the source.
 template <typename Function>
 void add_with_border_loop(Spanning_tree& tree, const Mesh_connectivity& connectivity, Index entry, Index v,
-                          const Function& reached)
+                          const Source_element& source, const Function& reached)
 {
-  if(add_vertex(tree, connectivity, entry, v, reached) && connectivity.is_border(connectivity.ring_vertex[entry]))
-    add_border_loop(tree, connectivity, connectivity.ring_vertex[entry], reached);
+  const Index w = connectivity.ring_vertex[entry];
+  if(is_at_source(connectivity, entry, v, source))
+    return;
+  if(add_vertex(tree, connectivity, entry, v, reached) && connectivity.is_border(w))
+    add_border_loop(tree, connectivity, w, reached);
+}
+
+// Does so for all neighbors of `v`.
+template <typename Function>
+void add_neighbors(Spanning_tree& tree, const Mesh_connectivity& connectivity, Index v, const Source_element& source,
+                   const Function& reached)
+{
+  for(Index entry = connectivity.ring_begin[v]; entry < connectivity.ring_begin[v + 1]; ++entry)
+    add_with_border_loop(tree, connectivity, entry, v, source, reached);
+}
+
+// Adds the source as a leaf, at the first neighbor in its ring, when all other vertices are in the tree.
+inline void add_source(Spanning_tree& tree, const Mesh_connectivity& connectivity, const Source_element& source)
+{
+  if(source.vertex == null_index || tree.contains(source.vertex))
+    return;
+  const Index entry = connectivity.ring_begin[source.vertex];
+  tree.parent[source.vertex] = connectivity.ring_vertex[entry];
+  tree.parent_entry[source.vertex] = entry;
+  tree.order.push_back(source.vertex);
 }
 
 inline Spanning_tree rooted_tree(const Mesh_connectivity& connectivity, Index root)
@@ -97,10 +150,11 @@ inline Spanning_tree rooted_tree(const Mesh_connectivity& connectivity, Index ro
  *
  * floods the mesh by ordered region growing: of all vertices next to the tree, the one of lowest `key` joins its
  * neighborhood first. With the Laplacian of the distance as key, the tree follows the valleys that mark the cut locus.
- * Ties are broken by index. O(n log n).
+ * Ties are broken by index. The root is not the source. O(n log n).
  */
 template <typename Key>
-Spanning_tree region_growing_tree(const Mesh_connectivity& connectivity, const Key& key, Index root)
+Spanning_tree region_growing_tree(const Mesh_connectivity& connectivity, const Key& key, Index root,
+                                  const Source_element& source = Source_element())
 {
   Spanning_tree tree = internal::rooted_tree(connectivity, root);
   internal::Vertex_queue queue;
@@ -113,9 +167,9 @@ Spanning_tree region_growing_tree(const Mesh_connectivity& connectivity, const K
   {
     const Index v = queue.top().vertex;
     queue.pop();
-    for(Index entry = connectivity.ring_begin[v]; entry < connectivity.ring_begin[v + 1]; ++entry)
-      internal::add_with_border_loop(tree, connectivity, entry, v, push);
+    internal::add_neighbors(tree, connectivity, v, source, push);
   }
+  internal::add_source(tree, connectivity, source);
   return tree;
 }
 

@@ -47,7 +47,10 @@ public:
   {
     source_ = source;
     distance_ = std::move(distance);
-    farthest_ = static_cast<Index>(std::max_element(distance_.begin(), distance_.end()) - distance_.begin());
+    farthest_ = source.vertex == 0 ? 1 : 0;
+    for(Index v = farthest_ + 1; v < distance_.size(); ++v) // the source is not it even if all distances are equal
+      if(v != source.vertex && distance_[v] > distance_[farthest_])
+        farthest_ = v;
   }
 
   void compute_strengths()
@@ -69,7 +72,7 @@ public:
 
   void grow_tree()
   {
-    tree_ = region_growing_tree(connectivity_, laplacian_, choose_root());
+    tree_ = region_growing_tree(connectivity_, laplacian_, choose_root(), Source_element(connectivity_, source_));
     thin(tree_, connectivity_, laplacian_);
   }
 
@@ -78,9 +81,10 @@ public:
   void close_cycles()
   {
     const Spanning_tree spanning_tree =
-      strength_aware_tree(connectivity_, tree_, angle_, 0.5 * default_gradient_angle_threshold(), distance_);
+      strength_aware_tree(mesh_, connectivity_, tree_, angle_, 0.5 * default_gradient_angle_threshold(), distance_,
+                          Source_element(connectivity_, source_));
     const std::vector<Index> generators =
-      homology_generators(mesh_, connectivity_, spanning_tree, distance_, source_.location.face);
+      homology_generators(mesh_, connectivity_, spanning_tree, distance_, source_);
     filter_ = Branch_filter(mesh_, connectivity_, tree_, spanning_tree, generators, angle_, laplacian_);
   }
 
@@ -115,7 +119,8 @@ public:
                    &r = mesh.points[mesh.triangles[f][2]];
       const Vector a = q - p, b = r - p, c = r - q;
       const double longest = (std::max)({dot(a, a), dot(b, b), dot(c, c)});
-      if(!(norm(cross(a, b)) > 1e-14 * longest))
+      const double twice_area = norm(cross(a, b));
+      if(!(twice_area > 1e-14 * longest) || !std::isfinite(twice_area))
         throw Face_without_area{f};
     }
     return mesh;

@@ -591,8 +591,9 @@ private:
     while(first < last &&
           side_of_rays(a[last - 1], b[last - 1], x[last - 1], y[last - 1], apex, tolerance) == passes_right)
       --last;
-    m_sides.resize(last - first);
-    std::size_t winner = end, number_left = first - begin, number_right = end - last;
+    if(last - first > m_sides.size())
+      m_sides.resize(2 * (last - first));
+    std::size_t winner = end, first_right = last, behind_left = first;
     double shortest = infinity;
     for(std::size_t w = first; w < last; ++w) {
       const Geodesic_side side = side_of_rays(a[w], b[w], x[w], y[w], apex, tolerance);
@@ -604,7 +605,10 @@ private:
           shortest = d;
           winner = w;
         }
-      }
+      } else if(side == passes_left)
+        behind_left = w + 1;
+      else if(first_right == last)
+        first_right = w;
     }
     const Index vertex_a = face.vertex[i], vertex_b = face.vertex[j], vertex_c = face.vertex[k];
     if(winner != end && shortest < m_distance[vertex_c]) {
@@ -617,35 +621,54 @@ private:
         (std::min)(m_distance[vertex_c], (std::min)(distance_a + length_left, distance_b + length_right));
 
     // the windows that cover the apex go to their side of the winner only
-    for(std::size_t w = first; w < last; ++w) {
-      const unsigned char side = m_sides[w - first];
-      number_left += side == passes_left || (side == covers && w <= winner);
-      number_right += side == passes_right || (side == covers && w >= winner);
+    const bool is_sorted = first == last || (behind_left <= winner && winner < first_right);
+    std::size_t number_left, number_right;
+    if(first == last) {
+      number_left = first - begin;
+      number_right = end - last;
+    } else if(is_sorted) {
+      number_left = winner + 1 - begin;
+      number_right = end - winner;
+    } else {
+      number_left = first - begin;
+      number_right = end - last;
+      for(std::size_t w = first; w < last; ++w) {
+        number_left += goes_left(w, first, winner);
+        number_right += goes_right(w, first, winner);
+      }
     }
     if(face.opposite[k] != null_index && number_left > 0) {
       Geodesic_window_list* out = m_pool.allocate(number_left);
       const Geodesic_step step{length, length_left, corner_a.cosine, corner_a.sine, corner_a.angle};
-      step_left<columns>(*list, begin, first - begin, *out, step);
-      for(std::size_t w = first; w < last; ++w)
-        if(m_sides[w - first] == passes_left || (m_sides[w - first] == covers && w <= winner))
-          step_left<columns>(*list, w, 1, *out, step);
+      if(is_sorted)
+        step_left<columns>(*list, begin, number_left, *out, step);
+      else {
+        step_left<columns>(*list, begin, first - begin, *out, step);
+        for(std::size_t w = first; w < last; ++w)
+          if(goes_left(w, first, winner))
+            step_left<columns>(*list, w, 1, *out, step);
+      }
       restore_order<columns>(*out, length_left);
       const Plane_point b_in_frame{length * corner_a.cosine, -length * corner_a.sine};
-      filter_begin<columns>(*out, distance_a);
-      filter_end<columns>(*out, distance_c, length_left, distance_b, b_in_frame);
+      filter_begin(*out, distance_a);
+      filter_end(*out, distance_c, length_left, distance_b, b_in_frame);
       store<columns>(face.opposite[k], 0, out, length_left, (std::min)(distance_a, distance_c));
     }
     if(face.opposite[j] != null_index && number_right > 0) {
       Geodesic_window_list* out = m_pool.allocate(number_right);
       const Geodesic_step step{length, length_right, corner_b.cosine, corner_b.sine, -corner_b.angle};
-      for(std::size_t w = first; w < last; ++w)
-        if(m_sides[w - first] == passes_right || (m_sides[w - first] == covers && w >= winner))
-          step_right<columns>(*list, w, 1, *out, step);
-      step_right<columns>(*list, last, end - last, *out, step);
+      if(is_sorted)
+        step_right<columns>(*list, end - number_right, number_right, *out, step);
+      else {
+        for(std::size_t w = first; w < last; ++w)
+          if(goes_right(w, first, winner))
+            step_right<columns>(*list, w, 1, *out, step);
+        step_right<columns>(*list, last, end - last, *out, step);
+      }
       restore_order<columns>(*out, length_right);
       const Plane_point a_in_frame{length_right - length * corner_b.cosine, -length * corner_b.sine};
-      filter_begin<columns>(*out, distance_c, distance_a, a_in_frame);
-      filter_end<columns>(*out, distance_b, length_right);
+      filter_begin(*out, distance_c, distance_a, a_in_frame);
+      filter_end(*out, distance_b, length_right);
       store<columns>(face.opposite[j], 2, out, length_right, (std::min)(distance_b, distance_c));
     }
     m_pool.release(list);
@@ -689,53 +712,67 @@ private:
     return all;
   }
 
-  /// removes windows from the begin of a list: a path along the halfedge from its source is shorter
-  template <int columns>
-  void filter_begin(Geodesic_window_list& list, double distance) const
+  bool goes_left(std::size_t w, std::size_t first, std::size_t winner) const
   {
-    while(!list.empty()) {
-      const Geodesic_window w = list.get<columns>(list.begin);
-      if(!(distance + w.b < w.distance(w.b)))
+    const unsigned char side = m_sides[w - first];
+    return side == passes_left || (side == covers && w <= winner);
+  }
+
+  bool goes_right(std::size_t w, std::size_t first, std::size_t winner) const
+  {
+    const unsigned char side = m_sides[w - first];
+    return side == passes_right || (side == covers && w >= winner);
+  }
+
+  // Windows at the ends of a list are removed if a path through a vertex is shorter: one along the halfedge from its
+  // source or target, or one from the vertex `v` behind the halfedge, past which all windows go on the same side.
+
+  /// whether a path of length `d` to the point `t` is shorter than the one from the image of the window
+  static bool is_shorter(double d, const Geodesic_window_list& list, std::size_t i, double t)
+  {
+    const double dx = t - list.column(2)[i], y = list.column(3)[i], rest = d - list.column(4)[i];
+    return rest < 0. || rest * rest < dx * dx + y * y;
+  }
+
+  static double distance(const Plane_point& v, double t)
+  {
+    return std::sqrt((v.x - t) * (v.x - t) + v.y * v.y);
+  }
+
+  static void filter_begin(Geodesic_window_list& list, double distance_source)
+  {
+    for(; !list.empty(); ++list.begin) {
+      const double t = list.column(1)[list.begin];
+      if(!is_shorter(distance_source + t, list, list.begin, t))
         return;
-      ++list.begin;
     }
   }
 
-  /// the same, or a path from the vertex `v` behind the halfedge, which is to the right of the windows, is shorter
-  template <int columns>
-  void filter_end(Geodesic_window_list& list, double distance, double length, double distance_v,
-                  const Plane_point& v) const
+  static void filter_begin(Geodesic_window_list& list, double distance_source, double distance_v, const Plane_point& v)
   {
-    while(!list.empty()) {
-      const Geodesic_window w = list.get<columns>(list.end - 1);
-      const double d = w.distance(w.a);
-      if(!(distance + length - w.a < d) &&
-         !(distance_v + std::sqrt((v.x - w.a) * (v.x - w.a) + v.y * v.y) < d))
+    for(; !list.empty(); ++list.begin) {
+      const double t = list.column(1)[list.begin];
+      if(!is_shorter((std::min)(distance_source + t, distance_v + distance(v, t)), list, list.begin, t))
         return;
-      --list.end;
     }
   }
 
-  template <int columns>
-  void filter_begin(Geodesic_window_list& list, double distance, double distance_v, const Plane_point& v) const
+  static void filter_end(Geodesic_window_list& list, double distance_target, double length)
   {
-    while(!list.empty()) {
-      const Geodesic_window w = list.get<columns>(list.begin);
-      const double d = w.distance(w.b);
-      if(!(distance + w.b < d) && !(distance_v + std::sqrt((v.x - w.b) * (v.x - w.b) + v.y * v.y) < d))
+    for(; !list.empty(); --list.end) {
+      const double t = list.column(0)[list.end - 1];
+      if(!is_shorter(distance_target + length - t, list, list.end - 1, t))
         return;
-      ++list.begin;
     }
   }
 
-  template <int columns>
-  void filter_end(Geodesic_window_list& list, double distance, double length) const
+  static void filter_end(Geodesic_window_list& list, double distance_target, double length, double distance_v,
+                         const Plane_point& v)
   {
-    while(!list.empty()) {
-      const Geodesic_window w = list.get<columns>(list.end - 1);
-      if(!(distance + length - w.a < w.distance(w.a)))
+    for(; !list.empty(); --list.end) {
+      const double t = list.column(0)[list.end - 1];
+      if(!is_shorter((std::min)(distance_target + length - t, distance_v + distance(v, t)), list, list.end - 1, t))
         return;
-      --list.end;
     }
   }
 

@@ -141,7 +141,7 @@ private:
     for(Index f = 0; f < mesh.number_of_faces(); ++f) {
       Geodesic_face& face = m_faces[f];
       std::array<Mesh::Point, 3> edge;
-      std::array<double, 3> length;
+      std::array<double, 3> length, dots;
       for(std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = i == 2 ? 0 : i + 1;
         const Mesh::Point& p = mesh.points[mesh.triangles[f][i]];
@@ -165,9 +165,14 @@ private:
         face.corner[i].length = length[i];
         face.corner[i].cosine = dot * scale;
         face.corner[i].sine = twice_area * scale;
-        face.corner[i].angle = std::atan2(twice_area, dot);
         sum += length[i];
+        dots[i] = dot;
       }
+      // the largest angle is the rest: that keeps small angles accurate
+      const std::size_t i = longest == length[0] ? 2 : longest == length[1] ? 0 : 1, j = (i + 1) % 3, k = (i + 2) % 3;
+      face.corner[j].angle = std::atan2(twice_area, dots[j]);
+      face.corner[k].angle = std::atan2(twice_area, dots[k]);
+      face.corner[i].angle = geodesic_pi - face.corner[j].angle - face.corner[k].angle;
     }
     if(mesh.number_of_faces() > 0)
       m_mean_edge_length = sum / (3. * mesh.number_of_faces());

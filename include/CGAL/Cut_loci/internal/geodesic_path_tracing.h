@@ -51,6 +51,7 @@ public:
     const Indexed_location& location = m_geodesics.query(i);
     add(classify(location));
     const Geodesic_arrival& arrival = m_geodesics.query_arrival(i);
+    m_distance = m_geodesics.query_distance(i);
     const Index root = trace_piece(arrival, m_faces.in_frame(arrival.halfedge, location.coordinates));
     if(root != null_index)
       trace_from_vertex(root);
@@ -72,8 +73,8 @@ private:
   struct Root
   {
     Index vertex;
-    double offset; // from the image
-    std::size_t length; // of the path
+    double offset;      // from the image
+    std::size_t length; // of the path that leads there
   };
 
   Place at_vertex(Index v) const { return {m_geodesics.vertex_location(v), v, null_index, 0.}; }
@@ -133,9 +134,9 @@ private:
 
   void trace_from_vertex(Index v)
   {
-    // distances decrease from piece to piece
     while(v != null_index && m_geodesics.distance(v) > 0.) {
       const Geodesic_arrival& arrival = m_geodesics.arrival(v);
+      m_distance = m_geodesics.distance(v);
       v = trace_piece(arrival, m_geodesics.end_in_frame(arrival, v));
     }
   }
@@ -153,6 +154,8 @@ private:
       const double length = m_faces.length(h);
       const double t = image.y < p.y ? p.x + (image.x - p.x) * p.y / (p.y - image.y) : image.x;
       add(on_halfedge(h, t / length));
+      if(leads_through_last_vertex(arrival, image, h))
+        return m_last.vertex;
       const Index g = m_faces.opposite(h);
       if(g == null_index)
         break;
@@ -183,6 +186,17 @@ private:
     }
     add(classify(m_geodesics.source_location(arrival.source)));
     return null_index;
+  }
+
+  /// whether the rest of a path is the shortest path from the vertex of `h` at which it has just arrived
+  bool leads_through_last_vertex(const Geodesic_arrival& arrival, const Plane_point& image, Index h) const
+  {
+    const Index v = m_last.vertex;
+    if(v == null_index || !(m_geodesics.distance(v) > 0.) || !(m_geodesics.distance(v) < m_distance))
+      return false;
+    const Plane_point p = m_geodesics.vertex_in_frame(h, v);
+    const double d = arrival.sigma + std::hypot(p.x - image.x, p.y - image.y);
+    return std::fabs(m_geodesics.distance(v) - d) <= geodesic_cover * d;
   }
 
   static Plane_point change_frame(const Plane_point& p, const Plane_point& from, const Plane_point& to, double length)
@@ -225,6 +239,7 @@ private:
   const Geodesic_faces& m_faces;
   std::vector<Indexed_location> m_path;
   Place m_last;
+  double m_distance = 0.; // of the end of the piece
   Root m_root;
 };
 

@@ -34,6 +34,10 @@ struct Geodesic_step
   double turn;         // rotation of the frame
 };
 
+/// stands in for a denominator that is not negative; what is divided by it is beyond every edge. The division must not
+/// depend on a condition, or compilers do not vectorise it.
+constexpr double geodesic_away = -1e-250;
+
 /// appends to `out` what `n` windows from `first` on become behind the edge from the apex to the source of the halfedge
 template <int columns>
 inline void step_left(const Geodesic_window_list& in, std::size_t first, std::size_t n, Geodesic_window_list& out,
@@ -48,15 +52,12 @@ inline void step_left(const Geodesic_window_list& in, std::size_t first, std::si
     const double a = p[i], b = p[i + ci], x = p[i + 2 * ci], y = p[i + 3 * ci];
     const double yc = y * c;
     const double da = (a - x) * s + yc, db = (b - x) * s + yc;
-    double ta = a * y / da, tb = b * y / db;
-    // rays that pass the apex on the other side end the window there
-    ta = da < 0. ? ta : length;
-    tb = db < 0. ? tb : length;
-    ta = ta < length ? ta : length;
-    tb = tb < length ? tb : length;
+    // a ray that leads away from the edge, or passes the apex on the other side, ends the window at the apex
+    const double ta = a * y / (da < geodesic_away ? da : geodesic_away);
+    const double tb = b * y / (db < geodesic_away ? db : geodesic_away);
     const double depth = yc - x * s;
-    q[i] = ta;
-    q[i + co] = tb;
+    q[i] = ta < length ? ta : length;
+    q[i + co] = tb < length ? tb : length;
     q[i + 2 * co] = x * c + y * s;
     q[i + 3 * co] = depth < 0. ? depth : 0.;
     q[i + 4 * co] = p[i + 4 * ci];
@@ -89,14 +90,11 @@ inline void step_right(const Geodesic_window_list& in, std::size_t first, std::s
     const double a = p[i], b = p[i + ci], x = p[i + 2 * ci], y = p[i + 3 * ci];
     const double yc = y * c, from_target = base - x;
     const double da = (x - a) * s + yc, db = (x - b) * s + yc;
-    double ta = (base - a) * y / da, tb = (base - b) * y / db;
-    ta = da < 0. ? ta : length;
-    tb = db < 0. ? tb : length;
-    ta = ta < length ? ta : length;
-    tb = tb < length ? tb : length;
+    const double ta = (base - a) * y / (da < geodesic_away ? da : geodesic_away);
+    const double tb = (base - b) * y / (db < geodesic_away ? db : geodesic_away);
     const double depth = yc - from_target * s;
-    q[i] = length - ta;
-    q[i + co] = length - tb;
+    q[i] = length - (ta < length ? ta : length);
+    q[i + co] = length - (tb < length ? tb : length);
     q[i + 2 * co] = length - (from_target * c + y * s);
     q[i + 3 * co] = depth < 0. ? depth : 0.;
     q[i + 4 * co] = p[i + 4 * ci];

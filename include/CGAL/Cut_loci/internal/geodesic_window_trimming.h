@@ -72,9 +72,11 @@ inline void resolve_overlap(Geodesic_window& left, Geodesic_window& right)
 {
   const double low = (std::max)(left.a, right.a), high = (std::min)(left.b, right.b);
   if(low < high) {
-    if(left.distance(low) >= right.distance(low))
+    const bool right_is_better = left.distance(low) >= right.distance(low);
+    const bool left_is_better = left.distance(high) <= right.distance(high);
+    if(right_is_better)
       left.b = low;
-    else if(left.distance(high) <= right.distance(high))
+    else if(left_is_better)
       right.a = high;
     else
       left.b = right.a = find_tie(left, right, low, high);

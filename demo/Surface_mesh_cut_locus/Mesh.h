@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_DEMO_MESH_H
+#define SURFACE_MESH_CUT_LOCUS_DEMO_MESH_H
+
+#include <CGAL/Cut_locus.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <array>
+#include <string>
+#include <utility>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Location = std::pair<Mesh::Face_index, std::array<double, 3> >;
+using Cut_locus = CGAL::Cut_locus<Mesh, Kernel::Point_3>;
+
+// Reads a mesh whose vertices have the numbers that they have in the file. Throws `std::runtime_error` with the cause.
+Mesh read_mesh(const std::string& filename);
+
+// The point of the mesh that is closest to `p`.
+Location closest_location(const Mesh& mesh, const Kernel::Point_3& p);
+
+#endif // SURFACE_MESH_CUT_LOCUS_DEMO_MESH_H

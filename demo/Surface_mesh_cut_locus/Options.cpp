@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "Options.h"
+#include "output.h"
+#include "solvers.h"
+
+#include <boost/program_options.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+
+namespace po = boost::program_options;
+
+namespace {
+
+// Numbers are read as text, so that a message can quote what was given: the library takes -1 for an unsigned number.
+double to_number(const std::string& text, const std::string& option)
+{
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if(text.empty() || *end != '\0' || !std::isfinite(value))
+    throw Usage_error(option + " takes a number, not '" + text + "'");
+  return value;
+}
+
+double to_non_negative_number(const std::string& text, const std::string& option)
+{
+  const double value = to_number(text, option);
+  if(value < 0.)
+    throw Usage_error(option + " takes a number that is not negative, not '" + text + "'");
+  return value;
+}
+
+std::size_t to_count(const std::string& text, const std::string& option)
+{
+  if(text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos)
+    throw Usage_error(option + " takes a whole number from 0 to 999999999, not '" + text + "'");
+  return std::strtoul(text.c_str(), nullptr, 10);
+}
+
+std::array<double, 3> to_point(const std::string& text, const std::string& option)
+{
+  std::vector<std::string> parts(1);
+  for(char c : text)
+    if(c == ',')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  if(parts.size() != 3)
+    throw Usage_error(option + " takes three numbers x,y,z, not '" + text + "'");
+  return {{to_number(parts[0], option), to_number(parts[1], option), to_number(parts[2], option)}};
+}
+
+void check_output_path(const std::string& path, const std::string& option)
+{
+  namespace fs = std::filesystem;
+  if(path.empty())
+    throw Usage_error(option + " takes the name of a file, not an empty one");
+  const fs::path folder = fs::path(path).parent_path();
+  std::error_code ignored;
+  if(!folder.empty() && !fs::is_directory(folder, ignored))
+    throw Usage_error(option + ": there is no folder '" + folder.string() + "' to write to");
+  if(fs::is_directory(path, ignored))
+    throw Usage_error(option + ": '" + path + "' is a folder");
+}
+
+po::options_description visible_options()
+{
+  constexpr unsigned columns = 110;
+  po::options_description description("Options", columns, columns / 2);
+  description.add_options()
+    ("source", po::value<std::string>()->value_name("V"),
+     "vertex of the mesh, counted from 0 (default: the first one that belongs to a face)")
+    ("source-point", po::value<std::string>()->value_name("X,Y,Z"), "the point of the surface closest to x,y,z")
+    ("solver", po::value<std::string>()->value_name("NAME")->default_value(default_solver_name()),
+     ("geodesic distances by:\n" + solver_descriptions()).c_str())
+    ("angle", po::value<std::string>()->value_name("RAD"),
+     "least angle, in radians, at which shortest paths meet (default: 0.5)")
+    ("laplacian", po::value<std::string>()->value_name("L"),
+     "least value of minus the Laplacian of the distance times the mean edge length (default: none)")
+    ("policy", po::value<std::string>()->value_name("prune|grow")->default_value("prune"),
+     "weak branches are pruned from the leaves, or the tree is grown from its root")
+    ("min-branch-edges", po::value<std::string>()->value_name("N"), "branches of fewer edges are removed (default: 3)")
+    ("min-branch-length", po::value<std::string>()->value_name("L"),
+     "branches that are shorter are removed, in units of the diagonal of the bounding box (default: 0)")
+    ("output,o", po::value<std::vector<std::string> >()->value_name("FILE")->composing(),
+     ("write the cut locus; may be given several times. By extension:\n" + output_descriptions()).c_str())
+    ("edges", po::value<std::string>()->value_name("FILE"),
+     "write its edges as pairs of vertices of the mesh, counted from 0")
+    ("report", po::value<std::string>()->value_name("FILE"), "write figures and times as JSON")
+    ("quiet", po::bool_switch(), "no progress on stderr")
+    ("help,h", po::bool_switch(), "print this text");
+  return description;
+}
+
+} // namespace
+
+std::string usage()
+{
+  std::ostringstream text;
+  text << "Usage: cut_locus MESH [OPTION]...\n"
+          "Computes the cut locus of a point on a triangle mesh (.off, .obj, .ply, .stl, .ts).\n\n"
+       << visible_options();
+  return text.str();
+}
+
+Options parse_command_line(int argc, char* argv[])
+{
+  po::options_description all = visible_options();
+  all.add_options()("mesh", po::value<std::vector<std::string> >());
+  po::positional_options_description positional;
+  positional.add("mesh", -1);
+  po::variables_map given;
+  try
+  {
+    namespace style = po::command_line_style;
+    // no guessing: a prefix that is unique today may not be tomorrow
+    po::store(po::command_line_parser(argc, argv).options(all).positional(positional)
+                .style(style::default_style & ~style::allow_guessing).run(), given);
+    po::notify(given);
+  }
+  catch(const po::error& error)
+  {
+    throw Usage_error(error.what());
+  }
+
+  Options options;
+  options.help = given["help"].as<bool>();
+  if(options.help)
+    return options;
+  options.is_quiet = given["quiet"].as<bool>();
+
+  const auto text = [&](const char* name) { return given[name].as<std::string>(); };
+  if(!given.count("mesh"))
+    throw Usage_error("there is no mesh: cut_locus --help tells how to use the program");
+  const std::vector<std::string> meshes = given["mesh"].as<std::vector<std::string> >();
+  if(meshes.size() != 1)
+    throw Usage_error("one mesh at a time: '" + meshes[1] + "' is too much");
+  options.mesh = meshes.front();
+
+  if(given.count("source"))
+    options.source = to_count(text("source"), "--source");
+  if(given.count("source-point"))
+    options.source_point = to_point(text("source-point"), "--source-point");
+  if(options.source && options.source_point)
+    throw Usage_error("--source and --source-point exclude each other");
+  options.solver = text("solver");
+  if(!is_solver_name(options.solver))
+    throw Usage_error("--solver takes one of" + solver_names() + ", not '" + options.solver + "'");
+  if(given.count("angle"))
+    options.angle = to_non_negative_number(text("angle"), "--angle");
+  if(given.count("laplacian"))
+    options.laplacian = to_number(text("laplacian"), "--laplacian");
+  const std::string policy = text("policy");
+  if(policy != "prune" && policy != "grow")
+    throw Usage_error("--policy takes prune or grow, not '" + policy + "'");
+  options.grow = policy == "grow";
+  if(given.count("min-branch-edges"))
+    options.minimum_branch_edges = to_count(text("min-branch-edges"), "--min-branch-edges");
+  if(given.count("min-branch-length"))
+    options.minimum_branch_length = to_non_negative_number(text("min-branch-length"), "--min-branch-length");
+
+  if(given.count("output"))
+    options.outputs = given["output"].as<std::vector<std::string> >();
+  for(const std::string& output : options.outputs)
+  {
+    check_output_path(output, "-o");
+    if(!is_output_name(output))
+      throw Usage_error("-o: the extension of '" + output + "' must be one of" + output_extensions());
+  }
+  if(given.count("edges"))
+    check_output_path(options.edges = text("edges"), "--edges");
+  if(given.count("report"))
+    check_output_path(options.report = text("report"), "--report");
+  return options;
+}

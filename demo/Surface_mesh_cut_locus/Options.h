@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_DEMO_OPTIONS_H
+#define SURFACE_MESH_CUT_LOCUS_DEMO_OPTIONS_H
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// What the command line asks for; what is not set is left to the library's defaults.
+struct Options
+{
+  std::string mesh;
+  std::optional<std::size_t> source;
+  std::optional<std::array<double, 3> > source_point;
+  std::string solver;
+  std::optional<double> angle;
+  std::optional<double> laplacian;
+  bool grow = false;
+  std::optional<std::size_t> minimum_branch_edges;
+  std::optional<double> minimum_branch_length;
+  std::vector<std::string> outputs;
+  std::string edges;
+  std::string report;
+  bool is_quiet = false;
+  bool help = false;
+};
+
+struct Usage_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+// Throws `Usage_error`.
+Options parse_command_line(int argc, char* argv[]);
+
+std::string usage();
+
+#endif // SURFACE_MESH_CUT_LOCUS_DEMO_OPTIONS_H

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_DEMO_PROGRESS_H
+#define SURFACE_MESH_CUT_LOCUS_DEMO_PROGRESS_H
+
+#include <CGAL/Cut_loci/Default_visitor.h>
+
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Takes the time of the stages, those of the library as its visitor, and shows them on the standard error stream.
+class Progress
+{
+public:
+  explicit Progress(bool is_quiet) : is_quiet_(is_quiet) {}
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void start(const std::string& stage);
+  void end();
+
+  void start_stage(CGAL::Cut_loci::Stage stage);
+  void end_stage(CGAL::Cut_loci::Stage) { end(); }
+
+  // In the order in which they came first.
+  const std::vector<std::pair<std::string, double> >& seconds() const { return seconds_; }
+
+  template <typename Function>
+  auto run(const std::string& stage, const Function& function)
+  {
+    struct Scope
+    {
+      Progress& progress;
+      ~Scope() { progress.end(); }
+    };
+    start(stage);
+    const Scope scope = {*this};
+    return function();
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  bool is_quiet_;
+  std::string stage_; // empty between stages
+  Clock::time_point start_;
+  std::vector<std::pair<std::string, double> > seconds_;
+};
+
+#endif // SURFACE_MESH_CUT_LOCUS_DEMO_PROGRESS_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// Computes the cut locus of a point on a mesh, and writes it in several formats.
+
+#include "Mesh.h"
+#include "Options.h"
+#include "Progress.h"
+#include "output.h"
+#include "report.h"
+#include "solvers.h"
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <new>
+#include <string>
+
+namespace {
+
+void set_source(const Options& options, const Mesh& mesh, Cut_locus_solver& solver)
+{
+  if(options.source_point)
+  {
+    const auto& p = *options.source_point;
+    solver.set_source(closest_location(mesh, Kernel::Point_3(p[0], p[1], p[2])));
+    return;
+  }
+  if(options.source)
+  {
+    if(*options.source >= mesh.number_of_vertices())
+      throw Usage_error("--source " + std::to_string(*options.source) + " is out of range: the mesh has the vertices 0 to " +
+                        std::to_string(mesh.number_of_vertices() - 1));
+    solver.set_source(Mesh::Vertex_index(static_cast<Mesh::size_type>(*options.source)));
+    return;
+  }
+  Mesh::Vertex_index v(0);
+  while(mesh.is_isolated(v)) // there is a face, thus an end
+    ++v;
+  solver.set_source(v);
+}
+
+Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver)
+{
+  using CGAL::Cut_loci::Filter_policy;
+  return solver.cut_locus(
+    CGAL::parameters::gradient_angle_threshold(options.angle.value_or(solver.default_gradient_angle_threshold()))
+      .laplacian_threshold(options.laplacian.value_or(-std::numeric_limits<double>::infinity()))
+      .filter_policy(options.grow ? Filter_policy::GROWING : Filter_policy::PRUNING)
+      .minimum_branch_edges(options.minimum_branch_edges.value_or(solver.default_minimum_branch_edges()))
+      .minimum_branch_length(options.minimum_branch_length.value_or(0.)));
+}
+
+void run(const Options& options)
+{
+  Progress progress(options.is_quiet);
+  const Mesh mesh = progress.run("read", [&]() { return read_mesh(options.mesh); });
+  const std::unique_ptr<Cut_locus_solver> solver = make_solver(options.solver, mesh, progress);
+  set_source(options, mesh, *solver);
+  const Cut_locus cut_locus = apply_thresholds(options, *solver);
+  progress.run("write", [&]()
+  {
+    write_outputs(options.outputs, cut_locus, mesh);
+    if(!options.edges.empty())
+      write_edges(options.edges, cut_locus, mesh);
+  });
+  if(!options.report.empty())
+    write_report(options, mesh, cut_locus, progress);
+  if(!options.is_quiet)
+    std::cerr << summary(mesh, cut_locus) << std::endl;
+}
+
+int fail(const std::string& cause, int status)
+{
+  std::cerr << "cut_locus: " << cause << std::endl;
+  return status;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  constexpr int wrong_usage = 2;
+  try
+  {
+    const Options options = parse_command_line(argc, argv);
+    if(options.help)
+    {
+      std::cout << usage();
+      return EXIT_SUCCESS;
+    }
+    run(options);
+    return EXIT_SUCCESS;
+  }
+  catch(const Usage_error& error)
+  {
+    return fail(error.what(), wrong_usage);
+  }
+  catch(const std::bad_alloc&)
+  {
+    return fail("there is not enough memory", EXIT_FAILURE);
+  }
+  catch(const std::exception& error)
+  {
+    return fail(error.what(), EXIT_FAILURE);
+  }
+}

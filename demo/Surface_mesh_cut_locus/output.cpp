@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "output.h"
+#include "Renderer.h"
+#include "picture_files.h"
+#include "views.h"
+
+#include <CGAL/Cut_loci/IO/edges.h>
+#include <CGAL/Cut_loci/IO/write_cut_locus.h>
+#include <CGAL/Cut_loci/extract_polylines.h>
+
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+
+namespace {
+
+constexpr int width_of_view = 900;
+constexpr picture::Color cut_locus_color = {0.80, 0.05, 0.16}, source_color = {0.08, 0.33, 0.80},
+                         farthest_color = {0.98, 0.62, 0.05};
+
+struct Format
+{
+  const char* extension;
+  const char* description;
+  void (*write_picture)(const std::string&, const std::vector<picture::Rendered_view>&); // null: the library writes it
+};
+
+const Format formats[] = {
+  {".polylines.txt", "CGAL's format for polylines", nullptr},
+  {".obj", "Wavefront, lines", nullptr},
+  {".vtp", "VTK, with distances and strengths", nullptr},
+  {".ply", "PLY, vertices and edges with the same", nullptr},
+  {".png", "picture from two sides", picture::write_png},
+  {".svg", "picture from two sides, vector graphics", picture::write_svg},
+};
+
+const Format* find_format(const std::string& filename)
+{
+  for(const Format& format : formats)
+  {
+    const std::string extension = format.extension;
+    if(filename.size() > extension.size() &&
+       filename.compare(filename.size() - extension.size(), extension.size(), extension) == 0)
+      return &format;
+  }
+  return nullptr;
+}
+
+picture::Vector to_vector(const Kernel::Point_3& p)
+{
+  return {{p.x(), p.y(), p.z()}};
+}
+
+picture::Scene make_scene(const Cut_locus& cut_locus, const Mesh& mesh)
+{
+  picture::Scene scene;
+  for(Mesh::Vertex_index v : mesh.vertices())
+  {
+    scene.points.push_back(to_vector(mesh.point(v)));
+    scene.values.push_back(cut_locus.distance(v));
+  }
+  for(Mesh::Face_index f : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    scene.triangles.push_back({{mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx()}});
+  }
+  for(const auto& points : CGAL::Cut_loci::extract_polylines(cut_locus))
+  {
+    scene.polylines.emplace_back();
+    scene.polylines.back().color = cut_locus_color;
+    for(const Kernel::Point_3& p : points)
+      scene.polylines.back().points.push_back(to_vector(p));
+  }
+  scene.dots.push_back({to_vector(mesh.point(cut_locus.farthest_vertex())), farthest_color, 7.});
+  scene.dots.push_back({to_vector(cut_locus.source().point), source_color, 9.});
+  return scene;
+}
+
+std::vector<picture::Rendered_view> draw(const Cut_locus& cut_locus, const Mesh& mesh)
+{
+  const picture::Scene scene = make_scene(cut_locus, mesh);
+  const std::vector<picture::View> views =
+    picture::choose_two_views(scene, scene.dots.back().point, scene.dots.front().point);
+  std::vector<picture::Rendered_view> rendered;
+  for(const picture::Frame& frame : picture::make_frames(scene, views, width_of_view))
+    rendered.push_back(picture::render(scene, frame));
+  return rendered;
+}
+
+void throw_unless(bool is_written, const std::string& filename)
+{
+  if(!is_written)
+    throw std::runtime_error("cannot write to '" + filename + "'");
+}
+
+} // namespace
+
+bool is_output_name(const std::string& filename)
+{
+  return find_format(filename) != nullptr;
+}
+
+std::string output_extensions()
+{
+  std::string result;
+  for(const Format& format : formats)
+    result += std::string(" ") + format.extension;
+  return result;
+}
+
+std::string output_descriptions()
+{
+  std::string result;
+  for(const Format& format : formats)
+    result += std::string(result.empty() ? "  " : "\n  ") + format.extension + ": " + format.description;
+  return result;
+}
+
+void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& cut_locus, const Mesh& mesh)
+{
+  std::vector<picture::Rendered_view> views; // drawn once for all pictures
+  for(const std::string& filename : filenames)
+  {
+    const Format* const format = find_format(filename);
+    if(format == nullptr || format->write_picture == nullptr)
+      throw_unless(CGAL::IO::write_cut_locus(filename, cut_locus), filename);
+    else
+    {
+      if(views.empty())
+        views = draw(cut_locus, mesh);
+      format->write_picture(filename, views);
+    }
+  }
+}
+
+void write_edges(const std::string& filename, const Cut_locus& cut_locus, const Mesh& mesh)
+{
+  throw_unless(CGAL::IO::write_edges(filename, cut_locus, mesh), filename);
+}

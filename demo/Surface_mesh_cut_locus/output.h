@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_DEMO_OUTPUT_H
+#define SURFACE_MESH_CUT_LOCUS_DEMO_OUTPUT_H
+
+#include "Mesh.h"
+
+#include <string>
+#include <vector>
+
+bool is_output_name(const std::string& filename);
+std::string output_extensions();   // " .a .b"
+std::string output_descriptions(); // a line for each
+
+// Writes a cut locus to each file, in the format of its extension. Throws `std::runtime_error` if one can not be written.
+void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& cut_locus, const Mesh& mesh);
+void write_edges(const std::string& filename, const Cut_locus& cut_locus, const Mesh& mesh);
+
+#endif // SURFACE_MESH_CUT_LOCUS_DEMO_OUTPUT_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "report.h"
+
+#include <CGAL/Cut_loci/statistics.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Kernel::Point_3& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
+
+template <typename T>
+Json to_json(const std::optional<T>& value)
+{
+  return value ? Json(*value) : Json(nullptr);
+}
+
+double mean_edge_length(const Mesh& mesh)
+{
+  double sum = 0.;
+  for(Mesh::Edge_index e : mesh.edges())
+    sum += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  return sum / static_cast<double>(mesh.number_of_edges());
+}
+
+} // namespace
+
+void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut_locus, const Progress& progress)
+{
+  const CGAL::Cut_loci::Cut_locus_statistics statistics = CGAL::Cut_loci::compute_statistics(cut_locus);
+  const Cut_locus::Vertex& source = cut_locus.source();
+  const Mesh::Vertex_index farthest = cut_locus.farthest_vertex();
+  const Mesh::Vertex_index root = cut_locus.graph()[cut_locus.root()].mesh_vertex;
+
+  Json report;
+  report["mesh"] = options.mesh;
+  report["vertices"] = mesh.number_of_vertices();
+  report["faces"] = mesh.number_of_faces();
+  report["mean_edge_length"] = mean_edge_length(mesh);
+  report["genus"] = cut_locus.genus();
+  report["border_loops"] = cut_locus.number_of_border_loops();
+
+  report["source"] = source.mesh_vertex == Mesh::null_vertex() ? Json(nullptr) : Json(source.mesh_vertex.idx());
+  report["source_point"] = to_json(source.point);
+  report["farthest"] = farthest.idx();
+  report["farthest_distance"] = cut_locus.distance(farthest);
+  report["root"] = root == Mesh::null_vertex() ? Json(nullptr) : Json(root.idx());
+
+  report["edges"] = statistics.edges;
+  report["cycles"] = statistics.cycles;
+  report["components"] = statistics.components;
+  report["leaves"] = statistics.leaves;
+  report["branchings"] = statistics.branchings;
+  report["length"] = statistics.length;
+  report["injectivity_radius"] = statistics.injectivity_radius;
+
+  report["solver"] = options.solver;
+  Json& parameters = report["parameters"]; // null: the default
+  parameters["angle"] = to_json(options.angle);
+  parameters["laplacian"] = to_json(options.laplacian);
+  parameters["policy"] = options.grow ? "grow" : "prune";
+  parameters["min_branch_edges"] = to_json(options.minimum_branch_edges);
+  parameters["min_branch_length"] = to_json(options.minimum_branch_length);
+
+  Json& seconds = report["seconds"];
+  double total = 0.;
+  for(const auto& stage : progress.seconds())
+  {
+    seconds[stage.first] = stage.second;
+    total += stage.second;
+  }
+  seconds["total"] = total;
+
+  std::ofstream os(options.report);
+  // a name that is not UTF-8 must not spoil the report
+  os << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  os.close();
+  if(os.fail())
+    throw std::runtime_error("cannot write to '" + options.report + "'");
+}
+
+std::string summary(const Mesh& mesh, const Cut_locus& cut_locus)
+{
+  const CGAL::Cut_loci::Cut_locus_statistics statistics = CGAL::Cut_loci::compute_statistics(cut_locus);
+  std::ostringstream text;
+  text << mesh.number_of_faces() << " faces, genus " << cut_locus.genus() << "; cut locus: " << statistics.edges
+       << " edges, " << statistics.cycles << " cycles, " << statistics.leaves << " leaves, injectivity radius "
+       << statistics.injectivity_radius;
+  return text.str();
+}

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_DEMO_REPORT_H
+#define SURFACE_MESH_CUT_LOCUS_DEMO_REPORT_H
+
+#include "Mesh.h"
+#include "Options.h"
+#include "Progress.h"
+
+#include <string>
+
+// Writes figures and times as JSON. Throws `std::runtime_error` if the file can not be written.
+void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut_locus, const Progress& progress);
+
+// One line for people.
+std::string summary(const Mesh& mesh, const Cut_locus& cut_locus);
+
+#endif // SURFACE_MESH_CUT_LOCUS_DEMO_REPORT_H

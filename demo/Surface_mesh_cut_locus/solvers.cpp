@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "solvers.h"
+
+#include <CGAL/Heat_method_geodesic_solver.h>
+#include <CGAL/Shortest_path_geodesic_solver.h>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <stdexcept>
+
+namespace {
+
+struct Solver_entry
+{
+  const char* name;
+  const char* description;
+  std::unique_ptr<Cut_locus_solver> (*make)(const Mesh&, Progress&);
+};
+
+template <typename GeodesicSolver>
+std::unique_ptr<Cut_locus_solver> make(const Mesh& mesh, Progress& progress)
+{
+  return std::make_unique<Cut_locus_solver>(
+    mesh, CGAL::parameters::geodesic_solver(GeodesicSolver()).visitor(std::ref(progress)));
+}
+
+// The first one is the default.
+const Solver_entry solvers[] = {
+  {"cgal-exact", "CGAL's exact shortest paths", make<CGAL::Shortest_path_geodesic_solver>},
+  {"heat", "CGAL's heat method on an intrinsic Delaunay triangulation",
+   make<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Intrinsic_Delaunay> >},
+  {"heat-direct", "CGAL's heat method on the mesh as it is",
+   make<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct> >},
+};
+
+const Solver_entry* find_solver(const std::string& name)
+{
+  const auto found = std::find_if(std::begin(solvers), std::end(solvers), [&](const auto& s) { return name == s.name; });
+  return found == std::end(solvers) ? nullptr : found;
+}
+
+} // namespace
+
+std::string default_solver_name()
+{
+  return solvers[0].name;
+}
+
+bool is_solver_name(const std::string& name)
+{
+  return find_solver(name) != nullptr;
+}
+
+std::string solver_names()
+{
+  std::string result;
+  for(const Solver_entry& s : solvers)
+    result += std::string(" ") + s.name;
+  return result;
+}
+
+std::string solver_descriptions()
+{
+  std::string result;
+  for(const Solver_entry& s : solvers)
+    result += std::string(result.empty() ? "  " : "\n  ") + s.name + ": " + s.description;
+  return result;
+}
+
+std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, const Mesh& mesh, Progress& progress)
+{
+  const Solver_entry* const solver = find_solver(name);
+  if(solver == nullptr)
+    throw std::invalid_argument("there is no solver '" + name + "'");
+  return solver->make(mesh, progress);
+}

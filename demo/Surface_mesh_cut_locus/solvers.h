@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_DEMO_SOLVERS_H
+#define SURFACE_MESH_CUT_LOCUS_DEMO_SOLVERS_H
+
+#include <CGAL/Surface_mesh_cut_locus.h>
+
+#include "Mesh.h"
+#include "Progress.h"
+
+#include <memory>
+#include <string>
+
+using Cut_locus_solver = CGAL::Surface_mesh_cut_locus<Mesh>;
+
+std::string default_solver_name();
+bool is_solver_name(const std::string& name);
+std::string solver_names();        // " a b c"
+std::string solver_descriptions(); // a line for each
+
+std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, const Mesh& mesh, Progress& progress);
+
+#endif // SURFACE_MESH_CUT_LOCUS_DEMO_SOLVERS_H

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_IO_PLY_H
+#define CGAL_CUT_LOCI_IO_PLY_H
+
+#include <CGAL/Cut_loci/internal/stream_output.h>
+#include <CGAL/Cut_locus.h>
+
+#include <CGAL/Iterator_range.h>
+
+#include <ostream>
+#include <string>
+
+namespace CGAL {
+namespace IO {
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusIO
+ *
+ * writes a cut locus as an ASCII file of the format PLY (extension `.ply`) with the elements `vertex`, with the
+ * property
+ * `distance`, and `edge`, with the property `strength`.
+ *
+ * @param os the output stream
+ * @param cut_locus the cut locus
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{stream_precision}
+ *     \cgalParamDescription{the number of significant digits of the numbers}
+ *     \cgalParamType{int}
+ *     \cgalParamDefault{17, with which every `double` is read back as it was}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * @return `true` if all has been written
+ */
+template <typename TriangleMesh, typename Point_3, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool write_PLY(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_locus,
+               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  const auto& graph = cut_locus.graph();
+  const Cut_loci::internal::Stream_format format(os, np);
+  os << "ply\nformat ascii 1.0\n"
+     << "element vertex " << num_vertices(graph)
+     << "\nproperty double x\nproperty double y\nproperty double z\nproperty double distance\n"
+     << "element edge " << num_edges(graph)
+     << "\nproperty int vertex1\nproperty int vertex2\nproperty double strength\nend_header\n";
+  for(auto v : CGAL::make_range(vertices(graph)))
+  {
+    Cut_loci::internal::write_point(os, graph[v].point);
+    os << ' ' << graph[v].distance << '\n';
+  }
+  for(auto e : CGAL::make_range(edges(graph)))
+    os << source(e, graph) << ' ' << target(e, graph) << ' ' << graph[e].strength << '\n';
+  return os.good();
+}
+
+/// \ingroup PkgSurfaceMeshCutLocusIO
+/// does the same with a file of the name `filename`.
+template <typename TriangleMesh, typename Point_3, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool write_PLY(const std::string& filename, const Cut_locus<TriangleMesh, Point_3>& cut_locus,
+               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return Cut_loci::internal::write_file(filename, [&](std::ostream& os) { return IO::write_PLY(os, cut_locus, np); });
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_IO_PLY_H

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_IO_EDGES_H
+#define CGAL_CUT_LOCI_IO_EDGES_H
+
+#include <CGAL/Cut_loci/internal/stream_output.h>
+#include <CGAL/Cut_locus.h>
+
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Iterator_range.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+
+namespace CGAL {
+namespace IO {
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusIO
+ *
+ * writes the edges of the mesh that a cut locus consists of, each as a line with two numbers: the positions of its
+ * vertices
+ * in the range `vertices(tm)`, counted from 0. Edges of the graph that follow no edge of the mesh are left out.
+ *
+ * @param os the output stream
+ * @param cut_locus the cut locus
+ * @param tm the mesh it was computed on
+ *
+ * @return `true` if all has been written
+ */
+template <typename TriangleMesh, typename Point_3>
+bool write_edges(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_locus, const TriangleMesh& tm)
+{
+  const auto& graph = cut_locus.graph();
+  auto position = get(dynamic_vertex_property_t<std::size_t>(), tm);
+  std::size_t number = 0;
+  for(auto v : CGAL::make_range(vertices(tm)))
+    put(position, v, number++);
+  for(auto e : CGAL::make_range(edges(graph)))
+  {
+    const auto h = graph[e].mesh_halfedge;
+    if(h != boost::graph_traits<TriangleMesh>::null_halfedge())
+      os << get(position, source(h, tm)) << ' ' << get(position, target(h, tm)) << '\n';
+  }
+  return os.good();
+}
+
+/// \ingroup PkgSurfaceMeshCutLocusIO
+/// does the same with a file of the name `filename`.
+template <typename TriangleMesh, typename Point_3>
+bool write_edges(const std::string& filename, const Cut_locus<TriangleMesh, Point_3>& cut_locus, const TriangleMesh& tm)
+{
+  return Cut_loci::internal::write_file(filename, [&](std::ostream& os) { return IO::write_edges(os, cut_locus, tm); });
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_IO_EDGES_H

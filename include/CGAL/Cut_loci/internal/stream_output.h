@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_INTERNAL_STREAM_OUTPUT_H
+#define CGAL_CUT_LOCI_INTERNAL_STREAM_OUTPUT_H
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
+
+#include <fstream>
+#include <limits>
+#include <ostream>
+#include <string>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// Sets what the writers need of a stream, and gives it back as it was.
+class Stream_format
+{
+public:
+  template <typename NamedParameters>
+  Stream_format(std::ostream& os, const NamedParameters& np)
+    : os_(os), flags_(os.flags()), precision_(os.precision())
+  {
+    os.flags(std::ios_base::dec);
+    // 17 digits give every double back as it was
+    os.precision(parameters::choose_parameter(parameters::get_parameter(np, internal_np::stream_precision),
+                                              (std::numeric_limits<double>::max_digits10)));
+  }
+
+  ~Stream_format()
+  {
+    os_.flags(flags_);
+    os_.precision(precision_);
+  }
+
+  Stream_format(const Stream_format&) = delete;
+  Stream_format& operator=(const Stream_format&) = delete;
+
+private:
+  std::ostream& os_;
+  std::ios_base::fmtflags flags_;
+  std::streamsize precision_;
+};
+
+template <typename Point_3>
+void write_point(std::ostream& os, const Point_3& p)
+{
+  os << CGAL::to_double(p.x()) << ' ' << CGAL::to_double(p.y()) << ' ' << CGAL::to_double(p.z());
+}
+
+// Opens the file, calls the writer and tells whether all has been written.
+template <typename Writer>
+bool write_file(const std::string& filename, const Writer& writer)
+{
+  std::ofstream os(filename);
+  if(!os || !writer(os))
+    return false;
+  os.close();
+  return !os.fail();
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_INTERNAL_STREAM_OUTPUT_H

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_STATISTICS_H
+#define CGAL_CUT_LOCI_STATISTICS_H
+
+#include <CGAL/Cut_locus.h>
+
+#include <CGAL/Iterator_range.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/connected_components.hpp>
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+
+/// \ingroup PkgSurfaceMeshCutLocusRef
+/// describes the graph of a cut locus by a few numbers.
+struct Cut_locus_statistics
+{
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  std::size_t components = 0; ///< connected components of the graph
+  std::size_t cycles = 0;     ///< independent cycles: edges - vertices + components
+  std::size_t leaves = 0;     ///< vertices of degree 1
+  std::size_t branchings = 0; ///< vertices of degree 3 or more
+  double length = 0.;         ///< the sum of the lengths of the edges
+  /// the smallest distance to the source on the cut locus, taken over the vertices of the graph; infinity if there are
+  //none
+  double injectivity_radius = (std::numeric_limits<double>::infinity)();
+};
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusRef
+ *
+ * computes the statistics of a cut locus, in time proportional to its size.
+ */
+template <typename TriangleMesh, typename Point_3>
+Cut_locus_statistics compute_statistics(const Cut_locus<TriangleMesh, Point_3>& cut_locus)
+{
+  const auto& graph = cut_locus.graph();
+  Cut_locus_statistics result;
+  result.vertices = num_vertices(graph);
+  result.edges = num_edges(graph);
+  std::vector<std::size_t> component(result.vertices);
+  if(!component.empty())
+    result.components = boost::connected_components(graph, component.data());
+  result.cycles = result.edges + result.components - result.vertices;
+  for(auto v : CGAL::make_range(vertices(graph)))
+  {
+    result.leaves += degree(v, graph) == 1;
+    result.branchings += degree(v, graph) > 2;
+    result.injectivity_radius = (std::min)(result.injectivity_radius, graph[v].distance);
+  }
+  for(auto e : CGAL::make_range(edges(graph)))
+  {
+    const Point_3& p = graph[source(e, graph)].point;
+    const Point_3& q = graph[target(e, graph)].point;
+    result.length += std::sqrt(CGAL::to_double((p - q) * (p - q)));
+  }
+  return result;
+}
+
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_STATISTICS_H

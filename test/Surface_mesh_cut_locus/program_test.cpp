@@ -1,0 +1,319 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// Runs the program as a user would, and looks at its exit status, messages and files.
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome
+{
+  int status = -1;
+  std::string messages; // both streams
+};
+
+std::string quoted(const std::string& text) { return "'" + text + "'"; }
+
+std::string read_file(const fs::path& path)
+{
+  std::ifstream is(path, std::ios_base::binary);
+  return std::string((std::istreambuf_iterator<char>(is)), std::istreambuf_iterator<char>());
+}
+
+class Program : public ::testing::Test
+{
+protected:
+  using Triangle = std::array<int, 3>;
+
+  void SetUp() override
+  {
+    const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = fs::path(::testing::TempDir()) / ("cut_locus_program_" + name);
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    write_torus();
+  }
+
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
+
+  Outcome run(const std::string& arguments) const
+  {
+    Outcome outcome;
+    const std::string command = quoted(CUT_LOCUS_PROGRAM) + " " + arguments + " 2>&1 < /dev/null";
+    FILE* const pipe = popen(command.c_str(), "r");
+    if(pipe == nullptr)
+      return outcome;
+    std::array<char, 4096> buffer;
+    for(std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+      outcome.messages.append(buffer.data(), n);
+    const int status = pclose(pipe);
+    if(WIFEXITED(status))
+      outcome.status = WEXITSTATUS(status);
+    return outcome;
+  }
+
+  Outcome run_on_torus(const std::string& arguments) const { return run(quoted(path("torus.off")) + " " + arguments); }
+
+  // One line that starts with the program's name and holds `part`.
+  void expect_failure(const Outcome& outcome, const std::string& part) const
+  {
+    EXPECT_TRUE(outcome.status == 1 || outcome.status == 2) << outcome.status << "\n" << outcome.messages;
+    EXPECT_EQ(outcome.messages.compare(0, 11, "cut_locus: "), 0) << outcome.messages;
+    EXPECT_NE(outcome.messages.find(part), std::string::npos) << outcome.messages << "does not contain: " << part;
+    EXPECT_EQ(std::count(outcome.messages.begin(), outcome.messages.end(), '\n'), 1) << outcome.messages;
+  }
+
+  fs::path folder_;
+  int number_of_vertices_ = 0;
+  std::vector<Triangle> triangles_;
+
+private:
+  // Vertex 0 is isolated: it keeps its number.
+  void write_torus()
+  {
+    const int n = 24, m = 12;
+    std::ostringstream text;
+    text.precision(17);
+    number_of_vertices_ = n * m + 1;
+    text << "OFF\n" << number_of_vertices_ << ' ' << 2 * n * m << " 0\n9 9 9\n";
+    const double pi = std::acos(-1.);
+    for(int i = 0; i < n; ++i)
+      for(int j = 0; j < m; ++j)
+      {
+        const double u = 2. * pi * i / n, w = 2. * pi * (j + 0.1 * std::sin(5. * i)) / m, r = 1. + 0.4 * std::cos(w);
+        text << r * std::cos(u) << ' ' << r * std::sin(u) << ' ' << 0.4 * std::sin(w) << '\n';
+      }
+    const auto vertex = [&](int i, int j) { return 1 + (i % n) * m + j % m; };
+    triangles_.clear();
+    for(int i = 0; i < n; ++i)
+      for(int j = 0; j < m; ++j)
+      {
+        triangles_.push_back({{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)}});
+        triangles_.push_back({{vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)}});
+      }
+    for(const Triangle& t : triangles_)
+      text << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+    write("torus.off", text.str());
+  }
+};
+
+class Union_find
+{
+public:
+  explicit Union_find(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t(0)); }
+  std::size_t find(std::size_t i)
+  {
+    while(parent_[i] != i)
+      i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  bool join(std::size_t i, std::size_t j)
+  {
+    i = find(i);
+    j = find(j);
+    parent_[i] = j;
+    return i != j;
+  }
+
+private:
+  std::vector<std::size_t> parent_;
+};
+
+} // namespace
+
+TEST_F(Program, Help)
+{
+  const Outcome outcome = run("--help");
+  EXPECT_EQ(outcome.status, 0);
+  for(const char* option : {"--source ", "--source-point", "--solver", "--angle", "--laplacian", "--policy",
+                            "--min-branch-edges", "--min-branch-length", "--output", "--edges", "--report", "--quiet"})
+    EXPECT_NE(outcome.messages.find(option), std::string::npos) << option;
+}
+
+TEST_F(Program, Report_and_edges)
+{
+  for(const char* solver : {"cgal-exact", "heat", "heat-direct"})
+  {
+    SCOPED_TRACE(solver);
+    const Outcome outcome = run_on_torus(std::string("--quiet --source 5 --solver ") + solver + " --report " +
+                                         quoted(path("report.json")) + " --edges " + quoted(path("edges.txt")));
+    ASSERT_EQ(outcome.status, 0) << outcome.messages;
+    EXPECT_EQ(outcome.messages, "");
+
+    const auto report = nlohmann::json::parse(read_file(path("report.json")));
+    EXPECT_EQ(report.at("vertices"), number_of_vertices_);
+    EXPECT_EQ(report.at("faces"), triangles_.size());
+    EXPECT_EQ(report.at("genus"), 1);
+    EXPECT_EQ(report.at("source"), 5);
+    EXPECT_EQ(report.at("cycles"), 2);
+    EXPECT_EQ(report.at("components"), 1);
+    EXPECT_EQ(report.at("solver"), solver);
+    EXPECT_GT(report.at("injectivity_radius").get<double>(), 0.5);
+    EXPECT_LE(report.at("injectivity_radius").get<double>(), report.at("farthest_distance").get<double>());
+    for(const char* key : {"farthest", "leaves", "branchings", "root", "border_loops"})
+      EXPECT_TRUE(report.at(key).is_number_unsigned()) << key;
+    for(const char* stage :
+        {"read", "preprocess", "distance", "strengths", "tree", "homology", "filter", "write", "total"})
+      EXPECT_GE(report.at("seconds").at(stage).get<double>(), 0.) << stage;
+
+    // The edges are edges of the mesh, they form a connected graph with two cycles, and the faces stay connected without
+    // crossing them: so the rest of the torus is a disk.
+    std::map<std::pair<int, int>, std::vector<std::size_t> > faces_of_edge;
+    for(std::size_t f = 0; f < triangles_.size(); ++f)
+      for(int i = 0; i < 3; ++i)
+        faces_of_edge[std::minmax(triangles_[f][i], triangles_[f][(i + 1) % 3])].push_back(f);
+    std::set<std::pair<int, int> > cut;
+    std::set<int> cut_vertices;
+    std::istringstream edges(read_file(path("edges.txt")));
+    for(int a, b; edges >> a >> b;)
+    {
+      ASSERT_EQ(faces_of_edge.count(std::minmax(a, b)), 1u) << a << ' ' << b;
+      EXPECT_TRUE(cut.insert(std::minmax(a, b)).second);
+      cut_vertices.insert({a, b});
+    }
+    EXPECT_TRUE(edges.eof());
+    EXPECT_EQ(report.at("edges"), cut.size());
+    EXPECT_EQ(cut_vertices.count(5), 0u) << "the source is not on the cut locus";
+    EXPECT_EQ(cut.size() + 1, cut_vertices.size() + 2);
+    Union_find vertices(number_of_vertices_), faces(triangles_.size());
+    std::size_t components = cut_vertices.size(), disks = triangles_.size();
+    for(const auto& e : cut)
+      components -= vertices.join(e.first, e.second);
+    for(const auto& e : faces_of_edge)
+      if(cut.count(e.first) == 0)
+        disks -= faces.join(e.second[0], e.second[1]);
+    EXPECT_EQ(components, 1u);
+    EXPECT_EQ(disks, 1u);
+  }
+}
+
+TEST_F(Program, All_formats)
+{
+  std::string arguments = "--solver heat";
+  const std::map<std::string, std::string> starts = {
+    {"a.polylines.txt", ""}, {"a.obj", "v "}, {"a.vtp", "<?xml"}, {"a.ply", "ply\n"}, {"a.png", "\x89PNG"}, {"a.svg", "<?xml"}};
+  for(const auto& format : starts)
+    arguments += " -o " + quoted(path(format.first));
+  const Outcome outcome = run_on_torus(arguments);
+  ASSERT_EQ(outcome.status, 0) << outcome.messages;
+  for(const char* stage : {"read", "distance", "homology", "write", "genus 1"})
+    EXPECT_NE(outcome.messages.find(stage), std::string::npos) << stage;
+  for(const auto& format : starts)
+  {
+    const std::string text = read_file(path(format.first));
+    EXPECT_GT(text.size(), 100u) << format.first;
+    EXPECT_EQ(text.compare(0, format.second.size(), format.second), 0) << format.first;
+  }
+  const std::string svg = read_file(path("a.svg"));
+  EXPECT_NE(svg.find("<path"), std::string::npos);
+  EXPECT_NE(svg.find("<circle"), std::string::npos);
+  EXPECT_NE(svg.find("</svg>"), std::string::npos);
+}
+
+TEST_F(Program, Sources_and_thresholds)
+{
+  const auto report = [&](const std::string& arguments)
+  {
+    const Outcome outcome = run_on_torus("--quiet " + arguments + " --report " + quoted(path("r.json")));
+    EXPECT_EQ(outcome.status, 0) << arguments << ": " << outcome.messages;
+    return outcome.status == 0 ? nlohmann::json::parse(read_file(path("r.json"))) : nlohmann::json();
+  };
+  EXPECT_EQ(report("").at("source"), 1); // vertex 0 is isolated
+  const auto inside = report("--source-point 1.38,0.243,0.055");
+  EXPECT_TRUE(inside.at("source").is_null());
+  EXPECT_NEAR(inside.at("source_point").at(0).get<double>(), 1.36, 0.03);
+  EXPECT_EQ(report("--source-point=-2,-0.01,0.02").at("genus"), 1);
+
+  const auto loose = report("--angle 0.05 --min-branch-edges 0"), tight = report("--angle 3.2 --min-branch-edges 0");
+  EXPECT_GT(loose.at("edges"), tight.at("edges"));
+  EXPECT_EQ(tight.at("cycles"), 2);
+  EXPECT_LE(report("--angle 0.05 --min-branch-length 0.3").at("edges"), loose.at("edges"));
+  EXPECT_LE(report("--angle 0.05 --policy grow --min-branch-edges 0").at("edges"), loose.at("edges"));
+  EXPECT_LE(report("--angle 0.05 --laplacian 0.5 --min-branch-edges 0").at("edges"), loose.at("edges"));
+}
+
+TEST_F(Program, Wrong_command_lines)
+{
+  expect_failure(run(""), "there is no mesh");
+  expect_failure(run("a.off b.off"), "one mesh at a time");
+  expect_failure(run_on_torus("--no-such-option"), "no-such-option");
+  expect_failure(run_on_torus("--source"), "source");
+  expect_failure(run_on_torus("--source one"), "--source takes");
+  expect_failure(run_on_torus("--source=-1"), "--source takes");
+  expect_failure(run_on_torus("--quiet --source 99999"), "out of range");
+  expect_failure(run_on_torus("--source 1 --source-point 0,0,0"), "exclude");
+  expect_failure(run_on_torus("--source-point 1,2"), "three numbers");
+  expect_failure(run_on_torus("--source-point 1,2,3,4"), "three numbers");
+  expect_failure(run_on_torus("--source-point 1,2,nan"), "a number");
+  expect_failure(run_on_torus("--solver magic"), "cgal-exact");
+  expect_failure(run_on_torus("--angle wide"), "--angle takes");
+  expect_failure(run_on_torus("--angle=-1"), "--angle takes");
+  expect_failure(run_on_torus("--laplacian inf"), "--laplacian takes");
+  expect_failure(run_on_torus("--policy shrink"), "--policy takes");
+  expect_failure(run_on_torus("--min-branch-edges 1.5"), "--min-branch-edges takes");
+  expect_failure(run_on_torus("--min-branch-length=-2"), "--min-branch-length takes");
+}
+
+TEST_F(Program, Wrong_outputs)
+{
+  expect_failure(run_on_torus("-o ''"), "empty");
+  expect_failure(run_on_torus("-o " + quoted(path("a.jpg"))), ".polylines.txt");
+  expect_failure(run_on_torus("-o " + quoted(path("no/such/folder/a.obj"))), "there is no folder");
+  expect_failure(run_on_torus("--edges " + quoted(folder_.string())), "is a folder");
+  expect_failure(run_on_torus("--report ''"), "empty");
+  if(fs::exists("/dev/full"))
+    expect_failure(run_on_torus("--quiet --solver heat --report /dev/full"), "cannot write");
+}
+
+TEST_F(Program, Wrong_meshes)
+{
+  const auto run_on = [&](const std::string& name) { return run("--quiet " + quoted(path(name))); };
+  const auto run_on_text = [&](const std::string& text)
+  {
+    write("a.off", text);
+    return run_on("a.off");
+  };
+  expect_failure(run_on("missing.off"), "cannot read");
+  expect_failure(run_on("."), "directory");
+  write("a.xyz", "1 2 3\n");
+  expect_failure(run_on("a.xyz"), "extension");
+  expect_failure(run_on_text(""), "cannot read");
+  expect_failure(run_on_text("OFF\n3 1 0\n0 0 0\n1 0"), "cannot read");
+  expect_failure(run_on_text("OFF\n0 0 0\n"), "no vertices");
+  expect_failure(run_on_text("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"), "no faces");
+  expect_failure(run_on_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"), "cannot read");
+  expect_failure(run_on_text("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"), "triangles");
+  expect_failure(run_on_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1\n"), "twice");
+  expect_failure(run_on_text("OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n"), "edge");
+  expect_failure(run_on_text("OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n"), "no area");
+  expect_failure(run("--quiet --source 0 " + quoted(path("torus.off"))), "isolated");
+}

@@ -1,0 +1,410 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "built_mesh.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/compute_cut_locus.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+// What can not be used is refused with a message that names it, in release builds, too; what is merely odd gives a cut
+// locus. Nothing loops, crashes or returns NaN.
+
+using namespace test_meshes;
+using CGAL::Cut_loci::Invalid_input;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Built = Built_mesh<Mesh>;
+using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
+namespace params = CGAL::parameters;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::string message_of(const std::function<void()>& f)
+{
+  try
+  {
+    f();
+  }
+  catch(const Invalid_input& error)
+  {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+// each of `words` is in the message
+void expect_refused(const std::function<void()>& f, const std::vector<std::string>& words)
+{
+  const std::string message = message_of(f);
+  for(const std::string& word : words)
+    EXPECT_NE(message.find(word), std::string::npos) << '"' << word << "\" is not in \"" << message << '"';
+}
+
+Mesh_data tetrahedron()
+{
+  Mesh_data data;
+  data.points = {{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}};
+  data.triangles = {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}};
+  return data;
+}
+
+Mesh_data octahedron()
+{
+  Mesh_data data;
+  data.points = {{{1., 0., 0.}}, {{-1., 0., 0.}}, {{0., 1., 0.}}, {{0., -1., 0.}}, {{0., 0., 1.}}, {{0., 0., -1.}}};
+  for(std::size_t x : {0, 1})
+    for(std::size_t y : {2, 3})
+      for(std::size_t z : {4, 5})
+        data.triangles.push_back((x + y + z) % 2 == 0 ? Triangle{{x, y, z}} : Triangle{{y, x, z}});
+  return data;
+}
+
+// valid from every vertex, every face and every edge, at several thresholds, and all numbers in the results are finite
+void expect_sound_from_everywhere(const Mesh_data& data)
+{
+  const Built built(data);
+  Solver solver(built.mesh);
+  const auto expect_sound = [&](std::size_t face, const std::vector<std::size_t>& corners)
+  {
+    for(double angle : {0., 0.5, 4.})
+      for(auto policy : {CGAL::Cut_loci::Filter_policy::PRUNING, CGAL::Cut_loci::Filter_policy::GROWING})
+      {
+        const auto result = solver.cut_locus(params::gradient_angle_threshold(angle).filter_policy(policy));
+        EXPECT_EQ(fault_of(built, result, face, corners), "") << "source in face " << face;
+        for(const auto v : CGAL::make_range(vertices(result.graph())))
+          EXPECT_TRUE(std::isfinite(result.graph()[v].distance));
+        for(const auto e : CGAL::make_range(edges(result.graph())))
+          EXPECT_FALSE(std::isnan(result.graph()[e].strength));
+      }
+  };
+  for(std::size_t f = 0; f < data.triangles.size(); f += 1 + data.triangles.size() / 20)
+  {
+    const Triangle& t = data.triangles[f];
+    solver.set_source(built.vertices[t[0]]);
+    expect_sound(f, {t[0]});
+    solver.set_source(built.location<double>(f, {{0.3, 0.3, 0.4}}));
+    expect_sound(f, {t[0], t[1], t[2]});
+    solver.set_source(built.location<double>(f, {{0.5, 0.5, 0.}}));
+    expect_sound(f, {t[0], t[1]});
+  }
+}
+
+} // namespace
+
+TEST(Bad_input, an_empty_mesh_is_refused)
+{
+  const Mesh empty;
+  expect_refused([&] { Solver solver(empty); }, {"empty", "no vertices"});
+  expect_refused([&] { CGAL::compute_cut_locus(empty, Mesh::Vertex_index(0)); }, {"empty", "no vertices"});
+  const Polyhedron polyhedron;
+  expect_refused([&] { CGAL::Surface_mesh_cut_locus<Polyhedron> solver(polyhedron); }, {"empty", "no vertices"});
+}
+
+TEST(Bad_input, a_mesh_without_faces_is_refused)
+{
+  Mesh mesh;
+  const auto v = mesh.add_vertex(Kernel::Point_3(0., 0., 0.));
+  expect_refused([&] { CGAL::compute_cut_locus(mesh, v); }, {"no faces"});
+}
+
+TEST(Bad_input, a_face_that_is_not_a_triangle_is_refused_by_its_position_and_number_of_sides)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for(const Point& p : std::vector<Point>{{{0., 0., 0.}}, {{1., 0., 0.}}, {{1., 1., 0.}}, {{0., 1., 0.}},
+                                             {{2., 0.5, 0.}}})
+    v.push_back(mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2])));
+  mesh.add_face(v[1], v[4], v[2]);
+  mesh.add_face(v[0], v[1], v[2], v[3]);
+  expect_refused([&] { CGAL::compute_cut_locus(mesh, v[0]); }, {"face #1", "4 sides", "triangle"});
+}
+
+TEST(Bad_input, a_null_source_is_refused)
+{
+  const Built built(octahedron());
+  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, Built::Traits::null_vertex()); }, {"source", "null"});
+  Solver::Face_location location;
+  location.first = Built::Traits::null_face();
+  location.second = {{1., 0., 0.}};
+  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, location); }, {"face of the source", "null"});
+}
+
+TEST(Bad_input, an_isolated_source_is_refused)
+{
+  Mesh_data data = octahedron();
+  data.points.insert(data.points.begin() + 2, {{5., 5., 5.}});
+  for(Triangle& t : data.triangles)
+    for(std::size_t& v : t)
+      v += v >= 2 ? 1 : 0;
+  const Built built(data);
+  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[2]); }, {"source", "isolated"});
+}
+
+TEST(Bad_input, a_source_that_is_not_in_the_mesh_is_refused)
+{
+  const Built_mesh_with_garbage<Mesh> built(octahedron());
+  // removed elements in front and behind, and numbers past the end
+  const Mesh::size_type nv = built.mesh.num_vertices(), nf = built.mesh.num_faces();
+  for(Mesh::size_type v : {Mesh::size_type(0), nv - 1, nv, Mesh::size_type(1000000000)})
+    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, Mesh::Vertex_index(v)); },
+                   {"source", "not a vertex of the mesh"});
+  for(Mesh::size_type f : {Mesh::size_type(0), nf - 1, nf, Mesh::size_type(1000000000)})
+    expect_refused([&]
+                   {
+                     Solver::Face_location location;
+                     location.first = Mesh::Face_index(f);
+                     location.second = {{0.2, 0.3, 0.5}};
+                     CGAL::compute_cut_locus(built.mesh, location);
+                   }, {"face of the source", "not a face of the mesh"});
+}
+
+TEST(Bad_input, barycentric_coordinates_that_are_no_point_of_the_face_are_refused)
+{
+  const Built built(octahedron());
+  const auto compute = [&](double a, double b, double c)
+  {
+    return [=, &built]
+    {
+      CGAL::compute_cut_locus(built.mesh, Solver::Face_location(built.faces[0], {{a, b, c}}));
+    };
+  };
+  expect_refused(compute(not_a_number, 0.5, 0.5), {"barycentric coordinate", "not finite"});
+  expect_refused(compute(infinity, 0.5, 0.5), {"barycentric coordinate", "not finite"});
+  expect_refused(compute(-0.1, 0.6, 0.5), {"barycentric coordinate", "negative"});
+  expect_refused(compute(0., 0., 0.), {"barycentric coordinates", "zero"});
+  EXPECT_EQ(message_of(compute(2., 3., 5.)), "nothing was thrown") << "coordinates are normalized";
+  expect_refused(compute(1e308, 1e308, 1e308), {"barycentric coordinates", "not finite"});
+}
+
+TEST(Bad_input, a_coordinate_that_is_not_finite_is_refused_by_its_vertex)
+{
+  for(double bad : {not_a_number, infinity, -infinity})
+    for(int axis : {0, 1, 2})
+    {
+      Mesh_data data = octahedron();
+      data.points[4][axis] = bad;
+      const Built built(data);
+      expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, {"vertex #4", "not finite"});
+    }
+}
+
+TEST(Bad_input, a_face_without_area_is_refused_by_its_vertices)
+{
+  Mesh_data data = square(4);
+  // the middle of three vertices in a row moved onto the line between two neighbors: a cap
+  const Triangle t = data.triangles[9];
+  data.points[t[0]] = 0.5 * (data.points[t[1]] + data.points[t[2]]);
+  Mesh_data same_point = square(4);
+  same_point.points[t[0]] = same_point.points[t[1]];
+  Mesh_data all_in_one = octahedron();
+  for(Point& p : all_in_one.points)
+    p = {{1., 2., 3.}};
+  for(const Mesh_data& bad : {data, same_point})
+  {
+    const Built built(bad);
+    const std::string message = message_of([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); });
+    EXPECT_NE(message.find("has no area"), std::string::npos) << message;
+    EXPECT_NE(message.find("face #"), std::string::npos) << message;
+    EXPECT_NE(message.find("(vertices "), std::string::npos) << message;
+  }
+  const Built built(all_in_one);
+  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, {"face #0", "no area"});
+}
+
+TEST(Bad_input, a_face_without_area_in_another_component_does_no_harm)
+{
+  Mesh_data flat = tetrahedron();
+  for(Point& p : flat.points)
+    p = {{p[0], 0., 0.}};
+  const Mesh_data data = disjoint_union(flat, octahedron(), {{5., 0., 0.}});
+  const Built built(data);
+  EXPECT_EQ(fault_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[5]), 4, {5}), "");
+  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, {"face #0", "no area"});
+  // positions are those in the whole mesh
+  const Built other(disjoint_union(octahedron(), flat, {{5., 0., 0.}}));
+  expect_refused([&] { CGAL::compute_cut_locus(other.mesh, other.vertices[6]); }, {"face #8", "no area"});
+}
+
+TEST(Bad_input, a_vertex_where_two_fans_of_one_component_meet_is_refused_by_its_position)
+{
+  // an annulus pinched: two vertices of its borders, far from each other on the surface, are one
+  Mesh_data data = cylinder(1., 8, 3, 0., 0);
+  data.points[0] = 0.5 * (data.points[0] + data.points[28]);
+  for(Triangle& t : data.triangles)
+    for(std::size_t& v : t)
+      if(v == 28)
+        v = 0;
+  data = without_isolated_vertices(data);
+  const Built built(data);
+  const std::size_t pinched = data.triangles.front()[0];
+  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[9]); },
+                 {"vertex #" + std::to_string(pinched), "not manifold"});
+}
+
+TEST(Bad_input, components_that_touch_in_a_vertex_are_surfaces_of_their_own)
+{
+  // vertex 0 of the first octahedron and vertex 1 of the second are at (1, 0, 0), and made one
+  const Mesh_data data = disjoint_union(octahedron(), octahedron(), {{2., 0., 0.}});
+  Built built(data);
+  const Mesh::Vertex_index kept = built.vertices[0], replaced = built.vertices[7];
+  const std::vector<Mesh::Halfedge_index> around(CGAL::halfedges_around_target(replaced, built.mesh).begin(),
+                                                 CGAL::halfedges_around_target(replaced, built.mesh).end());
+  for(Mesh::Halfedge_index h : around)
+    built.mesh.set_target(h, kept);
+  built.mesh.remove_vertex(replaced);
+  for(Triangle& t : built.data.triangles)
+    for(std::size_t& v : t)
+      v = v == 7 ? 0 : v;
+  for(std::size_t f : {0, 15})
+    for(std::size_t v : built.data.triangles[f])
+    {
+      const auto result = CGAL::compute_cut_locus(built.mesh, built.vertices[v]);
+      const std::size_t seed = v == 0 ? 0 : f; // the vertex itself belongs to the component that its halfedge is in
+      EXPECT_EQ(fault_of(built, result, seed, {v}), "") << v;
+      EXPECT_EQ(result.genus(), 0u);
+    }
+}
+
+TEST(Bad_input, thresholds_that_are_not_in_their_range_are_refused)
+{
+  const Built built(octahedron());
+  Solver solver(built.mesh);
+  expect_refused([&] { solver.cut_locus(); }, {"no source", "set_source()"});
+  solver.set_source(built.vertices[0]);
+  expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(not_a_number)); },
+                 {"gradient angle", "not negative"});
+  expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(-0.1)); }, {"gradient angle", "not negative"});
+  expect_refused([&] { solver.cut_locus(params::laplacian_threshold(not_a_number)); }, {"Laplacian", "not a number"});
+  expect_refused([&] { solver.cut_locus(params::minimum_branch_length(not_a_number)); },
+                 {"minimum length", "not negative"});
+  expect_refused([&] { solver.cut_locus(params::minimum_branch_length(-1.)); }, {"minimum length", "not negative"});
+  EXPECT_EQ(message_of([&] { solver.cut_locus(params::gradient_angle_threshold(infinity)); }), "nothing was thrown");
+  EXPECT_EQ(message_of([&] { solver.cut_locus(params::laplacian_threshold(-infinity)); }), "nothing was thrown");
+}
+
+TEST(Bad_input, the_largest_minimum_number_of_edges_removes_more_than_any_smaller_one)
+{
+  const Built built(jittered_sphere(6, 0.2, 1));
+  Solver solver(built.mesh);
+  solver.set_source(built.vertices[0]);
+  const auto edges_left = [&](std::size_t minimum)
+  {
+    return num_edges(solver.cut_locus(params::minimum_branch_edges(minimum).gradient_angle_threshold(0.)).graph());
+  };
+  EXPECT_LT(edges_left(1000), edges_left(0));
+  EXPECT_EQ(edges_left(std::size_t(1) << 32), edges_left(1000));
+  EXPECT_EQ(edges_left((std::numeric_limits<std::size_t>::max)()), edges_left(1000));
+}
+
+TEST(Bad_input, distances_that_are_not_finite_are_refused_by_their_vertex)
+{
+  const Built built(octahedron());
+  for(double bad : {not_a_number, infinity})
+  {
+    auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
+    for(std::size_t v = 0; v < built.vertices.size(); ++v)
+      put(distance, built.vertices[v], v == 4 ? bad : double(v));
+    const auto np = params::vertex_distance_map(distance);
+    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], np); },
+                   {"distance map", "not a finite number", "vertex #4"});
+  }
+}
+
+TEST(Bad_input, a_solver_can_be_used_again_after_it_has_refused_a_source)
+{
+  const Built built(octahedron());
+  Solver solver(built.mesh);
+  solver.set_source(built.vertices[0]);
+  const auto edges_before = cut_of(built, solver.cut_locus()).edges;
+  EXPECT_THROW(solver.set_source(Built::Traits::null_vertex()), Invalid_input);
+  solver.set_source(built.vertices[0]);
+  EXPECT_EQ(cut_of(built, solver.cut_locus()).edges, edges_before);
+}
+
+TEST(Odd_input, the_smallest_meshes_have_cut_loci)
+{
+  Mesh_data triangle;
+  triangle.points = {{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}};
+  triangle.triangles = {{{0, 1, 2}}};
+  Mesh_data pillow = triangle; // two faces glued along all three edges
+  pillow.triangles.push_back({{0, 2, 1}});
+  for(const Mesh_data& data : {tetrahedron(), octahedron(), triangle, pillow, square(1), icosahedron(),
+                               box(1, 1, 1, 1)})
+    expect_sound_from_everywhere(data);
+}
+
+TEST(Odd_input, needles_have_cut_loci)
+{
+  for(double length : {1e2, 1e4, 1e6})
+  {
+    Mesh_data needle = tetrahedron(), plate = jittered_sphere(4, 0.2, 1), strip = square(6, 0.2, 2);
+    for(Point& p : needle.points)
+      p[0] *= length;
+    for(Point& p : plate.points)
+      p[2] /= length;
+    for(Point& p : strip.points)
+      p[1] *= length;
+    for(const Mesh_data& data : {needle, plate, strip})
+      expect_sound_from_everywhere(data);
+  }
+}
+
+TEST(Odd_input, regular_meshes_where_all_distances_are_tied_have_cut_loci)
+{
+  for(const Mesh_data& data : {sphere(4), torus(1., 0.4, 16, 8), box(2, 2, 2, 2), square(6), capsule(1., 8, 8),
+                               cylinder(1., 8, 4, 0., 0)})
+    expect_sound_from_everywhere(data);
+}
+
+TEST(Odd_input, a_spike_and_coordinates_far_from_the_origin_do_no_harm)
+{
+  Mesh_data spike = jittered_sphere(4, 0.2, 1);
+  spike.points[3] = 1e4 * spike.points[3];
+  Mesh_data far = jittered_sphere(4, 0.2, 1);
+  for(Point& p : far.points)
+    p = p + Point{{1e8, -1e8, 1e8}};
+  for(const Mesh_data& data : {spike, far})
+    expect_sound_from_everywhere(data);
+}
+
+TEST(Odd_input, units_of_any_size_do_no_harm)
+{
+  for(double scale : {1e-60, 1e-30, 1e30, 1e60})
+  {
+    Mesh_data data = octahedron();
+    for(Point& p : data.points)
+      p = scale * p;
+    const Built built(data);
+    const auto result = CGAL::compute_cut_locus(built.mesh, built.vertices[0], params::gradient_angle_threshold(0.));
+    EXPECT_EQ(fault_of(built, result, 0, {0}), "") << scale;
+  }
+}
+
+TEST(Bad_input, units_whose_areas_overflow_or_vanish_are_refused)
+{
+  for(double scale : {1e-200, 1e-100, 1e100, 1e200})
+  {
+    Mesh_data data = octahedron();
+    for(Point& p : data.points)
+      p = scale * p;
+    const Built built(data);
+    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, {"face #0", "area"});
+  }
+}

@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// What the figures of "Practical Computation of the Cut Locus on Discrete Surfaces" show, as statements.
+
+#include "built_mesh.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Heat_method_geodesic_solver.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_cut_locus.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace {
+
+using namespace test_meshes;
+using CGAL::Cut_loci::Filter_policy;
+namespace params = CGAL::parameters;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Built = Built_mesh<Mesh>;
+using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
+using Cut_locus = Solver::Result;
+
+double distance_to(const Cut_locus& cut_locus, const Kernel::Point_3& p)
+{
+  double result = (std::numeric_limits<double>::infinity)();
+  for(auto v : CGAL::make_range(vertices(cut_locus.graph())))
+    result = (std::min)(result, std::sqrt(CGAL::squared_distance(cut_locus.graph()[v].point, p)));
+  return result;
+}
+
+double farthest_from(const Cut_locus& cut_locus, const Kernel::Point_3& p)
+{
+  double result = 0.;
+  for(auto v : CGAL::make_range(vertices(cut_locus.graph())))
+    result = (std::max)(result, std::sqrt(CGAL::squared_distance(cut_locus.graph()[v].point, p)));
+  return result;
+}
+
+std::size_t number_of_leaves(const Cut_locus& cut_locus)
+{
+  std::size_t result = 0;
+  for(auto v : CGAL::make_range(vertices(cut_locus.graph())))
+    result += degree(v, cut_locus.graph()) == 1 ? 1 : 0;
+  return result;
+}
+
+std::size_t number_of_cycles(const Cut_locus& cut_locus)
+{
+  return num_edges(cut_locus.graph()) + 1 - num_vertices(cut_locus.graph());
+}
+
+// Figure 5: a bump on a sphere draws a line from its top to the antipode of the source; the gradients meet at a wide
+// angle at both ends only.
+class Sphere_with_bump : public ::testing::Test
+{
+protected:
+  Sphere_with_bump()
+    : built(sphere_with_bump(24, {{1., 0., 0.}}, 0.15, 0.08)), solver(built.mesh)
+  {
+    solver.set_source(built.vertices[nearest_vertex(built.data, {{-0.17, 0., 0.98}})]);
+  }
+  Built built;
+  Solver solver;
+  const Kernel::Point_3 top{1.15, 0., 0.}, antipode{0.17, 0., -0.98};
+};
+
+TEST_F(Sphere_with_bump, pruning_keeps_the_line_from_the_bump_to_the_antipode)
+{
+  const Cut_locus result = solver.cut_locus(params::filter_policy(Filter_policy::PRUNING));
+  const double h = mean_edge_length(built.data);
+  EXPECT_LT(distance_to(result, top), 2. * h);
+  EXPECT_LT(distance_to(result, antipode), 2. * h);
+  for(auto v : CGAL::make_range(vertices(result.graph())))
+    EXPECT_LT(std::abs(result.graph()[v].point.y()), 6. * h) << "off the plane of symmetry";
+}
+
+TEST_F(Sphere_with_bump, growing_takes_the_bump_for_noise)
+{
+  const Cut_locus result = solver.cut_locus(params::filter_policy(Filter_policy::GROWING));
+  EXPECT_LT(farthest_from(result, antipode), 0.5);
+}
+
+// Figure 7: the wider the angle, the simpler the cut locus, down to one point.
+TEST(Capsule, rising_thresholds_simplify_the_cut_locus_down_to_the_antipodal_point)
+{
+  const Built built(capsule(1., 40, 40));
+  Solver solver(built.mesh);
+  solver.set_source(built.vertices[nearest_vertex(built.data, {{1., 0., -0.3}})]);
+  std::size_t previous = (std::numeric_limits<std::size_t>::max)();
+  for(double angle : {0.05, 0.2, 0.5, 1., 2., 3., 4.})
+  {
+    const Cut_locus result = solver.cut_locus(params::gradient_angle_threshold(angle));
+    EXPECT_LE(num_edges(result.graph()), previous) << angle;
+    previous = num_edges(result.graph());
+  }
+  EXPECT_EQ(previous, 0u);
+}
+
+TEST(Sphere, is_cut_in_one_point_opposite_to_the_source)
+{
+  const Built built(jittered_sphere(20, 0.1, 3));
+  Solver solver(built.mesh);
+  solver.set_source(built.vertices[0]);
+  const Cut_locus result = solver.cut_locus(params::gradient_angle_threshold(1.));
+  const auto source = built.mesh.point(built.vertices[0]);
+  EXPECT_LT(farthest_from(result, CGAL::ORIGIN - (source - CGAL::ORIGIN)), 4. * mean_edge_length(built.data));
+}
+
+// Figures 11 and 16: all resolutions show the same branches: two loops, and an arc with two ends.
+TEST(Torus, has_the_same_branches_at_all_resolutions)
+{
+  for(std::size_t n : {16, 24, 36})
+  {
+    const Built built(torus(1., 0.4, 5 * n / 2, n, 0.15, 7));
+    Solver solver(built.mesh);
+    solver.set_source(built.vertices[0]);
+    const Cut_locus result = solver.cut_locus();
+    EXPECT_EQ(number_of_cycles(result), 2u) << n;
+    EXPECT_EQ(number_of_leaves(result), 2u) << n;
+  }
+}
+
+// Figure 13: on rough shapes a wider angle or the growing policy clears the spurious branches.
+TEST(Rough_sphere, is_cleared_by_a_wider_angle_or_by_growing)
+{
+  const Built built(rough(bumpy_sphere(20, 0.5, 1), 0.1, 1));
+  Solver solver(built.mesh);
+  solver.set_source(built.vertices[5]);
+  const Cut_locus fine = solver.cut_locus(params::gradient_angle_threshold(0.1));
+  const Cut_locus coarse = solver.cut_locus(params::gradient_angle_threshold(1.));
+  const Cut_locus grown = solver.cut_locus(params::gradient_angle_threshold(0.1).filter_policy(Filter_policy::GROWING));
+  EXPECT_LT(number_of_leaves(coarse), number_of_leaves(fine) / 2);
+  EXPECT_LT(num_edges(grown.graph()), num_edges(fine.graph()));
+}
+
+// Figure 1 and Table 1: surfaces of high genus. The checker counts cycles and looks at the complement.
+TEST(Surface_of_genus_56, is_cut_into_a_disk_at_any_threshold)
+{
+  const Built built(perforated_plate(8, 7, 2, 1));
+  Solver solver(built.mesh, params::geodesic_solver(CGAL::Heat_method_geodesic_solver<>()));
+  const std::size_t source = 11;
+  solver.set_source(built.vertices[source]);
+  std::size_t face = 0;
+  while(std::find(built.data.triangles[face].begin(), built.data.triangles[face].end(), source) ==
+        built.data.triangles[face].end())
+    ++face;
+  for(double angle : {0., 0.7, 4.})
+  {
+    const Cut_locus result = solver.cut_locus(params::gradient_angle_threshold(angle));
+    EXPECT_EQ(result.genus(), 56u);
+    EXPECT_EQ(number_of_cycles(result), 112u);
+    EXPECT_EQ(fault_of(built, result, face, {source}), "") << angle;
+  }
+}
+
+} // namespace
