@@ -102,7 +102,9 @@ public:
    *     \cgalParamDescription{how the cut locus is found}
    *     \cgalParamType{`Cut_loci::Method`}
    *     \cgalParamDefault{`default_method()`}
-   *     \cgalParamExtra{`Cut_loci::Method::DIRECTION` needs exact distances. Without a `geodesic_solver` it uses the
+   *     \cgalParamExtra{`Cut_loci::Method::DIRECTION` needs exact distances: with those of the heat method, or of a
+   *                     graph, use `Cut_loci::Method::LAPLACIAN`. `Cut_loci::Method::POLYHEDRAL` has neither thresholds
+   *                     nor a curve of mesh edges. Without a `geodesic_solver` it uses the
    *                     package's own exact one, which also finds the directions.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
@@ -307,7 +309,7 @@ public:
       throw Cut_loci::Invalid_input("there is no source: set_source() comes before cut_locus()");
 
     const Stage_scope scope(*this, Cut_loci::Stage::FILTER);
-    if(method_ == Cut_loci::Method::DIRECTION)
+    if(method_ != Cut_loci::Method::LAPLACIAN)
     {
       const double threshold = choose_parameter(get_parameter(np, internal_np::strength_threshold),
                                                 component_->direction->default_threshold());
@@ -509,8 +511,9 @@ private:
     using Solver = Cut_loci::internal::Component_solver;
     try
     {
-      if(method_ == Cut_loci::Method::DIRECTION)
-        component->direction.reset(new Cut_loci::internal::Direction_solver(*component->mesh));
+      if(method_ != Cut_loci::Method::LAPLACIAN)
+        component->direction.reset(new Cut_loci::internal::Direction_solver(
+          *component->mesh, method_ == Cut_loci::Method::POLYHEDRAL));
       else
         component->solver.reset(new Solver(*component->mesh, laplacian_operator_));
     }

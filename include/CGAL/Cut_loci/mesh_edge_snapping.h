@@ -85,14 +85,32 @@ public:
         ++stays[found->second].second;
       }
     }
-    std::vector<unsigned char> is_removed(kept.size(), 0);
+    // Snapping makes such steps of one or two edges; what is longer is a branch that has lost its end.
+    constexpr Index longest_step = 2;
+    std::vector<Index> removed(kept.size(), 0); // how many edges end with this one
     for(std::size_t i = kept.size(); i-- > 0;)
     {
       if(stays[i].second > 0 || is_end(stays[i].first, threshold))
+      {
+        removed[i] = 0;
         continue;
-      is_removed[i] = 1;
-      if(position_of_parent[i] != null_index)
-        --stays[position_of_parent[i]].second;
+      }
+      ++removed[i];
+      const Index p = position_of_parent[i];
+      if(p != null_index)
+      {
+        --stays[p].second;
+        removed[p] = (std::max)(removed[p], removed[i]);
+      }
+    }
+    std::vector<unsigned char> is_removed(kept.size(), 0);
+    for(std::size_t i = 0; i < kept.size(); ++i)
+    {
+      const Index p = position_of_parent[i];
+      const bool is_continued = p != null_index && removed[p] > longest_step && !is_removed[p];
+      is_removed[i] = removed[i] > 0 && removed[i] <= longest_step && !is_continued;
+      if(is_continued && removed[i] > 0 && removed[i] + 1 >= removed[p])
+        removed[i] = longest_step + 1; // stays with the branch
     }
 
     std::vector<Index> selected;

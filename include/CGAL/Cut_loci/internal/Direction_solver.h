@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/Direction_geometry.h>
 #include <CGAL/Cut_loci/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/branch_ends.h>
 #include <CGAL/Cut_loci/curve_correspondence.h>
@@ -22,6 +23,7 @@
 #include <CGAL/Cut_loci/internal/Component_solver.h>
 #include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/mesh_edge_snapping.h>
+#include <CGAL/Cut_loci/polyhedral_cut_locus.h>
 #include <CGAL/Cut_loci/sub_edge_placement.h>
 
 #include <algorithm>
@@ -38,15 +40,14 @@ class Direction_solver
 {
 public:
   // once per mesh
-  explicit Direction_solver(const Indexed_triangle_mesh& mesh)
-    : mesh_(mesh), connectivity_(mesh), geometry_(Component_solver::checked(mesh, connectivity_), connectivity_)
+  explicit Direction_solver(const Indexed_triangle_mesh& mesh, bool is_polyhedral = false)
+    : mesh_(mesh), connectivity_(mesh), is_polyhedral_(is_polyhedral), geometry_(Component_solver::checked(mesh, connectivity_), connectivity_)
   {}
 
   // once per source, in four parts; the first is one of these two
   void compute_distance(const Indexed_source& source)
   {
-    if(!propagation_)
-      propagation_.reset(new Exact_geodesic_propagation(mesh_));
+    make_propagation();
     Exact_geodesic_options options;
     options.directions = true;
     propagation_->run({source.location}, options);
@@ -78,11 +79,20 @@ public:
     const Index farthest_face = connectivity_.ring_halfedge[connectivity_.ring_begin[farthest_]] / 3;
     branches_ = Direction_branches(mesh_, connectivity_, geometry_, jumps_, graph_, farthest_face);
     mesh_edges_ = Mesh_edge_branches(mesh_, connectivity_, geometry_, field_, branches_, farthest_);
+    if(!is_polyhedral_)
+      return;
+    make_propagation();
+    if(!Polyhedral_cut_locus::is_applicable(mesh_, propagation_->faces()))
+      throw Invalid_input("the mesh has a border or a saddle: its polyhedral cut locus is not made of straight segments "
+                          "(Cut_loci::Method::DIRECTION takes any mesh)");
+    polyhedral_ = Polyhedral_cut_locus(mesh_, connectivity_, *propagation_)(source_);
   }
 
   // once per threshold
   Indexed_cut_locus filter(double threshold, Curve curve) const
   {
+    if(is_polyhedral_)
+      return polyhedral_;
     const std::vector<Direction_branches::Edge> kept = branches_(threshold);
     Sub_edge_curve result = place_sub_edges(mesh_, connectivity_, geometry_, field_, kept);
     const Branch_ends ends(mesh_, connectivity_, geometry_, field_);
@@ -114,6 +124,12 @@ public:
   double default_threshold() const { return geometry_.default_strength_threshold(distance_[farthest_]); }
 
 private:
+  void make_propagation()
+  {
+    if(!propagation_)
+      propagation_.reset(new Exact_geodesic_propagation(mesh_));
+  }
+
   void find_farthest()
   {
     farthest_ = static_cast<Index>(std::max_element(distance_.begin(), distance_.end()) - distance_.begin());
@@ -121,6 +137,7 @@ private:
 
   const Indexed_triangle_mesh& mesh_;
   Mesh_connectivity connectivity_;
+  bool is_polyhedral_; // the cut locus of the polyhedron, and not of a surface that it stands for
   Direction_geometry geometry_;
   std::unique_ptr<Exact_geodesic_propagation> propagation_;
 
@@ -133,6 +150,7 @@ private:
   Direction_graph graph_;
   Direction_branches branches_;
   Mesh_edge_branches mesh_edges_;
+  Indexed_cut_locus polyhedral_;
 };
 
 } // namespace internal
