@@ -13,6 +13,8 @@
 #include "curve_distance.h"
 #include "remeshed_surface.h"
 
+#include <CGAL/Exact_geodesic_solver.h>
+#include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
@@ -67,6 +69,7 @@ struct Thresholds
 {
   std::optional<double> angle, laplacian;
   std::size_t minimum_edges = 3;
+  std::vector<unsigned int> smoothing = {0}; // numbers of iterations
 };
 
 template <typename Solver>
@@ -77,18 +80,23 @@ void run(const std::string& solver_name, const Solver& solver, const Case& test,
   const double h = mean_edge_length(mesh);
   CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(mesh, params::geodesic_solver(solver));
   cut_loci.set_source(source);
-  const double angle = t.angle.value_or(cut_loci.default_gradient_angle_threshold());
+  const double angle = t.angle.value_or(cut_loci.gradient_angle_threshold());
   const double laplacian = t.laplacian.value_or(-1e300);
-  const Cut_locus result = cut_loci.cut_locus(params::gradient_angle_threshold(angle)
-                                                .laplacian_threshold(laplacian)
-                                                .minimum_branch_edges(t.minimum_edges));
-  const Polylines estimate = segments(result), truth = test.truth(h / 5.);
-  const Deviation e = deviation(estimate, truth, h / 5.), m = deviation(truth, estimate, h / 5.);
-  std::printf("%-22s %7u %8.5f  %-10s %5.2f %9.3g  %7.3f %7.2f  %7.3f %7.2f\n", test.name.c_str(),
-              unsigned(mesh.number_of_faces()), h, solver_name.c_str(), angle,
-              t.laplacian ? laplacian : -(std::numeric_limits<double>::infinity)(), e.mean / h, e.max / h, m.mean / h,
-              m.max / h);
-  std::fflush(stdout);
+  const Polylines truth = test.truth(h / 5.);
+  for(unsigned int iterations : t.smoothing)
+  {
+    const Cut_locus result = cut_loci.cut_locus(params::gradient_angle_threshold(angle)
+                                                  .laplacian_threshold(laplacian)
+                                                  .minimum_branch_edges(t.minimum_edges)
+                                                  .number_of_iterations(iterations));
+    const Polylines estimate = segments(result);
+    const Deviation e = deviation(estimate, truth, h / 5.), m = deviation(truth, estimate, h / 5.);
+    std::printf("%-22s %7u %8.5f  %-10s %9u %5.2f %9.3g  %7.3f %7.2f  %7.3f %7.2f\n", test.name.c_str(),
+                unsigned(mesh.number_of_faces()), h, solver_name.c_str(), iterations, angle,
+                t.laplacian ? laplacian : -(std::numeric_limits<double>::infinity)(), e.mean / h, e.max / h, m.mean / h,
+                m.max / h);
+    std::fflush(stdout);
+  }
 }
 
 } // namespace
@@ -99,6 +107,7 @@ int main(int argc, char** argv)
   std::string cache;
   std::vector<double> lengths, angles, laplacians;
   std::vector<std::string> solvers;
+  std::vector<unsigned int> smoothing;
   std::size_t minimum_edges = 3;
   po::options_description options("Accuracy of the cut locus against closed forms");
   options.add_options()
@@ -109,8 +118,10 @@ int main(int argc, char** argv)
     ("angle", po::value(&angles)->multitoken(), "thresholds for the gradient angle (default: the library's)")
     ("laplacian", po::value(&laplacians)->multitoken(), "thresholds for the Laplacian (default: none)")
     ("min-branch-edges", po::value(&minimum_edges), "branches of fewer edges are removed")
-    ("solver", po::value(&solvers)->multitoken()->default_value({"cgal-exact", "heat"}, "cgal-exact heat"),
-     "cgal-exact, heat, heat-direct");
+    ("solver", po::value(&solvers)->multitoken()->default_value({"exact", "heat"}, "exact heat"),
+     "exact, cgal-exact, heat, heat-direct, graph")
+    ("smoothing", po::value(&smoothing)->multitoken()->default_value({0, 4}, "0 4"),
+     "numbers of smoothing iterations (0: edges of the mesh)");
   po::variables_map values;
   try
   {
@@ -133,7 +144,8 @@ int main(int argc, char** argv)
     {"torus outer equator", torus.point(0., 0.), [&](double s) { return torus.cut_locus_of_outer_equator(0., s); }},
     {"torus inner equator", torus.point(1., pi), [&](double s) { return torus.cut_locus_of_inner_equator(1., s); }}};
 
-  std::printf("%-22s %7s %8s  %-10s %5s %9s  %7s %7s  %7s %7s\n", "surface and source", "faces", "h", "solver", "angle",
+  std::printf("%-22s %7s %8s  %-10s %9s %5s %9s  %7s %7s  %7s %7s\n", "surface and source", "faces", "h",
+              "solver", "smoothing", "angle",
               "laplacian", "est mean", "max", "truth mean", "max");
   for(double length : lengths)
   {
@@ -143,14 +155,18 @@ int main(int argc, char** argv)
       {
         std::vector<Thresholds> thresholds;
         for(double a : angles)
-          thresholds.push_back({a, std::nullopt, minimum_edges});
+          thresholds.push_back({a, std::nullopt, minimum_edges, smoothing});
         for(double l : laplacians)
-          thresholds.push_back({std::nullopt, l, minimum_edges});
+          thresholds.push_back({std::nullopt, l, minimum_edges, smoothing});
         if(thresholds.empty())
-          thresholds.push_back({std::nullopt, std::nullopt, minimum_edges});
+          thresholds.push_back({std::nullopt, std::nullopt, minimum_edges, smoothing});
         for(const Thresholds& t : thresholds)
-          if(solver == "cgal-exact")
+          if(solver == "exact")
+            run(solver, CGAL::Exact_geodesic_solver(), c, mesh, t);
+          else if(solver == "cgal-exact")
             run(solver, CGAL::Shortest_path_geodesic_solver(), c, mesh, t);
+          else if(solver == "graph")
+            run(solver, CGAL::Graph_geodesic_solver(), c, mesh, t);
           else if(solver == "heat")
             run(solver, CGAL::Heat_method_geodesic_solver<>(), c, mesh, t);
           else if(solver == "heat-direct")

@@ -6,11 +6,12 @@
 
 // Times the exact geodesic solver.
 //
-//   benchmark_exact_geodesics [--trials n] [--cgal-trials n] mesh...
-//     against CGAL's Surface_mesh_shortest_path: from the mesh object to the distances of all vertices, and for CGAL the
-//     construction of its sequence tree alone
-//   benchmark_exact_geodesics --growth [largest number of faces]
+//   benchmark_exact_geodesics [--cpu] [--trials n] [--cgal-trials n] mesh...
+//     against CGAL's Surface_mesh_shortest_path: from the mesh object to the distances of all vertices, and for CGAL
+//     the construction of its sequence tree alone
+//   benchmark_exact_geodesics [--cpu] --growth [largest number of faces]
 //     on jittered tori; prints time, memory and windows, as comma-separated values, and the exponents fitted to them
+//   --cpu measures processor time instead of elapsed time, for machines with other work to do
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -24,6 +25,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <limits>
 #include <random>
@@ -41,8 +43,12 @@ using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
 
 namespace {
 
+bool measures_processor_time = false;
+
 double now()
 {
+  if(measures_processor_time)
+    return double(std::clock()) / CLOCKS_PER_SEC;
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
@@ -72,8 +78,8 @@ struct Times
 };
 
 /// the whole way from the mesh object to distances, and to directions if wanted; `again` is one more source
-Times time_ours(const Mesh& mesh, Vertex source, bool directions, bool centroids, int trials, std::vector<double>& distances,
-                std::size_t& windows)
+Times time_ours(const Mesh& mesh, Vertex source, bool directions, bool centroids, int trials,
+                std::vector<double>& distances, std::size_t& windows)
 {
   std::vector<double> read, total, again, angles(num_vertices(mesh));
   for(int i = 0; i < trials; ++i) {
@@ -113,8 +119,8 @@ void compare(const std::string& file, int trials, int cgal_trials)
   const Times directed = time_ours(mesh, source, true, false, trials, distances, windows);
   const Times centroids = time_ours(mesh, source, false, true, trials, distances, windows);
   std::printf("%s: %zu faces, %.2f M windows\n", file.c_str(), std::size_t(num_faces(mesh)), windows * 1e-6);
-  std::printf("  mesh to distances                 %8.4f s (of it reading the mesh %.4f; one more source %.4f)\n", plain.total,
-              plain.read, plain.again);
+  std::printf("  mesh to distances                 %8.4f s (of it reading the mesh %.4f; one more source %.4f)\n",
+              plain.total, plain.read, plain.again);
   std::printf("  mesh to distances and directions  %8.4f s\n", directed.total);
   std::printf("  ... and to centroids              %8.4f s\n", centroids.total);
   if(cgal_trials == 0)
@@ -134,8 +140,8 @@ void compare(const std::string& file, int trials, int cgal_trials)
     }
   }
   const double cgal = median(cgal_times);
-  std::printf("  CGAL's sequence tree              %8.4f s: ratio %.0f, with directions %.0f\n", cgal, cgal / plain.total,
-              cgal / directed.total);
+  std::printf("  CGAL's sequence tree              %8.4f s: ratio %.0f, with directions %.0f\n", cgal,
+              cgal / plain.total, cgal / directed.total);
   std::printf("  largest relative difference of the distances %.2g\n", difference);
 }
 
@@ -230,7 +236,9 @@ int main(int argc, char** argv)
   int trials = 5, cgal_trials = 1;
   bool done = false;
   for(int i = 1; i < argc; ++i) {
-    if(std::strcmp(argv[i], "--growth") == 0) {
+    if(std::strcmp(argv[i], "--cpu") == 0)
+      measures_processor_time = true;
+    else if(std::strcmp(argv[i], "--growth") == 0) {
       const bool has_size = i + 1 < argc && std::atoi(argv[i + 1]) > 0;
       growth(has_size ? std::size_t(std::atoi(argv[++i])) : 1600000);
     } else if(std::strcmp(argv[i], "--trials") == 0 && i + 1 < argc)
@@ -242,6 +250,6 @@ int main(int argc, char** argv)
     done = true;
   }
   if(!done)
-    std::fprintf(stderr, "usage: %s [--trials n] [--cgal-trials n] mesh... | --growth [faces]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s [--cpu] [--trials n] [--cgal-trials n] mesh... | [--cpu] --growth [faces]\n", argv[0]);
   return done ? EXIT_SUCCESS : EXIT_FAILURE;
 }

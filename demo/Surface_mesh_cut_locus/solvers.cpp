@@ -6,6 +6,8 @@
 
 #include "solvers.h"
 
+#include <CGAL/Exact_geodesic_solver.h>
+#include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>
 
@@ -32,11 +34,13 @@ std::unique_ptr<Cut_locus_solver> make(const Mesh& mesh, Progress& progress)
 
 // The first one is the default.
 const Solver_entry solvers[] = {
+  {"exact", "exact geodesic distances", make<CGAL::Exact_geodesic_solver>},
   {"cgal-exact", "CGAL's exact shortest paths", make<CGAL::Shortest_path_geodesic_solver>},
   {"heat", "CGAL's heat method on an intrinsic Delaunay triangulation",
    make<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Intrinsic_Delaunay> >},
   {"heat-direct", "CGAL's heat method on the mesh as it is",
    make<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct> >},
+  {"graph", "shortest paths over edges and dual edges", make<CGAL::Graph_geodesic_solver>},
 };
 
 const Solver_entry* find_solver(const std::string& name)

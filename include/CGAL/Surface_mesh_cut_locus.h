@@ -17,7 +17,7 @@
 #include <CGAL/Cut_loci/internal/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 #include <CGAL/Cut_locus.h>
-#include <CGAL/Shortest_path_geodesic_solver.h>
+#include <CGAL/Exact_geodesic_solver.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -91,7 +91,7 @@ public:
    *   \cgalParamNBegin{geodesic_solver}
    *     \cgalParamDescription{the solver that computes the distances}
    *     \cgalParamType{a model of `GeodesicSolver`}
-   *     \cgalParamDefault{`Shortest_path_geodesic_solver()`}
+   *     \cgalParamDefault{`Exact_geodesic_solver()`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{laplacian_operator}
    *     \cgalParamDescription{the discretization of the Laplace-Beltrami operator}
@@ -130,7 +130,7 @@ public:
                                            default_method())),
       has_own_solver_(!parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::geodesic_solver_t>::value),
       solver_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_solver),
-                                           Shortest_path_geodesic_solver()))
+                                           Exact_geodesic_solver()))
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
@@ -250,7 +250,7 @@ public:
    *     \cgalParamDescription{the angle at which shortest paths must meet, in radians in [0, pi]; a larger one removes
    *                           weaker branches}
    *     \cgalParamType{`double`}
-   *     \cgalParamDefault{`default_gradient_angle_threshold()`}
+   *     \cgalParamDefault{`default_gradient_angle_threshold()`, unless the geodesic solver asks for another one}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{laplacian_threshold}
    *     \cgalParamDescription{the least value of minus the Laplacian of the distance, times the mean edge length}
@@ -296,6 +296,14 @@ public:
    *     `boost::graph_traits<TriangleMesh>::%edge_descriptor`
    *                    as key type and `bool` as value type}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{number_of_iterations}
+   *     \cgalParamDescription{the number of steps that move the curves from the edges of the mesh onto the cut locus,
+   *                           through the faces}
+   *     \cgalParamType{`unsigned int`}
+   *     \cgalParamDefault{0: the curves consist of edges of the mesh}
+   *     \cgalParamExtra{Each step leaves half of the way that the one before has left; 4 are enough. The edges of
+   *                     the mesh that `edge_is_constrained_map` tells are those of the curves before.}
+   *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
    * @throws Cut_loci::Invalid_input if there is no source, or if a threshold is not a number or out of its range
@@ -322,7 +330,7 @@ public:
     }
     Cut_loci::Branch_thresholds thresholds;
     thresholds.gradient_angle = choose_parameter(get_parameter(np, internal_np::gradient_angle_threshold),
-                                                 default_gradient_angle_threshold());
+                                                 source_angle_threshold_);
     thresholds.laplacian = choose_parameter(get_parameter(np, internal_np::laplacian_threshold), thresholds.laplacian);
     thresholds.policy = choose_parameter(get_parameter(np, internal_np::filter_policy), thresholds.policy);
     const std::size_t minimum_edges = choose_parameter(get_parameter(np, internal_np::minimum_branch_edges),
@@ -340,7 +348,12 @@ public:
 
     const Cut_loci::Indexed_cut_locus cut_locus = component_->solver->filter(thresholds);
     mark_edges(cut_locus, get_parameter(np, internal_np::edge_is_constrained));
-    return make_result(cut_locus);
+    Cut_loci::Smoothing_parameters smoothing;
+    smoothing.number_of_iterations = static_cast<Index>(
+      choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(0)));
+    if(smoothing.number_of_iterations == 0)
+      return make_result(cut_locus);
+    return make_result(component_->solver->smoothed(cut_locus, smoothing));
   }
 
   /// the default of `cut_locus_method`
@@ -350,6 +363,8 @@ public:
   {
     return Cut_loci::internal::Component_solver::default_gradient_angle_threshold();
   }
+  /// the default of `gradient_angle_threshold` for the current source: the geodesic solver may ask for one of its own
+  double gradient_angle_threshold() const { return source_angle_threshold_; }
   /// the default of `minimum_branch_edges`
   static std::size_t default_minimum_branch_edges() { return 3; }
 
@@ -423,6 +438,10 @@ private:
   void solve(Cut_loci::Indexed_source source, const NamedParameters& np)
   {
     source_result_.reset();
+    constexpr bool runs_solver =
+      parameters::is_default_parameter<NamedParameters, internal_np::vertex_distance_map_t>::value;
+    source_angle_threshold_ = runs_solver && solver_.gradient_angle_threshold() > 0.
+                              ? solver_.gradient_angle_threshold() : default_gradient_angle_threshold();
     Component& component = component_at(component_of_face_[source.location.face]);
     component_ = &component;
     to_component(component, source);
@@ -676,6 +695,7 @@ private:
 
   Component* component_ = nullptr;    // that of the source
   Cut_loci::Indexed_source source_;   // in its component
+  double source_angle_threshold_ = default_gradient_angle_threshold();
   std::shared_ptr<const Cut_loci::internal::Source_result> source_result_;
 };
 

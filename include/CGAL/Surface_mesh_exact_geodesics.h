@@ -30,22 +30,22 @@ namespace CGAL {
  *
  * computes exact geodesic distances, directions, and shortest paths on a triangle mesh.
  *
- * "Exact" is meant as in \ref PkgSurfaceMeshShortestPath "Triangulated Surface Mesh Shortest Paths": the algorithm finds
- * the shortest path on the polyhedral surface, not an approximation of it, up to the rounding of `double`, in which all
- * numbers are computed. The surface may have any genus and any number of borders and components.
+ * "Exact" is meant as in \ref PkgSurfaceMeshShortestPath "Triangulated Surface Mesh Shortest Paths": the algorithm
+ * finds the shortest path on the polyhedral surface, not an approximation of it, up to the rounding of `double`, in
+ * which all numbers are computed. The surface may have any genus and any number of borders and components.
  *
- * The mesh is read by the constructor; it must not change, and must stay alive, as long as the object is used. Sources are
- * vertices or face locations. `compute()` then finds the distances to all vertices and to the query locations; all other
- * functions with results are `const` and can be called from several threads at once. An object is meant to be used for
- * many sources: it keeps the geometry of the mesh and all its memory.
+ * The mesh is read by the constructor; it must not change, and must stay alive, as long as the object is used. Sources
+ * are vertices or face locations. `compute()` then finds the distances to all vertices and to the query locations; all
+ * other functions with results are `const` and can be called from several threads at once. An object is meant to be
+ * used for many sources: it keeps the geometry of the mesh and all its memory.
  *
- * The algorithm propagates the windows of Mitchell, Mount and Papadimitriou \cgalCite{mmp-dgp-87} across the faces, with
- * the rule "one angle, one split" of Chen and Han \cgalCite{ch-spp-90}, the filter of Xin and Wang \cgalCite{xw-ich-09},
- * and, as Xu et al. \cgalCite{xu-fwp-15} and Qin et al. \cgalCite{qin-vtp-16}, in batches: all windows of a halfedge cross
- * its face at once.
+ * The algorithm propagates the windows of Mitchell, Mount and Papadimitriou \cgalCite{mmp-dgp-87} across the faces,
+ * with the rule "one angle, one split" of Chen and Han \cgalCite{ch-spp-90}, the filter of Xin and Wang
+ * \cgalCite{xw-ich-09}, and, as Xu et al. \cgalCite{xu-fwp-15} and Qin et al. \cgalCite{qin-vtp-16}, in batches: all
+ * windows of a halfedge cross its face at once.
  *
- * The running time is \cgalBigO{n^2 \log n} in the worst case. On meshes of smooth surfaces, it grows like
- * \cgalBigO{n^{1.5}}, and the memory for windows like \cgalBigO{n^{0.5}} beyond what is linear in the size of the mesh.
+ * In the worst case, time grows like \cgalBigO{n^2} and more with the number of faces. On meshes of smooth surfaces,
+ * the number of windows grows like \cgalBigO{n^{1.5}}, the time a little slower, and the memory linearly.
  *
  * Faces must have an area: a face whose height is less than about `1e-13` of its longest edge can not be unfolded in
  * `double`, and is refused. Vertices whose faces form more than one fan are refused as well. In both cases the
@@ -72,11 +72,12 @@ public:
   /// the number type of all results
   using FT = double;
 
-  /// a point on the mesh: a face `f` and barycentric coordinates with respect to `source(halfedge(f, tm), tm)` and the two
-  /// vertices that follow counterclockwise, as in `Polygon_mesh_processing`
+  /// a point on the mesh: a face `f` and barycentric coordinates with respect to `source(halfedge(f, tm), tm)` and the
+  /// two vertices that follow counterclockwise, as in `Polygon_mesh_processing`
   using Face_location = std::pair<face_descriptor, std::array<FT, 3> >;
 
-  /// a direction at a vertex: a halfedge that leaves it, and the angle from that halfedge, counterclockwise within its face
+  /// a direction at a vertex: a halfedge that leaves it, and the angle from that halfedge, counterclockwise within its
+  /// face
   using Direction = std::pair<halfedge_descriptor, FT>;
 
   /// @}
@@ -90,16 +91,17 @@ public:
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{vertex_point_map}
    *     \cgalParamDescription{a property map associating points to the vertices of `tm`}
-   *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
-   *                    as key type and `%Point_3` as value type}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value
+   *                    type}
    *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
    *     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t` must be
    *                     available in `TriangleMesh`.}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \throws Cut_loci::Invalid_input if `tm` has no faces, a face that is no triangle or has no area, a coordinate that is
-   *         not finite, or a vertex whose faces form more than one fan
+   * \throws Cut_loci::Invalid_input if `tm` has no faces, a face that is no triangle or has no area, a coordinate that
+   *         is not finite, or a vertex whose faces form more than one fan
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Surface_mesh_exact_geodesics(const TriangleMesh& tm,
@@ -196,8 +198,8 @@ public:
   }
 
   /// writes the distances of all vertices
-  /// @tparam VertexDistanceMap a model of `WritablePropertyMap` with `vertex_descriptor` as key type and a value type to
-  ///         which `double` can be converted
+  /// @tparam VertexDistanceMap a model of `WritablePropertyMap` with `vertex_descriptor` as key type and a value type
+  ///         to which `double` can be converted
   template <typename VertexDistanceMap>
   void distances(VertexDistanceMap vdm) const
   {
@@ -228,7 +230,8 @@ public:
   /// the direction at its source in which the shortest path to `v` starts
   ///
   /// It is an angle in the tangent plane of the source, unrolled without scaling: counterclockwise, in
-  /// `[0, source_angle())`, up to and including `source_angle()` for a source on the border. Zero is `source_halfedge()`.
+  /// `[0, source_angle())`, up to and including `source_angle()` for a source on the border. Zero is
+  /// `source_halfedge()`.
   /// \pre directions have been asked for, `v` is reached and not a source
   FT direction_at_source(vertex_descriptor v) const { return m_geodesics.direction_at_source(index(v)); }
 
@@ -241,8 +244,8 @@ public:
   /// the halfedge along which the direction at source number `i` is zero
   ///
   /// For a vertex on the border, it is the first of its fan, which has the border on its right; for another vertex, the
-  /// first one that leaves it in the order of `faces(tm)`; on an edge, the halfedge of the edge in the face of the location;
-  /// and in a face `f`, `halfedge(f, tm)`.
+  /// first one that leaves it in the order of `faces(tm)`; on an edge, the halfedge of the edge in the face of the
+  /// location; and in a face `f`, `halfedge(f, tm)`.
   halfedge_descriptor source_halfedge(std::size_t i = 0) const
   {
     return m_read.halfedges[m_geodesics.source_halfedge(i)];
@@ -259,8 +262,8 @@ public:
   /// @}
 
   /// \name Shortest Paths
-  /// A path is a sequence of face locations: its end, the points where it crosses edges or meets vertices, and its source.
-  /// No two consecutive ones are the same point. There are none if the end is not reached.
+  /// A path is a sequence of face locations: its end, the points where it crosses edges or meets vertices, and its
+  /// source. No two consecutive ones are the same point. There are none if the end is not reached.
   /// @{
 
   /// writes the shortest path from `v` to its source

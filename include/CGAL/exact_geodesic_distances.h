@@ -23,13 +23,14 @@ namespace CGAL {
  *
  * computes the exact geodesic distances from `source` to all vertices of a triangle mesh.
  *
- * Vertices that can not be reached get an infinite distance. For more than one source, directions, shortest paths, points
- * in faces, or a maximum distance, see `CGAL::Surface_mesh_exact_geodesics`, which also says how long it takes; whoever
- * needs the distances from many points, one after the other, should use it, too.
+ * Vertices that can not be reached get an infinite distance. For more than one source, directions, shortest paths,
+ * points in faces, or a maximum distance, see `CGAL::Surface_mesh_exact_geodesics`, which also says how long it takes;
+ * whoever needs the distances from many points, one after the other, should use it, too.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
- * @tparam VertexDistanceMap a model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as
- *         key type and a value type to which `double` can be converted
+ * @tparam VertexDistanceMap a model of `WritablePropertyMap` with
+ *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a value type to which `double` can be
+ *         converted
  *
  * @param tm a triangle mesh
  * @param source a vertex of `tm`
@@ -39,11 +40,11 @@ namespace CGAL {
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of `tm`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
- *                    as key type and `%Point_3` as value type}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
- *     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t` must be available
- *                     in `TriangleMesh`.}
+ *     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t` must be
+ *                     available in `TriangleMesh`.}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *

@@ -400,8 +400,8 @@ inline double angle(const Point& p, const Point& q, const Point& r)
 }
 
 /// what is wrong with a path from `end` of the given length, or nothing
-inline std::string defect_of_path(const Geodesics& geodesics, const Mesh& mesh, const std::vector<Indexed_location>& path,
-                                  const Point& end, double length)
+inline std::string defect_of_path(const Geodesics& geodesics, const Mesh& mesh,
+                                  const std::vector<Indexed_location>& path, const Point& end, double length)
 {
   if(path.empty())
     return "it is empty";

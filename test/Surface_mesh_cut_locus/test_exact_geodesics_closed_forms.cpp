@@ -51,8 +51,8 @@ std::vector<Indexed_location> random_sources(const Mesh& mesh, std::size_t n, un
   return sources;
 }
 
-/// the distance on a box, as the shortest of all ways to roll it from the face of `s` to the one of `t` over each face at
-/// most once: on a convex surface no such unfolding makes a distance too short
+/// the distance on a box, as the shortest of all ways to roll it from the face of `s` to the one of `t` over each face
+/// at most once: on a convex surface no such unfolding makes a distance too short
 class Box_distance
 {
 public:
@@ -213,8 +213,10 @@ TEST(Closed_forms, doubly_covered_disk)
         for(Index k = 0; k < sides; ++k) {
           const Point a = rim(k), b = rim(k + 1);
           const double ux = (b[0] - a[0]), uy = (b[1] - a[1]), l = std::hypot(ux, uy);
-          const double xs = ((s[0] - a[0]) * ux + (s[1] - a[1]) * uy) / l, ys = ((s[1] - a[1]) * ux - (s[0] - a[0]) * uy) / l;
-          const double xt = ((t[0] - a[0]) * ux + (t[1] - a[1]) * uy) / l, yt = ((t[1] - a[1]) * ux - (t[0] - a[0]) * uy) / l;
+          const double xs = ((s[0] - a[0]) * ux + (s[1] - a[1]) * uy) / l,
+                       ys = ((s[1] - a[1]) * ux - (s[0] - a[0]) * uy) / l;
+          const double xt = ((t[0] - a[0]) * ux + (t[1] - a[1]) * uy) / l,
+                       yt = ((t[1] - a[1]) * ux - (t[0] - a[0]) * uy) / l;
           const double x = (std::min)((std::max)(ys + yt > 0. ? (xs * yt + xt * ys) / (ys + yt) : xs, 0.), l);
           d = (std::min)(d, std::hypot(x - xs, ys) + std::hypot(x - xt, yt));
         }

@@ -158,7 +158,11 @@ TEST(Fuzz, welded_of_any_genus)
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> u(0.3, 0.6);
     const Mesh open = perforated(bumpy_grid(6 + seed % 7, 6 + seed % 6, 0.2, seed, 0.15), 0.05 * (seed % 4), seed);
-    expect_agreement(doubled(open, [&](const Point& p) { return Point{{p[0], p[1], p[2] + u(random)}}; }), 1 + seed % 3, seed);
+    expect_agreement(doubled(open,
+                             [&](const Point& p) {
+                               return Point{{p[0], p[1], p[2] + u(random)}};
+                             }),
+                     1 + seed % 3, seed);
   }
 }
 

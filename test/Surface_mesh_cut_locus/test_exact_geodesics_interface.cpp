@@ -39,7 +39,8 @@ public:
   using face_descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
   using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
   using Face_location = typename Geodesics::Face_location;
-  using Point = typename boost::property_traits<typename boost::property_map<Mesh, CGAL::vertex_point_t>::type>::value_type;
+  using Point =
+      typename boost::property_traits<typename boost::property_map<Mesh, CGAL::vertex_point_t>::type>::value_type;
 
   /// the square [0, n]^2 in a grid of n times n cells
   static Mesh square(unsigned n)
@@ -55,7 +56,8 @@ public:
   {
     const auto h = halfedge(location.first, mesh);
     const auto vpm = get(CGAL::vertex_point, mesh);
-    const Point &p = get(vpm, source(h, mesh)), &q = get(vpm, target(h, mesh)), &r = get(vpm, target(next(h, mesh), mesh));
+    const Point &p = get(vpm, source(h, mesh)), &q = get(vpm, target(h, mesh)),
+                &r = get(vpm, target(next(h, mesh), mesh));
     const std::array<double, 3>& c = location.second;
     return Point(c[0] * p.x() + c[1] * q.x() + c[2] * r.x(), c[0] * p.y() + c[1] * q.y() + c[2] * r.y(),
                  c[0] * p.z() + c[1] * q.z() + c[2] * r.z());
@@ -89,7 +91,8 @@ TYPED_TEST(Exact_geodesics_interface, free_functions)
   CGAL::exact_geodesic_distances(mesh, sources, vdm);
   for(auto v : vertices(mesh))
     EXPECT_NEAR(map[v],
-                (std::min)(Fixture::distance(get(vpm, sources[0]), get(vpm, v)), Fixture::distance(get(vpm, sources[1]), get(vpm, v))),
+                (std::min)(Fixture::distance(get(vpm, sources[0]), get(vpm, v)),
+                           Fixture::distance(get(vpm, sources[1]), get(vpm, v))),
                 1e-12);
   CGAL::exact_geodesic_distances(mesh, std::vector<typename Fixture::Face_location>(1, location), vdm);
   for(auto v : vertices(mesh))
@@ -190,7 +193,8 @@ TYPED_TEST(Exact_geodesics_interface, bad_sources)
   const auto f = *faces(mesh).begin();
   EXPECT_THROW(geodesics.compute(), std::invalid_argument);
   EXPECT_THROW(geodesics.compute(Traits::null_vertex()), std::invalid_argument);
-  EXPECT_THROW(geodesics.compute(typename Fixture::Face_location(Traits::null_face(), {{1., 0., 0.}})), std::invalid_argument);
+  EXPECT_THROW(geodesics.compute(typename Fixture::Face_location(Traits::null_face(), {{1., 0., 0.}})),
+               std::invalid_argument);
   EXPECT_THROW(geodesics.compute(typename Fixture::Face_location(f, {{1., 1., 0.}})), std::invalid_argument);
   EXPECT_THROW(geodesics.add_query(typename Fixture::Face_location(f, {{2., -1., 0.}})), std::invalid_argument);
   geodesics.compute(*vertices(mesh).begin());

@@ -77,8 +77,9 @@ TEST(Exact_geodesics, triangle_inequality_and_lower_bound)
       for(Index v = 0; v < mesh.number_of_vertices(); ++v)
         EXPECT_GE(distances[i][v], (1. - 1e-12) * distance(mesh.points[sources[i]], mesh.points[v]));
       for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-        EXPECT_LE(distances[i][mesh.source(h)], distances[i][mesh.target(h)] +
-                                                    (1. + exact) * distance(mesh.points[mesh.source(h)], mesh.points[mesh.target(h)]));
+        EXPECT_LE(distances[i][mesh.source(h)],
+                  distances[i][mesh.target(h)] +
+                      (1. + exact) * distance(mesh.points[mesh.source(h)], mesh.points[mesh.target(h)]));
     }
     for(std::size_t i = 0; i < sources.size(); ++i)
       for(std::size_t j = 0; j < sources.size(); ++j)
@@ -108,7 +109,8 @@ TEST(Exact_geodesics, paths_are_straight_and_as_long_as_the_distance)
       }
       for(std::size_t q = 0; q < options.queries.size(); ++q) {
         const std::vector<Indexed_location> path = tracing.path_from_query(q);
-        EXPECT_EQ(defect_of_path(geodesics, mesh, path, point(mesh, options.queries[q]), geodesics.query_distance(q)), "")
+        EXPECT_EQ(defect_of_path(geodesics, mesh, path, point(mesh, options.queries[q]), geodesics.query_distance(q)),
+                  "")
             << "query " << q;
       }
     }
@@ -248,7 +250,8 @@ TEST(Exact_geodesics, several_sources_are_the_nearest_of_each)
       // two in one face
       sources.push_back(sources[0]);
       sources.back().coordinates = {{0.2, 0.3, 0.5}};
-      std::vector<double> nearest(mesh.number_of_vertices(), infinity), nearest_centroid(mesh.number_of_faces(), infinity);
+      std::vector<double> nearest(mesh.number_of_vertices(), infinity),
+          nearest_centroid(mesh.number_of_faces(), infinity);
       std::vector<std::vector<double>> single, directions;
       for(const Indexed_location& source : sources) {
         geodesics.run({source}, options);

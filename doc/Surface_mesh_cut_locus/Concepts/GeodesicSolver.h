@@ -17,6 +17,7 @@
  * \cgalRefines{CopyConstructible}
  *
  * \cgalHasModelsBegin
+ * \cgalHasModels{CGAL::Exact_geodesic_solver}
  * \cgalHasModels{CGAL::Shortest_path_geodesic_solver}
  * \cgalHasModels{CGAL::Heat_method_geodesic_solver}
  * \cgalHasModelsEnd
@@ -42,4 +43,10 @@ public:
    *        number. Its content before the call is of no meaning.
    */
   void compute_distances(const CGAL::Cut_loci::Indexed_source& source, std::vector<double>& distances);
+
+  /*!
+   * returns the default of the parameter `gradient_angle_threshold` of `CGAL::Surface_mesh_cut_locus::cut_locus()` for
+   * distances of this solver, in radians. This function is optional.
+   */
+  static double gradient_angle_threshold();
 };

@@ -29,7 +29,7 @@ struct Plane_point
   double x, y;
 };
 
-/// is all that unfolding a face needs, in two cache lines: corner `i` is at vertex `i`, edge `i` goes from it to `i + 1`.
+/// is all that unfolding a face needs, in two cache lines: corner `i` is at vertex `i`, where edge `i` starts.
 struct alignas(64) Geodesic_face
 {
   struct Corner
@@ -133,7 +133,7 @@ private:
     bends = 2
   };
 
-  static double square_root_of_sum(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
+  static double norm(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
 
   void read_faces(const Mesh& mesh, const std::vector<Index>* positions)
   {
@@ -147,13 +147,13 @@ private:
         const Mesh::Point& p = mesh.points[mesh.triangles[f][i]];
         const Mesh::Point& q = mesh.points[mesh.triangles[f][j]];
         edge[i] = {{q[0] - p[0], q[1] - p[1], q[2] - p[2]}};
-        length[i] = square_root_of_sum(edge[i][0], edge[i][1], edge[i][2]);
+        length[i] = norm(edge[i][0], edge[i][1], edge[i][2]);
         face.vertex[i] = mesh.triangles[f][i];
         face.opposite[i] = mesh.opposite[3 * f + i];
       }
-      const double twice_area = square_root_of_sum(edge[0][1] * edge[1][2] - edge[0][2] * edge[1][1],
-                                                   edge[0][2] * edge[1][0] - edge[0][0] * edge[1][2],
-                                                   edge[0][0] * edge[1][1] - edge[0][1] * edge[1][0]);
+      const double twice_area =
+          norm(edge[0][1] * edge[1][2] - edge[0][2] * edge[1][1], edge[0][2] * edge[1][0] - edge[0][0] * edge[1][2],
+               edge[0][0] * edge[1][1] - edge[0][1] * edge[1][0]);
       const double longest = (std::max)((std::max)(length[0], length[1]), length[2]);
       // below this height the rounding of the coordinates decides the shape; the test also fails on NaN and infinity
       if(!(twice_area > 1e-13 * longest * longest) || !(twice_area < (std::numeric_limits<double>::max)()))

@@ -23,9 +23,14 @@ public:
   Geodesic_solver_handle() = default;
 
   template <typename Solver>
-  explicit Geodesic_solver_handle(const Solver& solver) : model_(new Model<Solver>(solver)) {}
+  explicit Geodesic_solver_handle(const Solver& solver)
+    : model_(new Model<Solver>(solver)), gradient_angle_threshold_(own_threshold<Solver>(0))
+  {}
 
   bool empty() const { return !model_; }
+
+  // the default that the solver asks for, or 0
+  double gradient_angle_threshold() const { return gradient_angle_threshold_; }
 
   // a solver of the same kind for another mesh, which must stay where it is
   Geodesic_solver_handle bound_to(const Indexed_triangle_mesh& mesh) const
@@ -63,7 +68,16 @@ private:
     Solver solver;
   };
 
+  template <typename Solver>
+  static auto own_threshold(int) -> decltype(double(Solver::gradient_angle_threshold())) // if it has that
+  {
+    return Solver::gradient_angle_threshold();
+  }
+  template <typename Solver>
+  static double own_threshold(long) { return 0.; }
+
   std::unique_ptr<Concept> model_;
+  double gradient_angle_threshold_ = 0.;
 };
 
 } // namespace internal

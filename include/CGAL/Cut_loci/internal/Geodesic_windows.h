@@ -110,9 +110,7 @@ public:
   /// an empty list with room for `n` windows of `columns` members
   Geodesic_window_list* allocate(std::size_t n)
   {
-    std::uint32_t size_class = 2;
-    while((std::size_t(1) << size_class) < n)
-      ++size_class;
+    const std::uint32_t size_class = class_of_size(n);
     if(size_class >= m_free.size())
       m_free.resize(size_class + 1);
     std::vector<Geodesic_window_list*>& free_lists = m_free[size_class];
@@ -140,6 +138,22 @@ public:
   }
 
 private:
+  /// the least power of two, from four on, that is not less than `n`
+  static std::uint32_t class_of_size(std::size_t n)
+  {
+    if(n <= 4)
+      return 2;
+#if defined(__GNUC__)
+    return static_cast<std::uint32_t>(8 * sizeof(unsigned long long)) -
+           static_cast<std::uint32_t>(__builtin_clzll(static_cast<unsigned long long>(n - 1)));
+#else
+    std::uint32_t size_class = 3;
+    while((std::size_t(1) << size_class) < n)
+      ++size_class;
+    return size_class;
+#endif
+  }
+
   Geodesic_window_list* new_list(std::uint32_t size_class, std::size_t doubles)
   {
     if(doubles > m_left) {

@@ -20,8 +20,8 @@ namespace internal {
 /*!
  * traces shortest paths back to their sources.
  *
- * Each straight piece of a path is followed from its end to the image of its (pseudo-)source, which is unfolded into one
- * face after the other, until it coincides with the source itself.
+ * Each straight piece of a path is followed from its end to the image of its (pseudo-)source, which is unfolded into
+ * one face after the other, until it coincides with the source itself.
  */
 class Geodesic_path_tracing
 {

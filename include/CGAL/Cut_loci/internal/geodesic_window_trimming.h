@@ -36,8 +36,9 @@ inline bool is_alive(const Geodesic_window& w, double narrow)
   return w.b - w.a > narrow;
 }
 
-/// the point of `[low, high]` up to which `left`, which is better at `low`, remains so, although not at `high`
-inline double find_tie(const Geodesic_window& left, const Geodesic_window& right, double low, double high)
+/// the point of `[low, high]` up to which `left` is better; `at_low` and `at_high`: how much further it is there
+inline double find_tie(const Geodesic_window& left, const Geodesic_window& right, double low, double high,
+                       double at_low, double at_high)
 {
   if(left.sigma == right.sigma) {
     // the bisector of two points
@@ -47,7 +48,10 @@ inline double find_tie(const Geodesic_window& left, const Geodesic_window& right
       return t;
   }
   const double accuracy = 1e-15 * (std::fabs(low) + std::fabs(high));
-  double t = 0.5 * (low + high);
+  double t = low - at_low * (high - low) / (at_high - at_low);
+  if(!(t > low && t < high))
+    t = 0.5 * (low + high);
+  double last_step = high - low;
   for(int i = 0; i < 100 && high - low > accuracy; ++i) {
     const double dl = std::sqrt((t - left.x) * (t - left.x) + left.y * left.y);
     const double dr = std::sqrt((t - right.x) * (t - right.x) + right.y * right.y);
@@ -61,8 +65,11 @@ inline double find_tie(const Geodesic_window& left, const Geodesic_window& right
     t -= difference / slope;
     if(!(t > low && t < high)) // also if the slope is not a number
       t = 0.5 * (low + high);
-    if(std::fabs(t - previous) <= accuracy)
+    // the steps of Newton's method shrink quadratically: the next one would be about this long
+    const double step = std::fabs(t - previous), shrink = step / last_step;
+    if(shrink * shrink * step <= accuracy)
       break;
+    last_step = step;
   }
   return t;
 }
@@ -72,14 +79,14 @@ inline void resolve_overlap(Geodesic_window& left, Geodesic_window& right)
 {
   const double low = (std::max)(left.a, right.a), high = (std::min)(left.b, right.b);
   if(low < high) {
-    const bool right_is_better = left.distance(low) >= right.distance(low);
-    const bool left_is_better = left.distance(high) <= right.distance(high);
-    if(right_is_better)
+    const double at_low = left.distance(low) - right.distance(low),
+                 at_high = left.distance(high) - right.distance(high);
+    if(at_low >= 0.)
       left.b = low;
-    else if(left_is_better)
+    else if(at_high <= 0.)
       right.a = high;
     else
-      left.b = right.a = find_tie(left, right, low, high);
+      left.b = right.a = find_tie(left, right, low, high, at_low, at_high);
     return;
   }
   // the outer rays meet below the halfedge, at the depth y; whoever comes there first is better on all crossings
@@ -107,7 +114,7 @@ inline bool are_mergeable(const Geodesic_window& left, const Geodesic_window& ri
          left.a <= right.b + geodesic_cover * length && left.nearest == right.nearest;
 }
 
-/// restores the order of a list, as a stack on its first places.
+/// restores the order of a list, using its first places as a stack.
 template <int columns>
 class Geodesic_trimming
 {
@@ -206,7 +213,8 @@ class Geodesic_envelope
 {
 public:
   /// trims `first` and `second`, and writes their lower envelope to `result`, which needs room for four times as many
-  void operator()(Geodesic_window_list& first, Geodesic_window_list& second, Geodesic_window_list& result, double length)
+  void operator()(Geodesic_window_list& first, Geodesic_window_list& second, Geodesic_window_list& result,
+                  double length)
   {
     Geodesic_trimming<columns>(first, length, true)(first.begin, false);
     Geodesic_trimming<columns>(second, length, true)(second.begin, false);
@@ -254,12 +262,14 @@ private:
 
   void split_monotone(const Geodesic_window& v, const Geodesic_window& w, double start, double stop)
   {
-    const bool v_first = v.distance(start) <= w.distance(start), v_last = v.distance(stop) <= w.distance(stop);
+    const double at_start = v.distance(start) - w.distance(start), at_stop = v.distance(stop) - w.distance(stop);
+    const bool v_first = at_start <= 0., v_last = at_stop <= 0.;
     if(v_first == v_last) {
       emit(v_first ? v : w, start, stop);
       return;
     }
-    const double t = v_first ? find_tie(v, w, start, stop) : find_tie(w, v, start, stop);
+    const double t = v_first ? find_tie(v, w, start, stop, at_start, at_stop)
+                             : find_tie(w, v, start, stop, -at_start, -at_stop);
     emit(v_first ? v : w, start, t);
     emit(v_first ? w : v, t, stop);
   }
