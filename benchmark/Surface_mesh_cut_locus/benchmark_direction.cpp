@@ -4,12 +4,12 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-// The accuracy of the direction method with its defaults: on tori and triaxial ellipsoids, at several resolutions, and on
-// jittered, anisotropic and noisy meshes. All figures are in units of the mean edge length h.
+// The accuracy of the direction method with its defaults: on tori and triaxial ellipsoids, at several resolutions, and
+// on jittered, anisotropic and noisy meshes. All figures are in units of the mean edge length h.
 //
 // Closed forms: distances between sampled curves. General sources: each point of the curve on an edge is verified by
-// shooting the two geodesics that meet there, and each end by the conjugate point of the surface; the curve of mesh edges
-// is then compared with the verified one. `away` is the maximum farther than 4 h from the ends.
+// shooting the two geodesics that meet there, and each end by the conjugate point of the surface; the curve of mesh
+// edges is then compared with the verified one. `away` is the maximum farther than 4 h from the ends.
 
 #include "analytic_surfaces.h"
 #include "curve_distance.h"

@@ -81,8 +81,8 @@ public:
     return std::nullopt;
   }
 
-  // The ends of the cut locus are first conjugate points where the conjugate distance has a local minimum, if a shortest
-  // path leads there.
+  // The ends of the cut locus are first conjugate points where the conjugate distance has a local minimum, if a
+  // shortest path leads there.
   std::vector<Arrival> cusps(double limit) const
   {
     const int n = 720;
@@ -108,8 +108,8 @@ public:
     double angle; // between the two directions at the source
   };
 
-  // The point near `p` that geodesics in two directions reach at the same length, by the method of Gauss and Newton from
-  // the given start; nothing if it does not converge, or to one geodesic.
+  // The point near `p` that geodesics in two directions reach at the same length, by the method of Gauss and Newton
+  // from the given start; nothing if it does not converge, or to one geodesic.
   std::optional<Cut_point> cut_point(const Point& p, double direction_1, double direction_2, double length) const
   {
     const Vector target = p - CGAL::ORIGIN;

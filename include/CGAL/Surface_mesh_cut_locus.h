@@ -280,8 +280,8 @@ public:
    *                           distance explains; values below 2 act as 2}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{found from the noise of the mesh: 3 on a smooth one}
-   *     \cgalParamExtra{This and `cut_locus_curve` are read with `Cut_loci::Method::DIRECTION`, and the parameters above
-   *                     with `Cut_loci::Method::LAPLACIAN`.}
+   *     \cgalParamExtra{This and `cut_locus_curve` are for `Cut_loci::Method::DIRECTION`, and the parameters above
+   *                     for `Cut_loci::Method::LAPLACIAN`.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{cut_locus_curve}
    *     \cgalParamDescription{whether the result is made of edges of the mesh or of segments through its faces}

@@ -129,8 +129,8 @@ inline Indexed_triangle_mesh sphere(int n)
   return mesh;
 }
 
-// rows of `nu` points for each of the profile's (radius, height); closed by a point at each end of the profile where the
-// radius is zero, and open where it is not
+// rows of `nu` points for each of the profile's (radius, height); closed by a point at each end of the profile where
+// the radius is zero, and open where it is not
 inline Indexed_triangle_mesh revolution(int nu, const std::vector<std::array<double, 2> >& profile)
 {
   std::vector<std::array<double, 3> > points;
@@ -237,7 +237,7 @@ inline Index nearest_vertex(const Indexed_triangle_mesh& mesh, const std::array<
   return best;
 }
 
-inline std::array<double, 3> position(const Indexed_triangle_mesh& mesh,
+inline std::array<double, 3> point_at(const Indexed_triangle_mesh& mesh,
                                       const CGAL::Cut_loci::Indexed_location& location)
 {
   using namespace CGAL::Cut_loci::internal;
@@ -303,8 +303,8 @@ inline void expect_graph_topology(const Indexed_triangle_mesh& mesh, const CGAL:
 }
 
 // The mesh falls into one piece when it is cut along the edges.
-inline void expect_complement_in_one_piece(const Indexed_triangle_mesh& mesh, const CGAL::Cut_loci::Mesh_connectivity& c,
-                                           const Indexed_cut_locus& graph)
+inline void expect_complement_in_one_piece(const Indexed_triangle_mesh& mesh,
+                                           const CGAL::Cut_loci::Mesh_connectivity& c, const Indexed_cut_locus& graph)
 {
   std::set<Index> cut;
   for(const auto& e : graph.edges)

@@ -79,8 +79,8 @@ TEST(Direction_accuracy, torus)
   }
 }
 
-// The cut locus of a pole of an ellipsoid of revolution is the other pole; that of a point of the equator of an oblate one
-// is an arc of the equator that ends at the first conjugate points, those at half the length b pi of a meridian.
+// The cut locus of a pole of an ellipsoid of revolution is the other pole; that of a point of the equator of an oblate
+// one is an arc of the equator that ends at the first conjugate points, those at half the length b pi of a meridian.
 TEST(Direction_accuracy, ellipsoid_of_revolution)
 {
   Ellipsoid oblate;

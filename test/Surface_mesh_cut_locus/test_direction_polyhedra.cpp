@@ -59,7 +59,8 @@ TEST(Polyhedral_cut_locus, trees)
             {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}});
   const Indexed_triangle_mesh prism = revolution(3, {{{0., 0.}}, {{1., 0.}}, {{1., 2.}}, {{0., 2.}}});
   std::vector<std::pair<std::string, Indexed_triangle_mesh> > meshes = {
-    {"tetrahedron", tetrahedron}, {"prism", prism}, {"icosahedral", revolution(5, {{{0., -1.}}, {{1., -0.5}}, {{0., 1.}}})}};
+    {"tetrahedron", tetrahedron}, {"prism", prism},
+    {"double pyramid", revolution(5, {{{0., -1.}}, {{1., -0.5}}, {{0., 1.}}})}};
   for(int n : {1, 2, 3})
   {
     meshes.push_back({"cube", box(n)});
@@ -83,7 +84,7 @@ double length(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& graph)
   using namespace CGAL::Cut_loci::internal;
   double sum = 0.;
   for(const auto& e : graph.edges)
-    sum += norm(position(mesh, graph.nodes[e.source].location) - position(mesh, graph.nodes[e.target].location));
+    sum += norm(point_at(mesh, graph.nodes[e.source].location) - point_at(mesh, graph.nodes[e.target].location));
   return sum;
 }
 
@@ -98,9 +99,10 @@ TEST(Polyhedral_cut_locus, cube_in_closed_form)
     EXPECT_EQ(leaves(p.graph).size(), 4u);
     for(const auto& node : p.graph.nodes)
     {
-      const auto x = position(mesh, node.location);
+      const auto x = point_at(mesh, node.location);
       const bool on_vertical = std::fabs(x[0] - std::round(x[0])) < 1e-6 && std::fabs(x[1] - std::round(x[1])) < 1e-6;
-      const bool on_diagonal = std::fabs(x[2] - 1.) < 1e-6 && (std::fabs(x[0] - x[1]) < 1e-6 || std::fabs(x[0] + x[1] - 1.) < 1e-6);
+      const bool on_diagonal = std::fabs(x[2] - 1.) < 1e-6 &&
+                               (std::fabs(x[0] - x[1]) < 1e-6 || std::fabs(x[0] + x[1] - 1.) < 1e-6);
       EXPECT_TRUE(on_vertical || on_diagonal) << x[0] << " " << x[1] << " " << x[2];
     }
   }

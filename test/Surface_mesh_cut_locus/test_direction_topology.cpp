@@ -93,7 +93,8 @@ TEST(Direction_topology, boundary)
   for(Index v = 0; v < band.number_of_vertices(); v += 37)
     expect_invariants(band, at_vertex(band, v), "sphere with three holes");
   check_all_kinds_of_sources(without_ball(torus(40, 16), {{1.4, 0., 0.}}, 0.3), "torus with a hole");
-  check_all_kinds_of_sources(without_ball(plate_with_holes(2, 4), {{0., 0., 0.5}}, 0.3), "plate with a hole at a corner");
+  check_all_kinds_of_sources(without_ball(plate_with_holes(2, 4), {{0., 0., 0.5}}, 0.3),
+                             "plate with a hole at a corner");
   check_all_kinds_of_sources(revolution(20, {{{0.3, 0.}}, {{0.6, 0.}}, {{1., 0.}}, {{1.4, 0.}}}), "flat annulus");
   check_all_kinds_of_sources(revolution(20, {{{0., 0.}}, {{0.6, 0.}}, {{1., 0.}}, {{1.4, 0.}}}), "flat disk");
   expect_invariants(indexed({{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}}, {{{0, 1, 2}}}),
@@ -109,7 +110,7 @@ TEST(Direction_topology, sphere_is_cut_at_a_point)
   for(const auto& node : solved.through_faces(solved.solver->default_threshold()).nodes)
   {
     using namespace CGAL::Cut_loci::internal;
-    EXPECT_LT(norm(position(ball, node.location) + ball.points[v]), 3. * h);
+    EXPECT_LT(norm(point_at(ball, node.location) + ball.points[v]), 3. * h);
   }
 }
 

@@ -24,8 +24,8 @@ namespace Cut_loci {
  *
  * is what the direction method reads off a mesh once: angles, lengths and curvatures.
  *
- * The polar angle of a halfedge is measured counterclockwise from the first one in the ring of its source, and scaled so
- * that the angles around an interior vertex sum up to 2 pi.
+ * The polar angle of a halfedge is measured counterclockwise from the first one in the ring of its source, and scaled
+ * so that the angles around an interior vertex sum up to 2 pi.
  */
 struct Direction_geometry
 {
@@ -60,11 +60,11 @@ struct Direction_geometry
   /*!
    * the least strength of a branch that is no noise of the mesh, for distances up to `distance`.
    *
-   * On a smooth mesh, strengths of up to 2 occur by chance, and 3 is clear of them. On a rough one, paths are deflected by
-   * the deficits of the `n` vertices that they pass, and what they add up to is seen in units of one edge: the strengths
-   * of the branches that begin behind the bumps grow with `n` times the noise. Noise so large that it is most of what
-   * explains the jumps does not make them stronger, so that `n` alone bounds the threshold. The two constants hold for
-   * tori and ellipsoids with noise along the normals of up to a fifth of the edges.
+   * On a smooth mesh, strengths of up to 2 occur by chance, and 3 is clear of them. On a rough one, paths are
+   * deflected by the deficits of the `n` vertices that they pass, and what they add up to is seen in units of one
+   * edge: the strengths of the branches that begin behind the bumps grow with `n` times the noise. Noise so large that
+   * it is most of what explains the jumps does not make them stronger, so that `n` alone bounds the threshold. The two
+   * constants hold for tori and ellipsoids with noise along the normals of up to a fifth of the edges.
    */
   double default_strength_threshold(double distance) const
   {

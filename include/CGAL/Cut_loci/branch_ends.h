@@ -30,8 +30,9 @@ namespace Cut_loci {
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * moves the ends of the branches of a curve through the faces to where `Cusp_fit` finds them: a branch that is too short is
- * continued towards the source, and one that is too long is cut back. Where there is no valid fit, it stays as it is.
+ * moves the ends of the branches of a curve through the faces to where `Cusp_fit` finds them: a branch that is too
+ * short is continued towards the source, and one that is too long is cut back. Where there is no valid fit, it stays
+ * as it is.
  */
 class Branch_ends
 {

@@ -24,9 +24,9 @@ namespace Cut_loci {
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * sets `origin` of each segment of `curve`, drawn through the faces, to the edge of `mesh_edges` that it corresponds to:
- * the nearest one of its face, or, where a segment shrinks to a vertex, that of the next segment along the curve. A branch
- * that shrinks to a point of the border corresponds to none: its segments get `null_index`.
+ * sets `origin` of each segment of `curve`, drawn through the faces, to the edge of `mesh_edges` that it corresponds
+ * to: the nearest one of its face, or, where a segment shrinks to a vertex, that of the next segment along the curve.
+ * A branch that shrinks to a point of the border corresponds to none: its segments get `null_index`.
  *
  * @param face the face of each segment
  */

@@ -33,8 +33,8 @@ namespace Cut_loci {
  *
  * With `alpha` of order 1, `d` is of order 2 and `x` of order 3. All terms up to order 5 are fitted to the vertices
  * around the end of the branch as it has been found: on both sides of it and ahead. Unlike the angle between the paths,
- * which falls with the square root of the way to the end, this function is smooth there. Found by order, not by trial: the
- * terms of order 3 alone leave an error of the order of the radius, and those of order 4 are no help by symmetry.
+ * which falls with the square root of the way to the end, this function is smooth there. Found by order, not by trial:
+ * the terms of order 3 alone leave an error of the order of the radius, and those of order 4 are no help by symmetry.
  */
 class Cusp_fit
 {
@@ -150,8 +150,8 @@ private:
       if(!(std::fabs(alpha) < 3.) || !(std::fabs(d) < 3.))
         return std::nullopt;
     }
-    // A cut locus begins where the paths converge before the cusp, and those aside do so later. Beyond the data, the fit
-    // says nothing.
+    // A cut locus begins where the paths converge before the cusp, and those aside do so later. Beyond the data, the
+    // fit says nothing.
     const double across = derivative(0, 0, alpha, d) * c;
     if(!has_converged || !(derivative(1, 1, alpha, d) * c < 0.) || !(derivative(3, 0, alpha, d) * c > 0.) ||
        !(std::fabs(d) <= 0.75) || !(std::fabs(across) <= 0.5 * radius))

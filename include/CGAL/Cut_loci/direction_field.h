@@ -26,8 +26,8 @@ namespace Cut_loci {
  *
  * holds for each vertex how the shortest path from the source arrives there.
  *
- * The spread `J` is the Jacobi field of the path: `J'' = -K J`, `J(0) = 0`, `J'(0) = 1`. Two paths that leave the source at
- * an angle of `epsilon` are `epsilon J` apart, and `J` is zero at a conjugate point.
+ * The spread `J` is the Jacobi field of the path: `J'' = -K J`, `J(0) = 0`, `J'(0) = 1`. Two paths that leave the
+ * source at an angle of `epsilon` are `epsilon J` apart, and `J` is zero at a conjugate point.
  */
 struct Direction_field
 {
@@ -54,7 +54,8 @@ struct Direction_field
     return d > 0. ? d - total_angle : d + total_angle;
   }
 
-  /// the bend of the front at `v`: the geodesic curvature of the distance circle, J'/J, as far as the mesh can resolve it
+  /// the bend of the front at `v`: the geodesic curvature of the distance circle, J'/J, as far as the mesh can resolve
+  /// it
   double bend(Index v, double mean_edge_length) const
   {
     const double limit = 0.5 / mean_edge_length;
@@ -65,8 +66,8 @@ struct Direction_field
 
 namespace internal {
 
-// Shared by the two ways to obtain the field: integrates J along the last piece of the paths, vertices of smaller distance
-// first.
+// Shared by the two ways to obtain the field: integrates J along the last piece of the paths, vertices of smaller
+// distance first.
 class Spread_integration
 {
 public:
@@ -106,7 +107,10 @@ public:
       return;
     }
     const double foot = field_.vertices[v].distance - rest;
-    const auto spread = [&](const Direction_field::Vertex& u) { return u.spread + u.spread_rate * (foot - u.distance); };
+    const auto spread = [&](const Direction_field::Vertex& u)
+    {
+      return u.spread + u.spread_rate * (foot - u.distance);
+    };
     const double s = 1. / (wa + wb);
     step(v, s * ((wa > 0. ? wa * spread(va) : 0.) + (wb > 0. ? wb * spread(vb) : 0.)),
          s * (wa * va.spread_rate + wb * vb.spread_rate), rest);
@@ -219,9 +223,13 @@ Direction_field direction_field(const Indexed_triangle_mesh& mesh, const Mesh_co
     const Index h = arrival.halfedge, a = mesh.source(h), b = mesh.target(h);
     if(!arrival.crosses_halfedge)
     {
-      if(arrival.sigma > 0.) // the path bends at a vertex of the face: at the one that is nearest to the image
-        integration.step_along(v, arrival.y > 1e-6 * geometry.length[h]       ? mesh.source(Indexed_triangle_mesh::previous(h))
-                                  : arrival.x > 0.5 * geometry.length[h] ? b : a);
+      if(arrival.sigma > 0.)
+      {
+        // The path bends at a vertex of the face: at the one that is nearest to the image.
+        const Index apex = mesh.source(Indexed_triangle_mesh::previous(h));
+        const double l = geometry.length[h];
+        integration.step_along(v, arrival.y > 1e-6 * l ? apex : arrival.x > 0.5 * l ? b : a);
+      }
       else
         integration.set_near(v);
       continue;

@@ -42,8 +42,9 @@ struct Direction_jumps
   static constexpr float smooth_limit() { return 1.6f; }
 
   /*!
-   * the strength of the cut locus where it crosses an edge. Both figures must be large, but where the paths meet at a wide
-   * angle (of half a radian), that is enough: behind a thin limb their directions at the source are almost the same.
+   * the strength of the cut locus where it crosses an edge. Both figures must be large, but where the paths meet at a
+   * wide angle (of half a radian), that is enough: behind a thin limb their directions at the source are almost the
+   * same.
    */
   static float strength(const Edge& e)
   {
@@ -60,7 +61,8 @@ inline std::vector<Index> source_star(const Indexed_triangle_mesh& mesh, const M
   std::vector<Index> result;
   if(source.vertex != null_index)
   {
-    for(Index entry = connectivity.ring_begin[source.vertex]; entry < connectivity.ring_begin[source.vertex + 1]; ++entry)
+    const Index end = connectivity.ring_begin[source.vertex + 1];
+    for(Index entry = connectivity.ring_begin[source.vertex]; entry < end; ++entry)
       result.push_back(connectivity.ring_halfedge[entry]);
     return result;
   }

@@ -29,9 +29,10 @@ namespace Cut_loci {
  * result.
  *
  * A branch is judged as a whole. At the threshold `s`, an edge of length `l` and strength `S` scores
- * `l clip(ln(S / s), -1, 1)`, a branch has the value of its edge plus the positive values of the branches behind it, and
- * it is kept if that is positive: no single noisy edge keeps or cuts it. The value falls with `s`, and what is stored is
- * where it becomes zero. The cycles and, if there are border loops, what joins these, are kept at any threshold.
+ * `l clip(ln(S / s), -1, 1)`, a branch has the value of its edge plus the positive values of the branches behind it,
+ * and it is kept if that is positive: no single noisy edge keeps or cuts it. The value falls with `s`, and what is
+ * stored is where it becomes zero. The cycles and, if there are border loops, what joins these, are kept at any
+ * threshold.
  */
 class Direction_branches
 {

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -133,8 +134,8 @@ private:
     for(Index entry = begin; entry < end; ++entry)
       if(mesh_.source(connectivity_.ring_halfedge[entry]) == v)
         reach_across(v, connectivity_.ring_halfedge[entry], best);
-    // An exact distance is met by the path through one of the faces. Where none is, a path has bent at a saddle, or comes
-    // along the cut locus: then the nearest neighbor tells more.
+    // An exact distance is met by the path through one of the faces. Where none is, a path has bent at a saddle, or
+    // comes along the cut locus: then the nearest neighbor tells more.
     constexpr double tolerance = 0.002;
     if(best.mismatch > tolerance * geometry_.mean_edge_length)
       for(Index entry = begin; entry < end; ++entry)
@@ -239,8 +240,8 @@ private:
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * computes the field from exact distances alone, in one pass: the distances to two neighbors place the source in the plane
- * of the face behind them, as long as their paths leave the source side by side. Linear time.
+ * computes the field from exact distances alone, in one pass: the distances to two neighbors place the source in the
+ * plane of the face behind them, as long as their paths leave the source side by side. Linear time.
  */
 inline Direction_field direction_field(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                                        const Direction_geometry& geometry, const Indexed_source& source,

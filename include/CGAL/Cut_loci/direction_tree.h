@@ -22,8 +22,8 @@ namespace Cut_loci {
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * is the graph of the faces across the edges that are not in a spanning tree of the vertices, with one more node for each
- * border loop, as if a disk closed it.
+ * is the graph of the faces across the edges that are not in a spanning tree of the vertices, with one more node for
+ * each border loop, as if a disk closed it.
  *
  * The tree is contractible, so the complement of the graph is one open disk, and the graph has 2g independent cycles,
  * whatever the tree. The tree of least weight crosses the cut locus where it is weakest, so that the graph contains all

@@ -27,12 +27,12 @@ namespace Cut_loci {
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * is the cut locus made of edges of the mesh: each crossing of a `Direction_branches` moves to the nearer end of its edge,
- * and consecutive ones, which are in one face, are joined.
+ * is the cut locus made of edges of the mesh: each crossing of a `Direction_branches` moves to the nearer end of its
+ * edge, and consecutive ones, which are in one face, are joined.
  *
  * Branches that come to lie on each other may enclose faces: weakest edges first, those with different pieces of the
- * complement on their sides are removed, so that it is one open disk again. As for `Direction_branches`, the strength below
- * which each branch is kept is stored, and a threshold is answered in time proportional to the result.
+ * complement on their sides are removed, so that it is one open disk again. As for `Direction_branches`, the strength
+ * below which each branch is kept is stored, and a threshold is answered in time proportional to the result.
  */
 class Mesh_edge_branches
 {
@@ -426,8 +426,8 @@ private:
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * continues a branch of a graph of mesh edges along `vertices`, neighbors in their order of which the first is in the graph,
- * as long as they are not in the graph: so its topology stays as it is.
+ * continues a branch of a graph of mesh edges along `vertices`, neighbors in their order of which the first is in the
+ * graph, as long as they are not in the graph: so its topology stays as it is.
  */
 inline void continue_mesh_edges(const Mesh_connectivity& connectivity, const Direction_field& field,
                                 const std::vector<Index>& vertices, Indexed_cut_locus& graph)

@@ -27,11 +27,11 @@ namespace Cut_loci {
  *
  * computes all of the cut locus of a closed polyhedral surface without saddles, such as that of a convex polyhedron.
  *
- * In a face, the cut locus is the part of a Voronoi diagram: that of the images of the source, unfolded along the shortest
- * paths to the points of the face \cgalCite{m-sppd-85}. The images are found by asking the exact solver for the paths to
- * the vertices of the diagram of those already known: an unknown one that is nearest anywhere is so at one of them, since
- * its cell is convex and bounded by lines that meet once. Every vertex of positive curvature, but the source, is on the
- * result.
+ * In a face, the cut locus is the part of a Voronoi diagram: that of the images of the source, unfolded along the
+ * shortest paths to the points of the face \cgalCite{m-sppd-85}. The images are found by asking the exact solver for
+ * the paths to the vertices of the diagram of those already known: an unknown one that is nearest anywhere is so at
+ * one of them, since its cell is convex and bounded by lines that meet once. Every vertex of positive curvature, but
+ * the source, is on the result.
  */
 class Polyhedral_cut_locus
 {
@@ -67,7 +67,8 @@ public:
 private:
   using Point_2 = std::array<double, 2>;
 
-  // a convex polygon; side i goes from corner i to the next one, to the cell of the image `beyond`, or an edge of the face
+  // a convex polygon; side i goes from corner i to the next one, to the cell of the image `beyond`, or an edge of the
+  // face
   struct Cell
   {
     std::vector<Point_2> corners;
@@ -159,7 +160,8 @@ private:
       propagation_.run({source.location}, options);
       std::vector<Index> changed;
       for(std::size_t i = 0; i < queries.size(); ++i)
-        if(add_image(queries[i].first, queries[i].second, propagation_.query_arrival(i), propagation_.query_distance(i)))
+        if(add_image(queries[i].first, queries[i].second, propagation_.query_arrival(i),
+                     propagation_.query_distance(i)))
           changed.push_back(queries[i].first);
       std::sort(changed.begin(), changed.end());
       changed.erase(std::unique(changed.begin(), changed.end()), changed.end());

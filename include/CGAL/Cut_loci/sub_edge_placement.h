@@ -37,9 +37,9 @@ struct Sub_edge_curve
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * draws the kept edges of the graph of the faces as a polyline through the faces: a node on each edge, where the paths to
- * both of its ends are equally long, and one in each face with three of them, where the three fronts meet. Node `i` is on
- * edge `i` of `branches`. Time is proportional to the number of edges, but for a sort.
+ * draws the kept edges of the graph of the faces as a polyline through the faces: a node on each edge, where the paths
+ * to both of its ends are equally long, and one in each face with three of them, where the three fronts meet. Node `i`
+ * is on edge `i` of `branches`. Time is proportional to the number of edges, but for a sort.
  */
 inline Sub_edge_curve place_sub_edges(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                                       const Direction_geometry& geometry, const Direction_field& field,

@@ -41,7 +41,8 @@ class Direction_solver
 public:
   // once per mesh
   explicit Direction_solver(const Indexed_triangle_mesh& mesh, bool is_polyhedral = false)
-    : mesh_(mesh), connectivity_(mesh), is_polyhedral_(is_polyhedral), geometry_(Component_solver::checked(mesh, connectivity_), connectivity_)
+    : mesh_(mesh), connectivity_(mesh), is_polyhedral_(is_polyhedral),
+      geometry_(Component_solver::checked(mesh, connectivity_), connectivity_)
   {}
 
   // once per source, in four parts; the first is one of these two
@@ -83,8 +84,8 @@ public:
       return;
     make_propagation();
     if(!Polyhedral_cut_locus::is_applicable(mesh_, propagation_->faces()))
-      throw Invalid_input("the mesh has a border or a saddle: its polyhedral cut locus is not made of straight segments "
-                          "(Cut_loci::Method::DIRECTION takes any mesh)");
+      throw Invalid_input("the mesh has a border or a saddle: its polyhedral cut locus is not made of straight "
+                          "segments (Cut_loci::Method::DIRECTION takes any mesh)");
     polyhedral_ = Polyhedral_cut_locus(mesh_, connectivity_, *propagation_)(source_);
   }
 

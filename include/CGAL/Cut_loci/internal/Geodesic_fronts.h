@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-// The distance near a vertex, along the paths of one side of the cut locus: to second order, with the bend of the front.
-// Faces are laid out in the plane with the first halfedge on the x axis.
+// The distance near a vertex, along the paths of one side of the cut locus: to second order, with the bend of the
+// front. Faces are laid out in the plane with the first halfedge on the x axis.
 class Geodesic_fronts
 {
 public:
