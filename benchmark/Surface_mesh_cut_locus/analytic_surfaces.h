@@ -10,7 +10,10 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <vector>
 
 // Smooth surfaces whose cut loci are known, and their meshes: isotropic remeshing, projected onto the surface.
@@ -46,6 +49,24 @@ struct Torus
     const double u = std::atan2(p.y(), p.x());
     const Vector v = p - Point(R * std::cos(u), R * std::sin(u), 0.);
     return v / std::sqrt(v.squared_length());
+  }
+
+  // half the signed excess of the squared distance to the center line, its gradient, and its Hessian
+  double value(const Vector& p) const
+  {
+    const double q = std::hypot(p.x(), p.y()) - R;
+    return 0.5 * (q * q + p.z() * p.z() - r * r);
+  }
+  Vector gradient(const Vector& p) const
+  {
+    const double q = std::hypot(p.x(), p.y()), s = 1. - R / q;
+    return Vector(s * p.x(), s * p.y(), p.z());
+  }
+  std::array<Vector, 3> hessian(const Vector& p) const
+  {
+    const double q = std::hypot(p.x(), p.y()), s = 1. - R / q, t = R / (q * q * q);
+    return {{Vector(s + t * p.x() * p.x(), t * p.x() * p.y(), 0.), Vector(t * p.x() * p.y(), s + t * p.y() * p.y(), 0.),
+             Vector(0., 0., 1.)}};
   }
 
   // a grid with edges of about `length`
@@ -100,6 +121,92 @@ private:
     for(int i = 0; i <= n; ++i)
       result.push_back(at(double(i) / n));
     return result;
+  }
+};
+
+// The ellipsoid with the given half axes.
+struct Ellipsoid
+{
+  double a = 1., b = 0.8, c = 0.6;
+
+  Point point(double u, double w) const
+  {
+    return Point(a * std::cos(w) * std::cos(u), b * std::cos(w) * std::sin(u), c * std::sin(w));
+  }
+
+  double value(const Vector& p) const
+  {
+    return 0.5 * (p.x() * p.x() / (a * a) + p.y() * p.y() / (b * b) + p.z() * p.z() / (c * c) - 1.);
+  }
+  Vector gradient(const Vector& p) const { return Vector(p.x() / (a * a), p.y() / (b * b), p.z() / (c * c)); }
+  std::array<Vector, 3> hessian(const Vector&) const
+  {
+    return {{Vector(1. / (a * a), 0., 0.), Vector(0., 1. / (b * b), 0.), Vector(0., 0., 1. / (c * c))}};
+  }
+
+  Point project(const Point& p) const
+  {
+    Vector q = p - CGAL::ORIGIN;
+    for(int i = 0; i < 20; ++i)
+    {
+      const Vector g = gradient(q);
+      q = q - (value(q) / g.squared_length()) * g;
+    }
+    return CGAL::ORIGIN + q;
+  }
+
+  Vector normal(const Point& p) const
+  {
+    const Vector g = gradient(p - CGAL::ORIGIN);
+    return g / std::sqrt(g.squared_length());
+  }
+
+  // the faces of a cube with edges of about `length`, on the ellipsoid
+  Mesh grid(double length) const
+  {
+    const int n = static_cast<int>(std::ceil(0.5 * pi * (std::max)(a, (std::max)(b, c)) / length));
+    Mesh mesh;
+    std::map<std::array<int, 3>, Mesh::Vertex_index> vertex;
+    const auto at = [&](const std::array<int, 3>& i)
+    {
+      const auto found = vertex.find(i);
+      if(found != vertex.end())
+        return found->second;
+      std::array<double, 3> x;
+      double norm = 0.;
+      for(int k = 0; k < 3; ++k)
+      {
+        x[k] = std::tan(0.25 * pi * (2. * i[k] / n - 1.)); // even angles
+        norm += x[k] * x[k];
+      }
+      norm = std::sqrt(norm);
+      return vertex[i] = mesh.add_vertex(Point(a * x[0] / norm, b * x[1] / norm, c * x[2] / norm));
+    };
+    for(int axis = 0; axis < 3; ++axis)
+      for(int side = 0; side <= n; side += n)
+        for(int i = 0; i < n; ++i)
+          for(int j = 0; j < n; ++j)
+          {
+            const auto corner = [&](int di, int dj)
+            {
+              std::array<int, 3> index;
+              index[axis] = side;
+              index[(axis + 1) % 3] = i + di;
+              index[(axis + 2) % 3] = j + dj;
+              return at(index);
+            };
+            if(side > 0)
+            {
+              mesh.add_face(corner(0, 0), corner(1, 0), corner(1, 1));
+              mesh.add_face(corner(0, 0), corner(1, 1), corner(0, 1));
+            }
+            else
+            {
+              mesh.add_face(corner(0, 0), corner(1, 1), corner(1, 0));
+              mesh.add_face(corner(0, 0), corner(0, 1), corner(1, 1));
+            }
+          }
+    return mesh;
   }
 };
 

@@ -9,7 +9,9 @@
 
 #include <CGAL/Cut_loci/Default_visitor.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/internal/Component_solver.h>
+#include <CGAL/Cut_loci/internal/Direction_solver.h>
 #include <CGAL/Cut_loci/internal/Geodesic_solver_handle.h>
 #include <CGAL/Cut_loci/internal/connected_components.h>
 #include <CGAL/Cut_loci/internal/read_triangle_mesh.h>
@@ -96,6 +98,15 @@ public:
    *     \cgalParamType{`Cut_loci::Laplacian_operator`}
    *     \cgalParamDefault{`Cut_loci::Laplacian_operator::QUADRATIC_FIT`}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{cut_locus_method}
+   *     \cgalParamDescription{how the cut locus is found}
+   *     \cgalParamType{`Cut_loci::Method`}
+   *     \cgalParamDefault{`default_method()`}
+   *     \cgalParamExtra{`Cut_loci::Method::DIRECTION` needs exact distances: with those of the heat method, or of a
+   *                     graph, use `Cut_loci::Method::LAPLACIAN`. `Cut_loci::Method::POLYHEDRAL` has neither thresholds
+   *                     nor a curve of mesh edges. Without a `geodesic_solver` it uses the
+   *                     package's own exact one, which also finds the directions.}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
    *     \cgalParamDescription{a visitor that is told when a stage starts and ends}
    *     \cgalParamType{a class with the functions of `Cut_loci::Default_visitor`}
@@ -115,6 +126,9 @@ public:
                                         get_const_property_map(vertex_point, tm))),
       laplacian_operator_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::laplacian_operator),
                                                        Cut_loci::Laplacian_operator::QUADRATIC_FIT)),
+      method_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::cut_locus_method),
+                                           default_method())),
+      has_own_solver_(!parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::geodesic_solver_t>::value),
       solver_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_solver),
                                            Exact_geodesic_solver()))
   {
@@ -261,6 +275,19 @@ public:
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{0}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{strength_threshold}
+   *     \cgalParamDescription{by how many times the jump of the shortest paths across a branch must exceed what a smooth
+   *                           distance explains; values below 2 act as 2}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{found from the noise of the mesh: 3 on a smooth one}
+   *     \cgalParamExtra{This and `cut_locus_curve` are for `Cut_loci::Method::DIRECTION`, and the parameters above
+   *                     for `Cut_loci::Method::LAPLACIAN`.}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{cut_locus_curve}
+   *     \cgalParamDescription{whether the result is made of edges of the mesh or of segments through its faces}
+   *     \cgalParamType{`Cut_loci::Curve`}
+   *     \cgalParamDefault{`Cut_loci::Curve::MESH_EDGES`}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{edge_is_constrained_map}
    *     \cgalParamDescription{a property map that is set to `true` for the edges of the mesh on the cut locus; the
    *     others
@@ -290,6 +317,17 @@ public:
       throw Cut_loci::Invalid_input("there is no source: set_source() comes before cut_locus()");
 
     const Stage_scope scope(*this, Cut_loci::Stage::FILTER);
+    if(method_ != Cut_loci::Method::LAPLACIAN)
+    {
+      const double threshold = choose_parameter(get_parameter(np, internal_np::strength_threshold),
+                                                component_->direction->default_threshold());
+      if(std::isnan(threshold))
+        throw Cut_loci::Invalid_input("the threshold for the strength is not a number");
+      const Cut_loci::Indexed_cut_locus found = component_->direction->filter(
+        threshold, choose_parameter(get_parameter(np, internal_np::cut_locus_curve), Cut_loci::Curve::MESH_EDGES));
+      mark_edges(found, get_parameter(np, internal_np::edge_is_constrained));
+      return make_result(found);
+    }
     Cut_loci::Branch_thresholds thresholds;
     thresholds.gradient_angle = choose_parameter(get_parameter(np, internal_np::gradient_angle_threshold),
                                                  source_angle_threshold_);
@@ -318,6 +356,8 @@ public:
     return make_result(component_->solver->smoothed(cut_locus, smoothing));
   }
 
+  /// the default of `cut_locus_method`
+  static Cut_loci::Method default_method() { return Cut_loci::Method::LAPLACIAN; }
   /// the default of `gradient_angle_threshold`, in radians
   static double default_gradient_angle_threshold()
   {
@@ -338,7 +378,8 @@ private:
   {
     const Cut_loci::Indexed_triangle_mesh* mesh; // that of `read_` if there is just one component
     Cut_loci::internal::Mesh_component part;     // else
-    std::unique_ptr<Cut_loci::internal::Component_solver> solver;
+    std::unique_ptr<Cut_loci::internal::Component_solver> solver;     // the one of the two that the method needs
+    std::unique_ptr<Cut_loci::internal::Direction_solver> direction;
     Solver_handle geodesic_solver;
     double diagonal = 0.;
 
@@ -406,40 +447,70 @@ private:
     to_component(component, source);
     source_ = source;
 
-    std::vector<double> distance;
+    if(component.direction)
+      solve(component, *component.direction, source, np);
+    else
+      solve(component, *component.solver, source, np);
+  }
+
+  template <typename Solver, typename NamedParameters>
+  void solve(Component& component, Solver& solver, const Cut_loci::Indexed_source& source, const NamedParameters& np)
+  {
     {
       const Stage_scope scope(*this, Cut_loci::Stage::DISTANCE);
-      compute_distances(component, source, distance,
-                        parameters::get_parameter(np, internal_np::vertex_distance_map));
+      set_distances(component, solver, source, parameters::get_parameter(np, internal_np::vertex_distance_map));
     }
-    component.solver->set_distance(source, std::move(distance));
     {
       const Stage_scope scope(*this, Cut_loci::Stage::STRENGTH);
-      component.solver->compute_strengths();
+      solver.compute_strengths();
     }
     {
       const Stage_scope scope(*this, Cut_loci::Stage::TREE);
-      component.solver->grow_tree();
+      solver.grow_tree();
     }
     {
       const Stage_scope scope(*this, Cut_loci::Stage::HOMOLOGY);
-      component.solver->close_cycles();
+      solver.close_cycles();
     }
 
     auto result = std::make_shared<Cut_loci::internal::Source_result>();
-    result->root = component.vertex(component.solver->root());
-    result->farthest = component.vertex(component.solver->farthest());
-    result->genus = component.solver->genus();
-    result->number_of_border_loops = component.solver->connectivity().number_of_border_loops;
+    result->root = component.vertex(solver.root());
+    result->farthest = component.vertex(solver.farthest());
+    result->genus = solver.genus();
+    result->number_of_border_loops = solver.connectivity().number_of_border_loops;
     if(component.is_whole())
-      result->distance = component.solver->distance();
+      result->distance = solver.distance();
     else
     {
       result->distance.assign(read_->vertices.size(), (std::numeric_limits<double>::infinity)());
       for(std::size_t i = 0; i < component.part.vertices.size(); ++i)
-        result->distance[component.part.vertices[i]] = component.solver->distance()[i];
+        result->distance[component.part.vertices[i]] = solver.distance()[i];
     }
     source_result_ = result;
+  }
+
+  template <typename Solver, typename VertexDistanceMap>
+  void set_distances(Component& component, Solver& solver, const Cut_loci::Indexed_source& source,
+                     const VertexDistanceMap& map)
+  {
+    std::vector<double> distance;
+    compute_distances(component, source, distance, map);
+    solver.set_distance(source, std::move(distance));
+  }
+
+  // The package's own solver also finds the directions.
+  void set_distances(Component& component, Cut_loci::internal::Direction_solver& solver,
+                     const Cut_loci::Indexed_source& source, internal_np::Param_not_found map)
+  {
+    if(has_own_solver_)
+    {
+      std::vector<double> distance;
+      compute_distances(component, source, distance, map);
+      solver.set_distance(source, std::move(distance));
+      return;
+    }
+    solver.compute_distance(source);
+    check_distances(component, solver.distance(), "the geodesic solver returned");
   }
 
   Component& component_at(Index id)
@@ -459,7 +530,11 @@ private:
     using Solver = Cut_loci::internal::Component_solver;
     try
     {
-      component->solver.reset(new Solver(*component->mesh, laplacian_operator_));
+      if(method_ != Cut_loci::Method::LAPLACIAN)
+        component->direction.reset(new Cut_loci::internal::Direction_solver(
+          *component->mesh, method_ == Cut_loci::Method::POLYHEDRAL));
+      else
+        component->solver.reset(new Solver(*component->mesh, laplacian_operator_));
     }
     catch(const Solver::Face_without_area& error)
     {
@@ -608,6 +683,8 @@ private:
   const TriangleMesh& tm_;
   Vertex_point_map vpm_;
   Cut_loci::Laplacian_operator laplacian_operator_;
+  Cut_loci::Method method_;
+  bool has_own_solver_; // the user's
   Solver_handle solver_; // as given; each component has its own
   std::function<void(Cut_loci::Stage, bool)> visit_;
 

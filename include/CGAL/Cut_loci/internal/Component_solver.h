@@ -112,7 +112,6 @@ public:
   Index root() const { return tree_.root; }
   Index farthest() const { return farthest_; }
 
-private:
   // In radians. The gradient turns by about h / R from a vertex to the next where the wavefront has the radius R: on meshes
   // that resolve the surface, angles below this one say nothing about the cut locus, and ridges of the distance are a
   // better guide than the Laplacian.
@@ -137,6 +136,7 @@ private:
     return mesh;
   }
 
+private:
   // The farthest vertex is on the cut locus of a closed surface. A border vertex may be farthest without being on it:
   // then
   // the lowest Laplacian is the best guess.

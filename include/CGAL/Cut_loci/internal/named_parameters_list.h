@@ -13,3 +13,6 @@ CGAL_add_named_parameter(laplacian_threshold_t, laplacian_threshold, laplacian_t
 CGAL_add_named_parameter(filter_policy_t, filter_policy, filter_policy)
 CGAL_add_named_parameter(minimum_branch_edges_t, minimum_branch_edges, minimum_branch_edges)
 CGAL_add_named_parameter(minimum_branch_length_t, minimum_branch_length, minimum_branch_length)
+CGAL_add_named_parameter(cut_locus_method_t, cut_locus_method, cut_locus_method)
+CGAL_add_named_parameter(cut_locus_curve_t, cut_locus_curve, cut_locus_curve)
+CGAL_add_named_parameter(strength_threshold_t, strength_threshold, strength_threshold)

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_CUT_LOCUS_METHOD_H
+#define CGAL_CUT_LOCI_CUT_LOCUS_METHOD_H
+
+namespace CGAL {
+namespace Cut_loci {
+
+/// \ingroup PkgSurfaceMeshCutLocusRef
+/// how the cut locus is found
+enum class Method
+{
+  LAPLACIAN, ///< where the Laplacian of the distance is low and gradients turn: takes any distance, also smoothed ones
+  DIRECTION, ///< where the direction at the source of the shortest paths jumps: nothing to tune, but the distances
+             ///< must be exact, because the directions of smoothed ones do not jump
+  POLYHEDRAL ///< all of the cut locus of the polyhedron itself, exactly: every vertex of positive curvature is on it.
+             ///< For closed surfaces without saddles, such as boundaries of convex polyhedra
+};
+
+/// \ingroup PkgSurfaceMeshCutLocusRef
+/// the curve that represents the cut locus
+enum class Curve
+{
+  MESH_EDGES,   ///< edges of the mesh
+  THROUGH_FACES ///< segments in the faces, between points that shortest paths reach from both sides
+};
+
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_CUT_LOCUS_METHOD_H

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_DIRECTION_JUMPS_H
+#define CGAL_CUT_LOCI_DIRECTION_JUMPS_H
+
+#include <CGAL/Cut_loci/Direction_geometry.h>
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/direction_field.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * says for each edge by how much the jump of the paths to its two ends exceeds what neighboring paths explain.
+ *
+ * Both figures are free of units: about 1 where the distance is smooth, and larger on the cut locus.
+ */
+struct Direction_jumps
+{
+  struct Edge
+  {
+    float direction = 0.f; ///< the gap of the directions at the source, over what the spread explains
+    float arrival = 0.f;   ///< the angle between the arrival directions, over what the bend of the front explains
+    float angle = 0.f;     ///< that angle, in radians
+    float weight = 0.f;    ///< for the spanning tree
+  };
+  std::vector<Edge> edges;
+
+  /// what a smooth field reaches at most; a jump beyond it is the cut locus
+  static constexpr float smooth_limit() { return 1.6f; }
+
+  /*!
+   * the strength of the cut locus where it crosses an edge. Both figures must be large, but where the paths meet at a
+   * wide angle (of half a radian), that is enough: behind a thin limb their directions at the source are almost the
+   * same.
+   */
+  static float strength(const Edge& e)
+  {
+    return (std::max)(std::sqrt(e.direction * e.arrival), e.arrival * (std::min)(1.f, 2.f * e.angle));
+  }
+};
+
+namespace internal {
+
+// the halfedges of the edges at the source: those that leave it, or those of the faces around it
+inline std::vector<Index> source_star(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                                      const Indexed_source& source)
+{
+  std::vector<Index> result;
+  if(source.vertex != null_index)
+  {
+    const Index end = connectivity.ring_begin[source.vertex + 1];
+    for(Index entry = connectivity.ring_begin[source.vertex]; entry < end; ++entry)
+      result.push_back(connectivity.ring_halfedge[entry]);
+    return result;
+  }
+  const Index first = 3 * source.location.face;
+  for(Index i = 0; i < 3; ++i)
+  {
+    const Index h = first + i, o = mesh.opposite[h];
+    if(source.location.coordinates[(i + 2) % 3] > 0.)
+      result.push_back(h);
+    else
+    {
+      // The source is on this edge: it comes first, so that it is in the spanning tree in any case.
+      result.insert(result.begin(), h);
+      if(o != null_index)
+        result.insert(result.end(), {mesh.next(o), mesh.previous(o)});
+    }
+  }
+  return result;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * computes the jumps across all edges. Linear time.
+ */
+inline Direction_jumps direction_jumps(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                                       const Direction_geometry& geometry, const Direction_field& field)
+{
+  constexpr double two_pi = 6.28318530717958647693;
+  const float noise = static_cast<float>(geometry.deficit_noise);
+  const Index ne = connectivity.number_of_edges();
+  Direction_jumps result;
+  result.edges.resize(ne);
+  for(Index e = 0; e < ne; ++e)
+  {
+    const Index h = connectivity.halfedge_of_edge[e];
+    const Index a = mesh.source(h), b = mesh.target(h);
+    const Direction_field::Vertex &va = field.vertices[a], &vb = field.vertices[b];
+    const double l = geometry.length[h];
+    // On a saddle the spread is much larger than the distance, and only the latter keeps the figure free of its errors.
+    const double da = (std::min)(double(va.spread), va.distance), db = (std::min)(double(vb.spread), vb.distance);
+    const double reach = (std::max)((std::min)(da, db), 1e-12 * l);
+    const double gap = std::fabs(field.turn(va.direction, vb.direction));
+
+    const std::array<float, 2> polar = geometry.polar_at_ends(mesh, h);
+    double angle = std::fabs(double(va.arrival - polar[0]) - double(vb.arrival - polar[1]) - two_pi / 2.);
+    while(angle > two_pi / 2.)
+      angle = std::fabs(angle - two_pi);
+    const double bend_a = (std::max)(std::fabs(va.spread_rate) / (std::max)(double(va.spread), 1e-12 * l),
+                                     1. / (std::max)(va.distance, 1e-12 * l));
+    const double bend_b = (std::max)(std::fabs(vb.spread_rate) / (std::max)(double(vb.spread), 1e-12 * l),
+                                     1. / (std::max)(vb.distance, 1e-12 * l));
+    const double expected = l * (std::max)(bend_a, bend_b) + (std::max)(std::fabs(geometry.deficit[a]), noise) +
+                            (std::max)(std::fabs(geometry.deficit[b]), noise);
+
+    Direction_jumps::Edge& edge = result.edges[e];
+    edge.direction = static_cast<float>(gap * reach / l);
+    edge.arrival = static_cast<float>(angle / expected);
+    edge.angle = static_cast<float>(angle);
+    // Radians beyond the smooth limit count a thousand times, so that the tree crosses the cut locus where it is
+    // weakest, and only there where it must.
+    const double limit = Direction_jumps::smooth_limit();
+    const double excess = (std::max)(0., gap - limit * l / reach) + (std::max)(0., angle - limit * expected);
+    edge.weight = static_cast<float>(1000. * excess +
+                                     (std::min)((std::max)(double(edge.direction), double(edge.arrival)), limit));
+  }
+  for(Index h : internal::source_star(mesh, connectivity, field.source))
+    result.edges[connectivity.edge_of_halfedge[h]] = Direction_jumps::Edge();
+  return result;
+}
+
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_DIRECTION_JUMPS_H

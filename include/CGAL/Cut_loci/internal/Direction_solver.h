@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_INTERNAL_DIRECTION_SOLVER_H
+#define CGAL_CUT_LOCI_INTERNAL_DIRECTION_SOLVER_H
+
+#include <CGAL/Cut_loci/Direction_geometry.h>
+#include <CGAL/Cut_loci/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/branch_ends.h>
+#include <CGAL/Cut_loci/curve_correspondence.h>
+#include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/direction_field.h>
+#include <CGAL/Cut_loci/direction_jumps.h>
+#include <CGAL/Cut_loci/direction_pruning.h>
+#include <CGAL/Cut_loci/direction_transport.h>
+#include <CGAL/Cut_loci/direction_tree.h>
+#include <CGAL/Cut_loci/internal/Component_solver.h>
+#include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/mesh_edge_snapping.h>
+#include <CGAL/Cut_loci/polyhedral_cut_locus.h>
+#include <CGAL/Cut_loci/sub_edge_placement.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// The direction method on one connected component: the stages in their order, on dense indices.
+class Direction_solver
+{
+public:
+  // once per mesh
+  explicit Direction_solver(const Indexed_triangle_mesh& mesh, bool is_polyhedral = false)
+    : mesh_(mesh), connectivity_(mesh), is_polyhedral_(is_polyhedral),
+      geometry_(Component_solver::checked(mesh, connectivity_), connectivity_)
+  {}
+
+  // once per source, in four parts; the first is one of these two
+  void compute_distance(const Indexed_source& source)
+  {
+    make_propagation();
+    Exact_geodesic_options options;
+    options.directions = true;
+    propagation_->run({source.location}, options);
+    source_ = source;
+    distance_ = propagation_->distances();
+    has_directions_ = true;
+    find_farthest();
+  }
+
+  void set_distance(const Indexed_source& source, std::vector<double> distance)
+  {
+    source_ = source;
+    distance_ = std::move(distance);
+    has_directions_ = false;
+    find_farthest();
+  }
+
+  void compute_strengths()
+  {
+    field_ = has_directions_ ? direction_field(mesh_, connectivity_, geometry_, source_, *propagation_)
+                             : direction_field(mesh_, connectivity_, geometry_, source_, distance_);
+    jumps_ = direction_jumps(mesh_, connectivity_, geometry_, field_);
+  }
+
+  void grow_tree() { graph_ = direction_graph(mesh_, connectivity_, jumps_, source_); }
+
+  void close_cycles()
+  {
+    const Index farthest_face = connectivity_.ring_halfedge[connectivity_.ring_begin[farthest_]] / 3;
+    branches_ = Direction_branches(mesh_, connectivity_, geometry_, jumps_, graph_, farthest_face);
+    mesh_edges_ = Mesh_edge_branches(mesh_, connectivity_, geometry_, field_, branches_, farthest_);
+    if(!is_polyhedral_)
+      return;
+    make_propagation();
+    if(!Polyhedral_cut_locus::is_applicable(mesh_, propagation_->faces()))
+      throw Invalid_input("the mesh has a border or a saddle: its polyhedral cut locus is not made of straight "
+                          "segments (Cut_loci::Method::DIRECTION takes any mesh)");
+    polyhedral_ = Polyhedral_cut_locus(mesh_, connectivity_, *propagation_)(source_);
+  }
+
+  // once per threshold
+  Indexed_cut_locus filter(double threshold, Curve curve) const
+  {
+    if(is_polyhedral_)
+      return polyhedral_;
+    const std::vector<Direction_branches::Edge> kept = branches_(threshold);
+    Sub_edge_curve result = place_sub_edges(mesh_, connectivity_, geometry_, field_, kept);
+    const Branch_ends ends(mesh_, connectivity_, geometry_, field_);
+    const std::vector<std::vector<Index> > continuations = ends(kept, result);
+    Indexed_cut_locus edges = mesh_edges_(mesh_, connectivity_, field_, threshold);
+    for(const std::vector<Index>& c : continuations)
+      continue_mesh_edges(connectivity_, field_, c, edges);
+    if(curve == Curve::MESH_EDGES)
+      return edges;
+    if(result.graph.nodes.empty())
+    {
+      edges.edges.clear(); // the single point that is left
+      edges.nodes.resize(1);
+      return edges;
+    }
+    set_origins(mesh_, connectivity_, edges, result.face, result.graph);
+    return std::move(result.graph);
+  }
+
+  const Mesh_connectivity& connectivity() const { return connectivity_; }
+  const Direction_geometry& geometry() const { return geometry_; }
+  const Direction_field& field() const { return field_; }
+  const Direction_branches& branches() const { return branches_; }
+  const std::vector<double>& distance() const { return distance_; }
+  Index farthest() const { return farthest_; }
+  Index genus() const { return connectivity_.genus(mesh_); }
+  // the vertex at the begin of the curve of mesh edges
+  Index root() const { return mesh_edges_.root(); }
+  double default_threshold() const { return geometry_.default_strength_threshold(distance_[farthest_]); }
+
+private:
+  void make_propagation()
+  {
+    if(!propagation_)
+      propagation_.reset(new Exact_geodesic_propagation(mesh_));
+  }
+
+  void find_farthest()
+  {
+    farthest_ = static_cast<Index>(std::max_element(distance_.begin(), distance_.end()) - distance_.begin());
+  }
+
+  const Indexed_triangle_mesh& mesh_;
+  Mesh_connectivity connectivity_;
+  bool is_polyhedral_; // the cut locus of the polyhedron, and not of a surface that it stands for
+  Direction_geometry geometry_;
+  std::unique_ptr<Exact_geodesic_propagation> propagation_;
+
+  Indexed_source source_;
+  std::vector<double> distance_;
+  bool has_directions_ = false;
+  Index farthest_ = null_index;
+  Direction_field field_;
+  Direction_jumps jumps_;
+  Direction_graph graph_;
+  Direction_branches branches_;
+  Mesh_edge_branches mesh_edges_;
+  Indexed_cut_locus polyhedral_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_INTERNAL_DIRECTION_SOLVER_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// All of the cut locus of convex polyhedra, against what is known of it.
+
+#include "direction_meshes.h"
+
+#include <CGAL/Cut_loci/polyhedral_cut_locus.h>
+#include <CGAL/Surface_mesh_cut_locus.h>
+#include <CGAL/boost/graph/generators.h>
+
+namespace {
+
+using namespace direction_test;
+using namespace CGAL::Cut_loci;
+
+struct Polyhedral
+{
+  Mesh_connectivity connectivity;
+  CGAL::Cut_loci::internal::Exact_geodesic_propagation propagation;
+  Indexed_cut_locus graph;
+
+  Polyhedral(const Indexed_triangle_mesh& mesh, const Indexed_source& source)
+    : connectivity(mesh), propagation(mesh)
+  {
+    graph = Polyhedral_cut_locus(mesh, connectivity, propagation)(source);
+  }
+};
+
+// The cut locus is a tree whose leaves are the vertices of positive curvature, all of them on it but the source.
+void check_tree(const Indexed_triangle_mesh& mesh, const Indexed_source& source, const std::string& name)
+{
+  SCOPED_TRACE(name);
+  const Polyhedral p(mesh, source);
+  expect_graph_topology(mesh, p.connectivity, p.graph);
+  std::set<Index> on_it;
+  for(const auto& node : p.graph.nodes)
+    if(node.vertex != null_index)
+      on_it.insert(node.vertex);
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+    EXPECT_TRUE(on_it.count(v) == 1 || v == source.vertex ||
+                p.propagation.faces().total_angle(v) > 2. * pi - 1e-9) << "vertex " << v;
+  for(Index i : leaves(p.graph))
+  {
+    const Index v = p.graph.nodes[i].vertex;
+    ASSERT_NE(v, null_index);
+    EXPECT_LT(p.propagation.faces().total_angle(v), 2. * pi - 1e-9);
+  }
+}
+
+TEST(Polyhedral_cut_locus, trees)
+{
+  const double s = std::sqrt(3.);
+  const Indexed_triangle_mesh tetrahedron =
+    indexed({{{1., 0., 0.}}, {{-0.5, s / 2., 0.}}, {{-0.5, -s / 2., 0.}}, {{0., 0., std::sqrt(2.)}}},
+            {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}});
+  const Indexed_triangle_mesh prism = revolution(3, {{{0., 0.}}, {{1., 0.}}, {{1., 2.}}, {{0., 2.}}});
+  std::vector<std::pair<std::string, Indexed_triangle_mesh> > meshes = {
+    {"tetrahedron", tetrahedron}, {"prism", prism},
+    {"double pyramid", revolution(5, {{{0., -1.}}, {{1., -0.5}}, {{0., 1.}}})}};
+  for(int n : {1, 2, 3})
+  {
+    meshes.push_back({"cube", box(n)});
+    meshes.push_back({"box", box(n, {{3., 1., 0.4}})});
+  }
+  for(const auto& m : meshes)
+  {
+    for(Index v = 0; v < m.second.number_of_vertices(); ++v)
+      check_tree(m.second, at_vertex(m.second, v), m.first + ", vertex " + std::to_string(v));
+    for(Index f = 0; f < m.second.number_of_faces(); f += 3)
+    {
+      check_tree(m.second, in_face(f, 0.5, 0.3, 0.2), m.first + ", face " + std::to_string(f));
+      check_tree(m.second, in_face(f, 1. / 3., 1. / 3., 1. / 3.), m.first + ", centroid " + std::to_string(f));
+      check_tree(m.second, in_face(f, 0.4, 0.6, 0.), m.first + ", edge " + std::to_string(f));
+    }
+  }
+}
+
+double length(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& graph)
+{
+  using namespace CGAL::Cut_loci::internal;
+  double sum = 0.;
+  for(const auto& e : graph.edges)
+    sum += norm(point_at(mesh, graph.nodes[e.source].location) - point_at(mesh, graph.nodes[e.target].location));
+  return sum;
+}
+
+// From the middle of a face of the cube: the four edges that leave that face, and the diagonals of the opposite one.
+TEST(Polyhedral_cut_locus, cube_in_closed_form)
+{
+  for(int n : {2, 4})
+  {
+    const Indexed_triangle_mesh mesh = box(n);
+    const Polyhedral p(mesh, at_vertex(mesh, nearest_vertex(mesh, {{0.5, 0.5, 0.}})));
+    EXPECT_NEAR(length(mesh, p.graph), 4. + 2. * std::sqrt(2.), 1e-6);
+    EXPECT_EQ(leaves(p.graph).size(), 4u);
+    for(const auto& node : p.graph.nodes)
+    {
+      const auto x = point_at(mesh, node.location);
+      const bool on_vertical = std::fabs(x[0] - std::round(x[0])) < 1e-6 && std::fabs(x[1] - std::round(x[1])) < 1e-6;
+      const bool on_diagonal = std::fabs(x[2] - 1.) < 1e-6 &&
+                               (std::fabs(x[0] - x[1]) < 1e-6 || std::fabs(x[0] + x[1] - 1.) < 1e-6);
+      EXPECT_TRUE(on_vertical || on_diagonal) << x[0] << " " << x[1] << " " << x[2];
+    }
+  }
+}
+
+TEST(Polyhedral_cut_locus, public_interface)
+{
+  namespace params = CGAL::parameters;
+  Mesh mesh;
+  CGAL::make_tetrahedron(Point(0., 0., 0.), Point(1., 0., 0.), Point(0., 1., 0.), Point(0., 0., 1.), mesh);
+  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(Method::POLYHEDRAL));
+  solver.set_source(*mesh.vertices().begin());
+  const auto result = solver.cut_locus();
+  EXPECT_EQ(num_edges(result.graph()) + 1, num_vertices(result.graph()));
+  int leaves_found = 0;
+  for(auto v : CGAL::make_range(vertices(result.graph())))
+    leaves_found += degree(v, result.graph()) == 1;
+  EXPECT_EQ(leaves_found, 3);
+
+  const Indexed_triangle_mesh saddles = torus(10, 8);
+  CGAL::Cut_loci::internal::Direction_solver direction(saddles, true);
+  direction.compute_distance(at_vertex(saddles, 0));
+  direction.compute_strengths();
+  direction.grow_tree();
+  EXPECT_THROW(direction.close_cycles(), Invalid_input);
+}
+
+} // namespace

@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// The topology of the direction method's results, on meshes chosen to break it.
+
+#include "direction_meshes.h"
+
+namespace {
+
+using namespace direction_test;
+
+void check_all_kinds_of_sources(const Indexed_triangle_mesh& mesh, const std::string& name)
+{
+  expect_invariants(mesh, at_vertex(mesh, 0), name + ", vertex");
+  expect_invariants(mesh, at_vertex(mesh, mesh.number_of_vertices() / 2), name + ", another vertex");
+  const Index f = mesh.number_of_faces() / 3;
+  expect_invariants(mesh, in_face(f, 0.5, 0.3, 0.2), name + ", face");
+  expect_invariants(mesh, in_face(f, 0.4, 0.6, 0.), name + ", edge");
+  expect_invariants(mesh, in_face(f, 1. - 2e-6, 1e-6, 1e-6), name + ", near a vertex");
+}
+
+TEST(Direction_topology, flat_polyhedra)
+{
+  for(int n : {1, 2, 5})
+  {
+    check_all_kinds_of_sources(box(n), "cube " + std::to_string(n));
+    check_all_kinds_of_sources(box(n, {{3., 1., 0.4}}), "box " + std::to_string(n));
+  }
+  const double s = std::sqrt(3.);
+  check_all_kinds_of_sources(indexed({{{1., 0., 0.}}, {{-0.5, s / 2., 0.}}, {{-0.5, -s / 2., 0.}}, {{0., 0., 1.4}}},
+                                     {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}}), "tetrahedron");
+  check_all_kinds_of_sources(revolution(3, {{{0., 0.}}, {{1., 0.}}, {{1., 2.}}, {{0., 2.}}}), "prism");
+}
+
+TEST(Direction_topology, genus)
+{
+  for(int holes : {1, 2, 3})
+    for(int n : {1, 2, 4})
+      check_all_kinds_of_sources(plate_with_holes(holes, n), "plate with " + std::to_string(holes) + " holes");
+  check_all_kinds_of_sources(torus(40, 16), "torus");
+  check_all_kinds_of_sources(torus(3, 3), "torus of 18 faces");
+}
+
+TEST(Direction_topology, symmetry)
+{
+  // All is a tie: circles of equally good points, and a sphere whose cut locus is one point.
+  check_all_kinds_of_sources(sphere(8), "sphere");
+  std::vector<std::array<double, 2> > cylinder = {{{0., 0.}}, {{0.5, 0.}}, {{1., 0.}}};
+  for(int i = 1; i <= 10; ++i)
+    cylinder.push_back({{1., 0.4 * i}});
+  cylinder.insert(cylinder.end(), {{{0.5, 4.}}, {{0., 4.}}});
+  check_all_kinds_of_sources(revolution(16, cylinder), "cylinder with caps");
+  std::vector<std::array<double, 2> > limb = {{{0., 0.}}};
+  for(int i = 0; i <= 60; ++i)
+    limb.push_back({{i < 10 ? 1. : 0.04, 0.1 * (i + 1)}});
+  limb.push_back({{0., 6.2}});
+  check_all_kinds_of_sources(revolution(12, limb), "thin limb");
+}
+
+TEST(Direction_topology, bad_shapes)
+{
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> random(-1., 1.);
+  Indexed_triangle_mesh needles = torus(60, 24);
+  for(auto& p : needles.points)
+    p[2] *= 30.;
+  check_all_kinds_of_sources(needles, "needles");
+  Indexed_triangle_mesh rough = torus(30, 12);
+  for(auto& p : rough.points)
+    for(double& x : p)
+      x += 0.08 * random(generator);
+  check_all_kinds_of_sources(rough, "saddles everywhere");
+  Indexed_triangle_mesh crumpled = sphere(6);
+  for(auto& p : crumpled.points)
+  {
+    const double s = 1. + 0.4 * random(generator);
+    for(double& x : p)
+      x *= s;
+  }
+  check_all_kinds_of_sources(crumpled, "crumpled sphere");
+}
+
+TEST(Direction_topology, boundary)
+{
+  const Indexed_triangle_mesh ball = sphere(8);
+  const Indexed_triangle_mesh cap = without_ball(ball, {{0., 0., 1.}}, 0.5);
+  check_all_kinds_of_sources(cap, "sphere with a hole");
+  const Indexed_triangle_mesh band = without_ball(without_ball(cap, {{0., 0., -1.}}, 0.5), {{1., 0., 0.}}, 0.4);
+  check_all_kinds_of_sources(band, "sphere with three holes");
+  for(Index v = 0; v < band.number_of_vertices(); v += 37)
+    expect_invariants(band, at_vertex(band, v), "sphere with three holes");
+  check_all_kinds_of_sources(without_ball(torus(40, 16), {{1.4, 0., 0.}}, 0.3), "torus with a hole");
+  check_all_kinds_of_sources(without_ball(plate_with_holes(2, 4), {{0., 0., 0.5}}, 0.3),
+                             "plate with a hole at a corner");
+  check_all_kinds_of_sources(revolution(20, {{{0.3, 0.}}, {{0.6, 0.}}, {{1., 0.}}, {{1.4, 0.}}}), "flat annulus");
+  check_all_kinds_of_sources(revolution(20, {{{0., 0.}}, {{0.6, 0.}}, {{1., 0.}}, {{1.4, 0.}}}), "flat disk");
+  expect_invariants(indexed({{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}}, {{{0, 1, 2}}}),
+                    in_face(0, 0.3, 0.3, 0.4), "one triangle");
+}
+
+TEST(Direction_topology, sphere_is_cut_at_a_point)
+{
+  const Indexed_triangle_mesh ball = sphere(20);
+  const Index v = nearest_vertex(ball, {{0., 0., 1.}});
+  const Solved solved(ball, at_vertex(ball, v));
+  const double h = solved.solver->connectivity().mean_edge_length;
+  for(const auto& node : solved.through_faces(solved.solver->default_threshold()).nodes)
+  {
+    using namespace CGAL::Cut_loci::internal;
+    EXPECT_LT(norm(point_at(ball, node.location) + ball.points[v]), 3. * h);
+  }
+}
+
+} // namespace
