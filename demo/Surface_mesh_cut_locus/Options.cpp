@@ -81,6 +81,13 @@ po::options_description visible_options()
     ("source-point", po::value<std::string>()->value_name("X,Y,Z"), "the point of the surface closest to x,y,z")
     ("solver", po::value<std::string>()->value_name("NAME")->default_value(default_solver_name()),
      ("geodesic distances by:\n" + solver_descriptions()).c_str())
+    ("method", po::value<std::string>()->value_name("NAME")->default_value("laplacian"),
+     "how the cut locus is found:\n"
+     "  laplacian: valleys of the Laplacian of the distance, for any solver\n"
+     "  direction: where the direction at the source jumps, for exact distances; nothing to tune\n"
+     "  polyhedral: all of the cut locus of a convex polyhedron, exactly")
+    ("strength", po::value<std::string>()->value_name("S"),
+     "least strength of a branch with the method direction (default: from the noise of the mesh)")
     ("angle", po::value<std::string>()->value_name("RAD"),
      "least angle, in radians, at which shortest paths meet (default: 0.7; 0.4 with the heat method)")
     ("laplacian", po::value<std::string>()->value_name("L"),
@@ -156,6 +163,25 @@ Options parse_command_line(int argc, char* argv[])
   options.solver = text("solver");
   if(!is_solver_name(options.solver))
     throw Usage_error("--solver takes one of" + solver_names() + ", not '" + options.solver + "'");
+  const std::string method = options.method_name = text("method");
+  if(method == "direction")
+    options.method = CGAL::Cut_loci::Method::DIRECTION;
+  else if(method == "polyhedral")
+    options.method = CGAL::Cut_loci::Method::POLYHEDRAL;
+  else if(method != "laplacian")
+    throw Usage_error("--method takes laplacian, direction or polyhedral, not '" + method + "'");
+  const bool is_laplacian = options.method == CGAL::Cut_loci::Method::LAPLACIAN;
+  if(!is_laplacian && options.solver != "exact" && options.solver != "cgal-exact")
+    throw Usage_error("--method " + method + " needs exact distances: --solver exact or cgal-exact");
+  for(const char* option : {"angle", "laplacian", "min-branch-edges", "min-branch-length"})
+    if(!is_laplacian && given.count(option))
+      throw Usage_error(std::string("--") + option + " is for --method laplacian");
+  if(given.count("strength"))
+  {
+    if(options.method != CGAL::Cut_loci::Method::DIRECTION)
+      throw Usage_error("--strength is for --method direction");
+    options.strength = to_non_negative_number(text("strength"), "--strength");
+  }
   if(given.count("angle"))
     options.angle = to_non_negative_number(text("angle"), "--angle");
   if(given.count("laplacian"))

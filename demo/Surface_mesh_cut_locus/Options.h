@@ -7,6 +7,8 @@
 #ifndef SURFACE_MESH_CUT_LOCUS_DEMO_OPTIONS_H
 #define SURFACE_MESH_CUT_LOCUS_DEMO_OPTIONS_H
 
+#include <CGAL/Cut_loci/cut_locus_method.h>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -27,6 +29,9 @@ struct Options
   std::optional<std::size_t> minimum_branch_edges;
   std::optional<double> minimum_branch_length;
   std::size_t smoothing = 0; // iterations
+  CGAL::Cut_loci::Method method = CGAL::Cut_loci::Method::LAPLACIAN;
+  std::string method_name;
+  std::optional<double> strength;
   std::vector<std::string> outputs;
   std::string edges;
   std::string report;

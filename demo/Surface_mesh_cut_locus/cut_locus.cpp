@@ -48,6 +48,12 @@ void set_source(const Options& options, const Mesh& mesh, Cut_locus_solver& solv
 Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver, std::size_t smoothing)
 {
   using CGAL::Cut_loci::Filter_policy;
+  if(options.method != CGAL::Cut_loci::Method::LAPLACIAN)
+  {
+    const auto curve = CGAL::parameters::cut_locus_curve(smoothing > 0 ? CGAL::Cut_loci::Curve::THROUGH_FACES
+                                                                       : CGAL::Cut_loci::Curve::MESH_EDGES);
+    return options.strength ? solver.cut_locus(curve.strength_threshold(*options.strength)) : solver.cut_locus(curve);
+  }
   return solver.cut_locus(
     CGAL::parameters::gradient_angle_threshold(options.angle.value_or(solver.gradient_angle_threshold()))
       .laplacian_threshold(options.laplacian.value_or(-std::numeric_limits<double>::infinity()))
@@ -61,7 +67,7 @@ void run(const Options& options)
 {
   Progress progress(options.is_quiet);
   const Mesh mesh = progress.run("read", [&]() { return read_mesh(options.mesh); });
-  const std::unique_ptr<Cut_locus_solver> solver = make_solver(options.solver, mesh, progress);
+  const std::unique_ptr<Cut_locus_solver> solver = make_solver(options.solver, options.method, mesh, progress);
   set_source(options, mesh, *solver);
   const Cut_locus cut_locus = apply_thresholds(options, *solver, options.smoothing);
   progress.run("write", [&]()

@@ -70,11 +70,13 @@ void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut
   report["injectivity_radius"] = statistics.injectivity_radius;
 
   report["solver"] = options.solver;
+  report["method"] = options.method_name;
   Json& parameters = report["parameters"]; // null: the default
   parameters["angle"] = to_json(options.angle);
   parameters["laplacian"] = to_json(options.laplacian);
   parameters["policy"] = options.grow ? "grow" : "prune";
   parameters["min_branch_edges"] = to_json(options.minimum_branch_edges);
+  parameters["strength"] = to_json(options.strength);
   parameters["smooth"] = options.smoothing;
   parameters["min_branch_length"] = to_json(options.minimum_branch_length);
 

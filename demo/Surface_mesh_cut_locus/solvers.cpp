@@ -22,14 +22,14 @@ struct Solver_entry
 {
   const char* name;
   const char* description;
-  std::unique_ptr<Cut_locus_solver> (*make)(const Mesh&, Progress&);
+  std::unique_ptr<Cut_locus_solver> (*make)(const Mesh&, CGAL::Cut_loci::Method, Progress&);
 };
 
 template <typename GeodesicSolver>
-std::unique_ptr<Cut_locus_solver> make(const Mesh& mesh, Progress& progress)
+std::unique_ptr<Cut_locus_solver> make(const Mesh& mesh, CGAL::Cut_loci::Method method, Progress& progress)
 {
   return std::make_unique<Cut_locus_solver>(
-    mesh, CGAL::parameters::geodesic_solver(GeodesicSolver()).visitor(std::ref(progress)));
+    mesh, CGAL::parameters::geodesic_solver(GeodesicSolver()).cut_locus_method(method).visitor(std::ref(progress)));
 }
 
 // The first one is the default.
@@ -77,10 +77,11 @@ std::string solver_descriptions()
   return result;
 }
 
-std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, const Mesh& mesh, Progress& progress)
+std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, CGAL::Cut_loci::Method method,
+                                              const Mesh& mesh, Progress& progress)
 {
   const Solver_entry* const solver = find_solver(name);
   if(solver == nullptr)
     throw std::invalid_argument("there is no solver '" + name + "'");
-  return solver->make(mesh, progress);
+  return solver->make(mesh, method, progress);
 }

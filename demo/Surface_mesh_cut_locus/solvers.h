@@ -22,6 +22,7 @@ bool is_solver_name(const std::string& name);
 std::string solver_names();        // " a b c"
 std::string solver_descriptions(); // a line for each
 
-std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, const Mesh& mesh, Progress& progress);
+std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, CGAL::Cut_loci::Method method,
+                                              const Mesh& mesh, Progress& progress);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_SOLVERS_H

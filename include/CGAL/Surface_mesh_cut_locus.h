@@ -31,6 +31,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -128,7 +129,9 @@ public:
                                                        Cut_loci::Laplacian_operator::QUADRATIC_FIT)),
       method_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::cut_locus_method),
                                            default_method())),
-      has_own_solver_(!parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::geodesic_solver_t>::value),
+      has_own_solver_(!std::is_same<typename internal_np::Lookup_named_param_def<
+                        internal_np::geodesic_solver_t, CGAL_NP_CLASS, Exact_geodesic_solver>::type,
+                        Exact_geodesic_solver>::value),
       solver_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_solver),
                                            Exact_geodesic_solver()))
   {
@@ -684,7 +687,7 @@ private:
   Vertex_point_map vpm_;
   Cut_loci::Laplacian_operator laplacian_operator_;
   Cut_loci::Method method_;
-  bool has_own_solver_; // the user's
+  bool has_own_solver_; // another one than the package's exact one
   Solver_handle solver_; // as given; each component has its own
   std::function<void(Cut_loci::Stage, bool)> visit_;
 
