@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 
 #include <CGAL/Dynamic_property_map.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
@@ -72,9 +73,7 @@ Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, Vert
     throw Invalid_input("the mesh is empty: it has no vertices");
 
   auto index_of_halfedge = get(CGAL::dynamic_halfedge_property_t<Index>(), tm);
-  for(halfedge_descriptor h : CGAL::make_range(halfedges(tm)))
-    put(index_of_halfedge, h, null_index);
-
+  result.halfedges.reserve(3 * num_faces(tm)); // at least as many as there are: some meshes count removed ones
   Index nf = 0;
   for(face_descriptor f : CGAL::make_range(faces(tm)))
   {
@@ -100,6 +99,9 @@ Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, Vert
   if(nf == 0)
     throw Invalid_input("the mesh has no faces");
 
+  result.mesh.points.reserve(num_vertices(tm));
+  result.vertices.reserve(num_vertices(tm));
+  result.positions.reserve(num_vertices(tm));
   Index position = 0;
   for(vertex_descriptor v : CGAL::make_range(vertices(tm)))
   {
@@ -122,9 +124,9 @@ Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, Vert
   result.mesh.opposite.resize(3 * std::size_t(nf));
   for(Index h = 0; h < 3 * nf; ++h)
   {
-    const halfedge_descriptor hd = result.halfedges[h];
-    result.mesh.triangles[h / 3][h % 3] = get(result.index_of_vertex, source(hd, tm));
-    result.mesh.opposite[h] = get(index_of_halfedge, opposite(hd, tm));
+    const halfedge_descriptor o = opposite(result.halfedges[h], tm);
+    result.mesh.triangles[h / 3][h % 3] = get(result.index_of_vertex, target(o, tm));
+    result.mesh.opposite[h] = is_border(o, tm) ? null_index : get(index_of_halfedge, o);
   }
   return result;
 }
