@@ -6,8 +6,7 @@
 
 // How far the computed cut locus is from the true one on surfaces where that is known, at several resolutions.
 // All figures are in units of the mean edge length h: mean and max distance from the estimate to the truth, and from
-// the
-// truth to the estimate; the larger max is the two-sided Hausdorff distance.
+// the truth to the estimate; the larger max is the two-sided Hausdorff distance.
 
 #include "analytic_surfaces.h"
 #include "curve_distance.h"

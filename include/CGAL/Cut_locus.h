@@ -77,10 +77,8 @@ struct Source_result
  * immutable value; it refers to the mesh by descriptors. All functions can be called from several threads.
  *
  * On a closed surface of genus g the graph is connected, has 2g independent cycles, and its complement in the surface
- * is
- * one open disk. On a surface with boundary the same holds for the union of the graph and the boundary, each border
- * loop
- * being counted as a point.
+ * is one open disk. On a surface with boundary the same holds for the union of the graph and the boundary, each
+ * border loop being counted as a point.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  * @tparam Point_3 the value type of the vertex point map

@@ -82,8 +82,8 @@ private:
   using Index = Cut_loci::Index;
   using Mesh = Cut_loci::Indexed_triangle_mesh;
 
-  // Eight bytes: the arcs of a vertex fill one or two cache lines. The rounding of the length is far below the error of
-  // the graph.
+  // Eight bytes: the arcs of a vertex fill one or two cache lines. The rounding of the length is far below the error
+  // of the graph.
   struct Arc
   {
     Index target;

@@ -42,21 +42,19 @@ namespace CGAL {
  *
  * computes cut loci on a triangle mesh, at three levels of cost: the constructor does what depends on the mesh alone,
  * `set_source()` what depends on the source, and `cut_locus()` applies thresholds in time proportional to the size of
- * its
- * result, so that it follows a slider.
+ * its result, so that it follows a slider.
  *
  * The method is that of Mancinelli, Livesu and Puppo \cgalCite{cgal:mlp-pccld-21}: a spanning tree is grown from the
  * vertex farthest from the source along the valleys of the Laplacian of the distance, thinned, completed by homology
  * generators, and its weak branches are removed.
  *
  * Each edge-connected component is a surface of its own: the cut locus lies in the source's, and the distance is
- * infinite
- * on all others. Isolated vertices are ignored.
+ * infinite on all others. Isolated vertices are ignored.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
- * @tparam VertexPointMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
- * as
- *         key type and a 3D point as value type. %Default: `boost::property_map<TriangleMesh,
+ * @tparam VertexPointMap a model of `ReadablePropertyMap` with
+ *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a 3D point as value type. %Default:
+ *         `boost::property_map<TriangleMesh,
  *         vertex_point_t>::%const_type`
  */
 template <typename TriangleMesh, typename VertexPointMap = Default>
@@ -77,8 +75,7 @@ public:
 
   /*!
    * reads the mesh, which must not change as long as the object is used. The operators of a component are built with
-   * its
-   * first source.
+   * its first source.
    *
    * @param tm a triangle mesh
    * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
@@ -116,9 +113,8 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * @throws Cut_loci::Invalid_input if the mesh has no vertices or no faces, a face is not a triangle, or a coordinate
-   * is
-   *         not finite
+   * @throws Cut_loci::Invalid_input if the mesh has no vertices or no faces, a face is not a triangle, or a
+   *         coordinate is not finite
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Surface_mesh_cut_locus(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -167,9 +163,8 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * @throws Cut_loci::Invalid_input if the source is null, isolated or not in the mesh, if a face of its component has
-   * no
-   *         area, if a vertex of its component is not manifold, or if a distance is not a finite number
+   * @throws Cut_loci::Invalid_input if the source is null, isolated or not in the mesh, if a face of its component
+   *         has no area, if a vertex of its component is not manifold, or if a distance is not a finite number
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_source(vertex_descriptor v, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -197,9 +192,8 @@ public:
   /*!
    * does the same for a source at any point of the mesh. Coordinates are normalized to sum up to one.
    *
-   * @throws Cut_loci::Invalid_input also if the face is null or not in the mesh, or if the coordinates are not finite,
-   * are
-   *         negative or sum up to zero
+   * @throws Cut_loci::Invalid_input also if the face is null or not in the mesh, or if the coordinates are not
+   *         finite, are negative or sum up to zero
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_source(const Face_location& location, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -250,8 +244,8 @@ public:
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{gradient_angle_threshold}
-   *     \cgalParamDescription{the angle at which shortest paths must meet, in radians in [0, pi]; a larger one removes
-   *                           weaker branches}
+   *     \cgalParamDescription{the angle at which shortest paths must meet, in radians in [0, pi]; a larger one
+   *                           removes weaker branches}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{`default_gradient_angle_threshold()`, unless the geodesic solver asks for another one}
    *   \cgalParamNEnd
@@ -279,7 +273,8 @@ public:
    *     \cgalParamDefault{0}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{strength_threshold}
-   *     \cgalParamDescription{by how many times the jump of the shortest paths across a branch must exceed what a smooth
+   *     \cgalParamDescription{by how many times the jump of the shortest paths across a branch must exceed what a
+   *     smooth
    *                           distance explains; values below 2 act as 2}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{found from the noise of the mesh: 3 on a smooth one}

@@ -76,8 +76,8 @@ public:
   /// two vertices that follow counterclockwise, as in `Polygon_mesh_processing`
   using Face_location = std::pair<face_descriptor, std::array<FT, 3> >;
 
-  /// a direction at a vertex: a halfedge that leaves it, and the angle from that halfedge, counterclockwise within its
-  /// face
+  /// a direction at a vertex: a halfedge that leaves it, and the angle from that halfedge, counterclockwise within
+  /// its face
   using Direction = std::pair<halfedge_descriptor, FT>;
 
   /// @}

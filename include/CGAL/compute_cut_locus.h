@@ -15,8 +15,7 @@ namespace CGAL {
  * \ingroup PkgSurfaceMeshCutLocusRef
  *
  * computes the cut locus of a point on a triangle mesh: the closure of the set of points that have more than one
- * shortest
- * path to the source.
+ * shortest path to the source.
  *
  * The function constructs a `Surface_mesh_cut_locus`, sets the source and returns the cut locus. For several sources
  * on a mesh or several thresholds for a source, the class does what they share only once.
@@ -33,8 +32,8 @@ namespace CGAL {
  *
  * @return the graph of the cut locus, and the distances to the source
  *
- * @throws Cut_loci::Invalid_input where the mesh, the source or a parameter can not be used, with a message that names
- *         the cause
+ * @throws Cut_loci::Invalid_input where the mesh, the source or a parameter can not be used, with a message that
+ *         names the cause
  */
 template <typename TriangleMesh, typename Source, typename CGAL_NP_TEMPLATE_PARAMETERS>
 auto compute_cut_locus(const TriangleMesh& tm, const Source& source,

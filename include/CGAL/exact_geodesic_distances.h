@@ -29,8 +29,8 @@ namespace CGAL {
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  * @tparam VertexDistanceMap a model of `WritablePropertyMap` with
- *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a value type to which `double` can be
- *         converted
+ *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a value type to which `double` can
+ *         be converted
  *
  * @param tm a triangle mesh
  * @param source a vertex of `tm`

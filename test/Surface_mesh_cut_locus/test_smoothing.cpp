@@ -527,8 +527,8 @@ double mean_error_on_torus(const Mesh& mesh, const Indexed_cut_locus& graph, dou
   return sum / weight;
 }
 
-// with wavy rows and jitter, so that no row of edges follows the cut locus; vertex `n / 2` is on the inner equator for
-// even n
+// with wavy rows and jitter, so that no row of edges follows the cut locus; vertex `n / 2` is on the inner equator
+// for even n
 Mesh irregular_torus(Index m, Index n)
 {
   std::mt19937 random(6);

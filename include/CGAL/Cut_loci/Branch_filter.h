@@ -47,12 +47,10 @@ struct Branch_thresholds
  *
  * selects the cut locus from a tree of candidates and the part of the cut locus that the homology demands.
  *
- * That part is a graph which cuts the surface into one open disk. The tree hangs on it, so removing vertices of degree
- * 1
- * from the union keeps the disk, and the filter does nothing else: it keeps the root, the demanded part, and the
- * branches that pass the thresholds. The answer to both policies is stored with each vertex, the largest strength
- * below it
- * and the smallest above, so that a new threshold costs time in proportion to the size of the result.
+ * That part is a graph which cuts the surface into one open disk. The tree hangs on it, so removing vertices of
+ * degree 1 from the union keeps the disk, and the filter does nothing else: it keeps the root, the demanded part, and
+ * the branches that pass the thresholds. The answer to both policies is stored with each vertex, the largest strength
+ * below it and the smallest above, so that a new threshold costs time in proportion to the size of the result.
  */
 class Branch_filter
 {
@@ -170,8 +168,7 @@ private:
   }
 
   // The kept paths and the border loops of the spanning tree, and the candidates hanging on them. A loop that
-  // candidates
-  // entered at another place than the spanning tree would be on a cycle.
+  // candidates entered at another place than the spanning tree would be on a cycle.
   Spanning_tree join(const Mesh_connectivity& connectivity, const Spanning_tree& tree,
                      const Spanning_tree& spanning_tree) const
   {

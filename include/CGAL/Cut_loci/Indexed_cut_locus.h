@@ -21,8 +21,8 @@ namespace Cut_loci {
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * is a cut locus on an `Indexed_triangle_mesh`: a graph whose edges are edges of the mesh, or straight segments in its
- * faces.
+ * is a cut locus on an `Indexed_triangle_mesh`: a graph whose edges are edges of the mesh, or straight segments in
+ * its faces.
  */
 struct Indexed_cut_locus
 {

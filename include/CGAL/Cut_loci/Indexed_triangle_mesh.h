@@ -62,8 +62,7 @@ struct Indexed_triangle_mesh
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
  * is a point on an `Indexed_triangle_mesh`: barycentric coordinates with respect to the vertices of a face, in the
- * order
- * of `Indexed_triangle_mesh::triangles`.
+ * order of `Indexed_triangle_mesh::triangles`.
  */
 struct Indexed_location
 {

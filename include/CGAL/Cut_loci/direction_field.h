@@ -54,8 +54,8 @@ struct Direction_field
     return d > 0. ? d - total_angle : d + total_angle;
   }
 
-  /// the bend of the front at `v`: the geodesic curvature of the distance circle, J'/J, as far as the mesh can resolve
-  /// it
+  /// the bend of the front at `v`: the geodesic curvature of the distance circle, J'/J, as far as the mesh can
+  /// resolve it
   double bend(Index v, double mean_edge_length) const
   {
     const double limit = 0.5 / mean_edge_length;

@@ -25,8 +25,8 @@ namespace Cut_loci {
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * is a `Direction_graph` without its weak branches, in a form that answers to any threshold in time proportional to the
- * result.
+ * is a `Direction_graph` without its weak branches, in a form that answers to any threshold in time proportional to
+ * the result.
  *
  * A branch is judged as a whole. At the threshold `s`, an edge of length `l` and strength `S` scores
  * `l clip(ln(S / s), -1, 1)`, a branch has the value of its edge plus the positive values of the branches behind it,

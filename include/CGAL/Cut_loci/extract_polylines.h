@@ -19,8 +19,7 @@ namespace Cut_loci {
  * \ingroup PkgSurfaceMeshCutLocusRef
  *
  * returns the points of each maximal chain of edges between vertices of degree other than 2. A closed chain ends with
- * its
- * first point; a cut locus that is a single point gives one polyline with that one point.
+ * its first point; a cut locus that is a single point gives one polyline with that one point.
  */
 template <typename TriangleMesh, typename Point_3>
 std::vector<std::vector<Point_3> > extract_polylines(const Cut_locus<TriangleMesh, Point_3>& cut_locus)

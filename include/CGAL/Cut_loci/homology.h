@@ -26,8 +26,8 @@ namespace Cut_loci {
  * grows a spanning tree of the vertices from the root of `tree`, those of largest distance first, so that its front
  * moves from the cut locus towards the source. Connected parts of `tree` in which all vertices have a strength of at
  * least `threshold` join as a whole as soon as one of their vertices does. Strong parts of the cut locus are thus
- * joined
- * along the highest ridges of the distance: a weak part of the cut locus nearly follows the gradient. O(n log n).
+ * joined along the highest ridges of the distance: a weak part of the cut locus nearly follows the gradient. O(n log
+ * n).
  */
 inline Spanning_tree strength_aware_tree(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                                          const Spanning_tree& tree, const std::vector<float>& strength,
@@ -109,12 +109,11 @@ inline Spanning_tree strength_aware_tree(const Indexed_triangle_mesh& mesh, cons
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
  * grows a spanning tree of the faces (the cotree) from those around the source, across edges that are not in the
- * spanning
- * tree `tree`, faces of smallest mean distance first, and returns the halfedges of the edges that are in neither: the
- * generators of the first homology \cgalCite{cgal:ew-gohhb-05}, 2g of them on a surface of genus g, where the two
- * fronts of the cotree meet. The union of `tree` and the generators cuts the surface into one open disk.
- * Each border loop, which `tree` takes as one node, counts as part of that union. The source is in the cotree, not on a
- * generator, whatever the distances. O(n log n).
+ * spanning tree `tree`, faces of smallest mean distance first, and returns the halfedges of the edges that are in
+ * neither: the generators of the first homology \cgalCite{cgal:ew-gohhb-05}, 2g of them on a surface of genus g,
+ * where the two fronts of the cotree meet. The union of `tree` and the generators cuts the surface into one open
+ * disk. Each border loop, which `tree` takes as one node, counts as part of that union. The source is in the cotree,
+ * not on a generator, whatever the distances. O(n log n).
  */
 inline std::vector<Index> homology_generators(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                                               const Spanning_tree& tree, const std::vector<double>& distance,

@@ -38,8 +38,8 @@ struct Spanning_tree
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
  * is the vertex or the inner edge that the source is on, or neither if it is inside a face. It is never on the cut
- * locus:
- * a vertex becomes a leaf of the tree, or a part of a border loop that nothing joins there, and an edge is left out.
+ * locus: a vertex becomes a leaf of the tree, or a part of a border loop that nothing joins there, and an edge is
+ * left out.
  */
 struct Source_element
 {

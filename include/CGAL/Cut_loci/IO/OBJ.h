@@ -24,8 +24,7 @@ namespace IO {
  *
  * writes a cut locus in the format of Wavefront (extension `.obj`): a record `v` for each vertex of the graph and a
  * record `l` for each maximal chain of edges between vertices of degree other than 2. A vertex without edges, as of a
- * cut
- * locus that is a single point, is a record `p`.
+ * cut locus that is a single point, is a record `p`.
  *
  * @param os the output stream
  * @param cut_locus the cut locus

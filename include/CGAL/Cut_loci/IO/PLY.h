@@ -22,8 +22,7 @@ namespace IO {
  * \ingroup PkgSurfaceMeshCutLocusIO
  *
  * writes a cut locus as an ASCII file of the format PLY (extension `.ply`) with the elements `vertex`, with the
- * property
- * `distance`, and `edge`, with the property `strength`.
+ * property `distance`, and `edge`, with the property `strength`.
  *
  * @param os the output stream
  * @param cut_locus the cut locus

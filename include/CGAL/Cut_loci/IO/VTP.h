@@ -24,9 +24,8 @@ namespace IO {
  * \ingroup PkgSurfaceMeshCutLocusIO
  *
  * writes a cut locus in the XML format of VTK for polygonal data (extension `.vtp`), as ASCII: a line for each edge,
- * with
- * the arrays `distance` of the points and `strength` of the cells. A vertex without edges, as of a cut locus that is a
- * single point, is a cell `Verts` of strength 0.
+ * with the arrays `distance` of the points and `strength` of the cells. A vertex without edges, as of a cut locus
+ * that is a single point, is a cell `Verts` of strength 0.
  *
  * @param os the output stream
  * @param cut_locus the cut locus

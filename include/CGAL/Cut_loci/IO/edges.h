@@ -26,8 +26,8 @@ namespace IO {
  * \ingroup PkgSurfaceMeshCutLocusIO
  *
  * writes the edges of the mesh that a cut locus consists of, each as a line with two numbers: the positions of its
- * vertices
- * in the range `vertices(tm)`, counted from 0. Edges of the graph that follow no edge of the mesh are left out.
+ * vertices in the range `vertices(tm)`, counted from 0. Edges of the graph that follow no edge of the mesh are left
+ * out.
  *
  * @param os the output stream
  * @param cut_locus the cut locus

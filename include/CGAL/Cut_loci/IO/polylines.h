@@ -21,9 +21,8 @@ namespace IO {
  * \ingroup PkgSurfaceMeshCutLocusIO
  *
  * writes a cut locus in CGAL's format for polylines (extension `.polylines.txt`): a line for each maximal chain of
- * edges
- * between vertices of degree other than 2, with the number of its points and their coordinates. A closed chain ends
- * with its first point; a cut locus that is a single point is a line with that one point.
+ * edges between vertices of degree other than 2, with the number of its points and their coordinates. A closed chain
+ * ends with its first point; a cut locus that is a single point is a line with that one point.
  *
  * @param os the output stream
  * @param cut_locus the cut locus

@@ -87,8 +87,9 @@ public:
     filter_ = Branch_filter(mesh_, connectivity_, tree_, spanning_tree, generators, angle_, laplacian_);
   }
 
-  // In radians. Around the end of a branch, gradients are focused before they cross: a few edges beyond the end they still
-  // meet at half a radian. On tori of 7 K to 113 K faces thresholds from 0.5 to 1 put the ends within 2.5 edges.
+  // In radians. Around the end of a branch, gradients are focused before they cross: a few edges beyond the end they
+  // still meet at half a radian. On tori of 7 K to 113 K faces thresholds from 0.5 to 1 put the ends within 2.5
+  // edges.
   static double default_gradient_angle_threshold() { return 0.7; }
 
   // once per threshold
@@ -112,9 +113,9 @@ public:
   Index root() const { return tree_.root; }
   Index farthest() const { return farthest_; }
 
-  // In radians. The gradient turns by about h / R from a vertex to the next where the wavefront has the radius R: on meshes
-  // that resolve the surface, angles below this one say nothing about the cut locus, and ridges of the distance are a
-  // better guide than the Laplacian.
+  // In radians. The gradient turns by about h / R from a vertex to the next where the wavefront has the radius R: on
+  // meshes that resolve the surface, angles below this one say nothing about the cut locus, and ridges of the
+  // distance are a better guide than the Laplacian.
   static double reliable_angle() { return 0.1; }
 
   // Faces without area have no tangent plane. Coordinates of the size of a face resolve 2^-53 of it: at 100 times that,
@@ -138,8 +139,7 @@ public:
 
 private:
   // The farthest vertex is on the cut locus of a closed surface. A border vertex may be farthest without being on it:
-  // then
-  // the lowest Laplacian is the best guess.
+  // then the lowest Laplacian is the best guess.
   Index choose_root() const
   {
     if(!connectivity_.is_border(farthest_))

@@ -61,8 +61,8 @@ struct Geodesic_arrival_direction
  * preferable \cgalCite{xw-ich-09}. Neighbouring windows are trimmed as described in `geodesic_window_trimming.h`.
  * Batches are forgotten once they have been propagated.
  *
- * The mesh geometry is read by the constructor. All memory is reused from one run to the next. Queries after a run are
- * const.
+ * The mesh geometry is read by the constructor. All memory is reused from one run to the next. Queries after a run
+ * are const.
  */
 class Exact_geodesic_propagation
 {

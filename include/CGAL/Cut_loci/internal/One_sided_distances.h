@@ -88,8 +88,8 @@ public:
                                      [](const Candidate& c) { return c.side == neither; }), candidates_.end());
   }
 
-  // Fits both sides around `center`, in the plane spanned by the orthonormal `e1` and `e2`; false if a side has too few
-  // vertices.
+  // Fits both sides around `center`, in the plane spanned by the orthonormal `e1` and `e2`; false if a side has too
+  // few vertices.
   bool fit(const Vector& center, const Vector& e1, const Vector& e2)
   {
     double radius = 0.;
