@@ -84,7 +84,8 @@ public:
       sum += c;
     }
     if(!is_inside || !(std::fabs(sum - 1.) <= 1e-9))
-      throw Invalid_input("the coordinates of a location in face " + std::to_string(location.face) + " are not barycentric");
+      throw Invalid_input("the coordinates of a location in face " + std::to_string(location.face) +
+                          " are not barycentric");
   }
 
   const Geodesic_faces& faces() const { return m_faces; }
