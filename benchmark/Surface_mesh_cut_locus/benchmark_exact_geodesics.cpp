@@ -9,8 +9,9 @@
 //   benchmark_exact_geodesics [--cpu] [--trials n] [--cgal-trials n] mesh...
 //     against CGAL's Surface_mesh_shortest_path: from the mesh object to the distances of all vertices, and for CGAL
 //     the construction of its sequence tree alone
-//   benchmark_exact_geodesics [--cpu] --growth [largest number of faces]
-//     on jittered tori; prints time, memory and windows, as comma-separated values, and the exponents fitted to them
+//   benchmark_exact_geodesics [--cpu] [--csv file] --growth [largest number of faces]
+//     on jittered tori; prints time, memory and windows, as comma-separated values, and the exponents fitted to them;
+//     the file gets the values alone (scripts/plot_growth draws them)
 //   --cpu measures processor time instead of elapsed time, for machines with other work to do
 
 #include <CGAL/Simple_cartesian.h>
@@ -185,11 +186,20 @@ double exponent(const std::vector<double>& x, const std::vector<double>& y)
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-void growth(std::size_t largest)
+/// `csv` may be null
+void growth(std::size_t largest, std::FILE* csv)
 {
   std::vector<double> sizes, times, counts;
-  std::printf("faces,mesh_to_distances_s,directions_s,peak_mb,mesh_only_mb,windows\n");
-  std::fflush(stdout);
+  const auto print = [csv](const char* line) {
+    std::puts(line);
+    std::fflush(stdout);
+    if(csv != nullptr) {
+      std::fprintf(csv, "%s\n", line);
+      // nothing may be left for the child processes to write
+      std::fflush(csv);
+    }
+  };
+  print("faces,mesh_to_distances_s,directions_s,peak_mb,mesh_only_mb,windows");
   for(std::size_t faces = 12500; faces <= largest; faces *= 2) {
     // a process of its own per size, so that the peak of the memory is its own
     int channel[2];
@@ -219,8 +229,10 @@ void growth(std::size_t largest)
     close(channel[1]);
     if(!have_read)
       return;
-    std::printf("%.0f,%.4f,%.4f,%.0f,%.0f,%.0f\n", result[0], result[1], result[2], result[3], result[4], result[5]);
-    std::fflush(stdout);
+    char line[160];
+    std::snprintf(line, sizeof(line), "%.0f,%.4f,%.4f,%.0f,%.0f,%.0f", result[0], result[1], result[2], result[3],
+                  result[4], result[5]);
+    print(line);
     sizes.push_back(result[0]);
     times.push_back(result[1]);
     counts.push_back(result[5]);
@@ -234,14 +246,24 @@ void growth(std::size_t largest)
 int main(int argc, char** argv)
 {
   int trials = 5, cgal_trials = 1;
+  const char* csv_file = nullptr;
   bool done = false;
   for(int i = 1; i < argc; ++i) {
     if(std::strcmp(argv[i], "--cpu") == 0)
       measures_processor_time = true;
     else if(std::strcmp(argv[i], "--growth") == 0) {
       const bool has_size = i + 1 < argc && std::atoi(argv[i + 1]) > 0;
-      growth(has_size ? std::size_t(std::atoi(argv[++i])) : 1600000);
-    } else if(std::strcmp(argv[i], "--trials") == 0 && i + 1 < argc)
+      std::FILE* csv = csv_file == nullptr ? nullptr : std::fopen(csv_file, "w");
+      if(csv_file != nullptr && csv == nullptr) {
+        std::fprintf(stderr, "cannot write %s\n", csv_file);
+        return EXIT_FAILURE;
+      }
+      growth(has_size ? std::size_t(std::atoi(argv[++i])) : 1600000, csv);
+      if(csv != nullptr)
+        std::fclose(csv);
+    } else if(std::strcmp(argv[i], "--csv") == 0 && i + 1 < argc)
+      csv_file = argv[++i];
+    else if(std::strcmp(argv[i], "--trials") == 0 && i + 1 < argc)
       trials = (std::max)(1, std::atoi(argv[++i]));
     else if(std::strcmp(argv[i], "--cgal-trials") == 0 && i + 1 < argc)
       cgal_trials = std::atoi(argv[++i]);
@@ -251,6 +273,7 @@ int main(int argc, char** argv)
   }
   if(!done)
     std::fprintf(stderr,
-                 "usage: %s [--cpu] [--trials n] [--cgal-trials n] mesh... | [--cpu] --growth [faces]\n", argv[0]);
+                 "usage: %s [--cpu] [--trials n] [--cgal-trials n] mesh... | [--cpu] [--csv file] --growth [faces]\n",
+                 argv[0]);
   return done ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,0 +1,446 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_INTERNAL_GEODESIC_RESULTS_H
+#define CGAL_CUT_LOCI_INTERNAL_GEODESIC_RESULTS_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/internal/Geodesic_faces.h>
+#include <CGAL/Cut_loci/internal/Geodesic_windows.h>
+#include <CGAL/Cut_loci/internal/geodesic_window_kernels.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/// says what a run of `Exact_geodesic_propagation` computes.
+struct Exact_geodesic_options
+{
+  double maximum_distance = (std::numeric_limits<double>::infinity)(); ///< nothing beyond it is reached
+  bool directions = false;                                             ///< whether directions at the source are wanted
+  bool all_centroids = false;                                          ///< whether face centroids are query locations
+  std::vector<Indexed_location> queries;                               ///< further points whose distance is wanted
+};
+
+/// is the end of a shortest path: its last straight piece, in the frame of a halfedge of the face in which it ends.
+struct Geodesic_arrival
+{
+  double x = 0., y = 0.;           // the image of the (pseudo-)source
+  double sigma = 0., turn = 0.;    // as in `Geodesic_window`
+  Index halfedge = null_index;     // of the frame
+  Index source = null_index;       // the number of the true source, if there are several
+  bool crosses_halfedge = false;   // else the image lies in the face itself
+};
+
+/// is the direction of a shortest path at its end: an angle from a halfedge that leaves the end, counterclockwise.
+struct Geodesic_arrival_direction
+{
+  Index halfedge;
+  double angle;
+};
+
+/*!
+ * holds the sources of a run of `Exact_geodesic_propagation` and what it finds: the distance and the last straight
+ * piece of the shortest path of each vertex and each query location.
+ *
+ * The public functions are const and hold after a run.
+ */
+class Geodesic_results
+{
+public:
+  /// a vertex as a location
+  Indexed_location vertex_location(Index v) const
+  {
+    if(v >= m_faces.number_of_vertices() || m_faces.first_halfedge(v) == null_index)
+      throw Invalid_input("vertex #" + std::to_string(v) + " is on no face");
+    const Index h = m_faces.first_halfedge(v);
+    Indexed_location location;
+    location.face = h / 3;
+    location.coordinates[h % 3] = 1.;
+    return location;
+  }
+
+  /// \throws Invalid_input if `location` is none on the mesh
+  void check(const Indexed_location& location) const
+  {
+    if(location.face >= m_faces.number_of_faces())
+      throw Invalid_input("a location is in face " + std::to_string(location.face) + ", which does not exist");
+    double sum = 0.;
+    bool is_inside = true;
+    for(double c : location.coordinates) {
+      is_inside = is_inside && c >= -1e-9; // what point location by projection may get wrong
+      sum += c;
+    }
+    if(!is_inside || !(std::fabs(sum - 1.) <= 1e-9))
+      throw Invalid_input("the coordinates of a location in face " + std::to_string(location.face) +
+                          " are not barycentric");
+  }
+
+  const Geodesic_faces& faces() const { return m_faces; }
+
+  /// the distance of each vertex, infinite if not reached
+  const std::vector<double>& distances() const { return m_distance; }
+  double distance(Index v) const { return m_distance[v]; }
+  bool is_reached(Index v) const { return m_distance[v] < infinity; }
+
+  /// the direction at its source in which the shortest path to `v` starts
+  ///
+  /// It is an angle in the unrolled tangent plane of the source, counterclockwise from `source_halfedge()`, in
+  /// `[0, source_angle())`, up to and including `source_angle()` if the source is on the border.
+  /// \pre directions have been asked for, `v` is reached and no source
+  double direction_at_source(Index v) const { return direction_at_source(m_arrival[v], end_in_frame(m_arrival[v], v)); }
+
+  /// the direction at `v` in which the shortest path to it leads back
+  /// \pre `v` is reached and no source
+  Geodesic_arrival_direction arrival_direction(Index v) const
+  {
+    const Geodesic_arrival& arrival = m_arrival[v];
+    Index h = arrival.halfedge;
+    while(m_faces.source(h) != v)
+      h = Indexed_triangle_mesh::next(h);
+    const Plane_point end = end_in_frame(arrival, v);
+    Plane_point along;
+    if(h == arrival.halfedge)
+      along = {1., 0.};
+    else {
+      const Geodesic_face& face = m_faces.face_of(h);
+      const Index i = arrival.halfedge % 3;
+      if(h == Indexed_triangle_mesh::next(arrival.halfedge)) {
+        const Geodesic_face::Corner& corner = face.corner[h % 3];
+        along = {-corner.cosine, corner.sine};
+      } else
+        along = {-face.corner[i].cosine, -face.corner[i].sine};
+    }
+    const double dx = arrival.x - end.x, dy = arrival.y - end.y;
+    const double angle = std::atan2(along.x * dy - along.y * dx, along.x * dx + along.y * dy);
+    // a path along an edge may turn out on the other side of it by a rounding error
+    const double corner = m_faces.angle(h);
+    if(angle < 0.5 * (corner - 2. * geodesic_pi) || angle > corner)
+      return {h, corner};
+    return {h, (std::max)(angle, 0.)};
+  }
+
+  /// the same as an angle in the unrolled tangent plane of `v`, counterclockwise from its first halfedge
+  double arrival_angle(Index v) const
+  {
+    const Geodesic_arrival_direction direction = arrival_direction(v);
+    return m_faces.angle_around_source(direction.halfedge) + direction.angle;
+  }
+
+  /// the number of the source nearest to `v`
+  Index nearest_source(Index v) const { return is_reached(v) ? m_arrival[v].source : null_index; }
+
+  std::size_t number_of_sources() const { return m_sources.size(); }
+  /// the total angle at source number `i`: two pi in faces
+  double source_angle(std::size_t i = 0) const { return m_sources[i].total_angle; }
+
+  /// the halfedge along which directions at source number `i` are zero
+  Index source_halfedge(std::size_t i = 0) const
+  {
+    const Source& source = m_sources[i];
+    if(source.vertex != null_index)
+      return m_faces.first_halfedge(source.vertex);
+    return source.halfedge != null_index ? source.halfedge : 3 * source.location.face;
+  }
+
+  /// the number of query locations: those of the options, then one per face if centroids have been asked for
+  std::size_t number_of_queries() const { return m_queries.size(); }
+  const Indexed_location& query(std::size_t i) const { return m_queries[i].location; }
+  double query_distance(std::size_t i) const { return m_queries[i].distance; }
+  Index query_nearest_source(std::size_t i) const
+  {
+    return m_queries[i].distance < infinity ? m_queries[i].arrival.source : null_index;
+  }
+  double query_direction_at_source(std::size_t i) const
+  {
+    const Query& query = m_queries[i];
+    return direction_at_source(query.arrival, m_faces.in_frame(query.arrival.halfedge, query.location.coordinates));
+  }
+
+  /// the last straight pieces, for tracing paths
+  const Geodesic_arrival& arrival(Index v) const { return m_arrival[v]; }
+  const Geodesic_arrival& query_arrival(std::size_t i) const { return m_queries[i].arrival; }
+  const Indexed_location& source_location(std::size_t i) const { return m_sources[i].location; }
+  Index source_vertex(std::size_t i) const { return m_sources[i].vertex; }
+
+  /// a vertex of the face of `h` in the frame of `h`
+  Plane_point vertex_in_frame(Index h, Index v) const
+  {
+    if(m_faces.source(h) == v)
+      return {0., 0.};
+    if(m_faces.target(h) == v)
+      return {m_faces.length(h), 0.};
+    return m_faces.apex(h);
+  }
+  Plane_point end_in_frame(const Geodesic_arrival& arrival, Index v) const
+  {
+    return vertex_in_frame(arrival.halfedge, v);
+  }
+
+  /// source number `i` in the frame of `h`, if it lies in the face of `h`
+  bool source_in_frame(std::size_t i, Index h, Plane_point& p) const
+  {
+    const Source& source = m_sources[i];
+    const Index f = h / 3;
+    if(source.vertex != null_index) {
+      for(Index v : m_faces.face(f).vertex)
+        if(v == source.vertex) {
+          p = vertex_in_frame(h, v);
+          return true;
+        }
+      return false;
+    }
+    if(source.location.face == f) {
+      p = m_faces.in_frame(h, source.location.coordinates);
+      return true;
+    }
+    if(source.halfedge == null_index)
+      return false;
+    const Index o = m_faces.opposite(source.halfedge);
+    if(o == null_index || o / 3 != f)
+      return false;
+    std::array<double, 3> coordinates = {{0., 0., 0.}};
+    coordinates[o % 3] = source.location.coordinates[Mesh::next(source.halfedge) % 3];
+    coordinates[Mesh::next(o) % 3] = source.location.coordinates[source.halfedge % 3];
+    p = m_faces.in_frame(h, coordinates);
+    return true;
+  }
+
+protected:
+  using Mesh = Indexed_triangle_mesh;
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+
+  struct Source
+  {
+    Indexed_location location;
+    Index vertex;   // if it is at one
+    Index halfedge; // if it is on an edge
+    double total_angle;
+  };
+
+  struct Query
+  {
+    Indexed_location location;
+    double distance;
+    Geodesic_arrival arrival;
+  };
+
+  Geodesic_results(const Indexed_triangle_mesh& mesh, const std::vector<Index>* positions)
+    : m_faces(mesh, positions)
+  {}
+
+  /// \throws Invalid_input if a location is none on the mesh
+  void prepare(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options)
+  {
+    m_sources.clear();
+    for(const Indexed_location& location : sources)
+      m_sources.push_back(classify(location));
+    m_has_directions = options.directions || sources.size() > 1;
+    m_distance.assign(m_faces.number_of_vertices(), infinity);
+    m_arrival.resize(m_faces.number_of_vertices());
+    prepare_queries(options);
+  }
+
+  /// a path of length `d` to the vertex `v` has been found; returns whether it is the shortest so far
+  bool improve(Index v, double d, const Geodesic_arrival& arrival)
+  {
+    // a smaller gain is rounding, and may be one forever
+    if(!(d < m_distance[v] * (1. - 1e-14)) && !(m_distance[v] == infinity))
+      return false;
+    m_distance[v] = d;
+    m_arrival[v] = arrival;
+    return true;
+  }
+
+  /// forgets what is further away than `maximum_distance`
+  void cut_off(double maximum_distance)
+  {
+    for(double& d : m_distance)
+      d = d <= maximum_distance ? d : infinity;
+    for(Query& query : m_queries)
+      query.distance = query.distance <= maximum_distance ? query.distance : infinity;
+  }
+
+  /// whether there are query locations
+  bool has_queries() const { return !m_queries.empty(); }
+
+  /// considers the paths to the query locations of the face that windows of `h` lead to
+  template <int columns>
+  void answer_queries(Index h, const Geodesic_window_list& list)
+  {
+    const double tolerance = geodesic_cover * m_faces.length(h);
+    const double *a = list.column(0), *b = list.column(1), *x = list.column(2), *y = list.column(3);
+    for(Index q = m_query_first[h / 3]; q < m_query_first[h / 3 + std::size_t(1)]; ++q) {
+      Query& query = m_queries[m_query_index[q]];
+      const Plane_point p = m_faces.in_frame(h, query.location.coordinates);
+      for(std::size_t i = list.begin; i < list.end; ++i) {
+        if(side_of_rays(a[i], b[i], x[i], y[i], p, tolerance) != covers)
+          continue;
+        const double d = list.column(4)[i] + std::sqrt((p.x - x[i]) * (p.x - x[i]) + (p.y - y[i]) * (p.y - y[i]));
+        if(d < query.distance) {
+          const Geodesic_window w = list.get<columns>(i);
+          query.distance = d;
+          query.arrival = Geodesic_arrival{w.x, w.y, w.sigma, w.turn, h, static_cast<Index>(w.nearest), true};
+        }
+      }
+    }
+  }
+
+  /// considers the paths to query locations that come from a vertex of the face, or a source in it
+  void finish_queries()
+  {
+    for(Query& query : m_queries) {
+      const Index f = query.location.face;
+      for(Index h = 3 * f; h < 3 * f + 3; ++h) {
+        const Index v = m_faces.source(h);
+        const Plane_point p = m_faces.in_frame(h, query.location.coordinates);
+        const double d = m_distance[v] + std::sqrt(p.x * p.x + p.y * p.y);
+        if(!(d < query.distance))
+          continue;
+        query.distance = d;
+        query.arrival = Geodesic_arrival();
+        query.arrival.halfedge = h;
+        query.arrival.source = m_arrival[v].source;
+        query.arrival.sigma = m_distance[v];
+        if(m_distance[v] == 0.)
+          query.arrival.turn = m_faces.angle_around_source(h);
+        else if(m_has_directions)
+          query.arrival.turn = direction_at_source(v);
+      }
+    }
+    for(std::size_t i = 0; i < m_sources.size() && !m_queries.empty(); ++i) {
+      const Source& source = m_sources[i];
+      if(source.vertex != null_index)
+        continue;
+      if(source.halfedge == null_index) {
+        const Index h = 3 * source.location.face;
+        finish_queries(i, h, m_faces.in_frame(h, source.location.coordinates), 0.);
+        continue;
+      }
+      const Index h = source.halfedge, o = m_faces.opposite(h);
+      const double t = source.location.coordinates[Mesh::next(h) % 3] * m_faces.length(h);
+      finish_queries(i, h, {t, 0.}, 0.);
+      if(o != null_index)
+        finish_queries(i, o, {m_faces.length(h) - t, 0.}, geodesic_pi);
+    }
+  }
+
+  /// the direction at its source in which the path with the last piece `arrival` to the point `end` starts
+  double direction_at_source(const Geodesic_arrival& arrival, const Plane_point& end) const
+  {
+    if(arrival.sigma > 0.)
+      return arrival.turn;
+    const Source& source = m_sources[arrival.source];
+    const double angle = arrival.turn + std::atan2(end.y - arrival.y, end.x - arrival.x);
+    // rounding may lead out of the range; at a source on the border that is no full turn
+    const bool is_border = source.vertex != null_index ? m_faces.is_border(source.vertex)
+                                                       : source.total_angle < 1.5 * geodesic_pi;
+    if(is_border)
+      return (std::min)((std::max)(angle, 0.), source.total_angle);
+    if(angle < 0.)
+      return angle + source.total_angle;
+    return angle >= source.total_angle ? angle - source.total_angle : angle;
+  }
+
+
+private:
+  Source classify(Indexed_location location) const
+  {
+    check(location);
+    // a point nearer than this to an edge is on it: no coordinate of a mesh is known any better
+    constexpr double snap = 1e-13;
+    double sum = 0.;
+    for(double& c : location.coordinates) {
+      c = c < snap ? 0. : c;
+      sum += c;
+    }
+    std::size_t zeros = 0;
+    for(double& c : location.coordinates) {
+      c /= sum;
+      zeros += c == 0.;
+    }
+    Source source{location, null_index, null_index, 2. * geodesic_pi};
+    const Index h = 3 * location.face;
+    for(Index i = 0; i < 3; ++i)
+      if(zeros == 2 && location.coordinates[i] != 0.) {
+        source.vertex = m_faces.face(location.face).vertex[i];
+        source.total_angle = m_faces.total_angle(source.vertex);
+      } else if(zeros == 1 && location.coordinates[i] == 0.) {
+        source.halfedge = Mesh::next(h + i);
+        if(m_faces.opposite(source.halfedge) == null_index)
+          source.total_angle = geodesic_pi;
+      }
+    return source;
+  }
+
+  void prepare_queries(const Exact_geodesic_options& options)
+  {
+    m_queries.clear();
+    m_query_first.clear();
+    m_query_index.clear();
+    for(const Indexed_location& location : options.queries) {
+      check(location);
+      m_queries.push_back({location, infinity, Geodesic_arrival()});
+    }
+    if(options.all_centroids)
+      for(Index f = 0; f < m_faces.number_of_faces(); ++f) {
+        Indexed_location location;
+        location.face = f;
+        location.coordinates = {{1. / 3., 1. / 3., 1. / 3.}};
+        m_queries.push_back({location, infinity, Geodesic_arrival()});
+      }
+    if(m_queries.empty())
+      return;
+    m_query_first.assign(m_faces.number_of_faces() + std::size_t(1), 0);
+    for(const Query& query : m_queries)
+      ++m_query_first[query.location.face + std::size_t(1)];
+    for(std::size_t f = 0; f < m_faces.number_of_faces(); ++f)
+      m_query_first[f + 1] += m_query_first[f];
+    m_query_index.resize(m_queries.size());
+    std::vector<Index> next(m_query_first.begin(), m_query_first.end() - 1);
+    for(std::size_t i = 0; i < m_queries.size(); ++i)
+      m_query_index[next[m_queries[i].location.face]++] = static_cast<Index>(i);
+  }
+
+  void finish_queries(std::size_t number, Index h, const Plane_point& source, double turn)
+  {
+    for(Index q = m_query_first[h / 3]; q < m_query_first[h / 3 + std::size_t(1)]; ++q) {
+      Query& query = m_queries[m_query_index[q]];
+      const Plane_point p = m_faces.in_frame(h, query.location.coordinates);
+      const double d = std::hypot(p.x - source.x, p.y - source.y);
+      if(d < query.distance) {
+        query.distance = d;
+        query.arrival = Geodesic_arrival{source.x, source.y, 0., turn, h, static_cast<Index>(number), false};
+      }
+    }
+  }
+
+protected:
+  Geodesic_faces m_faces;
+  std::vector<Source> m_sources;
+  std::vector<double> m_distance;
+  std::vector<Geodesic_arrival> m_arrival;
+
+private:
+  std::vector<Query> m_queries;
+  std::vector<Index> m_query_first, m_query_index; // the queries of each face
+  bool m_has_directions = false;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_INTERNAL_GEODESIC_RESULTS_H
