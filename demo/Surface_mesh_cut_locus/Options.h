@@ -28,6 +28,7 @@ struct Options
   std::optional<double> minimum_branch_length;
   std::size_t smoothing = 0; // iterations
   std::vector<std::string> outputs;
+  std::optional<std::array<double, 3> > view; // the direction from which pictures look
   std::string edges;
   std::string report;
   bool is_quiet = false;
