@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -161,6 +162,37 @@ TEST(Torus, has_the_same_branches_at_all_resolutions)
     const Cut_locus result = solver.cut_locus();
     EXPECT_EQ(number_of_cycles(result), 2u) << n;
     EXPECT_EQ(number_of_leaves(result), 2u) << n;
+  }
+}
+
+// From the inner side the outer arc closes to a loop: what is left of the candidates are short branches on the loops,
+// also where a generator ends.
+TEST(Torus, has_no_branch_shorter_than_the_least_length)
+{
+  for(std::size_t n : {20, 30, 40})
+  {
+    const Built built(torus(1., 0.4, 5 * n / 2, n, 0.2, 1));
+    Solver solver(built.mesh);
+    solver.set_source(built.vertices[nearest_vertex(built.data, {{0.3, 0.3, 1.}})]);
+    for(std::size_t least : {3, 6})
+    {
+      const Cut_locus result = solver.cut_locus(params::minimum_branch_edges(least));
+      const auto& graph = result.graph();
+      for(auto leaf : CGAL::make_range(vertices(graph)))
+      {
+        if(degree(leaf, graph) != 1)
+          continue;
+        std::size_t length = 1;
+        auto e = *out_edges(leaf, graph).first;
+        for(; degree(target(e, graph), graph) == 2; ++length)
+        {
+          const auto around = out_edges(target(e, graph), graph);
+          e = target(*around.first, graph) == source(e, graph) ? *std::next(around.first) : *around.first;
+        }
+        EXPECT_GE(length, least) << n;
+      }
+      EXPECT_EQ(number_of_cycles(result), 2u);
+    }
   }
 }
 
