@@ -101,6 +101,8 @@ po::options_description visible_options()
      "N steps that move the curves off the edges of the mesh, onto the cut locus (default: 0; 4 are enough)")
     ("output,o", po::value<std::vector<std::string> >()->value_name("FILE")->composing(),
      ("write the cut locus; may be given several times. By extension:\n" + output_descriptions()).c_str())
+    ("view", po::value<std::string>()->value_name("X,Y,Z"),
+     "pictures look from this direction only (default: two that show most)")
     ("edges", po::value<std::string>()->value_name("FILE"),
      "write its edges as pairs of vertices of the mesh, counted from 0")
     ("report", po::value<std::string>()->value_name("FILE"), "write figures and times as JSON")
@@ -204,6 +206,12 @@ Options parse_command_line(int argc, char* argv[])
     check_output_path(output, "-o");
     if(!is_output_name(output))
       throw Usage_error("-o: the extension of '" + output + "' must be one of" + output_extensions());
+  }
+  if(given.count("view"))
+  {
+    options.view = to_point(text("view"), "--view");
+    if(*options.view == std::array<double, 3>{{0., 0., 0.}})
+      throw Usage_error("--view takes a direction, not '" + text("view") + "'");
   }
   if(given.count("edges"))
     check_output_path(options.edges = text("edges"), "--edges");

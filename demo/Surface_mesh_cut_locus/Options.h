@@ -33,6 +33,7 @@ struct Options
   std::string method_name;
   std::optional<double> strength;
   std::vector<std::string> outputs;
+  std::optional<std::array<double, 3> > view; // the direction from which pictures look
   std::string edges;
   std::string report;
   bool is_quiet = false;

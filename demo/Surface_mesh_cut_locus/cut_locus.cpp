@@ -72,7 +72,7 @@ void run(const Options& options)
   const Cut_locus cut_locus = apply_thresholds(options, *solver, options.smoothing);
   progress.run("write", [&]()
   {
-    write_outputs(options.outputs, cut_locus, mesh);
+    write_outputs(options.outputs, cut_locus, mesh, options.view);
     if(!options.edges.empty())
       write_edges(options.edges, apply_thresholds(options, *solver, 0), mesh);
   });

@@ -7,6 +7,7 @@
 // Writes sample surfaces as OFF: generate_mesh SHAPE SIZE FILE. SIZE is the number of edges along a characteristic
 // line, so the number of faces grows with its square.
 
+#include "../../test/Surface_mesh_cut_locus/remeshed.h"
 #include "../../test/Surface_mesh_cut_locus/test_meshes.h"
 
 #include <cstdlib>
@@ -28,9 +29,13 @@ const std::map<std::string, std::function<Mesh_data(int)> >& shapes()
     {"sphere", [](int n) { return jittered_sphere(n, 0.15, 1); }},
     {"sphere-with-bump", [](int n) { return sphere_with_bump(n, {{1., 0., 0.}}, 0.15, 0.08); }},
     {"bumpy-sphere", [](int n) { return bumpy_sphere(n, 0.5, 1); }},
+    {"irregular-bumpy-sphere", [](int n) { return irregular_bumpy_sphere(n, 0.5, 1); }},
+    {"remeshed-bumpy-sphere", [](int n) { return remeshed(irregular_bumpy_sphere(n, 0.5, 1)); }},
     {"rough-sphere", [](int n) { return rough(bumpy_sphere(n, 0.5, 1), 0.1, 1); }},
     {"ellipsoid", [](int n) { return ellipsoid(1., 0.8, 0.6, n, 0.1, 1); }},
     {"capsule", [](int n) { return capsule(1., 2 * n, 2 * n); }},
+    {"rounded-genus-3", [](int n) { return remeshed(rounded_plate(3, 1, n)); }},
+    {"rounded-genus-56", [](int n) { return remeshed(rounded_plate(8, 7, n)); }},
     {"genus-3", [](int n) { return perforated_plate(3, 1, n, 1); }},
     {"genus-56", [](int n) { return perforated_plate(8, 7, n, 1); }}};
   return result;

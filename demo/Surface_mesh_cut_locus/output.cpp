@@ -81,11 +81,13 @@ picture::Scene make_scene(const Cut_locus& cut_locus, const Mesh& mesh)
   return scene;
 }
 
-std::vector<picture::Rendered_view> draw(const Cut_locus& cut_locus, const Mesh& mesh)
+std::vector<picture::Rendered_view> draw(const Cut_locus& cut_locus, const Mesh& mesh,
+                                         const std::optional<picture::Vector>& toward)
 {
   const picture::Scene scene = make_scene(cut_locus, mesh);
   const std::vector<picture::View> views =
-    picture::choose_two_views(scene, scene.dots.back().point, scene.dots.front().point);
+    toward ? std::vector<picture::View>{picture::look_from(*toward, picture::guess_up(scene))}
+           : picture::choose_two_views(scene, scene.dots.back().point, scene.dots.front().point);
   std::vector<picture::Rendered_view> rendered;
   for(const picture::Frame& frame : picture::make_frames(scene, views, width_of_view))
     rendered.push_back(picture::render(scene, frame));
@@ -121,7 +123,8 @@ std::string output_descriptions()
   return result;
 }
 
-void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& cut_locus, const Mesh& mesh)
+void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& cut_locus, const Mesh& mesh,
+                   const std::optional<std::array<double, 3> >& view)
 {
   std::vector<picture::Rendered_view> views; // drawn once for all pictures
   for(const std::string& filename : filenames)
@@ -132,7 +135,7 @@ void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& c
     else
     {
       if(views.empty())
-        views = draw(cut_locus, mesh);
+        views = draw(cut_locus, mesh, view);
       format->write_picture(filename, views);
     }
   }

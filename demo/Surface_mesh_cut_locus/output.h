@@ -9,6 +9,8 @@
 
 #include "Mesh.h"
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +18,10 @@ bool is_output_name(const std::string& filename);
 std::string output_extensions();   // " .a .b"
 std::string output_descriptions(); // a line for each
 
-// Writes a cut locus to each file, in the format of its extension. Throws `std::runtime_error` if one can not be written.
-void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& cut_locus, const Mesh& mesh);
+// Writes a cut locus to each file, in the format of its extension. Pictures look from the direction of `view`, or from
+// two sides if there is none. Throws `std::runtime_error` if a file can not be written.
+void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& cut_locus, const Mesh& mesh,
+                   const std::optional<std::array<double, 3> >& view);
 void write_edges(const std::string& filename, const Cut_locus& cut_locus, const Mesh& mesh);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_OUTPUT_H

@@ -138,10 +138,9 @@ inline Mesh_data ellipsoid(double a, double b, double c, std::size_t n, double a
   return m;
 }
 
-// a sphere with random waves on it
-inline Mesh_data bumpy_sphere(std::size_t n, double height, unsigned seed)
+// Draws random waves on the unit sphere, the same ones on each mesh of it.
+inline Mesh_data bumpy(Mesh_data m, double height, unsigned seed)
 {
-  Mesh_data m = jittered_sphere(n, 0.15, seed);
   std::mt19937 engine(seed + 1);
   std::array<Point, 8> wave;
   for(Point& w : wave)
@@ -154,6 +153,11 @@ inline Mesh_data bumpy_sphere(std::size_t n, double height, unsigned seed)
     p = r * p;
   }
   return m;
+}
+
+inline Mesh_data bumpy_sphere(std::size_t n, double height, unsigned seed)
+{
+  return bumpy(jittered_sphere(n, 0.15, seed), height, seed);
 }
 
 // The unit sphere with a bell of some height and width (of its Gaussian, in radians) in the direction of `top`.
@@ -215,6 +219,16 @@ Mesh_data surface_of_revolution(std::size_t nu, std::size_t nt, const Profile& p
     }
   }
   return m;
+}
+
+// A bumpy sphere whose faces are slim, of all sizes, and crowded at two poles.
+inline Mesh_data irregular_bumpy_sphere(std::size_t n, double height, unsigned seed)
+{
+  const Mesh_data rings = surface_of_revolution(3 * n, n, [](double t)
+  {
+    return std::array<double, 2>{{std::sin(pi * t), -std::cos(pi * t)}};
+  });
+  return bumpy(jittered(rings, 0.35, seed, [](const Point& p) { return normalized(p); }), height, seed);
 }
 
 // a cylinder of radius 1 from z = -half_length to half_length, closed by hemispheres
@@ -349,6 +363,17 @@ inline Mesh_data perforated_plate(int holes_x, int holes_y, int n, unsigned seed
       if(i % 2 == 0 || j % 2 == 0)
         voxels.insert({{i, j, 0}});
   return jittered(smoothed(voxel_surface(voxels, n), 3), 0.1, seed, [](const Point& p) { return p; });
+}
+
+// The same with all edges rounded off.
+inline Mesh_data rounded_plate(int holes_x, int holes_y, int n)
+{
+  std::set<Voxel> voxels;
+  for(int i = 0; i < 2 * holes_x + 1; ++i)
+    for(int j = 0; j < 2 * holes_y + 1; ++j)
+      if(i % 2 == 0 || j % 2 == 0)
+        voxels.insert({{i, j, 0}});
+  return smoothed(voxel_surface(voxels, n), n * n / 2);
 }
 
 // The unit square in the plane z = 0, triangulated irregularly; its border is kept straight.

@@ -285,8 +285,10 @@ private:
     {
       const Index p = parent_position[i], v = result.vertices[i];
       const bool is_short = branch[i].edges < thresholds.minimum_edges || branch[i].length < thresholds.minimum_length;
-      // at the root even the longest branch may be nothing but noise around a point
-      removed[i] = removed[p] || (!is_kept_[v] && (p == 0 || continued[p] != i) && is_short);
+      // At the root even the longest branch may be nothing but noise around a point, and at the ends of generators no
+      // branch continues anything: the loop does, by the generator.
+      const bool ends = is_kept_[result.vertices[p]] || continued[p] != i;
+      removed[i] = removed[p] || (!is_kept_[v] && ends && is_short);
       if(removed[i])
         continue;
       result.vertices[size] = v;
