@@ -746,7 +746,7 @@ TEST(Branch_filter, removes_short_branches_where_a_longer_one_continues)
           for(Index w : children[v])
           {
             const Branch b = branch_at(w);
-            if(always.count(w) || (w == longest && v != root) || (b.edges >= minimum_edges && b.length >= minimum_length))
+            if(always.count(w) || (w == longest && !always.count(v)) || (b.edges >= minimum_edges && b.length >= minimum_length))
               visit(w);
           }
         };
