@@ -266,9 +266,11 @@ private:
     std::vector<Height> branch(n);              // from a vertex' parent on
     std::vector<double> longest(n, -1.);        // among the branches that meet at a vertex
     std::vector<Index> continued(n, null_index); // the position of that branch's first vertex
+    std::vector<bool> hangs_on_kept(n, false);   // read now: the vertices are moved below
     for(std::size_t i = n; i-- > 1;)
     {
       const Index p = parent_position[i], v = result.vertices[i];
+      hangs_on_kept[i] = is_kept_[result.vertices[p]];
       branch[i] = {height[i].length + norm(mesh.points[v] - mesh.points[result.vertices[p]]), height[i].edges + 1};
       // What is kept for the homology continues before any branch.
       const double rank = is_kept_[v] ? (std::numeric_limits<double>::max)() : branch[i].length;
@@ -287,7 +289,7 @@ private:
       const bool is_short = branch[i].edges < thresholds.minimum_edges || branch[i].length < thresholds.minimum_length;
       // At the root even the longest branch may be nothing but noise around a point, and at the ends of generators no
       // branch continues anything: the loop does, by the generator.
-      const bool ends = is_kept_[result.vertices[p]] || continued[p] != i;
+      const bool ends = hangs_on_kept[i] || continued[p] != i;
       removed[i] = removed[p] || (!is_kept_[v] && ends && is_short);
       if(removed[i])
         continue;
