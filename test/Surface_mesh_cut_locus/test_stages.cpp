@@ -746,7 +746,9 @@ TEST(Branch_filter, removes_short_branches_where_a_longer_one_continues)
           for(Index w : children[v])
           {
             const Branch b = branch_at(w);
-            if(always.count(w) || (w == longest && v != root) || (b.edges >= minimum_edges && b.length >= minimum_length))
+            // nothing continues a path kept at any threshold: the root is its start, a generator goes on from its end
+            if(always.count(w) || (w == longest && !always.count(v)) ||
+               (b.edges >= minimum_edges && b.length >= minimum_length))
               visit(w);
           }
         };
