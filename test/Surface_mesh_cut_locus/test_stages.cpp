@@ -747,7 +747,7 @@ TEST(Branch_filter, removes_short_branches_where_a_longer_one_continues)
           {
             const Branch b = branch_at(w);
             // nothing continues a path kept at any threshold: the root is its start, a generator goes on from its end
-            if(always.count(w) || (w == longest && !always.count(v)) ||
+            if(always.count(w) || (w == longest && v != root && !always.count(v)) ||
                (b.edges >= minimum_edges && b.length >= minimum_length))
               visit(w);
           }
