@@ -196,8 +196,8 @@ TEST(Torus, has_no_branch_shorter_than_the_least_length)
   }
 }
 
-// Figure 12: what the methods for the distances disagree in are the weak ends of branches, not the strong parts: those of
-// each one are near to the cut locus by any other one.
+// Figure 12: what the methods for the distances disagree in are the weak ends of branches, not the strong parts: those
+// of each one are near to the cut locus by any other one.
 TEST(Methods_for_distances, agree_on_strong_branches)
 {
   const Built smooth(bumpy_sphere(30, 0.5, 1)), with_handle(torus(1., 0.4, 75, 30, 0.15, 7));
