@@ -70,11 +70,13 @@ void run(const Options& options)
   const std::unique_ptr<Cut_locus_solver> solver = make_solver(options.solver, options.method, mesh, progress);
   set_source(options, mesh, *solver);
   const Cut_locus cut_locus = apply_thresholds(options, *solver, options.smoothing);
+  const Cut_locus mesh_edges = options.edges.empty() || options.smoothing == 0
+                               ? cut_locus : apply_thresholds(options, *solver, 0);
   progress.run("write", [&]()
   {
     write_outputs(options.outputs, cut_locus, mesh, options.view);
     if(!options.edges.empty())
-      write_edges(options.edges, apply_thresholds(options, *solver, 0), mesh);
+      write_edges(options.edges, mesh_edges, mesh);
   });
   if(!options.report.empty())
     write_report(options, mesh, cut_locus, progress);
