@@ -259,6 +259,13 @@ TEST_F(Program, Sources_and_thresholds)
   EXPECT_LE(report("--angle 0.05 --min-branch-length 0.3").at("edges"), loose.at("edges"));
   EXPECT_LE(report("--angle 0.05 --policy grow --min-branch-edges 0").at("edges"), loose.at("edges"));
   EXPECT_LE(report("--angle 0.05 --laplacian 0.5 --min-branch-edges 0").at("edges"), loose.at("edges"));
+  EXPECT_EQ(report("--method direction").at("cycles"), 2);
+  EXPECT_EQ(report("--method direction --smooth 1").at("cycles"), 2);
+
+  // smoothing moves the curves, but the edges of the mesh stay those
+  report("--edges " + quoted(path("along.txt")));
+  report("--smooth 4 --edges " + quoted(path("smooth.txt")));
+  EXPECT_EQ(read_file(path("along.txt")), read_file(path("smooth.txt")));
 }
 
 TEST_F(Program, Wrong_command_lines)
@@ -268,6 +275,10 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--no-such-option"), "no-such-option");
   expect_failure(run_on_torus("--source"), "source");
   expect_failure(run_on_torus("--source one"), "--source takes");
+  expect_failure(run_on_torus("--method laplace"), "--method takes");
+  expect_failure(run_on_torus("--method direction --solver heat"), "needs exact distances");
+  expect_failure(run_on_torus("--method direction --angle 1"), "--angle is for --method laplacian");
+  expect_failure(run_on_torus("--strength 3"), "--strength is for --method direction");
   expect_failure(run_on_torus("--source=-1"), "--source takes");
   expect_failure(run_on_torus("--quiet --source 99999"), "out of range");
   expect_failure(run_on_torus("--source 1 --source-point 0,0,0"), "exclude");
