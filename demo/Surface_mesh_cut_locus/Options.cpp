@@ -84,7 +84,7 @@ po::options_description visible_options()
     ("method", po::value<std::string>()->value_name("NAME")->default_value("laplacian"),
      "how the cut locus is found:\n"
      "  laplacian: valleys of the Laplacian of the distance, for any solver\n"
-     "  direction: where the direction at the source jumps, for exact distances; nothing to tune\n"
+     "  direction: where the direction at the source jumps, for exact distances\n"
      "  polyhedral: all of the cut locus of a convex polyhedron, exactly")
     ("strength", po::value<std::string>()->value_name("S"),
      "least strength of a branch with the method direction (default: from the noise of the mesh)")
@@ -178,6 +178,8 @@ Options parse_command_line(int argc, char* argv[])
   for(const char* option : {"angle", "laplacian", "min-branch-edges", "min-branch-length"})
     if(!is_laplacian && given.count(option))
       throw Usage_error(std::string("--") + option + " is for --method laplacian");
+  if(!is_laplacian && !given["policy"].defaulted())
+    throw Usage_error("--policy is for --method laplacian");
   if(given.count("strength"))
   {
     if(options.method != CGAL::Cut_loci::Method::DIRECTION)

@@ -278,6 +278,7 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--method laplace"), "--method takes");
   expect_failure(run_on_torus("--method direction --solver heat"), "needs exact distances");
   expect_failure(run_on_torus("--method direction --angle 1"), "--angle is for --method laplacian");
+  expect_failure(run_on_torus("--method direction --policy grow"), "--policy is for --method laplacian");
   expect_failure(run_on_torus("--strength 3"), "--strength is for --method direction");
   expect_failure(run_on_torus("--source=-1"), "--source takes");
   expect_failure(run_on_torus("--quiet --source 99999"), "out of range");

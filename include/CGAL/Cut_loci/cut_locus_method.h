@@ -16,7 +16,8 @@ enum class Method
 {
   LAPLACIAN, ///< where the Laplacian of the distance is low and gradients turn: takes any distance, also smoothed ones
   DIRECTION, ///< where the direction at the source of the shortest paths jumps: nothing to tune, but the distances
-             ///< must be exact, because the directions of smoothed ones do not jump
+             ///< must be exact, because the directions of smoothed ones do not jump. On rough surfaces, such
+             ///< as scans, the default of `strength_threshold` may be too high: pass a lower one
   POLYHEDRAL ///< all of the cut locus of the polyhedron itself, exactly: every vertex of positive curvature is on it.
              ///< For closed surfaces without saddles, such as boundaries of convex polyhedra
 };

@@ -81,7 +81,8 @@ public:
   void close_cycles()
   {
     const Spanning_tree spanning_tree =
-      strength_aware_tree(mesh_, connectivity_, tree_, angle_, reliable_angle(), distance_, Source_element(connectivity_, source_));
+      strength_aware_tree(mesh_, connectivity_, tree_, angle_, reliable_angle(), distance_,
+                          Source_element(connectivity_, source_));
     const std::vector<Index> generators =
       homology_generators(mesh_, connectivity_, spanning_tree, distance_, source_);
     filter_ = Branch_filter(mesh_, connectivity_, tree_, spanning_tree, generators, angle_, laplacian_);

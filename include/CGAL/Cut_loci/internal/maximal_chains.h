@@ -21,7 +21,8 @@ namespace internal {
 template <typename Graph>
 struct Chain
 {
-  std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> vertices; // closed: the first one again at the end
+  // the first one again at the end if the chain is closed
+  std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> vertices;
   std::vector<typename boost::graph_traits<Graph>::edge_descriptor> edges;      // one less than vertices
 };
 
