@@ -354,7 +354,7 @@ private:
       }
     }
     if(face.opposite[k] != null_index && number_left > 0) {
-      Geodesic_window_list* out = m_batches.allocate(number_left);
+      Geodesic_window_list* out = m_batches.allocate<columns>(number_left);
       const Geodesic_step step{length, length_left, corner_a.cosine, corner_a.sine, corner_a.angle};
       if(is_sorted)
         step_left<columns>(*list, begin, number_left, *out, step);
@@ -371,7 +371,7 @@ private:
       m_batches.store<columns>(face.opposite[k], 0, out, length_left, (std::min)(distance_a, distance_c));
     }
     if(face.opposite[j] != null_index && number_right > 0) {
-      Geodesic_window_list* out = m_batches.allocate(number_right);
+      Geodesic_window_list* out = m_batches.allocate<columns>(number_right);
       const Geodesic_step step{length, length_right, corner_b.cosine, corner_b.sine, -corner_b.angle};
       if(is_sorted)
         step_right<columns>(*list, end - number_right, number_right, *out, step);

@@ -45,8 +45,8 @@ public:
       // an exception has ended the last run
       std::fill(m_lists.begin(), m_lists.end(), nullptr);
       std::fill(m_is_queued.begin(), m_is_queued.end(), static_cast<unsigned char>(0));
-      m_pool.clear();
     }
+    m_pool.clear();
     m_queue.clear();
     m_has_inner_source.clear();
     m_maximum_distance = maximum_distance;
@@ -54,7 +54,11 @@ public:
   }
 
   /// a list with room for `n` windows, to be handed back by `release()` or `store()`
-  Geodesic_window_list* allocate(std::size_t n) { return m_pool.allocate(n); }
+  template <int columns>
+  Geodesic_window_list* allocate(std::size_t n)
+  {
+    return m_pool.allocate<columns>(n);
+  }
   void release(Geodesic_window_list* list) { m_pool.release(list); }
 
   /// hands a list, which came from the given side, to the halfedge it has reached
@@ -79,7 +83,7 @@ public:
       lists[side] = list;
     else {
       // a second batch from the same side
-      Geodesic_window_list* envelope = m_pool.allocate(4 * std::size_t(list->size() + lists[side]->size()));
+      Geodesic_window_list* envelope = m_pool.allocate<columns>(4 * std::size_t(list->size() + lists[side]->size()));
       Geodesic_envelope<columns>()(*lists[side], *list, *envelope, length);
       m_pool.release(list);
       m_pool.release(lists[side]);
@@ -91,7 +95,7 @@ public:
   template <int columns>
   void insert(Index h, const Geodesic_window& w, double length)
   {
-    Geodesic_window_list* list = m_pool.allocate(1);
+    Geodesic_window_list* list = m_pool.allocate<columns>(1);
     list->append<columns>(w);
     store<columns>(h, 1, list, length, (std::min)(w.distance(w.a), w.distance(w.b)));
   }
@@ -119,7 +123,7 @@ public:
     Geodesic_window_list* all = lists[present];
     if(number > 1) {
       const bool apart = !m_has_inner_source.empty() && m_has_inner_source[h] && lists[1] != nullptr;
-      all = m_pool.allocate(size);
+      all = m_pool.allocate<columns>(size);
       for(std::size_t k = 0; k < 3; ++k)
         if(lists[k] != nullptr && !(apart && k == 1)) {
           const std::size_t junction = all->end;
@@ -130,7 +134,7 @@ public:
         }
       if(apart) {
         // the windows of a source inside of the face are not in order with those that enter it
-        Geodesic_window_list* envelope = m_pool.allocate(4 * size);
+        Geodesic_window_list* envelope = m_pool.allocate<columns>(4 * size);
         Geodesic_envelope<columns>()(*lists[1], *all, *envelope, length);
         m_pool.release(lists[1]);
         m_pool.release(all);

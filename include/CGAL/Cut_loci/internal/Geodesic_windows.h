@@ -103,27 +103,28 @@ struct Geodesic_window_list
 
 static_assert(sizeof(Geodesic_window_list) == 2 * sizeof(double), "the columns follow the header");
 
-/// hands out window lists from large chunks, with one free list per power of two, so that memory is reused at once.
+/// hands out window lists from large chunks, with one free list per size, so that memory is reused at once.
 class Geodesic_window_pool
 {
 public:
   /// an empty list with room for `n` windows of `columns` members
+  template <int columns>
   Geodesic_window_list* allocate(std::size_t n)
   {
-    const std::uint32_t size_class = class_of_size(n);
+    // no gaps between the columns: a list takes as few cache lines as possible
+    const std::size_t capacity = n + (n & 1);
+    std::size_t lines = (2 + columns * capacity + doubles_per_line - 1) / doubles_per_line;
+    const std::uint32_t size_class = round_up(lines);
     if(size_class >= m_free.size())
       m_free.resize(size_class + 1);
     std::vector<Geodesic_window_list*>& free_lists = m_free[size_class];
-    Geodesic_window_list* list;
+    void* place;
     if(!free_lists.empty()) {
-      list = free_lists.back();
+      place = free_lists.back();
       free_lists.pop_back();
-    } else {
-      // room for the largest number of columns: a pool serves runs with and without directions
-      list = new_list(size_class, 2 + 7 * (std::size_t(1) << size_class));
-    }
-    list->begin = list->end = 0;
-    return list;
+    } else
+      place = new_lines(lines);
+    return new(place) Geodesic_window_list{0, 0, static_cast<std::uint32_t>(capacity), size_class};
   }
 
   void release(Geodesic_window_list* list) { m_free[list->size_class].push_back(list); }
@@ -133,46 +134,54 @@ public:
   {
     for(std::vector<Geodesic_window_list*>& free_lists : m_free)
       free_lists.clear();
-    m_chunks.clear();
-    m_next = m_left = 0;
+    m_current = 0;
+    m_next = 0;
   }
 
 private:
-  /// the least power of two, from four on, that is not less than `n`
-  static std::uint32_t class_of_size(std::size_t n)
+  struct alignas(64) Line
   {
-    if(n <= 4)
-      return 2;
-#if defined(__GNUC__)
-    return static_cast<std::uint32_t>(8 * sizeof(unsigned long long)) -
-           static_cast<std::uint32_t>(__builtin_clzll(static_cast<unsigned long long>(n - 1)));
-#else
-    std::uint32_t size_class = 3;
-    while((std::size_t(1) << size_class) < n)
-      ++size_class;
-    return size_class;
-#endif
+    double values[8];
+  };
+  static constexpr std::size_t doubles_per_line = 8;
+
+  struct Chunk
+  {
+    std::unique_ptr<Line[]> lines;
+    std::size_t size;
+  };
+
+  /// rounds up to the next size there is, 16 to 32 of them per power of two, and returns its number
+  static std::uint32_t round_up(std::size_t& lines)
+  {
+    std::uint32_t shift = 0;
+    while(lines >> shift >= 32)
+      ++shift;
+    const std::size_t rounded = (lines + (std::size_t(1) << shift) - 1) >> shift;
+    lines = rounded << shift;
+    return static_cast<std::uint32_t>(16 * shift + rounded);
   }
 
-  Geodesic_window_list* new_list(std::uint32_t size_class, std::size_t doubles)
+  Line* new_lines(std::size_t n)
   {
-    if(doubles > m_left) {
-      const std::size_t chunk = doubles > chunk_size ? doubles : chunk_size;
-      m_chunks.emplace_back(new double[chunk]);
+    while(m_current < m_chunks.size() && m_next + n > m_chunks[m_current].size) {
+      ++m_current;
       m_next = 0;
-      m_left = chunk;
     }
-    double* place = m_chunks.back().get() + m_next;
-    m_next += doubles;
-    m_left -= doubles;
-    return new(place) Geodesic_window_list{0, 0, std::uint32_t(1) << size_class, size_class};
+    if(m_current == m_chunks.size()) {
+      const std::size_t size = n > chunk_size ? n : chunk_size;
+      m_chunks.push_back(Chunk{std::unique_ptr<Line[]>(new Line[size]), size});
+    }
+    Line* place = m_chunks[m_current].lines.get() + m_next;
+    m_next += n;
+    return place;
   }
 
-  static constexpr std::size_t chunk_size = std::size_t(1) << 15;
+  static constexpr std::size_t chunk_size = std::size_t(1) << 12;
 
-  std::vector<std::unique_ptr<double[]>> m_chunks;
+  std::vector<Chunk> m_chunks;
   std::vector<std::vector<Geodesic_window_list*>> m_free;
-  std::size_t m_next = 0, m_left = 0;
+  std::size_t m_current = 0, m_next = 0; // the chunk in use, and its first line not in use
 };
 
 } // namespace internal
