@@ -130,7 +130,7 @@ public:
           all->append<columns>(*lists[k]);
           m_pool.release(lists[k]);
           if(junction > 0)
-            Geodesic_trimming<columns>(*all, length, false)(junction, true);
+            Geodesic_trimming<columns>(*all, length, false).join(junction);
         }
       if(apart) {
         // the windows of a source inside of the face are not in order with those that enter it

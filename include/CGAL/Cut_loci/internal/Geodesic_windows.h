@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <vector>
@@ -83,12 +84,13 @@ struct Geodesic_window_list
   template <int columns>
   void append(const Geodesic_window_list& other)
   {
-    for(std::size_t k = 0; k < columns; ++k) {
-      const double* from = other.column(k) + other.begin;
-      double* to = column(k) + end;
-      for(std::size_t i = 0, n = other.size(); i < n; ++i)
-        to[i] = from[i];
-    }
+    const double* from = other.column(0) + other.begin;
+    double* to = column(0) + end;
+    const std::size_t n = other.size();
+    // two at a time, without a rest: there is room behind the last window
+    for(std::size_t i = 0; i < n; i += 2)
+      for(std::size_t k = 0; k < columns; ++k)
+        std::memcpy(to + k * capacity + i, from + k * other.capacity + i, 2 * sizeof(double));
     end += other.size();
   }
 
@@ -111,8 +113,9 @@ public:
   template <int columns>
   Geodesic_window_list* allocate(std::size_t n)
   {
-    // no gaps between the columns: a list takes as few cache lines as possible
-    const std::size_t capacity = n + (n & 1);
+    // Hardly any gap between the columns: a list takes as few cache lines as possible. The room for one or two more lets
+    // loops go by pairs: branches at their end for a single one are hard to predict.
+    const std::size_t capacity = n + 2 - (n & 1);
     std::size_t lines = (2 + columns * capacity + doubles_per_line - 1) / doubles_per_line;
     const std::uint32_t size_class = round_up(lines);
     if(size_class >= m_free.size())

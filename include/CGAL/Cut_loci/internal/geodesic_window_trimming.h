@@ -126,21 +126,40 @@ public:
     , m_strictly(strictly)
   {}
 
-  /// the windows before `first`, of which there is at least one, are known to be in order
-  void operator()(std::size_t first, bool merge)
+  /// the windows before `first` are known to be in order
+  void operator()(std::size_t first)
   {
     const double* a = m_list.column(0);
     const double* b = m_list.column(1);
     m_top = first;
     for(std::size_t i = first, end = m_list.end; i < end; ++i) {
-      if(!merge && m_top > m_list.begin && is_in_order(a[m_top - 1], b[m_top - 1], a[i], b[i]) &&
+      if(m_top > m_list.begin && is_in_order(a[m_top - 1], b[m_top - 1], a[i], b[i]) &&
          b[i] - a[i] > geodesic_narrow * m_length) {
         if(m_top != i)
           m_list.template move<columns>(i, m_top);
         ++m_top;
       } else
-        push(m_list.template get<columns>(i), merge);
-      merge = false;
+        push(m_list.template get<columns>(i), false);
+    }
+    m_list.end = static_cast<std::uint32_t>(m_top);
+  }
+
+  /// joins two lists: the windows before `first` and those from there on are known to be in order
+  void join(std::size_t first)
+  {
+    const double* a = m_list.column(0);
+    const double* b = m_list.column(1);
+    m_top = first;
+    for(std::size_t i = first, end = m_list.end; i < end; ++i) {
+      const Geodesic_window w = m_list.template get<columns>(i);
+      push(w, i == first);
+      if(m_top > m_list.begin && a[m_top - 1] == w.a && b[m_top - 1] == w.b) {
+        // it has its place, and so have those that follow it
+        if(m_top == i + 1)
+          return;
+        for(++i; i < end; ++i)
+          m_list.template move<columns>(i, m_top++);
+      }
     }
     m_list.end = static_cast<std::uint32_t>(m_top);
   }
@@ -204,7 +223,7 @@ inline void restore_order(Geodesic_window_list& list, double length)
       if(a[i] < a[i - 1] || b[i] < b[i - 1] || !(b[i] - a[i] > narrow))
         break;
   if(i < end)
-    Geodesic_trimming<columns>(list, length, false)(i, false);
+    Geodesic_trimming<columns>(list, length, false)(i);
 }
 
 /// the lower envelope of two lists that are not in any order with respect to each other
@@ -216,8 +235,8 @@ public:
   void operator()(Geodesic_window_list& first, Geodesic_window_list& second, Geodesic_window_list& result,
                   double length)
   {
-    Geodesic_trimming<columns>(first, length, true)(first.begin, false);
-    Geodesic_trimming<columns>(second, length, true)(second.begin, false);
+    Geodesic_trimming<columns>(first, length, true)(first.begin);
+    Geodesic_trimming<columns>(second, length, true)(second.begin);
     m_result = &result;
     m_narrow = geodesic_narrow * length;
     std::size_t i = first.begin, j = second.begin;
