@@ -289,7 +289,8 @@ private:
     }
     m_number_of_windows += list->size();
     const Geodesic_face& face = m_faces.face_of(h);
-    const Index i = h % 3, j = Mesh::next(h) % 3, k = Mesh::previous(h) % 3;
+    constexpr std::array<Index, 5> modulo_3 = {{0, 1, 2, 0, 1}}; // a condition here would be hard to predict
+    const Index i = h % 3, j = modulo_3[i + 1], k = modulo_3[i + 2];
     const Geodesic_face::Corner &corner_a = face.corner[i], &corner_b = face.corner[j];
     const double length = corner_a.length, length_left = face.corner[k].length, length_right = corner_b.length;
     const Plane_point apex{length_left * corner_a.cosine, length_left * corner_a.sine};
