@@ -47,6 +47,8 @@ namespace CGAL {
  * In the worst case, time grows like \cgalBigO{n^2} and more with the number of faces. On meshes of smooth surfaces,
  * the number of windows grows like \cgalBigO{n^{1.5}}, the time a little slower, and the memory linearly.
  *
+ * Where distances need not be exact, `set_maximum_relative_error()` bounds their error and makes the growth linear.
+ *
  * Faces must have an area: a face whose height is less than about `1e-13` of its longest edge can not be unfolded in
  * `double`, and is refused. Vertices whose faces form more than one fan are refused as well. In both cases the
  * constructor throws `Cut_loci::Invalid_input` with a message that names the element.
@@ -155,6 +157,20 @@ public:
   /// stops the propagation at this distance; what is further away is not reached. Infinite by default.
   void set_maximum_distance(FT distance) { m_options.maximum_distance = distance; }
 
+  /// allows distances to be too long, by this times their length; zero by default.
+  ///
+  /// Neighbouring windows are then merged, so that a halfedge seldom has more than a few of them, and time and memory
+  /// grow about linearly with the number of faces. No distance is shorter than the exact one, nor longer than
+  /// `1 + error` times it, both up to rounding; `distance_error()` says how accurate each is. There are no directions
+  /// and no paths: functions that need them throw.
+  /// \throws Cut_loci::Invalid_input if `error` is negative or not a number
+  void set_maximum_relative_error(FT error)
+  {
+    if(!(error >= 0.))
+      throw Cut_loci::Invalid_input("the maximum relative error must not be negative");
+    m_options.maximum_relative_error = error;
+  }
+
   /// asks for the directions at the source, at the price of some 10 % more time. Off by default.
   void set_directions(bool wanted) { m_options.directions = wanted; }
 
@@ -174,7 +190,8 @@ public:
   /// @}
 
   /// computes everything that has been asked for
-  /// \throws Cut_loci::Invalid_input if there is no source
+  /// \throws Cut_loci::Invalid_input if there is no source, or if an error has been allowed and directions have been
+  ///         asked for
   void compute() { m_geodesics.run(m_sources, m_options); }
 
   /// the same with `source`, a vertex or a face location, as the only source
@@ -195,6 +212,13 @@ public:
   {
     const Cut_loci::Index i = index(v);
     return i == Cut_loci::null_index ? infinity() : m_geodesics.distance(i);
+  }
+
+  /// how much longer than the exact distance `distance(v)` may be; zero if no error has been allowed
+  FT distance_error(vertex_descriptor v) const
+  {
+    const Cut_loci::Index i = index(v);
+    return i == Cut_loci::null_index ? 0. : m_geodesics.distance_error(i);
   }
 
   /// writes the distances of all vertices
@@ -233,10 +257,18 @@ public:
   /// `[0, source_angle())`, up to and including `source_angle()` for a source on the border. Zero is
   /// `source_halfedge()`.
   /// \pre directions have been asked for, `v` is reached and not a source
-  FT direction_at_source(vertex_descriptor v) const { return m_geodesics.direction_at_source(index(v)); }
+  FT direction_at_source(vertex_descriptor v) const
+  {
+    require_exact();
+    return m_geodesics.direction_at_source(index(v));
+  }
 
   /// the same for query location number `i`
-  FT query_direction_at_source(std::size_t i) const { return m_geodesics.query_direction_at_source(i); }
+  FT query_direction_at_source(std::size_t i) const
+  {
+    require_exact();
+    return m_geodesics.query_direction_at_source(i);
+  }
 
   /// the sum of the angles around source number `i`; \f$2\pi\f$ in faces
   FT source_angle(std::size_t i = 0) const { return m_geodesics.source_angle(i); }
@@ -255,6 +287,7 @@ public:
   /// \pre `v` is reached and not a source
   Direction arrival_direction(vertex_descriptor v) const
   {
+    require_exact();
     const Cut_loci::internal::Geodesic_arrival_direction direction = m_geodesics.arrival_direction(index(v));
     return Direction(m_read.halfedges[direction.halfedge], direction.angle);
   }
@@ -263,7 +296,8 @@ public:
 
   /// \name Shortest Paths
   /// A path is a sequence of face locations: its end, the points where it crosses edges or meets vertices, and its
-  /// source. No two consecutive ones are the same point. There are none if the end is not reached.
+  /// source. No two consecutive ones are the same point. There are none if the end is not reached. All functions throw
+  /// `Cut_loci::Invalid_input` if the last call of `compute()` has been allowed an error.
   /// @{
 
   /// writes the shortest path from `v` to its source
@@ -271,6 +305,7 @@ public:
   template <typename OutputIterator>
   OutputIterator shortest_path(vertex_descriptor v, OutputIterator out) const
   {
+    require_exact();
     const Cut_loci::Index i = index(v);
     if(i == Cut_loci::null_index)
       return out;
@@ -281,6 +316,7 @@ public:
   template <typename OutputIterator>
   OutputIterator query_shortest_path(std::size_t i, OutputIterator out) const
   {
+    require_exact();
     return write(Cut_loci::internal::Geodesic_path_tracing(m_geodesics).path_from_query(i), out);
   }
 
@@ -299,6 +335,13 @@ public:
 
 private:
   static constexpr FT infinity() { return (std::numeric_limits<FT>::infinity)(); }
+
+  void require_exact() const
+  {
+    if(m_geodesics.is_approximate())
+      throw Cut_loci::Invalid_input("directions and paths need exact distances: "
+                                    "the maximum relative error must be zero");
+  }
 
   Cut_loci::Index index(vertex_descriptor v) const { return get(m_read.index_of_vertex, v); }
 

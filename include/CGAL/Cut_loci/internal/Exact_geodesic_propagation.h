@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/internal/Geodesic_batches.h>
 #include <CGAL/Cut_loci/internal/Geodesic_faces.h>
+#include <CGAL/Cut_loci/internal/Geodesic_merging.h>
 #include <CGAL/Cut_loci/internal/Geodesic_results.h>
 #include <CGAL/Cut_loci/internal/Geodesic_windows.h>
 #include <CGAL/Cut_loci/internal/geodesic_window_filters.h>
@@ -34,7 +35,8 @@ namespace internal {
  * \cgalCite{xu-fwp-15}. In the face entered, only the window with the shortest path to the apex goes on to both other
  * edges \cgalCite{ch-spp-90}; the ends of a batch lose the windows to which a path through a vertex of the face is
  * preferable \cgalCite{xw-ich-09}. Neighbouring windows are trimmed as described in `geodesic_window_trimming.h`.
- * Batches are forgotten once they have been propagated.
+ * Batches are forgotten once they have been propagated. If an error is allowed, neighbouring windows are merged as
+ * described in `Geodesic_merging.h`; what is the direction otherwise, is then the error.
  *
  * The mesh geometry is read by the constructor. All memory is reused from one run to the next. Queries after a run
  * are const.
@@ -59,10 +61,11 @@ public:
     prepare(sources, options);
     m_batches.prepare(options.maximum_distance);
     m_maximum_distance = options.maximum_distance;
+    m_tolerance = options.maximum_relative_error;
     m_number_of_windows = 0;
     if(sources.size() > 1)
       propagate<7>();
-    else if(options.directions)
+    else if(options.directions || is_approximate())
       propagate<6>();
     else
       propagate<5>();
@@ -99,6 +102,8 @@ private:
     finish_queries();
     if(m_maximum_distance < infinity)
       cut_off(m_maximum_distance);
+    if(is_approximate())
+      add_errors();
   }
 
   // -- sources -------------------------------------------------------------------------------------------------------
@@ -117,7 +122,7 @@ private:
     double angle = 0.;
     Index h = first;
     do {
-      emit<columns>(h, 0., m_faces.angle(h), 0., angle, static_cast<Index>(number));
+      emit<columns>(h, 0., m_faces.angle(h), 0., is_approximate() ? 0. : angle, static_cast<Index>(number));
       angle += m_faces.angle(h);
       h = m_faces.next_around_source(h);
     } while(h != null_index && h != first);
@@ -147,7 +152,7 @@ private:
     Geodesic_arrival arrival;
     arrival.x = p.x;
     arrival.y = p.y;
-    arrival.turn = turn;
+    arrival.turn = is_approximate() ? 0. : turn;
     arrival.halfedge = h;
     arrival.source = static_cast<Index>(number);
     const std::array<Plane_point, 3> corner = {{{0., 0.}, {m_faces.length(h), 0.}, m_faces.apex(h)}};
@@ -163,8 +168,9 @@ private:
         const double ux = (from.x - to.x) / length, uy = (from.y - to.y) / length;
         const double dx = p.x - to.x, dy = p.y - to.y;
         const double depth = dy * ux - dx * uy;
-        Geodesic_window w{0., length, dx * ux + dy * uy, (std::min)(depth, 0.), 0., turn + rotation - geodesic_pi,
-                          double(number)};
+        Geodesic_window w{0., length, dx * ux + dy * uy, (std::min)(depth, 0.), 0., 0., double(number)};
+        if(!is_approximate())
+          w.turn = turn + rotation - geodesic_pi;
         if(m_sources.size() > 1)
           m_batches.mark_inner_source(o);
         m_batches.insert<columns>(o, w, m_faces.length(o));
@@ -206,7 +212,7 @@ private:
     w.x = left.length * left.cosine;
     w.y = -left.length * left.sine;
     w.sigma = sigma;
-    w.turn = sigma > 0. ? turn : turn - right.angle;
+    w.turn = sigma > 0. || is_approximate() ? turn : turn - right.angle;
     w.nearest = source == null_index ? 0. : double(source);
     m_batches.insert<columns>(o, w, m_faces.length(o));
   }
@@ -220,7 +226,7 @@ private:
       return;
     const Geodesic_arrival_direction in = arrival_direction(v);
     const Index source = m_arrival[v].source;
-    const double turn = columns > 5 ? direction_at_source(v) : 0.;
+    const double turn = is_approximate() ? m_arrival[v].turn : columns > 5 ? direction_at_source(v) : 0.;
     // a shadow that is wider by the accuracy of the angle only adds a few paths that are not the shortest
     constexpr double margin = 1e-9;
     const bool is_border = m_faces.is_border(v);
@@ -287,13 +293,17 @@ private:
       m_batches.release(list);
       return;
     }
-    m_number_of_windows += list->size();
     const Geodesic_face& face = m_faces.face_of(h);
+    if(columns > 5 && is_approximate() && list->size() > 1)
+      Geodesic_merging<columns>(*list, m_faces.length(h), m_tolerance)();
+    m_number_of_windows += list->size();
     constexpr std::array<Index, 5> modulo_3 = {{0, 1, 2, 0, 1}}; // a condition here would be hard to predict
     const Index i = h % 3, j = modulo_3[i + 1], k = modulo_3[i + 2];
     const Geodesic_face::Corner &corner_a = face.corner[i], &corner_b = face.corner[j];
     const double length = corner_a.length, length_left = face.corner[k].length, length_right = corner_b.length;
     const Plane_point apex{length_left * corner_a.cosine, length_left * corner_a.sine};
+
+    const bool turns = !is_approximate();
 
     if(has_queries())
       answer_queries<columns>(h, *list);
@@ -356,7 +366,7 @@ private:
     }
     if(face.opposite[k] != null_index && number_left > 0) {
       Geodesic_window_list* out = m_batches.allocate<columns>(number_left);
-      const Geodesic_step step{length, length_left, corner_a.cosine, corner_a.sine, corner_a.angle};
+      const Geodesic_step step{length, length_left, corner_a.cosine, corner_a.sine, turns ? corner_a.angle : 0.};
       if(is_sorted)
         step_left<columns>(*list, begin, number_left, *out, step);
       else {
@@ -373,7 +383,7 @@ private:
     }
     if(face.opposite[j] != null_index && number_right > 0) {
       Geodesic_window_list* out = m_batches.allocate<columns>(number_right);
-      const Geodesic_step step{length, length_right, corner_b.cosine, corner_b.sine, -corner_b.angle};
+      const Geodesic_step step{length, length_right, corner_b.cosine, corner_b.sine, turns ? -corner_b.angle : 0.};
       if(is_sorted)
         step_right<columns>(*list, end - number_right, number_right, *out, step);
       else {
@@ -405,7 +415,7 @@ private:
 
   Geodesic_batches m_batches;
   std::vector<unsigned char> m_sides; // of the apex, for the windows in work
-  double m_maximum_distance = infinity;
+  double m_maximum_distance = infinity, m_tolerance = 0.;
   std::size_t m_number_of_windows = 0;
 };
 

@@ -30,6 +30,7 @@ struct Exact_geodesic_options
 {
   double maximum_distance = (std::numeric_limits<double>::infinity)(); ///< nothing beyond it is reached
   bool directions = false;                                             ///< whether directions at the source are wanted
+  double maximum_relative_error = 0.;                                  ///< by which distances may be too long
   bool all_centroids = false;                                          ///< whether face centroids are query locations
   std::vector<Indexed_location> queries;                               ///< further points whose distance is wanted
 };
@@ -38,7 +39,7 @@ struct Exact_geodesic_options
 struct Geodesic_arrival
 {
   double x = 0., y = 0.;           // the image of the (pseudo-)source
-  double sigma = 0., turn = 0.;    // as in `Geodesic_window`
+  double sigma = 0., turn = 0.;    // as in `Geodesic_window`, or the error if one is allowed
   Index halfedge = null_index;     // of the frame
   Index source = null_index;       // the number of the true source, if there are several
   bool crosses_halfedge = false;   // else the image lies in the face itself
@@ -93,6 +94,10 @@ public:
   /// the distance of each vertex, infinite if not reached
   const std::vector<double>& distances() const { return m_distance; }
   double distance(Index v) const { return m_distance[v]; }
+  /// by how much the distance of `v` may be too long, if an error is allowed; it is never too short
+  double distance_error(Index v) const { return m_is_approximate && is_reached(v) ? m_arrival[v].turn : 0.; }
+  /// whether an error has been allowed; there are no directions and paths then
+  bool is_approximate() const { return m_is_approximate; }
   bool is_reached(Index v) const { return m_distance[v] < infinity; }
 
   /// the direction at its source in which the shortest path to `v` starts
@@ -244,10 +249,15 @@ protected:
   /// \throws Invalid_input if a location is none on the mesh
   void prepare(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options)
   {
+    if(!(options.maximum_relative_error >= 0.))
+      throw Invalid_input("the maximum relative error must not be negative");
+    m_is_approximate = options.maximum_relative_error > 0.;
+    if(m_is_approximate && options.directions)
+      throw Invalid_input("directions need exact distances: the maximum relative error must be zero");
     m_sources.clear();
     for(const Indexed_location& location : sources)
       m_sources.push_back(classify(location));
-    m_has_directions = options.directions || sources.size() > 1;
+    m_has_directions = options.directions || (sources.size() > 1 && !m_is_approximate);
     m_distance.assign(m_faces.number_of_vertices(), infinity);
     m_arrival.resize(m_faces.number_of_vertices());
     prepare_queries(options);
@@ -271,6 +281,16 @@ protected:
       d = d <= maximum_distance ? d : infinity;
     for(Query& query : m_queries)
       query.distance = query.distance <= maximum_distance ? query.distance : infinity;
+  }
+
+  /// turns distances that may be too short into ones that may be too long
+  void add_errors()
+  {
+    for(Index v = 0; v < m_faces.number_of_vertices(); ++v)
+      m_distance[v] += distance_error(v);
+    for(Query& query : m_queries)
+      if(query.distance < infinity)
+        query.distance += query.arrival.turn;
   }
 
   /// whether there are query locations
@@ -314,7 +334,9 @@ protected:
         query.arrival.halfedge = h;
         query.arrival.source = m_arrival[v].source;
         query.arrival.sigma = m_distance[v];
-        if(m_distance[v] == 0.)
+        if(m_is_approximate)
+          query.arrival.turn = m_arrival[v].turn;
+        else if(m_distance[v] == 0.)
           query.arrival.turn = m_faces.angle_around_source(h);
         else if(m_has_directions)
           query.arrival.turn = direction_at_source(v);
@@ -333,7 +355,7 @@ protected:
       const double t = source.location.coordinates[Mesh::next(h) % 3] * m_faces.length(h);
       finish_queries(i, h, {t, 0.}, 0.);
       if(o != null_index)
-        finish_queries(i, o, {m_faces.length(h) - t, 0.}, geodesic_pi);
+        finish_queries(i, o, {m_faces.length(h) - t, 0.}, m_is_approximate ? 0. : geodesic_pi);
     }
   }
 
@@ -436,7 +458,7 @@ protected:
 private:
   std::vector<Query> m_queries;
   std::vector<Index> m_query_first, m_query_index; // the queries of each face
-  bool m_has_directions = false;
+  bool m_has_directions = false, m_is_approximate = false;
 };
 
 } // namespace internal

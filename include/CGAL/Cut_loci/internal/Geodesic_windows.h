@@ -113,8 +113,8 @@ public:
   template <int columns>
   Geodesic_window_list* allocate(std::size_t n)
   {
-    // Hardly any gap between the columns: a list takes as few cache lines as possible. The room for one or two more lets
-    // loops go by pairs: branches at their end for a single one are hard to predict.
+    // Hardly any gap between the columns: a list takes as few cache lines as possible. The room for one or two more
+    // lets loops go by pairs: branches at their end for a single one are hard to predict.
     const std::size_t capacity = n + 2 - (n & 1);
     std::size_t lines = (2 + columns * capacity + doubles_per_line - 1) / doubles_per_line;
     const std::uint32_t size_class = round_up(lines);

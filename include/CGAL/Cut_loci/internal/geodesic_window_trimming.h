@@ -183,6 +183,7 @@ private:
       if((merge || !in_order) && are_mergeable(top, w, m_length)) {
         top.a = (std::min)(top.a, w.a);
         top.b = (std::max)(top.b, w.b);
+        top.turn = (std::max)(top.turn, w.turn); // the same direction, or the error
         --m_top;
         push(top, false);
         return;
@@ -304,6 +305,7 @@ private:
       if(last.x == w.x && last.y == w.y && last.sigma == w.sigma && last.nearest == w.nearest &&
          start - last.b <= m_narrow) {
         last.b = stop;
+        last.turn = (std::max)(last.turn, w.turn);
         m_result->template set<columns>(m_result->end - 1, last);
         return;
       }
