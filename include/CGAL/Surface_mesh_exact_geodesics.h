@@ -47,7 +47,7 @@ namespace CGAL {
  * In the worst case, time grows like \cgalBigO{n^2} and more with the number of faces. On meshes of smooth surfaces,
  * the number of windows grows like \cgalBigO{n^{1.5}}, the time a little slower, and the memory linearly.
  *
- * Where distances need not be exact, `set_maximum_relative_error()` bounds their error and makes the growth linear.
+ * Where distances need not be exact, `set_maximum_relative_error()` bounds their error and makes the growth nearly linear.
  *
  * Faces must have an area: a face whose height is less than about `1e-13` of its longest edge can not be unfolded in
  * `double`, and is refused. Vertices whose faces form more than one fan are refused as well. In both cases the
