@@ -173,7 +173,8 @@ private:
     }
     if(m_current == m_chunks.size()) {
       const std::size_t size = n > chunk_size ? n : chunk_size;
-      m_chunks.push_back(Chunk{std::unique_ptr<Line[]>(new Line[size]), size});
+      // zeros, for the windows behind the last one that loops by pairs compute in vain
+      m_chunks.push_back(Chunk{std::unique_ptr<Line[]>(new Line[size]()), size});
     }
     Line* place = m_chunks[m_current].lines.get() + m_next;
     m_next += n;
