@@ -108,15 +108,15 @@ public:
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Surface_mesh_exact_geodesics(const TriangleMesh& tm,
                                         const CGAL_NP_CLASS& np = parameters::default_values())
-    : m_mesh(&tm)
-    , m_read(Cut_loci::internal::read_triangle_mesh(
+    : mesh_(&tm)
+    , read_(Cut_loci::internal::read_triangle_mesh(
           tm, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                            get_const_property_map(CGAL::vertex_point, tm))))
-    , m_geodesics(m_read.mesh, &m_read.positions)
+    , geodesics_(read_.mesh, &read_.positions)
   {
     // the solver has a copy of all it needs
-    m_read.mesh = Cut_loci::Indexed_triangle_mesh();
-    std::vector<Cut_loci::Index>().swap(m_read.positions);
+    read_.mesh = Cut_loci::Indexed_triangle_mesh();
+    std::vector<Cut_loci::Index>().swap(read_.positions);
   }
 
   Surface_mesh_exact_geodesics(const Surface_mesh_exact_geodesics&) = delete;
@@ -135,18 +135,18 @@ public:
     const Cut_loci::Index i = index(v);
     if(i == Cut_loci::null_index)
       throw Cut_loci::Invalid_input("the source is an isolated vertex: it is on no face");
-    m_sources.push_back(m_geodesics.vertex_location(i));
+    sources_.push_back(geodesics_.vertex_location(i));
   }
 
   /// adds a point in a face, on an edge, or at a vertex
   /// \throws Cut_loci::Invalid_input if the face is null or the coordinates are not barycentric
-  void add_source(const Face_location& location) { m_sources.push_back(to_indexed(location)); }
+  void add_source(const Face_location& location) { sources_.push_back(to_indexed(location)); }
 
   /// removes all sources
-  void clear_sources() { m_sources.clear(); }
+  void clear_sources() { sources_.clear(); }
 
   /// the number of sources
-  std::size_t number_of_sources() const { return m_sources.size(); }
+  std::size_t number_of_sources() const { return sources_.size(); }
 
   /// @}
 
@@ -155,7 +155,7 @@ public:
   /// @{
 
   /// stops the propagation at this distance; what is further away is not reached. Infinite by default.
-  void set_maximum_distance(FT distance) { m_options.maximum_distance = distance; }
+  void set_maximum_distance(FT distance) { options_.maximum_distance = distance; }
 
   /// allows distances to be too long, by this times their length; zero by default.
   ///
@@ -168,31 +168,31 @@ public:
   {
     if(!(error >= 0.))
       throw Cut_loci::Invalid_input("the maximum relative error must not be negative");
-    m_options.maximum_relative_error = error;
+    options_.maximum_relative_error = error;
   }
 
   /// asks for the directions at the source, at the price of some 10 % more time. Off by default.
-  void set_directions(bool wanted) { m_options.directions = wanted; }
+  void set_directions(bool wanted) { options_.directions = wanted; }
 
   /// asks for the distances at the centroids of all faces. Off by default.
-  void set_centroids(bool wanted) { m_options.all_centroids = wanted; }
+  void set_centroids(bool wanted) { options_.all_centroids = wanted; }
 
   /// adds a point to which the distance is wanted, and returns its number
   std::size_t add_query(const Face_location& location)
   {
-    m_options.queries.push_back(to_indexed(location));
-    return m_options.queries.size() - 1;
+    options_.queries.push_back(to_indexed(location));
+    return options_.queries.size() - 1;
   }
 
   /// removes all points added by `add_query()`
-  void clear_queries() { m_options.queries.clear(); }
+  void clear_queries() { options_.queries.clear(); }
 
   /// @}
 
   /// computes everything that has been asked for
   /// \throws Cut_loci::Invalid_input if there is no source, or if an error has been allowed and directions have been
   ///         asked for
-  void compute() { m_geodesics.run(m_sources, m_options); }
+  void compute() { geodesics_.run(sources_, options_); }
 
   /// the same with `source`, a vertex or a face location, as the only source
   template <typename Source>
@@ -211,14 +211,14 @@ public:
   FT distance(vertex_descriptor v) const
   {
     const Cut_loci::Index i = index(v);
-    return i == Cut_loci::null_index ? infinity() : m_geodesics.distance(i);
+    return i == Cut_loci::null_index ? infinity() : geodesics_.distance(i);
   }
 
   /// how much longer than the exact distance `distance(v)` may be; zero if no error has been allowed
   FT distance_error(vertex_descriptor v) const
   {
     const Cut_loci::Index i = index(v);
-    return i == Cut_loci::null_index ? 0. : m_geodesics.distance_error(i);
+    return i == Cut_loci::null_index ? 0. : geodesics_.distance_error(i);
   }
 
   /// writes the distances of all vertices
@@ -227,20 +227,20 @@ public:
   template <typename VertexDistanceMap>
   void distances(VertexDistanceMap vdm) const
   {
-    for(Cut_loci::Index i = 0; i < m_read.vertices.size(); ++i)
-      put(vdm, m_read.vertices[i], m_geodesics.distance(i));
-    if(m_read.vertices.size() != num_vertices(*m_mesh))
-      for(vertex_descriptor v : CGAL::make_range(vertices(*m_mesh)))
+    for(Cut_loci::Index i = 0; i < read_.vertices.size(); ++i)
+      put(vdm, read_.vertices[i], geodesics_.distance(i));
+    if(read_.vertices.size() != num_vertices(*mesh_))
+      for(vertex_descriptor v : CGAL::make_range(vertices(*mesh_)))
         if(index(v) == Cut_loci::null_index)
           put(vdm, v, infinity());
   }
 
   /// the distance to query location number `i`
-  FT query_distance(std::size_t i) const { return m_geodesics.query_distance(i); }
+  FT query_distance(std::size_t i) const { return geodesics_.query_distance(i); }
 
   /// the distance to the centroid of `f`
   /// \pre centroids have been asked for
-  FT centroid_distance(face_descriptor f) const { return m_geodesics.query_distance(centroid(f)); }
+  FT centroid_distance(face_descriptor f) const { return geodesics_.query_distance(centroid(f)); }
 
   /// @}
 
@@ -249,7 +249,7 @@ public:
 
   /// the number of the source nearest to `v`, in the order in which sources were added
   /// \pre `v` is reached
-  std::size_t nearest_source(vertex_descriptor v) const { return m_geodesics.nearest_source(index(v)); }
+  std::size_t nearest_source(vertex_descriptor v) const { return geodesics_.nearest_source(index(v)); }
 
   /// the direction at its source in which the shortest path to `v` starts
   ///
@@ -260,18 +260,18 @@ public:
   FT direction_at_source(vertex_descriptor v) const
   {
     require_exact();
-    return m_geodesics.direction_at_source(index(v));
+    return geodesics_.direction_at_source(index(v));
   }
 
   /// the same for query location number `i`
   FT query_direction_at_source(std::size_t i) const
   {
     require_exact();
-    return m_geodesics.query_direction_at_source(i);
+    return geodesics_.query_direction_at_source(i);
   }
 
   /// the sum of the angles around source number `i`; \f$2\pi\f$ in faces
-  FT source_angle(std::size_t i = 0) const { return m_geodesics.source_angle(i); }
+  FT source_angle(std::size_t i = 0) const { return geodesics_.source_angle(i); }
 
   /// the halfedge along which the direction at source number `i` is zero
   ///
@@ -280,7 +280,7 @@ public:
   /// location; and in a face `f`, `halfedge(f, tm)`.
   halfedge_descriptor source_halfedge(std::size_t i = 0) const
   {
-    return m_read.halfedges[m_geodesics.source_halfedge(i)];
+    return read_.halfedges[geodesics_.source_halfedge(i)];
   }
 
   /// the direction at `v` in which the shortest path to it leads back to its source
@@ -288,8 +288,8 @@ public:
   Direction arrival_direction(vertex_descriptor v) const
   {
     require_exact();
-    const Cut_loci::internal::Geodesic_arrival_direction direction = m_geodesics.arrival_direction(index(v));
-    return Direction(m_read.halfedges[direction.halfedge], direction.angle);
+    const Cut_loci::internal::Geodesic_arrival_direction direction = geodesics_.arrival_direction(index(v));
+    return Direction(read_.halfedges[direction.halfedge], direction.angle);
   }
 
   /// @}
@@ -309,7 +309,7 @@ public:
     const Cut_loci::Index i = index(v);
     if(i == Cut_loci::null_index)
       return out;
-    return write(Cut_loci::internal::Geodesic_path_tracing(m_geodesics).path_from_vertex(i), out);
+    return write(Cut_loci::internal::Geodesic_path_tracing(geodesics_).path_from_vertex(i), out);
   }
 
   /// writes the shortest path from query location number `i` to its source
@@ -317,7 +317,7 @@ public:
   OutputIterator query_shortest_path(std::size_t i, OutputIterator out) const
   {
     require_exact();
-    return write(Cut_loci::internal::Geodesic_path_tracing(m_geodesics).path_from_query(i), out);
+    return write(Cut_loci::internal::Geodesic_path_tracing(geodesics_).path_from_query(i), out);
   }
 
   /// writes the shortest path from the centroid of `f` to its source
@@ -331,23 +331,23 @@ public:
   /// @}
 
   /// the number of windows that the last call of `compute()` has taken across a face
-  std::size_t number_of_windows() const { return m_geodesics.number_of_windows(); }
+  std::size_t number_of_windows() const { return geodesics_.number_of_windows(); }
 
 private:
   static constexpr FT infinity() { return (std::numeric_limits<FT>::infinity)(); }
 
   void require_exact() const
   {
-    if(m_geodesics.is_approximate())
+    if(geodesics_.is_approximate())
       throw Cut_loci::Invalid_input("directions and paths need exact distances: "
                                     "the maximum relative error must be zero");
   }
 
-  Cut_loci::Index index(vertex_descriptor v) const { return get(m_read.index_of_vertex, v); }
+  Cut_loci::Index index(vertex_descriptor v) const { return get(read_.index_of_vertex, v); }
 
   std::size_t centroid(face_descriptor f) const
   {
-    return m_geodesics.number_of_queries() - m_geodesics.faces().number_of_faces() + get(m_read.index_of_face, f);
+    return geodesics_.number_of_queries() - geodesics_.faces().number_of_faces() + get(read_.index_of_face, f);
   }
 
   Cut_loci::Indexed_location to_indexed(const Face_location& location) const
@@ -355,9 +355,9 @@ private:
     if(location.first == Graph_traits::null_face())
       throw Cut_loci::Invalid_input("a location is in the null face");
     Cut_loci::Indexed_location result;
-    result.face = get(m_read.index_of_face, location.first);
+    result.face = get(read_.index_of_face, location.first);
     result.coordinates = location.second;
-    m_geodesics.check(result);
+    geodesics_.check(result);
     return result;
   }
 
@@ -365,15 +365,15 @@ private:
   OutputIterator write(const std::vector<Cut_loci::Indexed_location>& path, OutputIterator out) const
   {
     for(const Cut_loci::Indexed_location& location : path)
-      *out++ = Face_location(face(m_read.halfedges[3 * location.face], *m_mesh), location.coordinates);
+      *out++ = Face_location(face(read_.halfedges[3 * location.face], *mesh_), location.coordinates);
     return out;
   }
 
-  const TriangleMesh* m_mesh;
-  Cut_loci::internal::Read_triangle_mesh<TriangleMesh> m_read;
-  Cut_loci::internal::Exact_geodesic_propagation m_geodesics;
-  Cut_loci::internal::Exact_geodesic_options m_options;
-  std::vector<Cut_loci::Indexed_location> m_sources;
+  const TriangleMesh* mesh_;
+  Cut_loci::internal::Read_triangle_mesh<TriangleMesh> read_;
+  Cut_loci::internal::Exact_geodesic_propagation geodesics_;
+  Cut_loci::internal::Exact_geodesic_options options_;
+  std::vector<Cut_loci::Indexed_location> sources_;
 };
 
 } // namespace CGAL

@@ -34,24 +34,24 @@ class Geodesic_merging
 {
 public:
   Geodesic_merging(Geodesic_window_list& list, double length, double tolerance)
-    : m_list(list)
-    , m_narrow(geodesic_narrow * length)
-    , m_tolerance(tolerance)
+    : list_(list)
+    , narrow_(geodesic_narrow * length)
+    , tolerance_(tolerance)
   {}
 
   void operator()()
   {
-    const double *a = m_list.column(0), *b = m_list.column(1), *nearest = m_list.column(columns - 1);
+    const double *a = list_.column(0), *b = list_.column(1), *nearest = list_.column(columns - 1);
     const auto is_run = [&](std::size_t i) {
-      return a[i] - b[i - 1] <= m_narrow && (columns < 7 || nearest[i] == nearest[i - 1]);
+      return a[i] - b[i - 1] <= narrow_ && (columns < 7 || nearest[i] == nearest[i - 1]);
     };
-    const std::size_t end = m_list.end;
-    m_top = m_list.begin;
-    for(std::size_t first = m_list.begin, last; first < end; first = last) {
+    const std::size_t end = list_.end;
+    top_ = list_.begin;
+    for(std::size_t first = list_.begin, last; first < end; first = last) {
       for(last = first + 1; last < end && is_run(last); ++last) {}
       merge(first, last);
     }
-    m_list.end = static_cast<std::uint32_t>(m_top);
+    list_.end = static_cast<std::uint32_t>(top_);
   }
 
 private:
@@ -60,9 +60,9 @@ private:
   {
     Geodesic_window w;
     if(last - first == 1)
-      m_list.template set<columns>(m_top++, m_list.template get<columns>(first));
+      list_.template set<columns>(top_++, list_.template get<columns>(first));
     else if(find(first, last, w))
-      m_list.template set<columns>(m_top++, w);
+      list_.template set<columns>(top_++, w);
     else {
       const std::size_t middle = first + (last - first) / 2;
       merge(first, middle);
@@ -73,7 +73,7 @@ private:
   /// one window for all of `[first, last)`
   bool find(std::size_t first, std::size_t last, Geodesic_window& w) const
   {
-    const Geodesic_window left = m_list.template get<columns>(first), right = m_list.template get<columns>(last - 1);
+    const Geodesic_window left = list_.template get<columns>(first), right = list_.template get<columns>(last - 1);
     const double at_left = left.distance(left.a), at_right = right.distance(right.b);
     const double width = right.b - left.a, rise = at_left - at_right;
     const double free = width * width - rise * rise;
@@ -122,7 +122,7 @@ private:
     double error = 0., old_error = 0.;
     const double nearest = w.sigma - w.y; // no distance is shorter
     for(std::size_t i = first; i < last; ++i) {
-      const Geodesic_window old = m_list.template get<columns>(i);
+      const Geodesic_window old = list_.template get<columns>(i);
       old_error = (std::max)(old_error, old.turn);
       const double slack = 1e-15 * (nearest + w.b); // for rounding
       // the difference has its extrema at the ends and where both paths are parallel
@@ -137,12 +137,12 @@ private:
         }
     }
     w.turn = old_error + error;
-    return w.turn <= m_tolerance * nearest ? good : too_short;
+    return w.turn <= tolerance_ * nearest ? good : too_short;
   }
 
-  Geodesic_window_list& m_list;
-  double m_narrow, m_tolerance;
-  std::size_t m_top = 0;
+  Geodesic_window_list& list_;
+  double narrow_, tolerance_;
+  std::size_t top_ = 0;
 };
 
 } // namespace internal

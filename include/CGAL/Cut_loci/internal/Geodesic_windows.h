@@ -118,9 +118,9 @@ public:
     const std::size_t capacity = n + 2 - (n & 1);
     std::size_t lines = (2 + columns * capacity + doubles_per_line - 1) / doubles_per_line;
     const std::uint32_t size_class = round_up(lines);
-    if(size_class >= m_free.size())
-      m_free.resize(size_class + 1);
-    std::vector<Geodesic_window_list*>& free_lists = m_free[size_class];
+    if(size_class >= free_.size())
+      free_.resize(size_class + 1);
+    std::vector<Geodesic_window_list*>& free_lists = free_[size_class];
     void* place;
     if(!free_lists.empty()) {
       place = free_lists.back();
@@ -130,15 +130,15 @@ public:
     return new(place) Geodesic_window_list{0, 0, static_cast<std::uint32_t>(capacity), size_class};
   }
 
-  void release(Geodesic_window_list* list) { m_free[list->size_class].push_back(list); }
+  void release(Geodesic_window_list* list) { free_[list->size_class].push_back(list); }
 
   /// takes back all lists
   void clear()
   {
-    for(std::vector<Geodesic_window_list*>& free_lists : m_free)
+    for(std::vector<Geodesic_window_list*>& free_lists : free_)
       free_lists.clear();
-    m_current = 0;
-    m_next = 0;
+    current_ = 0;
+    next_ = 0;
   }
 
 private:
@@ -167,25 +167,25 @@ private:
 
   Line* new_lines(std::size_t n)
   {
-    while(m_current < m_chunks.size() && m_next + n > m_chunks[m_current].size) {
-      ++m_current;
-      m_next = 0;
+    while(current_ < chunks_.size() && next_ + n > chunks_[current_].size) {
+      ++current_;
+      next_ = 0;
     }
-    if(m_current == m_chunks.size()) {
+    if(current_ == chunks_.size()) {
       const std::size_t size = n > chunk_size ? n : chunk_size;
       // zeros, for the windows behind the last one that loops by pairs compute in vain
-      m_chunks.push_back(Chunk{std::unique_ptr<Line[]>(new Line[size]()), size});
+      chunks_.push_back(Chunk{std::unique_ptr<Line[]>(new Line[size]()), size});
     }
-    Line* place = m_chunks[m_current].lines.get() + m_next;
-    m_next += n;
+    Line* place = chunks_[current_].lines.get() + next_;
+    next_ += n;
     return place;
   }
 
   static constexpr std::size_t chunk_size = std::size_t(1) << 12;
 
-  std::vector<Chunk> m_chunks;
-  std::vector<std::vector<Geodesic_window_list*>> m_free;
-  std::size_t m_current = 0, m_next = 0; // the chunk in use, and its first line not in use
+  std::vector<Chunk> chunks_;
+  std::vector<std::vector<Geodesic_window_list*>> free_;
+  std::size_t current_ = 0, next_ = 0; // the chunk in use, and its first line not in use
 };
 
 } // namespace internal
