@@ -81,24 +81,30 @@ po::options_description visible_options()
     ("source-point", po::value<std::string>()->value_name("X,Y,Z"), "the point of the surface closest to x,y,z")
     ("solver", po::value<std::string>()->value_name("NAME")->default_value(default_solver_name()),
      ("geodesic distances by:\n" + solver_descriptions()).c_str())
-    ("method", po::value<std::string>()->value_name("NAME")->default_value("laplacian"),
-     "how the cut locus is found:\n"
-     "  laplacian: valleys of the Laplacian of the distance, for any solver\n"
-     "  direction: where the direction at the source jumps, for exact distances\n"
-     "  polyhedral: all of the cut locus of a convex polyhedron, exactly")
+    ("method", po::value<std::string>()->value_name("NAME")->default_value("auto"),
+     ("how the cut locus is found:\n"
+      "  auto: " + default_methods() + "\n"
+      "  direction: where the direction at the source jumps, for exact distances\n"
+      "  laplacian: valleys of the Laplacian of the distance, for any solver\n"
+      "  polyhedral: all of the cut locus of a convex polyhedron, exactly").c_str())
     ("strength", po::value<std::string>()->value_name("S"),
      "least strength of a branch with the method direction (default: from the noise of the mesh)")
     ("angle", po::value<std::string>()->value_name("RAD"),
-     "least angle, in radians, at which shortest paths meet (default: 0.7; 0.4 with the heat method)")
+     "least angle, in radians, at which shortest paths meet, with the method laplacian (default: 0.7; 0.4 with the "
+     "heat method)")
     ("laplacian", po::value<std::string>()->value_name("L"),
-     "least value of minus the Laplacian of the distance times the mean edge length (default: none)")
-    ("policy", po::value<std::string>()->value_name("prune|grow")->default_value("prune"),
-     "weak branches are pruned from the leaves, or the tree is grown from its root")
-    ("min-branch-edges", po::value<std::string>()->value_name("N"), "branches of fewer edges are removed (default: 3)")
+     "least value of minus the Laplacian of the distance times the mean edge length, with the method laplacian "
+     "(default: none)")
+    ("policy", po::value<std::string>()->value_name("prune|grow"),
+     "weak branches are pruned from the leaves, or the tree is grown from its root, with the method laplacian "
+     "(default: prune)")
+    ("min-branch-edges", po::value<std::string>()->value_name("N"),
+     "branches of fewer edges are removed (default: 3 with the method laplacian, else 0)")
     ("min-branch-length", po::value<std::string>()->value_name("L"),
      "branches that are shorter are removed, in units of the diagonal of the bounding box (default: 0)")
     ("smooth", po::value<std::string>()->value_name("N"),
-     "N steps that move the curves off the edges of the mesh, onto the cut locus (default: 0; 4 are enough)")
+     "N steps that move the curves off the edges of the mesh, onto the cut locus (default: 0; 4 are enough); with the "
+     "method direction any N but 0 gives the curve through the faces")
     ("output,o", po::value<std::vector<std::string> >()->value_name("FILE")->composing(),
      ("write the cut locus; may be given several times. By extension:\n" + output_descriptions()).c_str())
     ("view", po::value<std::string>()->value_name("X,Y,Z"),
@@ -109,6 +115,45 @@ po::options_description visible_options()
     ("quiet", po::bool_switch(), "no progress on stderr")
     ("help,h", po::bool_switch(), "print this text");
   return description;
+}
+
+void read_method(const std::string& name, Options& options)
+{
+  using CGAL::Cut_loci::Method;
+  if(name == "auto")
+    options.method = default_method(options.solver);
+  else if(name == "direction")
+    options.method = Method::DIRECTION;
+  else if(name == "polyhedral")
+    options.method = Method::POLYHEDRAL;
+  else if(name == "laplacian")
+    options.method = Method::LAPLACIAN;
+  else
+    throw Usage_error("--method takes auto, direction, laplacian or polyhedral, not '" + name + "'");
+  options.method_name = options.method == Method::DIRECTION ? "direction"
+                        : options.method == Method::LAPLACIAN ? "laplacian" : "polyhedral";
+  if(options.method != Method::LAPLACIAN && options.solver != "exact" && options.solver != "cgal-exact")
+    throw Usage_error("--method " + name + " needs exact distances: --solver exact or cgal-exact");
+}
+
+// An option of another method would be ignored.
+void check_options_of_method(const po::variables_map& given, const Options& options)
+{
+  using CGAL::Cut_loci::Method;
+  const auto refuse = [&](const char* option, const std::string& methods)
+  {
+    if(given.count(option))
+      throw Usage_error(std::string("--") + option + " is for --method " + methods + ", and here the method is " +
+                        options.method_name + (given["method"].defaulted() ? ", the default for these distances" : ""));
+  };
+  if(options.method != Method::LAPLACIAN)
+    for(const char* option : {"angle", "laplacian", "policy"})
+      refuse(option, "laplacian");
+  if(options.method != Method::DIRECTION)
+    refuse("strength", "direction");
+  if(options.method == Method::POLYHEDRAL)
+    for(const char* option : {"min-branch-edges", "min-branch-length", "edges"})
+      refuse(option, "direction or laplacian");
 }
 
 } // namespace
@@ -165,35 +210,21 @@ Options parse_command_line(int argc, char* argv[])
   options.solver = text("solver");
   if(!is_solver_name(options.solver))
     throw Usage_error("--solver takes one of" + solver_names() + ", not '" + options.solver + "'");
-  const std::string method = options.method_name = text("method");
-  if(method == "direction")
-    options.method = CGAL::Cut_loci::Method::DIRECTION;
-  else if(method == "polyhedral")
-    options.method = CGAL::Cut_loci::Method::POLYHEDRAL;
-  else if(method != "laplacian")
-    throw Usage_error("--method takes laplacian, direction or polyhedral, not '" + method + "'");
-  const bool is_laplacian = options.method == CGAL::Cut_loci::Method::LAPLACIAN;
-  if(!is_laplacian && options.solver != "exact" && options.solver != "cgal-exact")
-    throw Usage_error("--method " + method + " needs exact distances: --solver exact or cgal-exact");
-  for(const char* option : {"angle", "laplacian", "min-branch-edges", "min-branch-length"})
-    if(!is_laplacian && given.count(option))
-      throw Usage_error(std::string("--") + option + " is for --method laplacian");
-  if(!is_laplacian && !given["policy"].defaulted())
-    throw Usage_error("--policy is for --method laplacian");
+  read_method(text("method"), options);
+  check_options_of_method(given, options);
   if(given.count("strength"))
-  {
-    if(options.method != CGAL::Cut_loci::Method::DIRECTION)
-      throw Usage_error("--strength is for --method direction");
     options.strength = to_non_negative_number(text("strength"), "--strength");
-  }
   if(given.count("angle"))
     options.angle = to_non_negative_number(text("angle"), "--angle");
   if(given.count("laplacian"))
     options.laplacian = to_number(text("laplacian"), "--laplacian");
-  const std::string policy = text("policy");
-  if(policy != "prune" && policy != "grow")
-    throw Usage_error("--policy takes prune or grow, not '" + policy + "'");
-  options.grow = policy == "grow";
+  if(given.count("policy"))
+  {
+    const std::string policy = text("policy");
+    if(policy != "prune" && policy != "grow")
+      throw Usage_error("--policy takes prune or grow, not '" + policy + "'");
+    options.grow = policy == "grow";
+  }
   if(given.count("min-branch-edges"))
     options.minimum_branch_edges = to_count(text("min-branch-edges"), "--min-branch-edges");
   if(given.count("min-branch-length"))

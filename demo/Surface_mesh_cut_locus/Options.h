@@ -25,11 +25,11 @@ struct Options
   std::string solver;
   std::optional<double> angle;
   std::optional<double> laplacian;
-  bool grow = false;
+  std::optional<bool> grow; // or prune
   std::optional<std::size_t> minimum_branch_edges;
   std::optional<double> minimum_branch_length;
   std::size_t smoothing = 0; // iterations
-  CGAL::Cut_loci::Method method = CGAL::Cut_loci::Method::LAPLACIAN;
+  CGAL::Cut_loci::Method method = CGAL::Cut_loci::Method::DIRECTION;
   std::string method_name;
   std::optional<double> strength;
   std::vector<std::string> outputs;

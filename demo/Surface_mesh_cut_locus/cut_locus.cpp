@@ -48,18 +48,24 @@ void set_source(const Options& options, const Mesh& mesh, Cut_locus_solver& solv
 Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver, std::size_t smoothing)
 {
   using CGAL::Cut_loci::Filter_policy;
-  if(options.method != CGAL::Cut_loci::Method::LAPLACIAN)
+  using CGAL::Cut_loci::Method;
+  const double least_length = options.minimum_branch_length.value_or(0.);
+  if(options.method == Method::POLYHEDRAL)
+    return solver.cut_locus();
+  if(options.method == Method::DIRECTION)
   {
-    const auto curve = CGAL::parameters::cut_locus_curve(smoothing > 0 ? CGAL::Cut_loci::Curve::THROUGH_FACES
-                                                                       : CGAL::Cut_loci::Curve::MESH_EDGES);
-    return options.strength ? solver.cut_locus(curve.strength_threshold(*options.strength)) : solver.cut_locus(curve);
+    const auto parameters = CGAL::parameters::minimum_branch_edges(options.minimum_branch_edges.value_or(0))
+                              .minimum_branch_length(least_length)
+                              .number_of_iterations(smoothing);
+    return options.strength ? solver.cut_locus(parameters.strength_threshold(*options.strength))
+                            : solver.cut_locus(parameters);
   }
   return solver.cut_locus(
     CGAL::parameters::gradient_angle_threshold(options.angle.value_or(solver.gradient_angle_threshold()))
       .laplacian_threshold(options.laplacian.value_or(-std::numeric_limits<double>::infinity()))
-      .filter_policy(options.grow ? Filter_policy::GROWING : Filter_policy::PRUNING)
+      .filter_policy(options.grow.value_or(false) ? Filter_policy::GROWING : Filter_policy::PRUNING)
       .minimum_branch_edges(options.minimum_branch_edges.value_or(solver.default_minimum_branch_edges()))
-      .minimum_branch_length(options.minimum_branch_length.value_or(0.))
+      .minimum_branch_length(least_length)
       .number_of_iterations(smoothing));
 }
 

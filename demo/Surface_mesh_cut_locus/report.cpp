@@ -74,7 +74,7 @@ void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut
   Json& parameters = report["parameters"]; // null: the default
   parameters["angle"] = to_json(options.angle);
   parameters["laplacian"] = to_json(options.laplacian);
-  parameters["policy"] = options.grow ? "grow" : "prune";
+  parameters["policy"] = options.grow ? Json(*options.grow ? "grow" : "prune") : Json(nullptr);
   parameters["min_branch_edges"] = to_json(options.minimum_branch_edges);
   parameters["strength"] = to_json(options.strength);
   parameters["smooth"] = options.smoothing;

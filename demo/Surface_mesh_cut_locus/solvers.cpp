@@ -23,6 +23,7 @@ struct Solver_entry
   const char* name;
   const char* description;
   std::unique_ptr<Cut_locus_solver> (*make)(const Mesh&, CGAL::Cut_loci::Method, Progress&);
+  CGAL::Cut_loci::Method method;
 };
 
 template <typename GeodesicSolver>
@@ -32,15 +33,22 @@ std::unique_ptr<Cut_locus_solver> make(const Mesh& mesh, CGAL::Cut_loci::Method 
     mesh, CGAL::parameters::geodesic_solver(GeodesicSolver()).cut_locus_method(method).visitor(std::ref(progress)));
 }
 
+template <typename GeodesicSolver>
+Solver_entry entry(const char* name, const char* description)
+{
+  return {name, description, make<GeodesicSolver>,
+          CGAL::Cut_loci::internal::Geodesic_solver_handle(GeodesicSolver()).cut_locus_method()};
+}
+
 // The first one is the default.
 const Solver_entry solvers[] = {
-  {"exact", "exact geodesic distances", make<CGAL::Exact_geodesic_solver>},
-  {"cgal-exact", "CGAL's exact shortest paths", make<CGAL::Shortest_path_geodesic_solver>},
-  {"heat", "CGAL's heat method on an intrinsic Delaunay triangulation",
-   make<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Intrinsic_Delaunay> >},
-  {"heat-direct", "CGAL's heat method on the mesh as it is",
-   make<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct> >},
-  {"graph", "shortest paths over edges and dual edges", make<CGAL::Graph_geodesic_solver>},
+  entry<CGAL::Exact_geodesic_solver>("exact", "exact geodesic distances"),
+  entry<CGAL::Shortest_path_geodesic_solver>("cgal-exact", "CGAL's exact shortest paths"),
+  entry<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Intrinsic_Delaunay> >(
+    "heat", "CGAL's heat method on an intrinsic Delaunay triangulation"),
+  entry<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct> >(
+    "heat-direct", "CGAL's heat method on the mesh as it is"),
+  entry<CGAL::Graph_geodesic_solver>("graph", "shortest paths over edges and dual edges"),
 };
 
 const Solver_entry* find_solver(const std::string& name)
@@ -75,6 +83,23 @@ std::string solver_descriptions()
   for(const Solver_entry& s : solvers)
     result += std::string(result.empty() ? "  " : "\n  ") + s.name + ": " + s.description;
   return result;
+}
+
+CGAL::Cut_loci::Method default_method(const std::string& solver)
+{
+  const Solver_entry* const found = find_solver(solver);
+  return found == nullptr ? CGAL::Cut_loci::Method::LAPLACIAN : found->method;
+}
+
+std::string default_methods()
+{
+  std::string direction, laplacian;
+  for(const Solver_entry& s : solvers)
+  {
+    std::string& names = s.method == CGAL::Cut_loci::Method::DIRECTION ? direction : laplacian;
+    names += (names.empty() ? "" : ", ") + std::string(s.name);
+  }
+  return "direction with the solver " + direction + ", laplacian with " + laplacian;
 }
 
 std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, CGAL::Cut_loci::Method method,

@@ -22,6 +22,10 @@ bool is_solver_name(const std::string& name);
 std::string solver_names();        // " a b c"
 std::string solver_descriptions(); // a line for each
 
+// the method for the distances of a solver, as the library chooses it
+CGAL::Cut_loci::Method default_method(const std::string& solver);
+std::string default_methods();     // "direction with the solver a, laplacian with b and c"
+
 std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, CGAL::Cut_loci::Method method,
                                               const Mesh& mesh, Progress& progress);
 

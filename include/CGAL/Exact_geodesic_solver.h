@@ -8,6 +8,7 @@
 #define CGAL_EXACT_GEODESIC_SOLVER_H
 
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
 
 #include <memory>
@@ -26,6 +27,9 @@ namespace CGAL {
 class Exact_geodesic_solver
 {
 public:
+  /// the default of the parameter `cut_locus_method`: with these distances come the directions of the shortest paths
+  static Cut_loci::Method cut_locus_method() { return Cut_loci::Method::DIRECTION; }
+
   void set_mesh(const Cut_loci::Indexed_triangle_mesh& mesh)
   {
     propagation_ = std::make_shared<Cut_loci::internal::Exact_geodesic_propagation>(mesh);

@@ -36,8 +36,7 @@ class Heat_method_geodesic_solver
 {
 public:
   /// the default of the parameter `gradient_angle_threshold`, in radians: lower than with exact distances, since the
-  //heat
-  /// method smooths the cut locus and narrows the angles there
+  /// heat method smooths the cut locus and narrows the angles there
   static double gradient_angle_threshold() { return 0.4; }
 
   void set_mesh(const Cut_loci::Indexed_triangle_mesh& mesh)

@@ -10,10 +10,13 @@
 #include <CGAL/Cut_loci/Default_visitor.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
-#include <CGAL/Cut_loci/internal/Component_solver.h>
-#include <CGAL/Cut_loci/internal/Direction_solver.h>
+#include <CGAL/Cut_loci/internal/Cut_locus_builder.h>
 #include <CGAL/Cut_loci/internal/Geodesic_solver_handle.h>
+#include <CGAL/Cut_loci/internal/Surface_component.h>
+#include <CGAL/Cut_loci/internal/Visitor_handle.h>
 #include <CGAL/Cut_loci/internal/connected_components.h>
+#include <CGAL/Cut_loci/internal/method_parameters.h>
+#include <CGAL/Cut_loci/internal/read_source.h>
 #include <CGAL/Cut_loci/internal/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 #include <CGAL/Cut_locus.h>
@@ -23,10 +26,8 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -44,9 +45,12 @@ namespace CGAL {
  * `set_source()` what depends on the source, and `cut_locus()` applies thresholds in time proportional to the size of
  * its result, so that it follows a slider.
  *
- * The method is that of Mancinelli, Livesu and Puppo \cgalCite{cgal:mlp-pccld-21}: a spanning tree is grown from the
- * vertex farthest from the source along the valleys of the Laplacian of the distance, thinned, completed by homology
- * generators, and its weak branches are removed.
+ * If the distances are exact and come with directions, as those of the default solver, the cut locus is found where
+ * the direction at the source of the shortest paths jumps (`Cut_loci::Method::DIRECTION`): there is nothing to tune,
+ * and it is more accurate. Otherwise the method is that of Mancinelli, Livesu and Puppo
+ * \cgalCite{cgal:mlp-pccld-21} (`Cut_loci::Method::LAPLACIAN`), which takes any distances: a spanning tree is grown
+ * from the vertex farthest from the source along the valleys of the Laplacian of the distance, thinned, completed by
+ * homology generators, and its weak branches are removed. The parameter `cut_locus_method` chooses one of them.
  *
  * Each edge-connected component is a surface of its own: the cut locus lies in the source's, and the distance is
  * infinite on all others. Isolated vertices are ignored.
@@ -68,8 +72,8 @@ public:
 
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
-  /// a point of the mesh: a face, and barycentric coordinates in the order of the vertices from `source(halfedge(f,
-  //tm), tm)`
+  /// a point of the mesh: a face, and barycentric coordinates in the order of the vertices from
+  /// `source(halfedge(f, tm), tm)`
   using Face_location = std::pair<face_descriptor, std::array<FT, 3> >;
   using Result = Cut_locus<TriangleMesh, Point_3>;
 
@@ -95,15 +99,18 @@ public:
    *     \cgalParamDescription{the discretization of the Laplace-Beltrami operator}
    *     \cgalParamType{`Cut_loci::Laplacian_operator`}
    *     \cgalParamDefault{`Cut_loci::Laplacian_operator::QUADRATIC_FIT`}
+   *     \cgalParamExtra{for `Cut_loci::Method::LAPLACIAN` only}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{cut_locus_method}
    *     \cgalParamDescription{how the cut locus is found}
    *     \cgalParamType{`Cut_loci::Method`}
-   *     \cgalParamDefault{`default_method()`}
-   *     \cgalParamExtra{`Cut_loci::Method::DIRECTION` needs exact distances: with those of the heat method, or of a
-   *                     graph, use `Cut_loci::Method::LAPLACIAN`. `Cut_loci::Method::POLYHEDRAL` has neither thresholds
-   *                     nor a curve of mesh edges. Without a `geodesic_solver` it uses the
-   *                     package's own exact one, which also finds the directions.}
+   *     \cgalParamDefault{what the distances of a source allow: `Cut_loci::Method::DIRECTION` with
+   *                       `Exact_geodesic_solver`, and with solvers that say so (see `GeodesicSolver`);
+   *                       `Cut_loci::Method::LAPLACIAN` with all others and with a `vertex_distance_map`}
+   *     \cgalParamExtra{Distances of `Shortest_path_geodesic_solver`, and those of a map, may be exact, but have no
+   *                     directions. Directions that are estimated from distances put the ends of branches off by up to
+   *                     2.8 edges, where the solver's own put them off by up to 1.1: so this is not the default for
+   *                     them. With distances of the heat method, or of a graph, `Cut_loci::Method::DIRECTION` fails.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
    *     \cgalParamDescription{a visitor that is told when a stage starts and ends}
@@ -113,8 +120,8 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * @throws Cut_loci::Invalid_input if the mesh has no vertices or no faces, a face is not a triangle, or a
-   *         coordinate is not finite
+   * @throws Cut_loci::Invalid_input if the mesh has no vertices or no faces, a face is not a triangle, a coordinate is
+   *         not finite, or a parameter is given that has no meaning for the method
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Surface_mesh_cut_locus(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -123,8 +130,6 @@ public:
                                         get_const_property_map(vertex_point, tm))),
       laplacian_operator_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::laplacian_operator),
                                                        Cut_loci::Laplacian_operator::QUADRATIC_FIT)),
-      method_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::cut_locus_method),
-                                           default_method())),
       has_own_solver_(!std::is_same<typename internal_np::Lookup_named_param_def<
                         internal_np::geodesic_solver_t, CGAL_NP_CLASS, Exact_geodesic_solver>::type,
                         Exact_geodesic_solver>::value),
@@ -133,8 +138,13 @@ public:
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
-    set_visitor(choose_parameter(get_parameter(np, internal_np::visitor), Cut_loci::Default_visitor()));
-    const Stage_scope scope(*this, Cut_loci::Stage::PREPROCESSING);
+    has_fixed_method_ = Cut_loci::internal::is_given<CGAL_NP_CLASS, internal_np::cut_locus_method_t>();
+    fixed_method_ = choose_parameter(get_parameter(np, internal_np::cut_locus_method), fixed_method_);
+    method_ = method_for(np);
+    Cut_loci::internal::refuse_parameters_of_other_methods(method_, np);
+    visitor_ = Cut_loci::internal::Visitor_handle(choose_parameter(get_parameter(np, internal_np::visitor),
+                                                                   Cut_loci::Default_visitor()));
+    const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
     read_ = std::make_shared<Read>(Cut_loci::internal::read_triangle_mesh(tm, vpm_));
     component_of_face_ = Cut_loci::internal::face_components(read_->mesh, number_of_components_);
   }
@@ -152,9 +162,9 @@ public:
    *   \cgalParamNBegin{vertex_distance_map}
    *     \cgalParamDescription{the geodesic distance of each vertex to the source, if it is known: then no solver runs}
    *     \cgalParamType{a class model of `ReadablePropertyMap` with `vertex_descriptor` as key type and a number as
-   *     value
-   *                    type}
-   *     \cgalParamExtra{Only the values in the component of the source are read.}
+   *                    value type}
+   *     \cgalParamExtra{Only the values in the component of the source are read. Unless the constructor was given a
+   *                     `cut_locus_method`, this source is treated by `Cut_loci::Method::LAPLACIAN`.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{snapping_tolerance}
    *     \cgalParamDescription{a barycentric coordinate of the source up to this value is taken for zero}
@@ -164,29 +174,13 @@ public:
    * \cgalNamedParamsEnd
    *
    * @throws Cut_loci::Invalid_input if the source is null, isolated or not in the mesh, if a face of its component
-   *         has no area, if a vertex of its component is not manifold, or if a distance is not a finite number
+   *         has no area, if a vertex of its component is not manifold, if a distance is not a finite number, or if
+   *         a parameter is given that has no meaning for the method
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_source(vertex_descriptor v, const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    if(v == boost::graph_traits<TriangleMesh>::null_vertex())
-      throw Cut_loci::Invalid_input("the source is the null vertex");
-    // A descriptor of another mesh must not be used for a look-up: the search is linear, like all that a source costs.
-    const auto found = std::find(read_->vertices.begin(), read_->vertices.end(), v);
-    if(found == read_->vertices.end())
-    {
-      for(vertex_descriptor w : make_range(vertices(tm_)))
-        if(w == v)
-          throw Cut_loci::Invalid_input("the source is an isolated vertex: no face is incident to it");
-      throw Cut_loci::Invalid_input("the source is not a vertex of the mesh");
-    }
-    const Cut_loci::Index index = static_cast<Cut_loci::Index>(found - read_->vertices.begin());
-    const Cut_loci::Index h = outgoing_halfedge(index);
-    Cut_loci::Indexed_source source;
-    source.vertex = index;
-    source.location.face = h / 3;
-    source.location.coordinates[h % 3] = 1.;
-    solve(source, np);
+    solve(Cut_loci::internal::source_at_vertex(tm_, *read_, v), np);
   }
 
   /*!
@@ -198,164 +192,121 @@ public:
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_source(const Face_location& location, const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    if(location.first == boost::graph_traits<TriangleMesh>::null_face())
-      throw Cut_loci::Invalid_input("the face of the source is null");
     const double tolerance = to_double(parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::snapping_tolerance), FT(1e-10)));
-    Cut_loci::Indexed_source source;
-    source.location.face = 0;
-    while(source.location.face < read_->mesh.number_of_faces() &&
-          face(read_->halfedges[3 * std::size_t(source.location.face)], tm_) != location.first)
-      ++source.location.face;
-    if(source.location.face == read_->mesh.number_of_faces())
-      throw Cut_loci::Invalid_input("the face of the source is not a face of the mesh");
-
-    std::array<double, 3>& c = source.location.coordinates;
-    double sum = 0.;
-    for(int i = 0; i < 3; ++i)
-    {
-      c[i] = to_double(location.second[i]);
-      if(!std::isfinite(c[i]))
-        throw Cut_loci::Invalid_input("a barycentric coordinate of the source is not finite");
-      if(c[i] < -tolerance)
-        throw Cut_loci::Invalid_input("a barycentric coordinate of the source is negative: it is outside its face");
-      if(c[i] <= tolerance)
-        c[i] = 0.;
-      sum += c[i];
-    }
-    if(!std::isfinite(sum))
-      throw Cut_loci::Invalid_input("the sum of the barycentric coordinates of the source is not finite");
-    if(!(sum > 0.))
-      throw Cut_loci::Invalid_input("the barycentric coordinates of the source sum up to zero");
-    for(int i = 0; i < 3; ++i)
-    {
-      c[i] /= sum;
-      if(c[i] == 1.)
-        source.vertex = read_->mesh.triangles[source.location.face][i];
-    }
-    solve(source, np);
+    solve(Cut_loci::internal::source_in_face(tm_, *read_, location.first, location.second, tolerance), np);
   }
 
   /*!
    * returns the part of the cut locus that passes the thresholds, in time proportional to its size. `set_source()` must
-   * have been called.
+   * have been called. Each method has thresholds of its own: one of another method is refused, not ignored.
    *
    * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
    *
    * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{strength_threshold}
+   *     \cgalParamDescription{by how many times the jump of the shortest paths across a branch must exceed what a
+   *                           smooth distance explains; values below 2 act as 2}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{found from the noise of the mesh: 3 on a smooth one}
+   *     \cgalParamExtra{for `Cut_loci::Method::DIRECTION` only}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{gradient_angle_threshold}
    *     \cgalParamDescription{the angle at which shortest paths must meet, in radians in [0, pi]; a larger one
    *                           removes weaker branches}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{`default_gradient_angle_threshold()`, unless the geodesic solver asks for another one}
+   *     \cgalParamExtra{for `Cut_loci::Method::LAPLACIAN` only}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{laplacian_threshold}
    *     \cgalParamDescription{the least value of minus the Laplacian of the distance, times the mean edge length}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{minus infinity}
-   *     \cgalParamExtra{With both thresholds, a branch must pass both.}
+   *     \cgalParamExtra{for `Cut_loci::Method::LAPLACIAN` only. With both thresholds, a branch must pass both.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{filter_policy}
    *     \cgalParamDescription{whether weak branches are pruned from the leaves or the tree is grown from the root}
    *     \cgalParamType{`Cut_loci::Filter_policy`}
    *     \cgalParamDefault{`Cut_loci::Filter_policy::PRUNING`}
+   *     \cgalParamExtra{for `Cut_loci::Method::LAPLACIAN` only}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{minimum_branch_edges}
-   *     \cgalParamDescription{branches of fewer edges are removed; where branches meet, the longest continues}
+   *     \cgalParamDescription{branches of fewer edges of the mesh are removed; where branches meet, the longest
+   *                           continues, and at the root and on cycles all of them end}
    *     \cgalParamType{`std::size_t`}
-   *     \cgalParamDefault{3, as in the paper}
+   *     \cgalParamDefault{with `Cut_loci::Method::LAPLACIAN` 3, as in the paper; with
+   *                       `Cut_loci::Method::DIRECTION`, which judges branches as a whole, 0}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{minimum_branch_length}
    *     \cgalParamDescription{branches that are shorter are removed; in units of the diagonal of the bounding box of
-   *     the
-   *                           source's component}
+   *                           the source's component}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{0}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{strength_threshold}
-   *     \cgalParamDescription{by how many times the jump of the shortest paths across a branch must exceed what a
-   *     smooth
-   *                           distance explains; values below 2 act as 2}
-   *     \cgalParamType{`double`}
-   *     \cgalParamDefault{found from the noise of the mesh: 3 on a smooth one}
-   *     \cgalParamExtra{This and `cut_locus_curve` are for `Cut_loci::Method::DIRECTION`, and the parameters above
-   *                     for `Cut_loci::Method::LAPLACIAN`.}
+   *     \cgalParamExtra{The length is that of the curve of mesh edges, also for a curve through the faces.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{cut_locus_curve}
    *     \cgalParamDescription{whether the result is made of edges of the mesh or of segments through its faces}
    *     \cgalParamType{`Cut_loci::Curve`}
-   *     \cgalParamDefault{`Cut_loci::Curve::MESH_EDGES`}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{edge_is_constrained_map}
-   *     \cgalParamDescription{a property map that is set to `true` for the edges of the mesh on the cut locus; the
-   *     others
-   *                           are left as they are}
-   *     \cgalParamType{a class model of `WritablePropertyMap` with
-   *     `boost::graph_traits<TriangleMesh>::%edge_descriptor`
-   *                    as key type and `bool` as value type}
+   *     \cgalParamDefault{`Cut_loci::Curve::MESH_EDGES`, unless there is a `number_of_iterations`;
+   *                       `Cut_loci::Curve::THROUGH_FACES` with `Cut_loci::Method::POLYHEDRAL`, which has no other}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{number_of_iterations}
    *     \cgalParamDescription{the number of steps that move the curves from the edges of the mesh onto the cut locus,
-   *                           through the faces}
+   *                           through the faces, with `Cut_loci::Method::LAPLACIAN`. The other methods find the curve
+   *                           through the faces at once, and any number but 0 asks for it}
    *     \cgalParamType{`unsigned int`}
-   *     \cgalParamDefault{0: the curves consist of edges of the mesh}
-   *     \cgalParamExtra{Each step leaves half of the way that the one before has left; 4 are enough. The edges of
-   *                     the mesh that `edge_is_constrained_map` tells are those of the curves before.}
+   *     \cgalParamDefault{0, or 4 if `cut_locus_curve` is `Cut_loci::Curve::THROUGH_FACES`}
+   *     \cgalParamExtra{Each step leaves half of the way that the one before has left; 4 are enough.}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{edge_is_constrained_map}
+   *     \cgalParamDescription{a property map that is set to `true` for the edges of the mesh on the cut locus; the
+   *                           others are left as they are}
+   *     \cgalParamType{a class model of `WritablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+   *     \cgalParamExtra{These are the edges of the curve of mesh edges, also if a curve through the faces is
+   *                     returned.}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * @throws Cut_loci::Invalid_input if there is no source, or if a threshold is not a number or out of its range
+   * @throws Cut_loci::Invalid_input if there is no source, if a threshold is not a number or out of its range, or if
+   *         a parameter is given that has no meaning for the method, such as a `gradient_angle_threshold` for
+   *         `Cut_loci::Method::DIRECTION`
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   Result cut_locus(const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
+    using namespace Cut_loci::internal;
     if(!source_result_)
       throw Cut_loci::Invalid_input("there is no source: set_source() comes before cut_locus()");
+    refuse_parameters_of_other_methods(method_, np);
 
-    const Stage_scope scope(*this, Cut_loci::Stage::FILTER);
-    if(method_ != Cut_loci::Method::LAPLACIAN)
+    const Stage_scope scope(visitor_, Cut_loci::Stage::FILTER);
+    const Curve_parameters curve = read_curve(np, method_);
+    Cut_loci::Indexed_cut_locus found, mesh_edges;
+    if(method_ == Cut_loci::Method::LAPLACIAN)
     {
-      const double threshold = choose_parameter(get_parameter(np, internal_np::strength_threshold),
-                                                component_->direction->default_threshold());
-      if(std::isnan(threshold))
-        throw Cut_loci::Invalid_input("the threshold for the strength is not a number");
-      const Cut_loci::Indexed_cut_locus found = component_->direction->filter(
-        threshold, choose_parameter(get_parameter(np, internal_np::cut_locus_curve), Cut_loci::Curve::MESH_EDGES));
-      mark_edges(found, get_parameter(np, internal_np::edge_is_constrained));
-      return make_result(found);
+      mesh_edges = component_->laplacian->filter(read_branch_thresholds(
+        np, source_angle_threshold_, default_minimum_branch_edges(), component_->diagonal));
+      Cut_loci::Smoothing_parameters smoothing;
+      smoothing.number_of_iterations = static_cast<Index>(curve.iterations);
+      found = curve.iterations == 0 ? mesh_edges : component_->laplacian->smoothed(mesh_edges, smoothing);
     }
-    Cut_loci::Branch_thresholds thresholds;
-    thresholds.gradient_angle = choose_parameter(get_parameter(np, internal_np::gradient_angle_threshold),
-                                                 source_angle_threshold_);
-    thresholds.laplacian = choose_parameter(get_parameter(np, internal_np::laplacian_threshold), thresholds.laplacian);
-    thresholds.policy = choose_parameter(get_parameter(np, internal_np::filter_policy), thresholds.policy);
-    const std::size_t minimum_edges = choose_parameter(get_parameter(np, internal_np::minimum_branch_edges),
-                                                       default_minimum_branch_edges());
-    thresholds.minimum_edges = static_cast<Cut_loci::Index>(
-      (std::min)(minimum_edges, static_cast<std::size_t>(Cut_loci::null_index)));
-    thresholds.minimum_length = choose_parameter(get_parameter(np, internal_np::minimum_branch_length), 0.);
-    if(!(thresholds.gradient_angle >= 0.))
-      throw Cut_loci::Invalid_input("the threshold for the gradient angle must be a number that is not negative");
-    if(std::isnan(thresholds.laplacian))
-      throw Cut_loci::Invalid_input("the threshold for the Laplacian is not a number");
-    if(!(thresholds.minimum_length >= 0.))
-      throw Cut_loci::Invalid_input("the minimum length of a branch must be a number that is not negative");
-    thresholds.minimum_length *= component_->diagonal;
-
-    const Cut_loci::Indexed_cut_locus cut_locus = component_->solver->filter(thresholds);
-    mark_edges(cut_locus, get_parameter(np, internal_np::edge_is_constrained));
-    Cut_loci::Smoothing_parameters smoothing;
-    smoothing.number_of_iterations = static_cast<Index>(
-      choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(0)));
-    if(smoothing.number_of_iterations == 0)
-      return make_result(cut_locus);
-    return make_result(component_->solver->smoothed(cut_locus, smoothing));
+    else if(method_ == Cut_loci::Method::DIRECTION)
+    {
+      const Direction_solver& solver = *component_->direction;
+      const Direction_thresholds thresholds =
+        read_direction_thresholds(np, solver.default_threshold(), component_->diagonal);
+      found = solver.filter(thresholds, curve.curve, mesh_edges);
+    }
+    else
+      found = component_->polyhedral->polyhedral_cut_locus();
+    mark_edges(mesh_edges, parameters::get_parameter(np, internal_np::edge_is_constrained));
+    return Builder(tm_, vpm_, read_, *component_)(found, source_, source_result_);
   }
 
-  /// the default of `cut_locus_method`
-  static Cut_loci::Method default_method() { return Cut_loci::Method::LAPLACIAN; }
+  /// the method that is in force: for the current source, or, if there is none, for one without a
+  /// `vertex_distance_map`
+  Cut_loci::Method method() const { return method_; }
   /// the default of `gradient_angle_threshold`, in radians
   static double default_gradient_angle_threshold()
   {
@@ -363,111 +314,66 @@ public:
   }
   /// the default of `gradient_angle_threshold` for the current source: the geodesic solver may ask for one of its own
   double gradient_angle_threshold() const { return source_angle_threshold_; }
-  /// the default of `minimum_branch_edges`
+  /// the default of `minimum_branch_edges` with `Cut_loci::Method::LAPLACIAN`
   static std::size_t default_minimum_branch_edges() { return 3; }
 
 private:
   using Index = Cut_loci::Index;
   using Read = Cut_loci::internal::Read_triangle_mesh<TriangleMesh>;
   using Solver_handle = Cut_loci::internal::Geodesic_solver_handle;
+  using Builder = Cut_loci::internal::Cut_locus_builder<TriangleMesh, Vertex_point_map>;
+  using Component = Cut_loci::internal::Surface_component;
+  using Stage_scope = Cut_loci::internal::Visitor_handle::Scope;
 
-  // What is computed once for a component, when it gets its first source.
-  struct Component
+  // the method for a source that is set with these parameters
+  template <typename NamedParameters>
+  Cut_loci::Method method_for(const NamedParameters&) const
   {
-    const Cut_loci::Indexed_triangle_mesh* mesh; // that of `read_` if there is just one component
-    Cut_loci::internal::Mesh_component part;     // else
-    std::unique_ptr<Cut_loci::internal::Component_solver> solver;     // the one of the two that the method needs
-    std::unique_ptr<Cut_loci::internal::Direction_solver> direction;
-    Solver_handle geodesic_solver;
-    double diagonal = 0.;
-
-    bool is_whole() const { return part.vertices.empty(); }
-    Index vertex(Index local) const { return is_whole() ? local : part.vertices[local]; }
-    Index face(Index local) const { return is_whole() ? local : part.faces[local]; }
-  };
-
-  struct Stage_scope
-  {
-    Stage_scope(const Surface_mesh_cut_locus& owner, Cut_loci::Stage s)
-      : self(owner), stage(s)
-    {
-      self.visit_(s, true);
-    }
-    ~Stage_scope() { self.visit_(stage, false); }
-    const Surface_mesh_cut_locus& self;
-    Cut_loci::Stage stage;
-  };
-
-  template <typename T>
-  static T& unwrapped(T& t) { return t; }
-  template <typename T>
-  static T& unwrapped(std::reference_wrapper<T>& t) { return t.get(); }
-
-  template <typename Visitor>
-  void set_visitor(Visitor visitor)
-  {
-    visit_ = [visitor](Cut_loci::Stage stage, bool starts) mutable
-    {
-      auto& v = unwrapped(visitor);
-      if(starts)
-        v.start_stage(stage);
-      else
-        v.end_stage(stage);
-    };
-  }
-
-  Index outgoing_halfedge(Index v) const
-  {
-    const auto h = halfedge(read_->vertices[v], tm_);
-    for(auto around : CGAL::halfedges_around_target(h, tm_))
-    {
-      const face_descriptor f = face(around, tm_);
-      if(f == boost::graph_traits<TriangleMesh>::null_face())
-        continue;
-      const Index fi = get(read_->index_of_face, f);
-      for(Index i = 0; i < 3; ++i)
-        if(read_->mesh.triangles[fi][i] == v)
-          return 3 * fi + i;
-    }
-    throw Cut_loci::Invalid_input("the source is an isolated vertex: no face is incident to it");
+    using Cut_loci::internal::is_given;
+    if(has_fixed_method_)
+      return fixed_method_;
+    return is_given<NamedParameters, internal_np::vertex_distance_map_t>() ? Cut_loci::Method::LAPLACIAN
+                                                                          : solver_.cut_locus_method();
   }
 
   template <typename NamedParameters>
-  void solve(Cut_loci::Indexed_source source, const NamedParameters& np)
+  void solve(const Cut_loci::Indexed_source& source, const NamedParameters& np)
   {
+    const Cut_loci::Method method = method_for(np);
+    Cut_loci::internal::refuse_parameters_of_other_methods(method, np);
     source_result_.reset();
-    constexpr bool runs_solver =
-      parameters::is_default_parameter<NamedParameters, internal_np::vertex_distance_map_t>::value;
+    method_ = method;
+    constexpr bool runs_solver = !Cut_loci::internal::is_given<NamedParameters, internal_np::vertex_distance_map_t>();
     source_angle_threshold_ = runs_solver && solver_.gradient_angle_threshold() > 0.
                               ? solver_.gradient_angle_threshold() : default_gradient_angle_threshold();
     Component& component = component_at(component_of_face_[source.location.face]);
     component_ = &component;
-    to_component(component, source);
-    source_ = source;
-
-    if(component.direction)
-      solve(component, *component.direction, source, np);
+    source_ = component.local(source);
+    if(method_ == Cut_loci::Method::LAPLACIAN)
+      solve(component, *component.laplacian, source_, np);
+    else if(method_ == Cut_loci::Method::DIRECTION)
+      solve(component, *component.direction, source_, np);
     else
-      solve(component, *component.solver, source, np);
+      solve(component, *component.polyhedral, source_, np);
   }
 
   template <typename Solver, typename NamedParameters>
   void solve(Component& component, Solver& solver, const Cut_loci::Indexed_source& source, const NamedParameters& np)
   {
     {
-      const Stage_scope scope(*this, Cut_loci::Stage::DISTANCE);
+      const Stage_scope scope(visitor_, Cut_loci::Stage::DISTANCE);
       set_distances(component, solver, source, parameters::get_parameter(np, internal_np::vertex_distance_map));
     }
     {
-      const Stage_scope scope(*this, Cut_loci::Stage::STRENGTH);
+      const Stage_scope scope(visitor_, Cut_loci::Stage::STRENGTH);
       solver.compute_strengths();
     }
     {
-      const Stage_scope scope(*this, Cut_loci::Stage::TREE);
+      const Stage_scope scope(visitor_, Cut_loci::Stage::TREE);
       solver.grow_tree();
     }
     {
-      const Stage_scope scope(*this, Cut_loci::Stage::HOMOLOGY);
+      const Stage_scope scope(visitor_, Cut_loci::Stage::HOMOLOGY);
       solver.close_cycles();
     }
 
@@ -513,72 +419,14 @@ private:
 
   Component& component_at(Index id)
   {
-    const auto found = components_.find(id);
-    if(found != components_.end())
-      return *found->second;
-
-    const Stage_scope scope(*this, Cut_loci::Stage::PREPROCESSING);
-    std::unique_ptr<Component> component(new Component);
-    component->mesh = &read_->mesh;
-    if(number_of_components_ > 1)
-    {
-      component->part = Cut_loci::internal::extract_component(read_->mesh, component_of_face_, id);
-      component->mesh = &component->part.mesh;
-    }
-    using Solver = Cut_loci::internal::Component_solver;
-    try
-    {
-      if(method_ != Cut_loci::Method::LAPLACIAN)
-        component->direction.reset(new Cut_loci::internal::Direction_solver(
-          *component->mesh, method_ == Cut_loci::Method::POLYHEDRAL));
-      else
-        component->solver.reset(new Solver(*component->mesh, laplacian_operator_));
-    }
-    catch(const Solver::Face_without_area& error)
-    {
-      const Index f = component->face(error.face);
-      std::string name = Cut_loci::internal::face_name(f) + " (vertices";
-      for(Index v : read_->mesh.triangles[f])
-        name += " " + std::to_string(read_->positions[v]);
-      throw Cut_loci::Invalid_input(name + ") has no area, or in this unit of length one that is not a normal number: "
-                                    "it must be removed or repaired first "
-                                    "(CGAL::Polygon_mesh_processing::remove_degenerate_faces() does)");
-    }
-    catch(const Solver::Non_manifold_vertex& error)
-    {
-      throw Cut_loci::Invalid_input(
-        Cut_loci::internal::vertex_name(read_->positions[component->vertex(error.vertex)]) +
-        " is not manifold: its faces form several fans "
-        "(CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() splits it)");
-    }
-    component->diagonal = diagonal(*component->mesh);
-    return *components_.emplace(id, std::move(component)).first->second;
-  }
-
-  static double diagonal(const Cut_loci::Indexed_triangle_mesh& mesh)
-  {
-    std::array<double, 3> low = mesh.points.front(), high = low;
-    for(const auto& p : mesh.points)
-      for(int i = 0; i < 3; ++i)
-      {
-        low[i] = (std::min)(low[i], p[i]);
-        high[i] = (std::max)(high[i], p[i]);
-      }
-    using Cut_loci::internal::operator-;
-    return Cut_loci::internal::norm(high - low);
-  }
-
-  static void to_component(const Component& component, Cut_loci::Indexed_source& source)
-  {
-    if(component.is_whole())
-      return;
-    const auto local = [](const std::vector<Index>& sorted, Index global)
-    {
-      return static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), global) - sorted.begin());
-    };
-    source.location.face = local(component.part.faces, source.location.face);
-    if(source.vertex != Cut_loci::null_index)
-      source.vertex = local(component.part.vertices, source.vertex);
+    std::unique_ptr<Component>& component = components_[id];
+    if(component && component->has_solver(method_))
+      return *component;
+    const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
+    if(!component)
+      component.reset(new Component(read_->mesh, component_of_face_, id, number_of_components_));
+    component->make_solver(method_, laplacian_operator_, read_->mesh, read_->positions);
+    return *component;
   }
 
   void compute_distances(Component& component, const Cut_loci::Indexed_source& source, std::vector<double>& distance,
@@ -611,9 +459,6 @@ private:
                                       Cut_loci::internal::vertex_name(read_->positions[component.vertex(v)]));
   }
 
-  // the halfedge of `read_` that a halfedge of the component stands for
-  Index global_halfedge(Index h) const { return 3 * component_->face(h / 3) + h % 3; }
-
   void mark_edges(const Cut_loci::Indexed_cut_locus&, internal_np::Param_not_found) const {}
 
   template <typename EdgeIsConstrainedMap>
@@ -621,70 +466,18 @@ private:
   {
     for(const Cut_loci::Indexed_cut_locus::Edge& e : cut_locus.edges)
       if(e.halfedge != Cut_loci::null_index)
-        put(map, edge(read_->halfedges[global_halfedge(e.halfedge)], tm_), true);
-  }
-
-  // `location` is in the component
-  typename Result::Vertex make_vertex(const Cut_loci::Indexed_location& location, Index vertex, double distance) const
-  {
-    typename Result::Vertex result;
-    result.location.first = face(read_->halfedges[3 * std::size_t(component_->face(location.face))], tm_);
-    for(int i = 0; i < 3; ++i)
-      result.location.second[i] = FT(location.coordinates[i]);
-    result.distance = distance;
-    if(vertex != Cut_loci::null_index)
-    {
-      result.mesh_vertex = read_->vertices[component_->vertex(vertex)];
-      result.point = get(vpm_, result.mesh_vertex);
-      return result;
-    }
-    result.mesh_vertex = boost::graph_traits<TriangleMesh>::null_vertex();
-    using Cut_loci::internal::operator+;
-    using Cut_loci::internal::operator*;
-    const auto& triangle = component_->mesh->triangles[location.face];
-    std::array<double, 3> p = {{0., 0., 0.}};
-    for(int i = 0; i < 3; ++i)
-      p = p + location.coordinates[i] * component_->mesh->points[triangle[i]];
-    result.point = Point_3(p[0], p[1], p[2]);
-    return result;
-  }
-
-  Result make_result(const Cut_loci::Indexed_cut_locus& cut_locus) const
-  {
-    typename Result::Graph graph(cut_locus.nodes.size());
-    for(std::size_t i = 0; i < cut_locus.nodes.size(); ++i)
-      graph[i] = make_vertex(cut_locus.nodes[i].location, cut_locus.nodes[i].vertex, cut_locus.nodes[i].distance);
-    for(const Cut_loci::Indexed_cut_locus::Edge& e : cut_locus.edges)
-    {
-      typename Result::Edge edge;
-      edge.strength = e.strength;
-      edge.origin = e.origin;
-      if(e.halfedge != Cut_loci::null_index)
-      {
-        edge.mesh_halfedge = read_->halfedges[global_halfedge(e.halfedge)];
-        edge.is_on_border = component_->mesh->is_border_edge(e.halfedge);
-      }
-      add_edge(e.source, e.target, edge, graph);
-    }
-
-    const std::shared_ptr<const Cut_loci::internal::Source_result> shared = source_result_;
-    const std::shared_ptr<const Read> read = read_;
-    const auto distance = [shared, read](vertex_descriptor v)
-    {
-      const Index i = get(read->index_of_vertex, v);
-      return i == Cut_loci::null_index ? (std::numeric_limits<double>::infinity)() : shared->distance[i];
-    };
-    return Result(std::move(graph), make_vertex(source_.location, source_.vertex, 0.),
-                  read_->vertices[shared->farthest], shared, distance);
+        put(map, edge(read_->halfedges[component_->halfedge(e.halfedge)], tm_), true);
   }
 
   const TriangleMesh& tm_;
   Vertex_point_map vpm_;
   Cut_loci::Laplacian_operator laplacian_operator_;
-  Cut_loci::Method method_;
+  bool has_fixed_method_ = false; // by the named parameter
+  Cut_loci::Method fixed_method_ = Cut_loci::Method::DIRECTION;
+  Cut_loci::Method method_ = Cut_loci::Method::DIRECTION; // in force
   bool has_own_solver_; // another one than the package's exact one
   Solver_handle solver_; // as given; each component has its own
-  std::function<void(Cut_loci::Stage, bool)> visit_;
+  Cut_loci::internal::Visitor_handle visitor_;
 
   std::shared_ptr<const Read> read_;
   std::vector<Index> component_of_face_;

@@ -14,13 +14,30 @@ namespace Cut_loci {
 /// how the cut locus is found
 enum class Method
 {
-  LAPLACIAN, ///< where the Laplacian of the distance is low and gradients turn: takes any distance, also smoothed ones
+  LAPLACIAN, ///< where the Laplacian of the distance is low and gradients turn: takes any distance, also smoothed ones.
+             ///< Branches are chosen by `gradient_angle_threshold`, `laplacian_threshold` and `filter_policy`
   DIRECTION, ///< where the direction at the source of the shortest paths jumps: nothing to tune, but the distances
-             ///< must be exact, because the directions of smoothed ones do not jump. On rough surfaces, such
-             ///< as scans, the default of `strength_threshold` may be too high: pass a lower one
+             ///< must be exact, because the directions of smoothed ones do not jump. Branches are chosen by
+             ///< `strength_threshold`. On rough surfaces, such as scans, its default may be too high: pass a lower one
   POLYHEDRAL ///< all of the cut locus of the polyhedron itself, exactly: every vertex of positive curvature is on it.
-             ///< For closed surfaces without saddles, such as boundaries of convex polyhedra
+             ///< For closed surfaces without saddles, such as boundaries of convex polyhedra. It has no thresholds
+             ///< and no curve of mesh edges
 };
+
+/// \ingroup PkgSurfaceMeshCutLocusRef
+/// the name of a method, as in `cut_locus_method(Cut_loci::Method::LAPLACIAN)`
+inline const char* name_of(Method method)
+{
+  switch(method)
+  {
+  case Method::LAPLACIAN:
+    return "Cut_loci::Method::LAPLACIAN";
+  case Method::DIRECTION:
+    return "Cut_loci::Method::DIRECTION";
+  default:
+    return "Cut_loci::Method::POLYHEDRAL";
+  }
+}
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// the curve that represents the cut locus

@@ -24,6 +24,7 @@
 #include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/mesh_edge_snapping.h>
 #include <CGAL/Cut_loci/polyhedral_cut_locus.h>
+#include <CGAL/Cut_loci/short_branches.h>
 #include <CGAL/Cut_loci/sub_edge_placement.h>
 
 #include <algorithm>
@@ -34,6 +35,13 @@
 namespace CGAL {
 namespace Cut_loci {
 namespace internal {
+
+struct Direction_thresholds
+{
+  double strength;
+  Index minimum_edges = 0;    // branches of fewer edges of the mesh are removed
+  double minimum_length = 0.; // branches that are shorter are removed
+};
 
 // The direction method on one connected component: the stages in their order, on dense indices.
 class Direction_solver
@@ -92,26 +100,36 @@ public:
   // once per threshold
   Indexed_cut_locus filter(double threshold, Curve curve) const
   {
-    if(is_polyhedral_)
-      return polyhedral_;
-    const std::vector<Direction_branches::Edge> kept = branches_(threshold);
+    Indexed_cut_locus edges;
+    return filter({threshold}, curve, edges);
+  }
+
+  // `edges` becomes the curve of mesh edges for the same thresholds, whichever curve is asked for.
+  Indexed_cut_locus filter(const Direction_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges) const
+  {
+    const std::vector<Direction_branches::Edge> kept = branches_(thresholds.strength);
     Sub_edge_curve result = place_sub_edges(mesh_, connectivity_, geometry_, field_, kept);
     const Branch_ends ends(mesh_, connectivity_, geometry_, field_);
     const std::vector<std::vector<Index> > continuations = ends(kept, result);
-    Indexed_cut_locus edges = mesh_edges_(mesh_, connectivity_, field_, threshold);
+    edges = mesh_edges_(mesh_, connectivity_, field_, thresholds.strength);
     for(const std::vector<Index>& c : continuations)
       continue_mesh_edges(connectivity_, field_, c, edges);
+    if(curve == Curve::THROUGH_FACES)
+      set_origins(mesh_, connectivity_, edges, result.face, result.graph);
+    if(thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.)
+      remove_short_branches(thresholds, curve, edges, result);
     if(curve == Curve::MESH_EDGES)
       return edges;
-    if(result.graph.nodes.empty())
-    {
-      edges.edges.clear(); // the single point that is left
-      edges.nodes.resize(1);
-      return edges;
-    }
-    set_origins(mesh_, connectivity_, edges, result.face, result.graph);
-    return std::move(result.graph);
+    if(!result.graph.nodes.empty())
+      return std::move(result.graph);
+    Indexed_cut_locus point = edges; // the single one that is left
+    point.edges.clear();
+    point.nodes.resize(1);
+    return point;
   }
+
+  // all of it: it has no thresholds
+  const Indexed_cut_locus& polyhedral_cut_locus() const { return polyhedral_; }
 
   const Mesh_connectivity& connectivity() const { return connectivity_; }
   const Direction_geometry& geometry() const { return geometry_; }
@@ -125,6 +143,32 @@ public:
   double default_threshold() const { return geometry_.default_strength_threshold(distance_[farthest_]); }
 
 private:
+  // Both curves lose the same branches: those that are short as edges of the mesh.
+  void remove_short_branches(const Direction_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges,
+                             Sub_edge_curve& through_faces) const
+  {
+    const std::vector<unsigned char> is_removed =
+      short_branches(mesh_, connectivity_, edges, thresholds.minimum_edges, thresholds.minimum_length);
+    if(curve == Curve::THROUGH_FACES && !through_faces.graph.edges.empty())
+    {
+      const std::vector<unsigned char> is_gone =
+        corresponding_branches(mesh_, connectivity_, edges, is_removed, through_faces.graph);
+      std::size_t size = 0;
+      for(std::size_t i = 0; i < is_gone.size(); ++i)
+        if(!is_gone[i])
+          through_faces.face[size++] = through_faces.face[i];
+      through_faces.face.resize(size);
+      remove_edges(mesh_, connectivity_, through_faces.graph, is_gone);
+      if(through_faces.graph.edges.empty())
+        through_faces.graph.nodes.clear();
+    }
+    remove_edges(mesh_, connectivity_, edges, is_removed);
+    for(Index i = 0; i < edges.edges.size(); ++i)
+      edges.edges[i].origin = i;
+    if(curve == Curve::THROUGH_FACES)
+      set_origins(mesh_, connectivity_, edges, through_faces.face, through_faces.graph);
+  }
+
   void make_propagation()
   {
     if(!propagation_)
@@ -133,7 +177,10 @@ private:
 
   void find_farthest()
   {
-    farthest_ = static_cast<Index>(std::max_element(distance_.begin(), distance_.end()) - distance_.begin());
+    farthest_ = source_.vertex == 0 ? 1 : 0;
+    for(Index v = farthest_ + 1; v < distance_.size(); ++v) // the source is not it even if all distances are equal
+      if(v != source_.vertex && distance_[v] > distance_[farthest_])
+        farthest_ = v;
   }
 
   const Indexed_triangle_mesh& mesh_;

@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_INTERNAL_GEODESIC_SOLVER_HANDLE_H
 
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/cut_locus_method.h>
 
 #include <memory>
 #include <vector>
@@ -24,13 +25,17 @@ public:
 
   template <typename Solver>
   explicit Geodesic_solver_handle(const Solver& solver)
-    : model_(new Model<Solver>(solver)), gradient_angle_threshold_(own_threshold<Solver>(0))
+    : model_(new Model<Solver>(solver)), gradient_angle_threshold_(own_threshold<Solver>(0)),
+      method_(own_method<Solver>(0))
   {}
 
   bool empty() const { return !model_; }
 
   // the default that the solver asks for, or 0
   double gradient_angle_threshold() const { return gradient_angle_threshold_; }
+
+  // the method for distances of this solver
+  Method cut_locus_method() const { return method_; }
 
   // a solver of the same kind for another mesh, which must stay where it is
   Geodesic_solver_handle bound_to(const Indexed_triangle_mesh& mesh) const
@@ -76,8 +81,17 @@ private:
   template <typename Solver>
   static double own_threshold(long) { return 0.; }
 
+  template <typename Solver>
+  static auto own_method(int) -> decltype(Method(Solver::cut_locus_method())) // if it has that
+  {
+    return Solver::cut_locus_method();
+  }
+  template <typename Solver>
+  static Method own_method(long) { return Method::LAPLACIAN; } // takes any distances
+
   std::unique_ptr<Concept> model_;
   double gradient_angle_threshold_ = 0.;
+  Method method_ = Method::LAPLACIAN;
 };
 
 } // namespace internal

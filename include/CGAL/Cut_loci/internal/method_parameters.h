@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_INTERNAL_METHOD_PARAMETERS_H
+#define CGAL_CUT_LOCI_INTERNAL_METHOD_PARAMETERS_H
+
+#include <CGAL/Cut_loci/Branch_filter.h>
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/internal/Direction_solver.h>
+#include <CGAL/Cut_loci/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// The named parameters that depend on the method: which of them it takes, and their values.
+
+template <typename NamedParameters, typename Tag>
+constexpr bool is_given() { return !parameters::is_default_parameter<NamedParameters, Tag>::value; }
+
+inline void refuse_parameter(const std::string& name, Method method, const std::string& remedy)
+{
+  throw Invalid_input("the parameter " + name + " has no meaning for the method " + name_of(method) +
+                      ", which is in force: " + remedy);
+}
+
+// A parameter of another method would be ignored, and the caller would take the result for what it asked for.
+template <typename NamedParameters>
+void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
+{
+  namespace np = internal_np;
+  const auto refuse_unless = [&](bool is_right, const std::string& name, const std::string& remedy)
+  {
+    if(!is_right)
+      refuse_parameter(name, method, remedy);
+  };
+  const bool is_laplacian = method == Method::LAPLACIAN;
+  const std::string use_laplacian = "leave it away, or pass cut_locus_method(Cut_loci::Method::LAPLACIAN)";
+  if(is_given<NamedParameters, np::gradient_angle_threshold_t>())
+    refuse_unless(is_laplacian, "gradient_angle_threshold", use_laplacian);
+  if(is_given<NamedParameters, np::laplacian_threshold_t>())
+    refuse_unless(is_laplacian, "laplacian_threshold", use_laplacian);
+  if(is_given<NamedParameters, np::filter_policy_t>())
+    refuse_unless(is_laplacian, "filter_policy", use_laplacian);
+  if(is_given<NamedParameters, np::laplacian_operator_t>())
+    refuse_unless(is_laplacian, "laplacian_operator", use_laplacian);
+  if(is_given<NamedParameters, np::strength_threshold_t>())
+    refuse_unless(method == Method::DIRECTION, "strength_threshold",
+                  "leave it away, or pass cut_locus_method(Cut_loci::Method::DIRECTION), which needs exact distances");
+
+  const bool is_polyhedral = method == Method::POLYHEDRAL;
+  const std::string other_methods = "leave it away, or pass cut_locus_method() with another method";
+  if(is_given<NamedParameters, np::minimum_branch_edges_t>())
+    refuse_unless(!is_polyhedral, "minimum_branch_edges", other_methods);
+  if(is_given<NamedParameters, np::minimum_branch_length_t>())
+    refuse_unless(!is_polyhedral, "minimum_branch_length", other_methods);
+  if(is_given<NamedParameters, np::edge_is_constrained_t>())
+    refuse_unless(!is_polyhedral, "edge_is_constrained_map", other_methods);
+}
+
+template <typename Number>
+std::size_t to_count(Number value, const char* name)
+{
+  if(static_cast<double>(value) < 0.)
+    throw Invalid_input(std::string("the parameter ") + name + " must not be negative");
+  return static_cast<std::size_t>(value);
+}
+
+// The thresholds of both methods but for their own one. `minimum_length` is in units of `diagonal`.
+template <typename Thresholds, typename NamedParameters>
+void read_least_branch(const NamedParameters& np, std::size_t default_edges, double diagonal, Thresholds& thresholds)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const std::size_t edges = to_count(
+    choose_parameter(get_parameter(np, internal_np::minimum_branch_edges), default_edges), "minimum_branch_edges");
+  thresholds.minimum_edges = static_cast<Index>((std::min)(edges, static_cast<std::size_t>(null_index)));
+  thresholds.minimum_length = choose_parameter(get_parameter(np, internal_np::minimum_branch_length), 0.);
+  if(!(thresholds.minimum_length >= 0.))
+    throw Invalid_input("the minimum length of a branch must be a number that is not negative");
+  thresholds.minimum_length *= diagonal;
+}
+
+template <typename NamedParameters>
+Branch_thresholds read_branch_thresholds(const NamedParameters& np, double default_angle, std::size_t default_edges,
+                                         double diagonal)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Branch_thresholds result;
+  result.gradient_angle = choose_parameter(get_parameter(np, internal_np::gradient_angle_threshold), default_angle);
+  result.laplacian = choose_parameter(get_parameter(np, internal_np::laplacian_threshold), result.laplacian);
+  result.policy = choose_parameter(get_parameter(np, internal_np::filter_policy), result.policy);
+  if(!(result.gradient_angle >= 0.))
+    throw Invalid_input("the threshold for the gradient angle must be a number that is not negative");
+  if(std::isnan(result.laplacian))
+    throw Invalid_input("the threshold for the Laplacian is not a number");
+  read_least_branch(np, default_edges, diagonal, result);
+  return result;
+}
+
+template <typename NamedParameters>
+Direction_thresholds read_direction_thresholds(const NamedParameters& np, double default_strength, double diagonal)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Direction_thresholds result;
+  result.strength = choose_parameter(get_parameter(np, internal_np::strength_threshold), default_strength);
+  if(std::isnan(result.strength))
+    throw Invalid_input("the threshold for the strength is not a number");
+  read_least_branch(np, 0, diagonal, result);
+  return result;
+}
+
+struct Curve_parameters
+{
+  Curve curve;
+  std::size_t iterations; // of smoothing, for the method that needs it
+};
+
+// A curve through the faces is asked for by its name, or by a number of smoothing steps.
+template <typename NamedParameters>
+Curve_parameters read_curve(const NamedParameters& np, Method method)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  constexpr std::size_t enough = 4;
+  constexpr bool has_curve = is_given<NamedParameters, internal_np::cut_locus_curve_t>();
+  constexpr bool has_iterations = is_given<NamedParameters, internal_np::number_of_iterations_t>();
+  const std::size_t iterations = to_count(
+    choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(0)), "number_of_iterations");
+  const Curve by_iterations = iterations > 0 ? Curve::THROUGH_FACES : Curve::MESH_EDGES;
+  const Curve by_default = method == Method::POLYHEDRAL && !has_iterations ? Curve::THROUGH_FACES : by_iterations;
+  const Curve curve = choose_parameter(get_parameter(np, internal_np::cut_locus_curve), by_default);
+  if(has_curve && has_iterations && curve != by_iterations)
+    throw Invalid_input("the parameters cut_locus_curve and number_of_iterations contradict each other: no iterations "
+                        "leave edges of the mesh, and one or more of them give a curve through the faces");
+  if(method == Method::POLYHEDRAL && curve == Curve::MESH_EDGES)
+    refuse_parameter(has_curve ? "cut_locus_curve(Cut_loci::Curve::MESH_EDGES)" : "number_of_iterations(0)", method,
+                     "its curve runs through the faces");
+  return {curve, curve == Curve::THROUGH_FACES && iterations == 0 ? enough : iterations};
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_INTERNAL_METHOD_PARAMETERS_H
