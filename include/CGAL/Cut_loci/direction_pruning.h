@@ -206,7 +206,7 @@ private:
     std::vector<float> value(n);
     const auto log_strength = [&](Index e)
     {
-      return std::log((std::max)(Direction_jumps::strength(jumps.edges[e]), 1e-3f));
+      return std::log((std::max)(jumps.edges[e].strength, 1e-3f));
     };
     const auto length = [&](Index e) { return geometry.length[connectivity.halfedge_of_edge[e]]; };
     const auto accumulate = [&](const Peeling& p)
