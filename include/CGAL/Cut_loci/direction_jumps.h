@@ -79,21 +79,21 @@ inline std::vector<Index> source_star(const Indexed_triangle_mesh& mesh, const M
  * wide angle (of half a radian), that is enough: behind a thin limb their directions at the source are almost the same.
  *
  * Noise of the mesh makes the first of these two criteria larger, and the more, the farther the paths come; the
- * threshold refers to the noise at the largest distance. For the second one, the noise is in the figure already, and
- * it only has to be clear of the angles that the noise makes: those behind bumps are about the square root of the
- * deviation of the deficits, and rarely twice as large.
+ * threshold refers to the noise at the largest distance. For the second one, the noise is in the figure already: the
+ * angles behind bumps are about the square root of the deviation of the deficits, and with the square of the angle over
+ * the deficits, the figure does not depend on the noise. Where there is any, a radian keeps it clear.
  */
 class Jump_strength
 {
 public:
   Jump_strength(const Direction_geometry& geometry, const Direction_field& field)
-    : h_(geometry.mean_edge_length),
-      wide_angle_(static_cast<float>((std::max)(0.5, 4. * std::sqrt(geometry.deficit_noise))))
+    : h_(geometry.mean_edge_length)
   {
     double farthest = 0.;
     for(const Direction_field::Vertex& v : field.vertices)
       farthest = (std::max)(farthest, v.distance);
     const double at_farthest = geometry.noise_factor(farthest);
+    wide_angle_ = static_cast<float>((std::min)(0.5 * at_farthest, 1.));
     const std::size_t n = static_cast<std::size_t>(farthest / h_) + 2;
     for(std::size_t i = 0; i < n; ++i)
       factor_.push_back(static_cast<float>(at_farthest / geometry.noise_factor(double(i) * h_)));
