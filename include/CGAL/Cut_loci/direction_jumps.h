@@ -78,37 +78,31 @@ inline std::vector<Index> source_star(const Indexed_triangle_mesh& mesh, const M
  * The strength of the cut locus where it crosses an edge. Both figures must be large, but where the paths meet at a
  * wide angle (of half a radian), that is enough: behind a thin limb their directions at the source are almost the same.
  *
- * Noise of the mesh makes the first of these two criteria larger, and the more, the farther the paths come; the
- * threshold refers to the noise at the largest distance. For the second one, the noise is in the figure already: the
- * angles behind bumps are about the square root of the deviation of the deficits, and with the square of the angle over
- * the deficits, the figure does not depend on the noise. Where there is any, a radian keeps it clear.
+ * Noise of the mesh enlarges the first of these two criteria, and with it the threshold. In the second one the noise is
+ * in the figure already: the angles behind bumps are about the square root of the deviation of the deficits, and the
+ * square of the angle over the deficits does not depend on the noise. So it must not fall behind the threshold, and
+ * where there is noise, a radian keeps it clear.
  */
 class Jump_strength
 {
 public:
   Jump_strength(const Direction_geometry& geometry, const Direction_field& field)
-    : h_(geometry.mean_edge_length)
   {
     double farthest = 0.;
     for(const Direction_field::Vertex& v : field.vertices)
       farthest = (std::max)(farthest, v.distance);
-    const double at_farthest = geometry.noise_factor(farthest);
-    wide_angle_ = static_cast<float>((std::min)(0.5 * at_farthest, 1.));
-    const std::size_t n = static_cast<std::size_t>(farthest / h_) + 2;
-    for(std::size_t i = 0; i < n; ++i)
-      factor_.push_back(static_cast<float>(at_farthest / geometry.noise_factor(double(i) * h_)));
+    noise_factor_ = static_cast<float>(geometry.noise_factor(farthest));
+    wide_angle_ = (std::min)(0.5f * noise_factor_, 1.f);
   }
 
-  float operator()(const Direction_jumps::Edge& e, double distance) const
+  float operator()(const Direction_jumps::Edge& e) const
   {
-    return (std::max)(factor_[static_cast<std::size_t>(distance / h_)] * std::sqrt(e.direction * e.arrival),
-                      factor_[0] * e.arrival * (std::min)(1.f, e.angle / wide_angle_));
+    return (std::max)(std::sqrt(e.direction * e.arrival),
+                      noise_factor_ * e.arrival * (std::min)(1.f, e.angle / wide_angle_));
   }
 
 private:
-  double h_;
-  float wide_angle_;
-  std::vector<float> factor_; // at distances of 0, 1, 2, ... mean edges
+  float noise_factor_, wide_angle_;
 };
 
 } // namespace internal
@@ -155,7 +149,7 @@ inline Direction_jumps direction_jumps(const Indexed_triangle_mesh& mesh, const 
     edge.angle = static_cast<float>(angle);
     // Radians beyond the smooth limit count a thousand times, so that the tree crosses the cut locus where it is
     // weakest, and only there where it must.
-    edge.strength = strength(edge, (std::min)(va.distance, vb.distance));
+    edge.strength = strength(edge);
     const double limit = Direction_jumps::smooth_limit();
     const double excess = (std::max)(0., gap - limit * l / reach) + (std::max)(0., angle - limit * expected);
     edge.weight = static_cast<float>(1000. * excess +
