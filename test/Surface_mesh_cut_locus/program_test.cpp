@@ -389,7 +389,8 @@ TEST_F(Program, Textured_mesh)
 TEST_F(Program, Wrong_command_lines)
 {
   expect_failure(run_on_torus("--uv " + quoted(path("a.png"))), "must be .obj");
-  expect_failure(run_on_torus("--uv " + quoted(path("a.obj")) + " --parameterization flat"), "--parameterization takes");
+  expect_failure(run_on_torus("--uv " + quoted(path("a.obj")) + " --parameterization flat"),
+                 "--parameterization takes");
   expect_failure(run_on_torus("--parameterization lscm"), "--parameterization is for --uv");
   expect_failure(run(""), "there is no mesh");
   expect_failure(run("a.off b.off"), "one mesh at a time");
