@@ -85,8 +85,9 @@ Injectivity_radius<TriangleMesh, Point_3> injectivity_radius(const Cut_locus<Tri
     const double difference = (a - b) * (a + b);
     if(!(std::abs(difference) < squared_length))
       continue; // the perpendicular meets the line outside of the edge
+    if(!((a + b) * (a + b) > squared_length))
+      continue; // such distances, which are not exact, do not exist in a plane
     const double position = 0.5 * (1. + difference / squared_length);
-    // distances that are not exact may be shorter than a plane allows
     const double distance = std::sqrt((std::max)(0., a * a - position * position * squared_length));
     if(!(distance < result.distance))
       continue;
