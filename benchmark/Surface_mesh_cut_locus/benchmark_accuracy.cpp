@@ -77,7 +77,8 @@ void run(const std::string& solver_name, const Solver& solver, const Case& test,
   namespace params = CGAL::parameters;
   const Mesh::Vertex_index source = snap_vertex(mesh, test.source);
   const double h = mean_edge_length(mesh);
-  CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(mesh, params::geodesic_solver(solver));
+  CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(
+    mesh, params::geodesic_solver(solver).cut_locus_method(CGAL::Cut_loci::Method::LAPLACIAN));
   cut_loci.set_source(source);
   const double angle = t.angle.value_or(cut_loci.gradient_angle_threshold());
   const double laplacian = t.laplacian.value_or(-1e300);
@@ -108,7 +109,7 @@ int main(int argc, char** argv)
   std::vector<std::string> solvers;
   std::vector<unsigned int> smoothing;
   std::size_t minimum_edges = 3;
-  po::options_description options("Accuracy of the cut locus against closed forms");
+  po::options_description options("Accuracy of the cut locus by the Laplacian against closed forms");
   options.add_options()
     ("help", "print this")
     ("cache", po::value(&cache), "folder that keeps the generated meshes")

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-// The time of each stage, as seconds and as a fraction of CGAL's Surface_mesh_shortest_path::build_sequence_tree in the
+// The time of each stage of the method by the Laplacian, as seconds and as a fraction of CGAL's Surface_mesh_shortest_path::build_sequence_tree in the
 // same run, and the memory of all stages but the distance.
 
 #include <CGAL/Heat_method_geodesic_solver.h>
@@ -156,7 +156,8 @@ int main(int argc, char** argv)
     for(int run = 0; run < runs; ++run)
     {
       const double before = peak_memory(true);
-      CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(mesh, params::visitor(std::ref(times)));
+      CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(
+        mesh, params::visitor(std::ref(times)).cut_locus_method(CGAL::Cut_loci::Method::LAPLACIAN));
       cut_loci.set_source(source, params::vertex_distance_map(distance));
       memory = peak_memory() - before;
       // a slider that moves over the range in which branches come and go

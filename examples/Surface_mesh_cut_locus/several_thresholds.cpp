@@ -37,10 +37,10 @@ int main(int argc, char* argv[])
     {
       const Mesh::Vertex_index source = *(mesh.vertices_begin() + i);
       solver.set_source(source);
-      for(double angle : {0.1, 0.5, 1., 2.})
+      for(double strength : {2., 3., 10., 100.})
       {
-        const auto cut_locus = solver.cut_locus(CGAL::parameters::gradient_angle_threshold(angle));
-        std::cout << "source " << source << ", shortest paths that meet at " << angle << " or more: "
+        const auto cut_locus = solver.cut_locus(CGAL::parameters::strength_threshold(strength));
+        std::cout << "source " << source << ", branches of strength " << strength << " or more: "
                   << num_edges(cut_locus.graph()) << " edges\n";
       }
     }

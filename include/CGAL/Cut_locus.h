@@ -104,7 +104,8 @@ public:
   /// the graph
   const Graph& graph() const { return graph_; }
 
-  /// the vertex of the graph from which the cut locus was grown: on a closed surface the one farthest from the source
+  /// the vertex of the graph at which its tree of branches starts. With `Cut_loci::Method::LAPLACIAN` it is, on a closed
+  /// surface, the one farthest from the source
   vertex_descriptor root() const { return 0; }
 
   /// the source

@@ -9,6 +9,7 @@
 
 #include "topology_checker.h"
 
+#include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -159,7 +160,8 @@ topology_checker::Cut cut_of(const Built& built, const Result& result)
 // what does not, or an empty string.
 template <typename Built, typename Result>
 std::string fault_of(const Built& built, const Result& result, std::size_t face,
-                     const std::vector<std::size_t>& corners)
+                     const std::vector<std::size_t>& corners,
+                     CGAL::Cut_loci::Method method = CGAL::Cut_loci::Method::LAPLACIAN)
 {
   const topology_checker::Surface surface(built.data.triangles, face);
   const topology_checker::Cut cut = cut_of(built, result);
@@ -178,7 +180,7 @@ std::string fault_of(const Built& built, const Result& result, std::size_t face,
     return at_source;
   if(long(result.genus()) != surface.genus() || result.number_of_border_loops() != surface.number_of_loops)
     return "the genus or the number of border loops is wrong";
-  if(surface.number_of_loops == 0)
+  if(surface.number_of_loops == 0 && method == CGAL::Cut_loci::Method::LAPLACIAN)
     for(std::size_t v : surface.vertices)
       if(result.distance(built.vertices[v]) > graph[result.root()].distance &&
          !(corners.size() == 1 && corners[0] == v)) // a distance map may be wrong there

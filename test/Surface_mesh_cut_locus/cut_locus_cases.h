@@ -14,6 +14,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
+#include <CGAL/Cut_loci/statistics.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_cut_locus.h>
 
@@ -23,7 +24,11 @@
 #include <type_traits>
 
 using namespace test_meshes;
+using CGAL::Cut_loci::Curve;
 using CGAL::Cut_loci::Filter_policy;
+using CGAL::Cut_loci::Method;
+
+constexpr Method both_methods[] = {Method::LAPLACIAN, Method::DIRECTION};
 
 using Reference_mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 
@@ -52,9 +57,10 @@ public:
     return {f, {v}};
   }
 
-  static void expect_valid(const Built& built, const Result& result, const Place& place, const std::string& what = "")
+  static void expect_valid(const Built& built, const Result& result, const Place& place, Method method,
+                           const std::string& what = "")
   {
-    EXPECT_EQ(fault_of(built, result, place.face, place.corners), "")
+    EXPECT_EQ(fault_of(built, result, place.face, place.corners, method), "") << name_of(method) << ", "
       << what << ", " << built.data.triangles.size() << " faces, source in face " << place.face;
   }
 
@@ -62,17 +68,37 @@ public:
   static void expect_valid_at_all_thresholds(const Built& built, const Solver& solver, const Place& place)
   {
     namespace params = CGAL::parameters;
+    if(solver.method() == Method::DIRECTION)
+    {
+      for(double strength : {0., 2., 2.5, 3., 5., 10., 100., std::numeric_limits<double>::infinity()})
+        for(std::size_t edges : {0, 3, 10})
+          for(double length : {0., 0.05, 0.3})
+          {
+            const auto np = params::strength_threshold(strength).minimum_branch_edges(edges)
+                              .minimum_branch_length(length);
+            const Result result = solver.cut_locus(np);
+            expect_valid(built, result, place, Method::DIRECTION, "strength " + std::to_string(strength) + ", " +
+                         std::to_string(edges) + " edges, length " + std::to_string(length));
+            if(result.number_of_border_loops() > 0)
+              continue;
+            const Result curve = solver.cut_locus(np.cut_locus_curve(Curve::THROUGH_FACES));
+            EXPECT_EQ(num_edges(curve.graph()) + 1 - num_vertices(curve.graph()), 2 * curve.genus())
+              << "cycles of the curve";
+          }
+      return;
+    }
     for(Filter_policy policy : {Filter_policy::PRUNING, Filter_policy::GROWING})
     {
       for(double angle : {0., 0.05, 0.2, 0.5, 1., 2., 3., pi, 10.})
         for(std::size_t edges : {0, 3, 10})
           expect_valid(built, solver.cut_locus(params::gradient_angle_threshold(angle).filter_policy(policy)
                                                      .minimum_branch_edges(edges)),
-                       place, "angle " + std::to_string(angle) + ", " + std::to_string(edges) + " edges");
+                       place, Method::LAPLACIAN,
+                       "angle " + std::to_string(angle) + ", " + std::to_string(edges) + " edges");
       for(double laplacian : {-1e9, -0.1, 0., 0.1, 0.5, 2., 1e9})
         expect_valid(built, solver.cut_locus(params::laplacian_threshold(laplacian).gradient_angle_threshold(0.)
                                                    .filter_policy(policy).minimum_branch_length(0.05)),
-                     place, "Laplacian " + std::to_string(laplacian));
+                     place, Method::LAPLACIAN, "Laplacian " + std::to_string(laplacian));
     }
   }
 };
@@ -92,13 +118,17 @@ TYPED_TEST(Cut_locus_test, is_a_graph_with_two_cycles_per_handle_and_a_disk_as_c
   {
     const TypeParam built(c.first);
     EXPECT_EQ(topology_checker::Surface(c.first.triangles, 0).genus(), c.second);
-    typename Fixture::Solver solver(built.mesh);
-    std::mt19937 engine(++seed);
-    for(int i = 0; i < 2; ++i)
+    ++seed;
+    for(Method method : both_methods)
     {
-      const std::size_t v = engine() % c.first.points.size();
-      solver.set_source(built.vertices[v]);
-      Fixture::expect_valid_at_all_thresholds(built, solver, Fixture::at_vertex(c.first, v));
+      typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(method));
+      std::mt19937 engine(seed);
+      for(int i = 0; i < 2; ++i)
+      {
+        const std::size_t v = engine() % c.first.points.size();
+        solver.set_source(built.vertices[v]);
+        Fixture::expect_valid_at_all_thresholds(built, solver, Fixture::at_vertex(c.first, v));
+      }
     }
   }
 }
@@ -111,21 +141,33 @@ TYPED_TEST(Cut_locus_test, keeps_the_root_alone_or_the_homology_where_the_thresh
   for(Filter_policy policy : {Filter_policy::PRUNING, Filter_policy::GROWING})
   {
     const auto cut_locus = CGAL::compute_cut_locus(sphere.mesh, sphere.vertices[3],
-      CGAL::parameters::gradient_angle_threshold(10.).filter_policy(policy));
+      CGAL::parameters::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(10.).filter_policy(policy));
     EXPECT_EQ(num_vertices(cut_locus.graph()), 1u);
     EXPECT_EQ(num_edges(cut_locus.graph()), 0u);
     EXPECT_EQ(cut_locus.graph()[cut_locus.root()].mesh_vertex, cut_locus.farthest_vertex());
-    Fixture::expect_valid(sphere, cut_locus, Fixture::at_vertex(ball, 3));
+    Fixture::expect_valid(sphere, cut_locus, Fixture::at_vertex(ball, 3), Method::LAPLACIAN);
   }
+  const auto point = CGAL::compute_cut_locus(sphere.mesh, sphere.vertices[3],
+                                             CGAL::parameters::strength_threshold(1e9));
+  EXPECT_EQ(num_vertices(point.graph()), 1u);
+  EXPECT_EQ(num_edges(point.graph()), 0u);
+  Fixture::expect_valid(sphere, point, Fixture::at_vertex(ball, 3), Method::DIRECTION);
+
   const Mesh_data ring = torus(1., 0.4, 20, 10, 0.2, 2);
   const TypeParam built(ring);
-  const auto cut_locus = CGAL::compute_cut_locus(built.mesh, built.vertices[0],
-                                                 CGAL::parameters::gradient_angle_threshold(10.));
-  EXPECT_EQ(num_edges(cut_locus.graph()), num_vertices(cut_locus.graph()) + 1);
-  std::size_t leaves = 0;
-  for(const auto v : CGAL::make_range(vertices(cut_locus.graph())))
-    leaves += out_degree(v, cut_locus.graph()) == 1 && v != cut_locus.root() ? 1 : 0;
-  EXPECT_EQ(leaves, 0u);
+  const auto expect_cycles_alone = [](const auto& cut_locus)
+  {
+    EXPECT_EQ(num_edges(cut_locus.graph()), num_vertices(cut_locus.graph()) + 1);
+    std::size_t leaves = 0;
+    for(const auto v : CGAL::make_range(vertices(cut_locus.graph())))
+      leaves += out_degree(v, cut_locus.graph()) == 1 && v != cut_locus.root() ? 1 : 0;
+    EXPECT_EQ(leaves, 0u);
+  };
+  expect_cycles_alone(CGAL::compute_cut_locus(
+    built.mesh, built.vertices[0],
+    CGAL::parameters::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(10.)));
+  expect_cycles_alone(CGAL::compute_cut_locus(built.mesh, built.vertices[0],
+                                              CGAL::parameters::strength_threshold(1e9)));
 }
 
 TYPED_TEST(Cut_locus_test, can_have_its_source_inside_a_face_or_on_an_edge)
@@ -135,14 +177,17 @@ TYPED_TEST(Cut_locus_test, can_have_its_source_inside_a_face_or_on_an_edge)
                                punctured(jittered_sphere(8, 0.2, 3), {{{1., 0., 0.}}}, 0.35)})
   {
     const TypeParam built(data);
-    typename Fixture::Solver solver(built.mesh);
-    for(std::size_t f : {std::size_t(5), data.triangles.size() / 2})
+    for(Method method : both_methods)
     {
-      const Triangle& t = data.triangles[f];
-      solver.set_source(built.template location<typename Fixture::FT>(f, {{0.2, 0.5, 0.3}}));
-      Fixture::expect_valid_at_all_thresholds(built, solver, {f, {t[0], t[1], t[2]}});
-      solver.set_source(built.template location<typename Fixture::FT>(f, {{0., 0.4, 0.6}}));
-      Fixture::expect_valid_at_all_thresholds(built, solver, {f, {t[1], t[2]}});
+      typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(method));
+      for(std::size_t f : {std::size_t(5), data.triangles.size() / 2})
+      {
+        const Triangle& t = data.triangles[f];
+        solver.set_source(built.template location<typename Fixture::FT>(f, {{0.2, 0.5, 0.3}}));
+        Fixture::expect_valid_at_all_thresholds(built, solver, {f, {t[0], t[1], t[2]}});
+        solver.set_source(built.template location<typename Fixture::FT>(f, {{0., 0.4, 0.6}}));
+        Fixture::expect_valid_at_all_thresholds(built, solver, {f, {t[1], t[2]}});
+      }
     }
   }
 }
@@ -184,13 +229,17 @@ TYPED_TEST(Cut_locus_test, a_source_at_the_corner_of_a_face_is_that_vertex)
     {
       std::array<double, 3> coordinates = {{noise, noise, noise}};
       coordinates[corner] = 1.;
-      const auto expected = CGAL::compute_cut_locus(built.mesh, built.vertices[data.triangles[f][corner]]);
-      const auto found = CGAL::compute_cut_locus(built.mesh,
-                                                 built.template location<typename Fixture::FT>(f, coordinates));
-      EXPECT_EQ(cut_of(built, found).edges, cut_of(built, expected).edges);
-      EXPECT_EQ(cut_of(built, found).root, cut_of(built, expected).root);
-      EXPECT_EQ(found.distance(built.vertices[data.triangles[f][corner]]), 0.);
-      EXPECT_TRUE(found.source().mesh_vertex == expected.source().mesh_vertex);
+      for(Method method : both_methods)
+      {
+        const auto np = CGAL::parameters::cut_locus_method(method);
+        const auto expected = CGAL::compute_cut_locus(built.mesh, built.vertices[data.triangles[f][corner]], np);
+        const auto found = CGAL::compute_cut_locus(built.mesh,
+                                                   built.template location<typename Fixture::FT>(f, coordinates), np);
+        EXPECT_EQ(cut_of(built, found).edges, cut_of(built, expected).edges);
+        EXPECT_EQ(cut_of(built, found).root, cut_of(built, expected).root);
+        EXPECT_EQ(found.distance(built.vertices[data.triangles[f][corner]]), 0.);
+        EXPECT_TRUE(found.source().mesh_vertex == expected.source().mesh_vertex);
+      }
     }
 }
 
@@ -198,18 +247,26 @@ TYPED_TEST(Cut_locus_test, marks_the_edges_of_the_mesh_that_it_follows_and_no_ot
 {
   const Mesh_data data = torus(1., 0.4, 20, 10, 0.2, 2);
   const TypeParam built(data);
-  auto is_constrained = get(CGAL::dynamic_edge_property_t<bool>(), built.mesh);
-  for(const auto e : CGAL::make_range(edges(built.mesh)))
-    put(is_constrained, e, false);
-  const auto cut_locus = CGAL::compute_cut_locus(built.mesh, built.vertices[0],
-                                                 CGAL::parameters::edge_is_constrained_map(is_constrained));
-  topology_checker::Edges marked;
-  for(const auto e : CGAL::make_range(edges(built.mesh)))
-    if(get(is_constrained, e))
-      marked.insert(topology_checker::make_edge(built.index(source(e, built.mesh)),
-                                                built.index(target(e, built.mesh))));
-  EXPECT_EQ(marked, cut_of(built, cut_locus).edges);
-  EXPECT_GT(marked.size(), 10u);
+  for(Method method : both_methods)
+  {
+    typename Cut_locus_test<TypeParam>::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(method));
+    solver.set_source(built.vertices[0]);
+    const topology_checker::Edges expected = cut_of(built, solver.cut_locus()).edges;
+    EXPECT_GT(expected.size(), 10u);
+    for(Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES}) // the curve may leave them: they are the same
+    {
+      auto is_constrained = get(CGAL::dynamic_edge_property_t<bool>(), built.mesh);
+      for(const auto e : CGAL::make_range(edges(built.mesh)))
+        put(is_constrained, e, false);
+      solver.cut_locus(CGAL::parameters::edge_is_constrained_map(is_constrained).cut_locus_curve(curve));
+      topology_checker::Edges marked;
+      for(const auto e : CGAL::make_range(edges(built.mesh)))
+        if(get(is_constrained, e))
+          marked.insert(topology_checker::make_edge(built.index(source(e, built.mesh)),
+                                                    built.index(target(e, built.mesh))));
+      EXPECT_EQ(marked, expected) << name_of(method);
+    }
+  }
 }
 
 TYPED_TEST(Cut_locus_test, vertices_and_edges_of_the_graph_know_where_they_are_on_the_mesh)
@@ -217,34 +274,37 @@ TYPED_TEST(Cut_locus_test, vertices_and_edges_of_the_graph_know_where_they_are_o
   using Fixture = Cut_locus_test<TypeParam>;
   const Mesh_data data = torus(1., 0.4, 20, 10, 0.2, 2);
   const TypeParam built(data);
-  typename Fixture::Solver solver(built.mesh);
-  solver.set_source(built.vertices[3]);
-  const auto cut_locus = solver.cut_locus(CGAL::parameters::gradient_angle_threshold(0.3));
-  const auto& graph = cut_locus.graph();
-  const auto vpm = get(CGAL::vertex_point, built.mesh);
-  for(const auto v : CGAL::make_range(vertices(graph)))
+  for(Method method : both_methods)
   {
-    EXPECT_TRUE(graph[v].point == get(vpm, graph[v].mesh_vertex));
-    EXPECT_EQ(graph[v].distance, cut_locus.distance(graph[v].mesh_vertex));
-    // the location is the corner of a face that has the vertex
-    auto h = halfedge(graph[v].location.first, built.mesh);
-    double sum = 0.;
-    for(int i = 0; i < 3; ++i, h = next(h, built.mesh))
+    typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(method));
+    solver.set_source(built.vertices[3]);
+    const auto cut_locus = solver.cut_locus();
+    const auto& graph = cut_locus.graph();
+    const auto vpm = get(CGAL::vertex_point, built.mesh);
+    for(const auto v : CGAL::make_range(vertices(graph)))
     {
-      const double c = CGAL::to_double(graph[v].location.second[i]);
-      sum += c;
-      EXPECT_EQ(c, source(h, built.mesh) == graph[v].mesh_vertex ? 1. : 0.);
+      EXPECT_TRUE(graph[v].point == get(vpm, graph[v].mesh_vertex));
+      EXPECT_EQ(graph[v].distance, cut_locus.distance(graph[v].mesh_vertex));
+      // the location is the corner of a face that has the vertex
+      auto h = halfedge(graph[v].location.first, built.mesh);
+      double sum = 0.;
+      for(int i = 0; i < 3; ++i, h = next(h, built.mesh))
+      {
+        const double c = CGAL::to_double(graph[v].location.second[i]);
+        sum += c;
+        EXPECT_EQ(c, source(h, built.mesh) == graph[v].mesh_vertex ? 1. : 0.);
+      }
+      EXPECT_EQ(sum, 1.);
     }
-    EXPECT_EQ(sum, 1.);
-  }
-  for(const auto e : CGAL::make_range(edges(graph)))
-  {
-    const auto h = graph[e].mesh_halfedge;
-    EXPECT_EQ(topology_checker::make_edge(built.index(source(h, built.mesh)), built.index(target(h, built.mesh))),
-              topology_checker::make_edge(built.index(graph[source(e, graph)].mesh_vertex),
-                                          built.index(graph[target(e, graph)].mesh_vertex)));
-    EXPECT_FALSE(graph[e].is_on_border);
-    EXPECT_FALSE(std::isnan(graph[e].strength));
+    for(const auto e : CGAL::make_range(edges(graph)))
+    {
+      const auto h = graph[e].mesh_halfedge;
+      EXPECT_EQ(topology_checker::make_edge(built.index(source(h, built.mesh)), built.index(target(h, built.mesh))),
+                topology_checker::make_edge(built.index(graph[source(e, graph)].mesh_vertex),
+                                            built.index(graph[target(e, graph)].mesh_vertex)));
+      EXPECT_FALSE(graph[e].is_on_border);
+      EXPECT_FALSE(std::isnan(graph[e].strength));
+    }
   }
 }
 
@@ -253,7 +313,7 @@ TYPED_TEST(Cut_locus_test, of_distances_that_the_user_has_is_that_of_the_solver_
   using Fixture = Cut_locus_test<TypeParam>;
   const Mesh_data data = torus(1., 0.4, 20, 10, 0.2, 2);
   const TypeParam built(data);
-  typename Fixture::Solver solver(built.mesh);
+  typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(Method::LAPLACIAN));
   solver.set_source(built.vertices[5]);
   const auto expected = solver.cut_locus();
   auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
@@ -263,6 +323,38 @@ TYPED_TEST(Cut_locus_test, of_distances_that_the_user_has_is_that_of_the_solver_
                                              CGAL::parameters::vertex_distance_map(distance));
   EXPECT_EQ(cut_of(built, found).edges, cut_of(built, expected).edges);
   EXPECT_EQ(found.distance(built.vertices[77]), expected.distance(built.vertices[77]));
+
+  const auto by_direction = CGAL::compute_cut_locus(
+    built.mesh, built.vertices[5],
+    CGAL::parameters::vertex_distance_map(distance).cut_locus_method(Method::DIRECTION));
+  Fixture::expect_valid(built, by_direction, Fixture::at_vertex(data, 5), Method::DIRECTION);
+}
+
+TYPED_TEST(Cut_locus_test, follows_the_distances_of_each_source_in_its_choice_of_a_method)
+{
+  using Fixture = Cut_locus_test<TypeParam>;
+  const Mesh_data data = torus(1., 0.4, 20, 10, 0.2, 2);
+  const TypeParam built(data);
+  const auto edges_by = [&](Method method)
+  {
+    return cut_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[5],
+                                                 CGAL::parameters::cut_locus_method(method))).edges;
+  };
+  typename Fixture::Solver solver(built.mesh);
+  EXPECT_TRUE(solver.method() == Method::DIRECTION);
+  solver.set_source(built.vertices[5]);
+  EXPECT_TRUE(solver.method() == Method::DIRECTION);
+  const auto first = solver.cut_locus();
+  EXPECT_EQ(cut_of(built, first).edges, edges_by(Method::DIRECTION));
+  auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
+  for(const auto v : CGAL::make_range(vertices(built.mesh)))
+    put(distance, v, first.distance(v));
+  solver.set_source(built.vertices[5], CGAL::parameters::vertex_distance_map(distance));
+  EXPECT_TRUE(solver.method() == Method::LAPLACIAN);
+  EXPECT_EQ(cut_of(built, solver.cut_locus()).edges, edges_by(Method::LAPLACIAN));
+  solver.set_source(built.vertices[5]);
+  EXPECT_TRUE(solver.method() == Method::DIRECTION);
+  EXPECT_EQ(cut_of(built, solver.cut_locus()).edges, edges_by(Method::DIRECTION));
 }
 
 TYPED_TEST(Cut_locus_test, is_a_cut_locus_by_its_topology_even_for_distances_that_are_nonsense)
@@ -273,22 +365,25 @@ TYPED_TEST(Cut_locus_test, is_a_cut_locus_by_its_topology_even_for_distances_tha
                                punctured(jittered_sphere(8, 0.2, 3), {{{1., 0., 0.}}, {{-1., 0., 0.}}}, 0.4)})
   {
     const TypeParam built(data);
-    typename Fixture::Solver solver(built.mesh);
-    auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
-    for(unsigned seed = 0; seed < 4; ++seed)
+    for(Method method : both_methods)
     {
-      std::mt19937 engine(seed);
-      for(const auto v : CGAL::make_range(vertices(built.mesh)))
-        put(distance, v, seed == 0 ? 0. : seed == 1 ? double(engine() % 3) : 1. + random_unit(engine));
-      const std::size_t v = engine() % data.points.size(), f = engine() % data.triangles.size();
-      if(seed == 3)
-        put(distance, built.vertices[v], 5.);
-      solver.set_source(built.vertices[v], CGAL::parameters::vertex_distance_map(distance));
-      Fixture::expect_valid_at_all_thresholds(built, solver, Fixture::at_vertex(data, v));
-      const Triangle& t = data.triangles[f];
-      solver.set_source(built.template location<typename Fixture::FT>(f, {{0.5, 0.5, 0.}}),
-                        CGAL::parameters::vertex_distance_map(distance));
-      Fixture::expect_valid_at_all_thresholds(built, solver, {f, {t[0], t[1]}});
+      typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(method));
+      auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
+      for(unsigned seed = 0; seed < 4; ++seed)
+      {
+        std::mt19937 engine(seed);
+        for(const auto v : CGAL::make_range(vertices(built.mesh)))
+          put(distance, v, seed == 0 ? 0. : seed == 1 ? double(engine() % 3) : 1. + random_unit(engine));
+        const std::size_t v = engine() % data.points.size(), f = engine() % data.triangles.size();
+        if(seed == 3)
+          put(distance, built.vertices[v], 5.);
+        solver.set_source(built.vertices[v], CGAL::parameters::vertex_distance_map(distance));
+        Fixture::expect_valid_at_all_thresholds(built, solver, Fixture::at_vertex(data, v));
+        const Triangle& t = data.triangles[f];
+        solver.set_source(built.template location<typename Fixture::FT>(f, {{0.5, 0.5, 0.}}),
+                          CGAL::parameters::vertex_distance_map(distance));
+        Fixture::expect_valid_at_all_thresholds(built, solver, {f, {t[0], t[1]}});
+      }
     }
   }
 }
@@ -321,17 +416,26 @@ TYPED_TEST(Cut_locus_test, is_the_same_on_every_mesh_type)
   {
     const TypeParam built(data);
     const Built_mesh<Reference_mesh> reference(built.data);
-    CGAL::Surface_mesh_cut_locus<typename TypeParam::Mesh> solver(built.mesh);
-    CGAL::Surface_mesh_cut_locus<Reference_mesh> reference_solver(reference.mesh);
-    solver.set_source(built.vertices[4]);
-    reference_solver.set_source(reference.vertices[4]);
-    for(double angle : {0., 0.1, 0.5, 2.})
+    for(Method method : both_methods)
     {
-      const auto np = CGAL::parameters::gradient_angle_threshold(angle);
-      const auto expected = reference_solver.cut_locus(np);
-      const auto found = solver.cut_locus(np);
-      EXPECT_EQ(cut_of(built, found).edges, cut_of(reference, expected).edges);
-      EXPECT_EQ(built.index(found.farthest_vertex()), reference.index(expected.farthest_vertex()));
+      const auto with_method = CGAL::parameters::cut_locus_method(method);
+      CGAL::Surface_mesh_cut_locus<typename TypeParam::Mesh> solver(built.mesh, with_method);
+      CGAL::Surface_mesh_cut_locus<Reference_mesh> reference_solver(reference.mesh, with_method);
+      solver.set_source(built.vertices[4]);
+      reference_solver.set_source(reference.vertices[4]);
+      const auto expect_same = [&](const auto& np)
+      {
+        const auto expected = reference_solver.cut_locus(np);
+        const auto found = solver.cut_locus(np);
+        EXPECT_EQ(cut_of(built, found).edges, cut_of(reference, expected).edges) << name_of(method);
+        EXPECT_EQ(built.index(found.farthest_vertex()), reference.index(expected.farthest_vertex()));
+      };
+      if(method == Method::LAPLACIAN)
+        for(double angle : {0., 0.1, 0.5, 2.})
+          expect_same(CGAL::parameters::gradient_angle_threshold(angle));
+      else
+        for(double strength : {2., 3., 10.})
+          expect_same(CGAL::parameters::strength_threshold(strength));
     }
   }
 }
@@ -342,7 +446,13 @@ TYPED_TEST(Cut_locus_test, does_not_depend_on_the_numbering)
                                perforated_plate(2, 1, 2, 5)})
   {
     const TypeParam built(data);
-    const auto expected = cut_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[4])).edges;
+    const auto np = CGAL::parameters::cut_locus_method(Method::LAPLACIAN);
+    const auto expected = cut_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[4], np)).edges;
+    // The curve by the other method: along edges of the mesh, it may go round a face on either side.
+    const auto through_faces = CGAL::parameters::cut_locus_method(Method::DIRECTION)
+                                 .cut_locus_curve(Curve::THROUGH_FACES);
+    const auto curve = CGAL::Cut_loci::compute_statistics(
+      CGAL::compute_cut_locus(built.mesh, built.vertices[4], through_faces));
     for(unsigned seed = 0; seed < 2; ++seed)
     {
       std::vector<std::size_t> new_index;
@@ -350,7 +460,12 @@ TYPED_TEST(Cut_locus_test, does_not_depend_on_the_numbering)
       topology_checker::Edges renamed;
       for(const auto& e : expected)
         renamed.insert(topology_checker::make_edge(new_index[e.first], new_index[e.second]));
-      EXPECT_EQ(cut_of(other, CGAL::compute_cut_locus(other.mesh, other.vertices[new_index[4]])).edges, renamed);
+      EXPECT_EQ(cut_of(other, CGAL::compute_cut_locus(other.mesh, other.vertices[new_index[4]], np)).edges, renamed);
+      const auto other_curve = CGAL::Cut_loci::compute_statistics(
+        CGAL::compute_cut_locus(other.mesh, other.vertices[new_index[4]], through_faces));
+      EXPECT_EQ(other_curve.edges, curve.edges);
+      EXPECT_EQ(other_curve.leaves, curve.leaves);
+      EXPECT_NEAR(other_curve.length, curve.length, 1e-6 * curve.length);
     }
   }
 }
@@ -360,33 +475,41 @@ TYPED_TEST(Cut_locus_test, does_not_depend_on_the_unit_of_length)
   namespace params = CGAL::parameters;
   const Mesh_data data = ellipsoid(1., 0.8, 0.6, 7, 0.2, 1);
   const TypeParam built(data);
-  const auto np = params::gradient_angle_threshold(0.2).laplacian_threshold(0.1).minimum_branch_length(0.1);
-  const auto expected = cut_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[4], np)).edges;
-  EXPECT_GT(expected.size(), 3u);
-  for(double scale : {std::ldexp(1., -20), std::ldexp(1., 20)}) // by a power of two, rounding is the same
+  const auto expect_same = [&](const auto& np)
   {
-    Mesh_data scaled = data;
-    for(Point& p : scaled.points)
-      p = scale * p;
-    const TypeParam other(scaled);
-    EXPECT_EQ(cut_of(other, CGAL::compute_cut_locus(other.mesh, other.vertices[4], np)).edges, expected);
-  }
+    const auto expected = cut_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[4], np)).edges;
+    EXPECT_GT(expected.size(), 3u);
+    for(double scale : {std::ldexp(1., -20), std::ldexp(1., 20)}) // by a power of two, rounding is the same
+    {
+      Mesh_data scaled = data;
+      for(Point& p : scaled.points)
+        p = scale * p;
+      const TypeParam other(scaled);
+      EXPECT_EQ(cut_of(other, CGAL::compute_cut_locus(other.mesh, other.vertices[4], np)).edges, expected);
+    }
+  };
+  expect_same(params::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(0.2).laplacian_threshold(0.1)
+                .minimum_branch_length(0.1));
+  expect_same(params::strength_threshold(2.5).minimum_branch_length(0.1));
 }
 
 TYPED_TEST(Cut_locus_test, is_the_same_each_time_and_does_not_remember_the_source_before)
 {
   using Fixture = Cut_locus_test<TypeParam>;
   const TypeParam built(torus(1., 0.4, 20, 10, 0.2, 2));
-  typename Fixture::Solver solver(built.mesh);
-  solver.set_source(built.vertices[4]);
-  const auto first = solver.cut_locus();
-  const auto first_cut = cut_of(built, first);
-  const double first_distance = first.distance(built.vertices[90]);
-  solver.set_source(built.vertices[50]);
-  EXPECT_NE(cut_of(built, solver.cut_locus()).edges, first_cut.edges);
-  EXPECT_EQ(first.distance(built.vertices[90]), first_distance) << "a result is a value of its own";
-  solver.set_source(built.vertices[4]);
-  EXPECT_EQ(cut_of(built, solver.cut_locus()).edges, first_cut.edges);
+  for(Method method : both_methods)
+  {
+    typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(method));
+    solver.set_source(built.vertices[4]);
+    const auto first = solver.cut_locus();
+    const auto first_cut = cut_of(built, first);
+    const double first_distance = first.distance(built.vertices[90]);
+    solver.set_source(built.vertices[50]);
+    EXPECT_NE(cut_of(built, solver.cut_locus()).edges, first_cut.edges);
+    EXPECT_EQ(first.distance(built.vertices[90]), first_distance) << "a result is a value of its own";
+    solver.set_source(built.vertices[4]);
+    EXPECT_EQ(cut_of(built, solver.cut_locus()).edges, first_cut.edges);
+  }
 }
 
 TYPED_TEST(Cut_locus_test, named_parameters_chain_in_any_order_with_those_of_cgal)
@@ -403,7 +526,7 @@ TYPED_TEST(Cut_locus_test, named_parameters_chain_in_any_order_with_those_of_cga
     params::minimum_branch_edges(1).gradient_angle_threshold(0.2).edge_is_constrained_map(is_constrained)
            .geodesic_solver(heat).vertex_point_map(vpm));
   const auto other_solver = CGAL::compute_cut_locus(built.mesh, built.vertices[4],
-    params::minimum_branch_edges(1).gradient_angle_threshold(0.2));
+    params::minimum_branch_edges(1).cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(0.2));
   EXPECT_EQ(cut_of(built, first).edges, cut_of(built, second).edges);
   EXPECT_NE(first.distance(built.vertices[20]), other_solver.distance(built.vertices[20])) << "the solver was not used";
 }
@@ -414,27 +537,31 @@ TYPED_TEST(Cut_locus_test, lies_in_the_component_of_the_source_and_leaves_the_ot
   const Mesh_data ball = jittered_sphere(5, 0.2, 1), ring = torus(1., 0.4, 16, 8, 0.2, 2);
   const Mesh_data data = disjoint_union(ball, ring, {{4., 0., 0.}});
   const TypeParam built(data);
-  typename Fixture::Solver solver(built.mesh);
-  for(std::size_t v : {std::size_t(3), ball.points.size() + 3, std::size_t(7)})
+  for(Method method : both_methods)
   {
-    solver.set_source(built.vertices[v]);
-    Fixture::expect_valid_at_all_thresholds(built, solver, Fixture::at_vertex(data, v));
-    const auto cut_locus = solver.cut_locus();
-    const bool in_ball = v < ball.points.size();
-    EXPECT_EQ(cut_locus.genus(), in_ball ? 0u : 1u);
-    for(std::size_t w = 0; w < data.points.size(); ++w)
-      EXPECT_EQ(std::isinf(cut_locus.distance(built.vertices[w])), in_ball != (w < ball.points.size()));
-    // the other component does not change anything, but for the numbers of the vertices
-    const TypeParam alone(in_ball ? ball : ring);
-    const std::size_t offset = in_ball ? 0 : ball.points.size();
-    topology_checker::Edges expected;
-    for(const auto& e : cut_of(alone, CGAL::compute_cut_locus(alone.mesh, alone.vertices[v - offset])).edges)
-      expected.insert(topology_checker::make_edge(e.first + offset, e.second + offset));
-    EXPECT_EQ(cut_of(built, cut_locus).edges, expected);
+    const auto np = CGAL::parameters::cut_locus_method(method);
+    typename Fixture::Solver solver(built.mesh, np);
+    for(std::size_t v : {std::size_t(3), ball.points.size() + 3, std::size_t(7)})
+    {
+      solver.set_source(built.vertices[v]);
+      Fixture::expect_valid_at_all_thresholds(built, solver, Fixture::at_vertex(data, v));
+      const auto cut_locus = solver.cut_locus();
+      const bool in_ball = v < ball.points.size();
+      EXPECT_EQ(cut_locus.genus(), in_ball ? 0u : 1u);
+      for(std::size_t w = 0; w < data.points.size(); ++w)
+        EXPECT_EQ(std::isinf(cut_locus.distance(built.vertices[w])), in_ball != (w < ball.points.size()));
+      // the other component does not change anything, but for the numbers of the vertices
+      const TypeParam alone(in_ball ? ball : ring);
+      const std::size_t offset = in_ball ? 0 : ball.points.size();
+      topology_checker::Edges expected;
+      for(const auto& e : cut_of(alone, CGAL::compute_cut_locus(alone.mesh, alone.vertices[v - offset], np)).edges)
+        expected.insert(topology_checker::make_edge(e.first + offset, e.second + offset));
+      EXPECT_EQ(cut_of(built, cut_locus).edges, expected);
+    }
+    solver.set_source(built.template location<typename Fixture::FT>(ball.triangles.size() + 9, {{0.2, 0.3, 0.5}}));
+    const Triangle& t = data.triangles[ball.triangles.size() + 9];
+    Fixture::expect_valid_at_all_thresholds(built, solver, {ball.triangles.size() + 9, {t[0], t[1], t[2]}});
   }
-  solver.set_source(built.template location<typename Fixture::FT>(ball.triangles.size() + 9, {{0.2, 0.3, 0.5}}));
-  const Triangle& t = data.triangles[ball.triangles.size() + 9];
-  Fixture::expect_valid_at_all_thresholds(built, solver, {ball.triangles.size() + 9, {t[0], t[1], t[2]}});
 }
 
 TYPED_TEST(Cut_locus_test, ignores_isolated_vertices)
@@ -449,15 +576,19 @@ TYPED_TEST(Cut_locus_test, ignores_isolated_vertices)
     for(std::size_t& v : t)
       ++v;
   const TypeParam built(data), alone(ball);
-  const auto found = CGAL::compute_cut_locus(built.mesh, built.vertices[5]);
-  const auto expected = CGAL::compute_cut_locus(alone.mesh, alone.vertices[4]);
-  Fixture::expect_valid(built, found, Fixture::at_vertex(data, 5));
-  EXPECT_TRUE(std::isinf(found.distance(built.vertices.front())));
-  EXPECT_TRUE(std::isinf(found.distance(built.vertices.back())));
-  topology_checker::Edges shifted;
-  for(const auto& e : cut_of(alone, expected).edges)
-    shifted.insert({e.first + 1, e.second + 1});
-  EXPECT_EQ(cut_of(built, found).edges, shifted);
+  for(Method method : both_methods)
+  {
+    const auto np = CGAL::parameters::cut_locus_method(method);
+    const auto found = CGAL::compute_cut_locus(built.mesh, built.vertices[5], np);
+    const auto expected = CGAL::compute_cut_locus(alone.mesh, alone.vertices[4], np);
+    Fixture::expect_valid(built, found, Fixture::at_vertex(data, 5), method);
+    EXPECT_TRUE(std::isinf(found.distance(built.vertices.front())));
+    EXPECT_TRUE(std::isinf(found.distance(built.vertices.back())));
+    topology_checker::Edges shifted;
+    for(const auto& e : cut_of(alone, expected).edges)
+      shifted.insert({e.first + 1, e.second + 1});
+    EXPECT_EQ(cut_of(built, found).edges, shifted);
+  }
 }
 
 TYPED_TEST(Cut_locus_test, on_a_surface_with_boundary_joins_each_border_loop_once)
@@ -472,16 +603,21 @@ TYPED_TEST(Cut_locus_test, on_a_surface_with_boundary_joins_each_border_loop_onc
     const TypeParam built(data);
     const topology_checker::Surface surface(data.triangles, 0);
     EXPECT_GT(surface.number_of_loops, 0u);
-    typename Fixture::Solver solver(built.mesh);
-    for(std::size_t v = 0; v < data.points.size(); v += data.points.size() / 5) // on the border and inside
+    for(Method method : both_methods)
     {
-      solver.set_source(built.vertices[v]);
-      Fixture::expect_valid_at_all_thresholds(built, solver, Fixture::at_vertex(data, v));
-      const auto cut_locus = solver.cut_locus(CGAL::parameters::gradient_angle_threshold(0.));
-      const auto& graph = cut_locus.graph();
-      for(const auto e : CGAL::make_range(edges(graph)))
-        EXPECT_EQ(graph[e].is_on_border, surface.border_edges.count(topology_checker::make_edge(
-          built.index(graph[source(e, graph)].mesh_vertex), built.index(graph[target(e, graph)].mesh_vertex))) != 0);
+      typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(method));
+      for(std::size_t v = 0; v < data.points.size(); v += data.points.size() / 5) // on the border and inside
+      {
+        solver.set_source(built.vertices[v]);
+        Fixture::expect_valid_at_all_thresholds(built, solver, Fixture::at_vertex(data, v));
+        const auto cut_locus = method == Method::LAPLACIAN
+                               ? solver.cut_locus(CGAL::parameters::gradient_angle_threshold(0.))
+                               : solver.cut_locus(CGAL::parameters::strength_threshold(0.));
+        const auto& graph = cut_locus.graph();
+        for(const auto e : CGAL::make_range(edges(graph)))
+          EXPECT_EQ(graph[e].is_on_border, surface.border_edges.count(topology_checker::make_edge(
+            built.index(graph[source(e, graph)].mesh_vertex), built.index(graph[target(e, graph)].mesh_vertex))) != 0);
+      }
     }
   }
 }
@@ -491,8 +627,8 @@ TYPED_TEST(Cut_locus_test, is_found_with_the_cotangent_laplacian_too)
   using Fixture = Cut_locus_test<TypeParam>;
   const Mesh_data data = torus(1., 0.4, 24, 12);
   const TypeParam built(data);
-  typename Fixture::Solver solver(built.mesh, CGAL::parameters::laplacian_operator(
-                                                CGAL::Cut_loci::Laplacian_operator::COTANGENT));
+  typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(Method::LAPLACIAN)
+                                                .laplacian_operator(CGAL::Cut_loci::Laplacian_operator::COTANGENT));
   solver.set_source(built.vertices[0]);
   Fixture::expect_valid_at_all_thresholds(built, solver, Fixture::at_vertex(data, 0));
 }
@@ -503,23 +639,26 @@ TYPED_TEST(Cut_locus_test, of_the_torus_holds_the_opposite_meridian_and_the_inne
   const std::size_t nu = 48, nw = 24;
   const Mesh_data data = torus(1., 0.4, nu, nw);
   const TypeParam built(data);
-  const auto cut_locus = CGAL::compute_cut_locus(built.mesh, built.vertices[0],
-                                                 CGAL::parameters::gradient_angle_threshold(1.));
-  std::set<std::size_t> on_it;
-  for(const auto& e : cut_of(built, cut_locus).edges)
-    on_it.insert({e.first, e.second});
-  const double h = mean_edge_length(data);
-  const auto distance_to_it = [&](std::size_t v)
+  for(Method method : both_methods)
   {
-    double result = std::numeric_limits<double>::infinity();
-    for(std::size_t w : on_it)
-      result = (std::min)(result, norm(data.points[v] - data.points[w]));
-    return result;
-  };
-  for(std::size_t w = 0; w < nw; ++w)
-    EXPECT_LT(distance_to_it(nu / 2 * nw + w), 3. * h) << "on the opposite meridian";
-  for(std::size_t u = 0; u < nu; ++u)
-    EXPECT_LT(distance_to_it(u * nw + nw / 2), 3. * h) << "on the inner equator";
+    const auto cut_locus = CGAL::compute_cut_locus(built.mesh, built.vertices[0],
+                                                   CGAL::parameters::cut_locus_method(method));
+    std::set<std::size_t> on_it;
+    for(const auto& e : cut_of(built, cut_locus).edges)
+      on_it.insert({e.first, e.second});
+    const double h = mean_edge_length(data);
+    const auto distance_to_it = [&](std::size_t v)
+    {
+      double result = std::numeric_limits<double>::infinity();
+      for(std::size_t w : on_it)
+        result = (std::min)(result, norm(data.points[v] - data.points[w]));
+      return result;
+    };
+    for(std::size_t w = 0; w < nw; ++w)
+      EXPECT_LT(distance_to_it(nu / 2 * nw + w), 3. * h) << "on the opposite meridian";
+    for(std::size_t u = 0; u < nu; ++u)
+      EXPECT_LT(distance_to_it(u * nw + nw / 2), 3. * h) << "on the inner equator";
+  }
 }
 
 #endif // CGAL_CUT_LOCI_CUT_LOCUS_CASES_H

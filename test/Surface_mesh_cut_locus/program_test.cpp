@@ -154,14 +154,14 @@ TEST_F(Program, Help)
 {
   const Outcome outcome = run("--help");
   EXPECT_EQ(outcome.status, 0);
-  for(const char* option : {"--source ", "--source-point", "--solver", "--angle", "--laplacian", "--policy",
+  for(const char* option : {"--source ", "--source-point", "--solver", "--method", "--strength", "--angle", "--laplacian", "--policy",
                             "--min-branch-edges", "--min-branch-length", "--output", "--edges", "--report", "--quiet"})
     EXPECT_NE(outcome.messages.find(option), std::string::npos) << option;
 }
 
 TEST_F(Program, Report_and_edges)
 {
-  for(const char* solver : {"cgal-exact", "heat", "heat-direct"})
+  for(const char* solver : {"exact", "cgal-exact", "heat", "heat-direct"})
   {
     SCOPED_TRACE(solver);
     const Outcome outcome = run_on_torus(std::string("--quiet --source 5 --solver ") + solver + " --report " +
@@ -253,19 +253,45 @@ TEST_F(Program, Sources_and_thresholds)
   EXPECT_NEAR(inside.at("source_point").at(0).get<double>(), 1.36, 0.03);
   EXPECT_EQ(report("--source-point=-2,-0.01,0.02").at("genus"), 1);
 
-  const auto loose = report("--angle 0.05 --min-branch-edges 0"), tight = report("--angle 3.2 --min-branch-edges 0");
+  const std::string laplacian = "--method laplacian ";
+  const auto loose = report(laplacian + "--angle 0.05 --min-branch-edges 0"),
+             tight = report(laplacian + "--angle 3.2 --min-branch-edges 0");
   EXPECT_GT(loose.at("edges"), tight.at("edges"));
   EXPECT_EQ(tight.at("cycles"), 2);
-  EXPECT_LE(report("--angle 0.05 --min-branch-length 0.3").at("edges"), loose.at("edges"));
-  EXPECT_LE(report("--angle 0.05 --policy grow --min-branch-edges 0").at("edges"), loose.at("edges"));
-  EXPECT_LE(report("--angle 0.05 --laplacian 0.5 --min-branch-edges 0").at("edges"), loose.at("edges"));
-  EXPECT_EQ(report("--method direction").at("cycles"), 2);
-  EXPECT_EQ(report("--method direction --smooth 1").at("cycles"), 2);
+  EXPECT_LE(report(laplacian + "--angle 0.05 --min-branch-length 0.3").at("edges"), loose.at("edges"));
+  EXPECT_LE(report(laplacian + "--angle 0.05 --policy grow --min-branch-edges 0").at("edges"), loose.at("edges"));
+  EXPECT_LE(report(laplacian + "--angle 0.05 --laplacian 0.5 --min-branch-edges 0").at("edges"), loose.at("edges"));
+
+  const auto weak = report("--strength 0"), strong = report("--strength 1000000");
+  EXPECT_GT(weak.at("edges"), strong.at("edges"));
+  EXPECT_EQ(weak.at("cycles"), 2);
+  EXPECT_EQ(strong.at("cycles"), 2);
+  EXPECT_EQ(strong.at("leaves"), 0);
+  EXPECT_EQ(report("--strength 0 --min-branch-edges 1000").at("leaves"), 0);
+  EXPECT_EQ(report("--strength 0 --min-branch-length 1").at("leaves"), 0);
+  EXPECT_EQ(report("--strength 0 --min-branch-length 1 --smooth 1").at("leaves"), 0);
 
   // smoothing moves the curves, but the edges of the mesh stay those
-  report("--edges " + quoted(path("along.txt")));
-  report("--smooth 4 --edges " + quoted(path("smooth.txt")));
-  EXPECT_EQ(read_file(path("along.txt")), read_file(path("smooth.txt")));
+  for(const std::string& method : {std::string("--method laplacian"), std::string("--method direction")})
+  {
+    EXPECT_EQ(report(method + " --edges " + quoted(path("along.txt"))).at("cycles"), 2);
+    EXPECT_EQ(report(method + " --smooth 4 --edges " + quoted(path("smooth.txt"))).at("cycles"), 2);
+    EXPECT_GT(read_file(path("along.txt")).size(), 10u);
+    EXPECT_EQ(read_file(path("along.txt")), read_file(path("smooth.txt")));
+  }
+}
+
+TEST_F(Program, Default_methods)
+{
+  for(const auto& [solver, method] : std::map<std::string, std::string>{
+        {"exact", "direction"}, {"cgal-exact", "laplacian"}, {"heat", "laplacian"}, {"graph", "laplacian"}})
+    for(const char* explicitly : {"", " --method auto"})
+    {
+      const Outcome outcome = run_on_torus("--quiet --solver " + solver + explicitly + " --report " +
+                                           quoted(path("r.json")));
+      ASSERT_EQ(outcome.status, 0) << outcome.messages;
+      EXPECT_EQ(nlohmann::json::parse(read_file(path("r.json"))).at("method"), method) << solver;
+    }
 }
 
 TEST_F(Program, Wrong_command_lines)
@@ -279,7 +305,12 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--method direction --solver heat"), "needs exact distances");
   expect_failure(run_on_torus("--method direction --angle 1"), "--angle is for --method laplacian");
   expect_failure(run_on_torus("--method direction --policy grow"), "--policy is for --method laplacian");
-  expect_failure(run_on_torus("--strength 3"), "--strength is for --method direction");
+  expect_failure(run_on_torus("--angle 1"), "--angle is for --method laplacian, and here the method is direction");
+  expect_failure(run_on_torus("--laplacian 1"), "--laplacian is for --method laplacian");
+  expect_failure(run_on_torus("--policy prune"), "--policy is for --method laplacian");
+  expect_failure(run_on_torus("--method laplacian --strength 3"), "--strength is for --method direction");
+  expect_failure(run_on_torus("--solver heat --strength 3"), "--strength is for --method direction");
+  expect_failure(run_on_torus("--method polyhedral --edges " + quoted(path("e.txt"))), "--edges is for --method");
   expect_failure(run_on_torus("--source=-1"), "--source takes");
   expect_failure(run_on_torus("--quiet --source 99999"), "out of range");
   expect_failure(run_on_torus("--source 1 --source-point 0,0,0"), "exclude");
@@ -287,10 +318,10 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--source-point 1,2,3,4"), "three numbers");
   expect_failure(run_on_torus("--source-point 1,2,nan"), "a number");
   expect_failure(run_on_torus("--solver magic"), "cgal-exact");
-  expect_failure(run_on_torus("--angle wide"), "--angle takes");
-  expect_failure(run_on_torus("--angle=-1"), "--angle takes");
-  expect_failure(run_on_torus("--laplacian inf"), "--laplacian takes");
-  expect_failure(run_on_torus("--policy shrink"), "--policy takes");
+  expect_failure(run_on_torus("--method laplacian --angle wide"), "--angle takes");
+  expect_failure(run_on_torus("--method laplacian --angle=-1"), "--angle takes");
+  expect_failure(run_on_torus("--method laplacian --laplacian inf"), "--laplacian takes");
+  expect_failure(run_on_torus("--method laplacian --policy shrink"), "--policy takes");
   expect_failure(run_on_torus("--min-branch-edges 1.5"), "--min-branch-edges takes");
   expect_failure(run_on_torus("--min-branch-length=-2"), "--min-branch-length takes");
 }

@@ -29,6 +29,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Built = Built_mesh<Mesh>;
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
+using CGAL::Cut_loci::Method;
 namespace params = CGAL::parameters;
 
 namespace {
@@ -80,29 +81,45 @@ Mesh_data octahedron()
 void expect_sound_from_everywhere(const Mesh_data& data)
 {
   const Built built(data);
-  Solver solver(built.mesh);
-  const auto expect_sound = [&](std::size_t face, const std::vector<std::size_t>& corners)
+  Solver by_laplacian(built.mesh, params::cut_locus_method(Method::LAPLACIAN)), by_direction(built.mesh);
+  const auto expect_finite = [](const Solver::Result& result)
   {
+    for(const auto v : CGAL::make_range(vertices(result.graph())))
+    {
+      EXPECT_TRUE(std::isfinite(result.graph()[v].distance));
+      for(int i = 0; i < 3; ++i)
+        EXPECT_TRUE(std::isfinite(result.graph()[v].point[i]));
+    }
+    for(const auto e : CGAL::make_range(edges(result.graph())))
+      EXPECT_FALSE(std::isnan(result.graph()[e].strength));
+  };
+  const auto expect_sound = [&](const auto& source, std::size_t face, const std::vector<std::size_t>& corners)
+  {
+    by_laplacian.set_source(source);
     for(double angle : {0., 0.5, 4.})
       for(auto policy : {CGAL::Cut_loci::Filter_policy::PRUNING, CGAL::Cut_loci::Filter_policy::GROWING})
       {
-        const auto result = solver.cut_locus(params::gradient_angle_threshold(angle).filter_policy(policy));
+        const auto result = by_laplacian.cut_locus(params::gradient_angle_threshold(angle).filter_policy(policy));
         EXPECT_EQ(fault_of(built, result, face, corners), "") << "source in face " << face;
-        for(const auto v : CGAL::make_range(vertices(result.graph())))
-          EXPECT_TRUE(std::isfinite(result.graph()[v].distance));
-        for(const auto e : CGAL::make_range(edges(result.graph())))
-          EXPECT_FALSE(std::isnan(result.graph()[e].strength));
+        expect_finite(result);
+      }
+    by_direction.set_source(source);
+    for(double strength : {0., 3., 1e9})
+      for(std::size_t edges : {0, 4})
+      {
+        const auto np = params::strength_threshold(strength).minimum_branch_edges(edges);
+        const auto result = by_direction.cut_locus(np);
+        EXPECT_EQ(fault_of(built, result, face, corners, Method::DIRECTION), "") << "source in face " << face;
+        expect_finite(result);
+        expect_finite(by_direction.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
       }
   };
   for(std::size_t f = 0; f < data.triangles.size(); f += 1 + data.triangles.size() / 20)
   {
     const Triangle& t = data.triangles[f];
-    solver.set_source(built.vertices[t[0]]);
-    expect_sound(f, {t[0]});
-    solver.set_source(built.location<double>(f, {{0.3, 0.3, 0.4}}));
-    expect_sound(f, {t[0], t[1], t[2]});
-    solver.set_source(built.location<double>(f, {{0.5, 0.5, 0.}}));
-    expect_sound(f, {t[0], t[1]});
+    expect_sound(built.vertices[t[0]], f, {t[0]});
+    expect_sound(built.location<double>(f, {{0.3, 0.3, 0.4}}), f, {t[0], t[1], t[2]});
+    expect_sound(built.location<double>(f, {{0.5, 0.5, 0.}}), f, {t[0], t[1]});
   }
 }
 
@@ -235,7 +252,8 @@ TEST(Bad_input, a_face_without_area_in_another_component_does_no_harm)
     p = {{p[0], 0., 0.}};
   const Mesh_data data = disjoint_union(flat, octahedron(), {{5., 0., 0.}});
   const Built built(data);
-  EXPECT_EQ(fault_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[5]), 4, {5}), "");
+  EXPECT_EQ(fault_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[5]), 4, {5},
+                     Method::DIRECTION), "");
   expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, {"face #0", "no area"});
   // positions are those in the whole mesh
   const Built other(disjoint_union(octahedron(), flat, {{5., 0., 0.}}));
@@ -277,7 +295,7 @@ TEST(Bad_input, components_that_touch_in_a_vertex_are_surfaces_of_their_own)
     {
       const auto result = CGAL::compute_cut_locus(built.mesh, built.vertices[v]);
       const std::size_t seed = v == 0 ? 0 : f; // the vertex itself belongs to the component that its halfedge is in
-      EXPECT_EQ(fault_of(built, result, seed, {v}), "") << v;
+      EXPECT_EQ(fault_of(built, result, seed, {v}, Method::DIRECTION), "") << v;
       EXPECT_EQ(result.genus(), 0u);
     }
 }
@@ -285,7 +303,7 @@ TEST(Bad_input, components_that_touch_in_a_vertex_are_surfaces_of_their_own)
 TEST(Bad_input, thresholds_that_are_not_in_their_range_are_refused)
 {
   const Built built(octahedron());
-  Solver solver(built.mesh);
+  Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
   expect_refused([&] { solver.cut_locus(); }, {"no source", "set_source()"});
   solver.set_source(built.vertices[0]);
   expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(not_a_number)); },
@@ -297,20 +315,101 @@ TEST(Bad_input, thresholds_that_are_not_in_their_range_are_refused)
   expect_refused([&] { solver.cut_locus(params::minimum_branch_length(-1.)); }, {"minimum length", "not negative"});
   EXPECT_EQ(message_of([&] { solver.cut_locus(params::gradient_angle_threshold(infinity)); }), "nothing was thrown");
   EXPECT_EQ(message_of([&] { solver.cut_locus(params::laplacian_threshold(-infinity)); }), "nothing was thrown");
+  expect_refused([&] { solver.cut_locus(params::minimum_branch_edges(-1)); }, {"minimum_branch_edges", "negative"});
+  expect_refused([&] { solver.cut_locus(params::number_of_iterations(-1)); }, {"number_of_iterations", "negative"});
+
+  Solver by_direction(built.mesh);
+  by_direction.set_source(built.vertices[0]);
+  expect_refused([&] { by_direction.cut_locus(params::strength_threshold(not_a_number)); },
+                 {"strength", "not a number"});
+  expect_refused([&] { by_direction.cut_locus(params::minimum_branch_length(-1.)); },
+                 {"minimum length", "not negative"});
+  EXPECT_EQ(message_of([&] { by_direction.cut_locus(params::strength_threshold(infinity)); }), "nothing was thrown");
+}
+
+// by the constructor, by set_source(), by cut_locus() and by the function
+template <typename NamedParameters, typename Parameter>
+void expect_refused_everywhere(const NamedParameters& method, const Parameter& parameter,
+                               const std::vector<std::string>& words)
+{
+  const Built built(octahedron());
+  expect_refused([&] { Solver solver(built.mesh, parameter(method)); }, words);
+  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], parameter(method)); }, words);
+  Solver solver(built.mesh, method);
+  expect_refused([&] { solver.set_source(built.vertices[0], parameter(params::snapping_tolerance(1e-10))); }, words);
+  solver.set_source(built.vertices[0]);
+  expect_refused([&] { solver.cut_locus(parameter(params::snapping_tolerance(1e-10))); }, words);
+  EXPECT_EQ(message_of([&] { solver.cut_locus(); }), "nothing was thrown") << "the source was lost";
+}
+
+TEST(Bad_input, parameters_of_another_method_are_refused_with_what_to_do)
+{
+  const auto angle = [](const auto& np) { return np.gradient_angle_threshold(0.3); };
+  const auto laplacian = [](const auto& np) { return np.laplacian_threshold(0.3); };
+  const auto policy = [](const auto& np) { return np.filter_policy(CGAL::Cut_loci::Filter_policy::GROWING); };
+  const auto strength = [](const auto& np) { return np.strength_threshold(3.); };
+  const auto edges = [](const auto& np) { return np.minimum_branch_edges(3); };
+
+  const auto default_method = params::snapping_tolerance(1e-10);
+  const std::string remedy = "cut_locus_method(Cut_loci::Method::LAPLACIAN)", in_force = "Cut_loci::Method::DIRECTION";
+  expect_refused_everywhere(default_method, angle, {"gradient_angle_threshold", in_force, remedy});
+  expect_refused_everywhere(default_method, laplacian, {"laplacian_threshold", in_force, remedy});
+  expect_refused_everywhere(default_method, policy, {"filter_policy", in_force, remedy});
+  expect_refused_everywhere(params::cut_locus_method(Method::DIRECTION), angle, {"gradient_angle_threshold", remedy});
+  expect_refused_everywhere(params::cut_locus_method(Method::LAPLACIAN), strength,
+                            {"strength_threshold", "Cut_loci::Method::LAPLACIAN",
+                             "cut_locus_method(Cut_loci::Method::DIRECTION)"});
+  expect_refused_everywhere(params::cut_locus_method(Method::POLYHEDRAL), strength,
+                            {"strength_threshold", "Cut_loci::Method::POLYHEDRAL"});
+  expect_refused_everywhere(params::cut_locus_method(Method::POLYHEDRAL), edges,
+                            {"minimum_branch_edges", "Cut_loci::Method::POLYHEDRAL"});
+
+  // distances of the user are treated by the other method
+  const Built built(octahedron());
+  auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
+  for(std::size_t v = 0; v < built.vertices.size(); ++v)
+    put(distance, built.vertices[v], double(v));
+  const auto compute = [&](const auto& np)
+  {
+    return message_of([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], np); });
+  };
+  EXPECT_EQ(compute(params::vertex_distance_map(distance).gradient_angle_threshold(0.3)), "nothing was thrown");
+  EXPECT_NE(compute(params::vertex_distance_map(distance).strength_threshold(3.)).find("strength_threshold"),
+            std::string::npos);
+}
+
+TEST(Bad_input, parameters_that_contradict_each_other_about_the_curve_are_refused)
+{
+  using CGAL::Cut_loci::Curve;
+  const Built built(jittered_sphere(4, 0.2, 1));
+  for(Method method : {Method::LAPLACIAN, Method::DIRECTION})
+  {
+    Solver solver(built.mesh, params::cut_locus_method(method));
+    solver.set_source(built.vertices[0]);
+    expect_refused([&] { solver.cut_locus(params::cut_locus_curve(Curve::MESH_EDGES).number_of_iterations(4)); },
+                   {"cut_locus_curve", "number_of_iterations", "contradict"});
+    expect_refused([&] { solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES).number_of_iterations(0)); },
+                   {"cut_locus_curve", "number_of_iterations", "contradict"});
+    EXPECT_EQ(message_of([&] { solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES)
+                                                  .number_of_iterations(2)); }), "nothing was thrown");
+  }
 }
 
 TEST(Bad_input, the_largest_minimum_number_of_edges_removes_more_than_any_smaller_one)
 {
-  const Built built(jittered_sphere(6, 0.2, 1));
-  Solver solver(built.mesh);
-  solver.set_source(built.vertices[0]);
-  const auto edges_left = [&](std::size_t minimum)
+  const Built built(ellipsoid(1., 0.8, 0.6, 8, 0.2, 1));
+  for(Method method : {Method::LAPLACIAN, Method::DIRECTION})
   {
-    return num_edges(solver.cut_locus(params::minimum_branch_edges(minimum).gradient_angle_threshold(0.)).graph());
-  };
-  EXPECT_LT(edges_left(1000), edges_left(0));
-  EXPECT_EQ(edges_left(std::size_t(1) << 32), edges_left(1000));
-  EXPECT_EQ(edges_left((std::numeric_limits<std::size_t>::max)()), edges_left(1000));
+    Solver solver(built.mesh, params::cut_locus_method(method));
+    solver.set_source(built.vertices[0]);
+    const auto edges_left = [&](std::size_t minimum)
+    {
+      return num_edges(solver.cut_locus(params::minimum_branch_edges(minimum)).graph());
+    };
+    EXPECT_LT(edges_left(1000), edges_left(0));
+    EXPECT_EQ(edges_left(std::size_t(1) << 32), edges_left(1000));
+    EXPECT_EQ(edges_left((std::numeric_limits<std::size_t>::max)()), edges_left(1000));
+  }
 }
 
 TEST(Bad_input, distances_that_are_not_finite_are_refused_by_their_vertex)
@@ -392,8 +491,11 @@ TEST(Odd_input, units_of_any_size_do_no_harm)
     for(Point& p : data.points)
       p = scale * p;
     const Built built(data);
-    const auto result = CGAL::compute_cut_locus(built.mesh, built.vertices[0], params::gradient_angle_threshold(0.));
-    EXPECT_EQ(fault_of(built, result, 0, {0}), "") << scale;
+    for(Method method : {Method::LAPLACIAN, Method::DIRECTION})
+    {
+      const auto result = CGAL::compute_cut_locus(built.mesh, built.vertices[0], params::cut_locus_method(method));
+      EXPECT_EQ(fault_of(built, result, 0, {0}, method), "") << scale;
+    }
   }
 }
 

@@ -35,6 +35,8 @@ using Built = Built_mesh<Mesh>;
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
 using Cut_locus = Solver::Result;
 
+const auto the_papers_method = params::cut_locus_method(CGAL::Cut_loci::Method::LAPLACIAN);
+
 double distance_to(const Cut_locus& cut_locus, const Kernel::Point_3& p)
 {
   double result = (std::numeric_limits<double>::infinity)();
@@ -100,7 +102,7 @@ class Sphere_with_bump : public ::testing::Test
 {
 protected:
   Sphere_with_bump()
-    : built(sphere_with_bump(24, {{1., 0., 0.}}, 0.15, 0.08)), solver(built.mesh)
+    : built(sphere_with_bump(24, {{1., 0., 0.}}, 0.15, 0.08)), solver(built.mesh, the_papers_method)
   {
     solver.set_source(built.vertices[nearest_vertex(built.data, {{-0.17, 0., 0.98}})]);
   }
@@ -129,7 +131,7 @@ TEST_F(Sphere_with_bump, growing_takes_the_bump_for_noise)
 TEST(Capsule, rising_thresholds_simplify_the_cut_locus_down_to_the_antipodal_point)
 {
   const Built built(capsule(1., 40, 40));
-  Solver solver(built.mesh);
+  Solver solver(built.mesh, the_papers_method);
   solver.set_source(built.vertices[nearest_vertex(built.data, {{1., 0., -0.3}})]);
   std::size_t previous = (std::numeric_limits<std::size_t>::max)();
   for(double angle : {0.05, 0.2, 0.5, 1., 2., 3., 4.})
@@ -144,7 +146,7 @@ TEST(Capsule, rising_thresholds_simplify_the_cut_locus_down_to_the_antipodal_poi
 TEST(Sphere, is_cut_in_one_point_opposite_to_the_source)
 {
   const Built built(jittered_sphere(20, 0.1, 3));
-  Solver solver(built.mesh);
+  Solver solver(built.mesh, the_papers_method);
   solver.set_source(built.vertices[0]);
   const Cut_locus result = solver.cut_locus(params::gradient_angle_threshold(1.));
   const auto source = built.mesh.point(built.vertices[0]);
@@ -157,7 +159,7 @@ TEST(Torus, has_the_same_branches_at_all_resolutions)
   for(std::size_t n : {16, 24, 36})
   {
     const Built built(torus(1., 0.4, 5 * n / 2, n, 0.15, 7));
-    Solver solver(built.mesh);
+    Solver solver(built.mesh, the_papers_method);
     solver.set_source(built.vertices[0]);
     const Cut_locus result = solver.cut_locus();
     EXPECT_EQ(number_of_cycles(result), 2u) << n;
@@ -172,7 +174,7 @@ TEST(Torus, has_no_branch_shorter_than_the_least_length)
   for(std::size_t n : {20, 30, 40})
   {
     const Built built(torus(1., 0.4, 5 * n / 2, n, 0.2, 1));
-    Solver solver(built.mesh);
+    Solver solver(built.mesh, the_papers_method);
     solver.set_source(built.vertices[nearest_vertex(built.data, {{0.3, 0.3, 1.}})]);
     for(std::size_t least : {3, 6})
     {
@@ -204,7 +206,7 @@ TEST(Methods_for_distances, agree_on_strong_branches)
   for(const Built* built : {&smooth, &with_handle})
   {
     const std::size_t source = nearest_vertex(built->data, {{0.6, 0.4, 0.9}});
-    Solver exact(built->mesh, params::geodesic_solver(CGAL::Exact_geodesic_solver()));
+    Solver exact(built->mesh, the_papers_method);
     Solver heat(built->mesh, params::geodesic_solver(CGAL::Heat_method_geodesic_solver<>()));
     Solver graph(built->mesh, params::geodesic_solver(CGAL::Graph_geodesic_solver()));
     std::vector<Cut_locus> whole, strong;
@@ -231,7 +233,7 @@ TEST(Irregular_mesh, has_fewer_leaves_when_remeshed)
   for(const Built* built : {&irregular, &regular})
   {
     const std::size_t source = nearest_vertex(built->data, {{0.6, 0.4, 0.9}});
-    Solver solver(built->mesh);
+    Solver solver(built->mesh, the_papers_method);
     solver.set_source(built->vertices[source]);
     const Cut_locus pruned = solver.cut_locus();
     const Cut_locus grown = solver.cut_locus(params::filter_policy(Filter_policy::GROWING));
@@ -251,7 +253,7 @@ TEST(Irregular_mesh, has_the_same_loops_as_remeshed)
   for(const Built* built : {&irregular, &regular})
   {
     const std::size_t source = nearest_vertex(built->data, {{1.4, 0., 0.}});
-    Solver solver(built->mesh);
+    Solver solver(built->mesh, the_papers_method);
     solver.set_source(built->vertices[source]);
     for(Filter_policy policy : {Filter_policy::PRUNING, Filter_policy::GROWING})
     {
@@ -269,7 +271,7 @@ TEST(Smooth_curves, keep_the_branches)
   for(const Mesh_data& data : {bumpy_sphere(20, 0.5, 1), torus(1., 0.4, 50, 20, 0.15, 7), perforated_plate(3, 1, 4, 1)})
   {
     const Built built(data);
-    Solver solver(built.mesh);
+    Solver solver(built.mesh, the_papers_method);
     solver.set_source(built.vertices[5]);
     const Cut_locus edges_of_mesh = solver.cut_locus();
     const Cut_locus curves = solver.cut_locus(params::number_of_iterations(4));
@@ -283,7 +285,7 @@ TEST(Smooth_curves, keep_the_branches)
 TEST(Rough_sphere, is_cleared_by_a_wider_angle_or_by_growing)
 {
   const Built built(rough(bumpy_sphere(20, 0.5, 1), 0.1, 1));
-  Solver solver(built.mesh);
+  Solver solver(built.mesh, the_papers_method);
   solver.set_source(built.vertices[5]);
   const Cut_locus fine = solver.cut_locus(params::gradient_angle_threshold(0.1));
   const Cut_locus coarse = solver.cut_locus(params::gradient_angle_threshold(1.));

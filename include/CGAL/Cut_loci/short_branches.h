@@ -81,15 +81,7 @@ public:
   // from the outside in: each after those that hang on it
   const std::vector<Twig>& twigs() const { return twigs_; }
 
-private:
-  static Vector position(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus::Node& node)
-  {
-    Vector result = {{0., 0., 0.}};
-    for(int i = 0; i < 3; ++i)
-      result = result + node.location.coordinates[i] * mesh.points[mesh.triangles[node.location.face][i]];
-    return result;
-  }
-
+  // the border loop that a node is on, or null_index
   static Index border_loop(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                            const Indexed_cut_locus::Node& node)
   {
@@ -102,6 +94,15 @@ private:
         return connectivity.border_loop[mesh.source(h)];
     }
     return null_index;
+  }
+
+private:
+  static Vector position(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus::Node& node)
+  {
+    Vector result = {{0., 0., 0.}};
+    for(int i = 0; i < 3; ++i)
+      result = result + node.location.coordinates[i] * mesh.points[mesh.triangles[node.location.face][i]];
+    return result;
   }
 
   std::vector<Twig> twigs_;
@@ -194,10 +195,11 @@ inline std::vector<unsigned char> corresponding_branches(const Indexed_triangle_
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * removes edges from a graph, and the nodes that have no edge then; the first node stays if all edges are removed.
- * The origins of the edges stay as they are.
+ * removes edges from a graph, and the nodes that have no edge then. If all edges are removed, one node stays: the first
+ * one, or one on the border, if there is any. The origins of the edges stay as they are.
  */
-inline void remove_edges(Indexed_cut_locus& graph, const std::vector<unsigned char>& is_removed)
+inline void remove_edges(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                         Indexed_cut_locus& graph, const std::vector<unsigned char>& is_removed)
 {
   std::vector<Index> new_node(graph.nodes.size(), null_index);
   std::vector<Indexed_cut_locus::Edge> edges;
@@ -208,7 +210,14 @@ inline void remove_edges(Indexed_cut_locus& graph, const std::vector<unsigned ch
       new_node[graph.edges[i].source] = new_node[graph.edges[i].target] = 0;
     }
   if(edges.empty())
-    new_node[0] = 0;
+  {
+    const auto on_border = std::find_if(graph.nodes.begin(), graph.nodes.end(), [&](const Indexed_cut_locus::Node& node)
+                                        {
+                                          return internal::Hanging_trees::border_loop(mesh, connectivity, node) !=
+                                                 null_index;
+                                        });
+    new_node[on_border == graph.nodes.end() ? 0 : static_cast<std::size_t>(on_border - graph.nodes.begin())] = 0;
+  }
   Index size = 0;
   for(Index i = 0; i < graph.nodes.size(); ++i)
     if(new_node[i] != null_index)

@@ -158,11 +158,11 @@ private:
         if(!is_gone[i])
           through_faces.face[size++] = through_faces.face[i];
       through_faces.face.resize(size);
-      remove_edges(through_faces.graph, is_gone);
+      remove_edges(mesh_, connectivity_, through_faces.graph, is_gone);
       if(through_faces.graph.edges.empty())
         through_faces.graph.nodes.clear();
     }
-    remove_edges(edges, is_removed);
+    remove_edges(mesh_, connectivity_, edges, is_removed);
     for(Index i = 0; i < edges.edges.size(); ++i)
       edges.edges[i].origin = i;
     if(curve == Curve::THROUGH_FACES)
@@ -177,7 +177,10 @@ private:
 
   void find_farthest()
   {
-    farthest_ = static_cast<Index>(std::max_element(distance_.begin(), distance_.end()) - distance_.begin());
+    farthest_ = source_.vertex == 0 ? 1 : 0;
+    for(Index v = farthest_ + 1; v < distance_.size(); ++v) // the source is not it even if all distances are equal
+      if(v != source_.vertex && distance_[v] > distance_[farthest_])
+        farthest_ = v;
   }
 
   const Indexed_triangle_mesh& mesh_;
