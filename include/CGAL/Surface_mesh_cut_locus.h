@@ -13,6 +13,7 @@
 #include <CGAL/Cut_loci/internal/Cut_locus_builder.h>
 #include <CGAL/Cut_loci/internal/Geodesic_solver_handle.h>
 #include <CGAL/Cut_loci/internal/Surface_component.h>
+#include <CGAL/Cut_loci/internal/Visitor_handle.h>
 #include <CGAL/Cut_loci/internal/connected_components.h>
 #include <CGAL/Cut_loci/internal/method_parameters.h>
 #include <CGAL/Cut_loci/internal/read_source.h>
@@ -27,7 +28,6 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -142,8 +142,9 @@ public:
     fixed_method_ = choose_parameter(get_parameter(np, internal_np::cut_locus_method), fixed_method_);
     method_ = method_for(np);
     Cut_loci::internal::refuse_parameters_of_other_methods(method_, np);
-    set_visitor(choose_parameter(get_parameter(np, internal_np::visitor), Cut_loci::Default_visitor()));
-    const Stage_scope scope(*this, Cut_loci::Stage::PREPROCESSING);
+    visitor_ = Cut_loci::internal::Visitor_handle(choose_parameter(get_parameter(np, internal_np::visitor),
+                                                                   Cut_loci::Default_visitor()));
+    const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
     read_ = std::make_shared<Read>(Cut_loci::internal::read_triangle_mesh(tm, vpm_));
     component_of_face_ = Cut_loci::internal::face_components(read_->mesh, number_of_components_);
   }
@@ -279,7 +280,7 @@ public:
       throw Cut_loci::Invalid_input("there is no source: set_source() comes before cut_locus()");
     refuse_parameters_of_other_methods(method_, np);
 
-    const Stage_scope scope(*this, Cut_loci::Stage::FILTER);
+    const Stage_scope scope(visitor_, Cut_loci::Stage::FILTER);
     const Curve_parameters curve = read_curve(np, method_);
     Cut_loci::Indexed_cut_locus found, mesh_edges;
     if(method_ == Cut_loci::Method::LAPLACIAN)
@@ -320,39 +321,9 @@ private:
   using Index = Cut_loci::Index;
   using Read = Cut_loci::internal::Read_triangle_mesh<TriangleMesh>;
   using Solver_handle = Cut_loci::internal::Geodesic_solver_handle;
-
   using Builder = Cut_loci::internal::Cut_locus_builder<TriangleMesh, Vertex_point_map>;
   using Component = Cut_loci::internal::Surface_component;
-
-  struct Stage_scope
-  {
-    Stage_scope(const Surface_mesh_cut_locus& owner, Cut_loci::Stage s)
-      : self(owner), stage(s)
-    {
-      self.visit_(s, true);
-    }
-    ~Stage_scope() { self.visit_(stage, false); }
-    const Surface_mesh_cut_locus& self;
-    Cut_loci::Stage stage;
-  };
-
-  template <typename T>
-  static T& unwrapped(T& t) { return t; }
-  template <typename T>
-  static T& unwrapped(std::reference_wrapper<T>& t) { return t.get(); }
-
-  template <typename Visitor>
-  void set_visitor(Visitor visitor)
-  {
-    visit_ = [visitor](Cut_loci::Stage stage, bool starts) mutable
-    {
-      auto& v = unwrapped(visitor);
-      if(starts)
-        v.start_stage(stage);
-      else
-        v.end_stage(stage);
-    };
-  }
+  using Stage_scope = Cut_loci::internal::Visitor_handle::Scope;
 
   // the method for a source that is set with these parameters
   template <typename NamedParameters>
@@ -368,9 +339,10 @@ private:
   template <typename NamedParameters>
   void solve(const Cut_loci::Indexed_source& source, const NamedParameters& np)
   {
+    const Cut_loci::Method method = method_for(np);
+    Cut_loci::internal::refuse_parameters_of_other_methods(method, np);
     source_result_.reset();
-    method_ = method_for(np);
-    Cut_loci::internal::refuse_parameters_of_other_methods(method_, np);
+    method_ = method;
     constexpr bool runs_solver = !Cut_loci::internal::is_given<NamedParameters, internal_np::vertex_distance_map_t>();
     source_angle_threshold_ = runs_solver && solver_.gradient_angle_threshold() > 0.
                               ? solver_.gradient_angle_threshold() : default_gradient_angle_threshold();
@@ -389,19 +361,19 @@ private:
   void solve(Component& component, Solver& solver, const Cut_loci::Indexed_source& source, const NamedParameters& np)
   {
     {
-      const Stage_scope scope(*this, Cut_loci::Stage::DISTANCE);
+      const Stage_scope scope(visitor_, Cut_loci::Stage::DISTANCE);
       set_distances(component, solver, source, parameters::get_parameter(np, internal_np::vertex_distance_map));
     }
     {
-      const Stage_scope scope(*this, Cut_loci::Stage::STRENGTH);
+      const Stage_scope scope(visitor_, Cut_loci::Stage::STRENGTH);
       solver.compute_strengths();
     }
     {
-      const Stage_scope scope(*this, Cut_loci::Stage::TREE);
+      const Stage_scope scope(visitor_, Cut_loci::Stage::TREE);
       solver.grow_tree();
     }
     {
-      const Stage_scope scope(*this, Cut_loci::Stage::HOMOLOGY);
+      const Stage_scope scope(visitor_, Cut_loci::Stage::HOMOLOGY);
       solver.close_cycles();
     }
 
@@ -450,7 +422,7 @@ private:
     std::unique_ptr<Component>& component = components_[id];
     if(component && component->has_solver(method_))
       return *component;
-    const Stage_scope scope(*this, Cut_loci::Stage::PREPROCESSING);
+    const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
     if(!component)
       component.reset(new Component(read_->mesh, component_of_face_, id, number_of_components_));
     component->make_solver(method_, laplacian_operator_, read_->mesh, read_->positions);
@@ -505,7 +477,7 @@ private:
   Cut_loci::Method method_ = Cut_loci::Method::DIRECTION; // in force
   bool has_own_solver_; // another one than the package's exact one
   Solver_handle solver_; // as given; each component has its own
-  std::function<void(Cut_loci::Stage, bool)> visit_;
+  Cut_loci::internal::Visitor_handle visitor_;
 
   std::shared_ptr<const Read> read_;
   std::vector<Index> component_of_face_;
