@@ -141,6 +141,9 @@ void refine_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh
  * does, and then cuts along the edges of the result as `cut_along_cut_locus()` does. The result is one topological disk
  * with straight seams, the component of the source alone. Parameters and errors are those of these functions, but for
  * `edge_is_constrained_map`.
+ *
+ * Parts of the curve that touch after rounding, and so enclose faces, are opened. A smoothed curve may have left the
+ * border, or slipped off a thin handle: then the shortest ways over edges are cut, too. See `Cut_loci::repair_seams()`.
  */
 template <typename TriangleMesh, typename Point_3, typename OutputMesh,
           typename NamedParametersIn = parameters::Default_named_parameters,
@@ -162,6 +165,7 @@ void cut_along_curve(const TriangleMesh& tm, const Cut_locus<TriangleMesh, Point
                                                                  internal::curve_on_mesh(read, tm, cut_locus));
   Cut_loci::Refined_mesh refined = Cut_loci::refine_along_curve(
     on.component.mesh, internal::manifold_connectivity(on.component.mesh), on.curve.graph, resolution);
+  Cut_loci::repair_seams(refined.mesh, refined.nodes.front(), refined.seams);
   Cut_loci::complete_seams(refined.mesh, Cut_loci::Mesh_connectivity(refined.mesh), refined.nodes.front(),
                            on.curve.source_vertex, refined.seams);
   const Cut_loci::Cut_mesh cut = internal::cut_open_to_disk(refined.mesh, refined.seams);

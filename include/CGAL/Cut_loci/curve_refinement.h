@@ -42,7 +42,7 @@ struct Refined_mesh
   Indexed_triangle_mesh mesh;  ///< its first vertices are those of the mesh before, with the same indices
   std::vector<Index> faces;    ///< for each face the one that it is a part of
   std::vector<Index> nodes;    ///< for each node of the curve its vertex
-  Seams seams;                 ///< the edges that the curve follows
+  Seams seams;                 ///< the edges that the curve consists of
 };
 
 namespace internal {
@@ -65,7 +65,6 @@ public:
   {
     split_faces();
     complete_sides();
-    make_complement_connected();
     return std::move(result_);
   }
 
@@ -399,32 +398,6 @@ private:
     }
   }
 
-  // Where rounding has let parts of the curve touch, they may enclose faces: seams with different pieces of the
-  // complement on their sides are dropped. The others still hold all the cycles that leave a disk.
-  void make_complement_connected()
-  {
-    std::vector<Index> parent(result_.mesh.number_of_faces());
-    std::iota(parent.begin(), parent.end(), Index(0));
-    const auto find = [&](Index f)
-    {
-      while(parent[f] != f)
-        f = parent[f] = parent[parent[f]];
-      return f;
-    };
-    for(bool is_seam : {false, true})
-      for(Index h = 0; h < result_.mesh.number_of_halfedges(); ++h)
-      {
-        const Index o = result_.mesh.opposite[h];
-        if(o == null_index || o < h || bool(result_.seams[h]) != is_seam)
-          continue;
-        const Index a = find(h / 3), b = find(o / 3);
-        if(a == b)
-          continue;
-        parent[a] = b;
-        result_.seams[h] = result_.seams[o] = 0;
-      }
-  }
-
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   const int n_;
@@ -448,8 +421,8 @@ private:
  * The nodes of the curve are first rounded to barycentric coordinates that are multiples of 1 / `resolution`, from 2 to
  * 2^20. So nodes that are very near a vertex or an edge come to lie on it, those that are very near each other become
  * one, and all faces keep at least 1 / `resolution`^2 of the area of the face that they are a part of. Segments that
- * cross each other are split where they do. Parts of the curve that then enclose faces are no seams: if the complement
- * of the curve is an open disk, that of the seams is one, too.
+ * cross each other are split where they do. Parts of the curve that come to touch each other may enclose faces; see
+ * `repair_seams()`.
  *
  * The parts of a face are those of the constrained Delaunay triangulation of its barycentric coordinates. Time is linear
  * in the size of the mesh and O(k log k) for a curve of k edges.
