@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_STATISTICS_H
 #define CGAL_CUT_LOCI_STATISTICS_H
 
+#include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Cut_locus.h>
 
 #include <CGAL/Iterator_range.h>
@@ -15,7 +16,6 @@
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -35,8 +35,7 @@ struct Cut_locus_statistics
   std::size_t leaves = 0;     ///< vertices of degree 1
   std::size_t branchings = 0; ///< vertices of degree 3 or more
   double length = 0.;         ///< the sum of the lengths of the edges
-  /// the smallest distance to the source on the cut locus, taken over the vertices of the graph; infinity if there are
-  //none
+  /// as by `CGAL::Cut_loci::injectivity_radius()`; infinity if the cut locus is empty
   double injectivity_radius = (std::numeric_limits<double>::infinity)();
 };
 
@@ -60,7 +59,6 @@ Cut_locus_statistics compute_statistics(const Cut_locus<TriangleMesh, Point_3>& 
   {
     result.leaves += degree(v, graph) == 1;
     result.branchings += degree(v, graph) > 2;
-    result.injectivity_radius = (std::min)(result.injectivity_radius, graph[v].distance);
   }
   for(auto e : CGAL::make_range(edges(graph)))
   {
@@ -68,6 +66,8 @@ Cut_locus_statistics compute_statistics(const Cut_locus<TriangleMesh, Point_3>& 
     const Point_3& q = graph[target(e, graph)].point;
     result.length += std::sqrt(CGAL::to_double((p - q) * (p - q)));
   }
+  if(result.vertices > 0)
+    result.injectivity_radius = Cut_loci::injectivity_radius(cut_locus).distance;
   return result;
 }
 
