@@ -9,7 +9,6 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_open.h>
-#include <CGAL/Cut_loci/internal/build_face_graph.h>
 #include <CGAL/Cut_loci/internal/curve_on_mesh.h>
 #include <CGAL/Cut_loci/internal/output_maps.h>
 #include <CGAL/Cut_locus.h>
@@ -85,7 +84,7 @@ namespace CGAL {
  * \cgalNamedParamsEnd
  *
  * @throws Cut_loci::Invalid_input if a face of `tm` is not a triangle, if the cut locus is not one of `tm`, or if it is
- *         not made of edges of the mesh: then see `refine_along_cut_locus()`
+ *         not made of edges of the mesh: then see `cut_along_curve()`
  */
 template <typename TriangleMesh, typename Point_3, typename OutputMesh,
           typename NamedParametersIn = parameters::Default_named_parameters,
@@ -109,24 +108,11 @@ void cut_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh, P
   const Cut_loci::Cut_mesh cut = internal::cut_open_to_disk(
     on.component.mesh, internal::seams_of_mesh_edges(on.component.mesh, connectivity, on.curve));
 
-  auto output_vpm = choose_parameter(get_parameter(np_out, internal_np::vertex_point),
-                                     get_property_map(vertex_point, output));
-  const auto built = internal::build_face_graph(cut.mesh, output);
-  auto vertex_pairs = internal::output_pairs(
-    get_parameter(np_in, internal_np::vertex_to_vertex_output_iterator),
-    get_parameter(np_in, internal_np::vertex_to_vertex_map));
-  auto face_pairs = internal::output_pairs(
-    get_parameter(np_in, internal_np::face_to_face_output_iterator),
-    get_parameter(np_in, internal_np::face_to_face_map));
-  for(Index v = 0; v < cut.mesh.number_of_vertices(); ++v)
-  {
-    const auto origin = read.vertices[on.component.vertices[cut.vertices[v]]];
-    internal::put_point(output_vpm, built.vertices[v], get(vpm, origin));
-    vertex_pairs(origin, built.vertices[v]);
-  }
-  for(Index f = 0; f < cut.mesh.number_of_faces(); ++f)
-    face_pairs(face(read.halfedges[3 * std::size_t(on.component.faces[f])], tm),
-               face(built.halfedges[3 * std::size_t(f)], output));
+  std::vector<Index> vertices;
+  vertices.reserve(cut.vertices.size());
+  for(Index v : cut.vertices)
+    vertices.push_back(on.component.vertices[v]);
+  internal::output_mesh(tm, read, cut.mesh, vertices, on.component.faces, output, np_in, np_out);
 }
 
 /*!

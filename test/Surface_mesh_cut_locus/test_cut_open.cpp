@@ -247,7 +247,7 @@ TEST(Cut_open, Bad_input_gives_an_error)
   EXPECT_NE(error(Mesh(), cut_locus), "");
 
   const Cut_locus smooth = CGAL::compute_cut_locus(built.mesh, built.vertices[0], params::number_of_iterations(4));
-  EXPECT_TRUE(contains(error(built.mesh, smooth), "refine_along_cut_locus"));
+  EXPECT_TRUE(contains(error(built.mesh, smooth), "cut_along_curve"));
 
   // a graph of its own: empty, or a part of a cut locus
   const auto with_graph = [&](const Cut_locus::Graph& graph)

@@ -12,6 +12,8 @@
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/internal/connected_components.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -113,6 +115,103 @@ inline bool is_disk(const Indexed_triangle_mesh& mesh)
   internal::face_components(mesh, number_of_components);
   return number_of_components == 1 && std::int64_t(mesh.number_of_vertices()) + mesh.number_of_faces() ==
                                         std::int64_t(connectivity.number_of_edges()) + 1;
+}
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * adds and removes seams until they leave one open disk of a connected mesh; seams that do so already stay as they are.
+ *
+ * Seams with different pieces of the complement on their sides are removed. What is then missing is added along edges:
+ * a spanning tree of the complement's faces that runs where the seams are far leaves the shortest ways between them, in
+ * number of edges; of these, dead ends are dropped. Without border, one of the seams or their surroundings must be
+ * there: `start` is a vertex to begin at if there are none. Time is O(n log n).
+ */
+inline void repair_seams(const Indexed_triangle_mesh& mesh, Index start, Seams& seams)
+{
+  const Index nh = mesh.number_of_halfedges();
+  std::vector<Index> parent(mesh.number_of_faces());
+  std::iota(parent.begin(), parent.end(), Index(0));
+  const auto unite = [&](Index f, Index g)
+  {
+    const auto find = [&](Index i)
+    {
+      while(parent[i] != i)
+        i = parent[i] = parent[parent[i]];
+      return i;
+    };
+    f = find(f);
+    g = find(g);
+    parent[f] = g;
+    return f != g;
+  };
+
+  const auto is_first = [&](Index h) { return !mesh.is_border_edge(h) && h < mesh.opposite[h]; };
+  for(bool is_seam : {false, true})
+    for(Index h = 0; h < nh; ++h)
+      if(is_first(h) && bool(seams[h]) == is_seam && unite(h / 3, mesh.opposite[h] / 3))
+        seams[h] = seams[mesh.opposite[h]] = 0;
+  if(is_disk(cut_open(mesh, seams).mesh))
+    return;
+
+  // the number of edges to the next seam or border
+  std::vector<Index> steps(mesh.number_of_vertices(), null_index), front;
+  const auto reach = [&](Index v, Index n)
+  {
+    if(steps[v] == null_index)
+    {
+      steps[v] = n;
+      front.push_back(v);
+    }
+  };
+  for(Index h = 0; h < nh; ++h)
+    if(seams[h] || mesh.is_border_edge(h))
+    {
+      reach(mesh.source(h), 0);
+      reach(mesh.target(h), 0);
+    }
+  if(front.empty())
+    reach(start, 0);
+  const Mesh_connectivity connectivity(mesh);
+  for(std::size_t i = 0; i < front.size(); ++i)
+    for(Index k = connectivity.ring_begin[front[i]]; k < connectivity.ring_begin[front[i] + 1]; ++k)
+      reach(connectivity.ring_vertex[k], steps[front[i]] + 1);
+
+  // The spanning tree takes edges far from the seams first; what it leaves are the candidates.
+  std::vector<Index> order, degree(mesh.number_of_vertices(), 0);
+  for(Index h = 0; h < nh; ++h)
+  {
+    if(is_first(h) && !seams[h])
+      order.push_back(h);
+    if(seams[h] || mesh.is_border_edge(h))
+      degree[mesh.source(h)] = degree[mesh.target(h)] = 2; // not a dead end
+  }
+  const auto steps_of = [&](Index h) { return steps[mesh.source(h)] + steps[mesh.target(h)]; };
+  std::stable_sort(order.begin(), order.end(), [&](Index g, Index h) { return steps_of(g) > steps_of(h); });
+  std::iota(parent.begin(), parent.end(), Index(0));
+  std::vector<unsigned char> is_candidate(nh, 0);
+  for(Index h : order)
+    if(!unite(h / 3, mesh.opposite[h] / 3))
+    {
+      is_candidate[h] = is_candidate[mesh.opposite[h]] = 1;
+      ++degree[mesh.source(h)];
+      ++degree[mesh.target(h)];
+    }
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+    for(Index end = v; degree[end] == 1;)
+    {
+      Index k = connectivity.ring_begin[end];
+      while(!is_candidate[connectivity.ring_halfedge[k]])
+        ++k;
+      const Index h = connectivity.ring_halfedge[k];
+      is_candidate[h] = is_candidate[mesh.opposite[h]] = 0;
+      --degree[end];
+      end = connectivity.ring_vertex[k];
+      --degree[end];
+    }
+  for(Index h = 0; h < nh; ++h)
+    if(is_candidate[h])
+      seams[h] = 1;
 }
 
 /*!

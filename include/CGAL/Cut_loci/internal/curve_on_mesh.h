@@ -187,7 +187,7 @@ inline Curve_on_component on_component(const Indexed_triangle_mesh& mesh, Curve_
 inline void throw_unless_of_mesh_edges(const Curve_on_mesh& curve)
 {
   if(!curve.is_of_mesh_edges)
-    throw Invalid_input("the cut locus runs through faces: refine the mesh along it by CGAL::refine_along_cut_locus(), "
+    throw Invalid_input("the cut locus runs through faces: cut by CGAL::cut_along_curve(), which splits these, "
                         "or compute it on the edges of the mesh (Curve::MESH_EDGES, without smoothing)");
 }
 

@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_REFINE_ALONG_CUT_LOCUS_H
+#define CGAL_REFINE_ALONG_CUT_LOCUS_H
+
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/curve_refinement.h>
+#include <CGAL/Cut_loci/cut_open.h>
+#include <CGAL/Cut_loci/internal/curve_on_mesh.h>
+#include <CGAL/Cut_loci/internal/output_maps.h>
+#include <CGAL/Cut_locus.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+
+namespace Cut_loci {
+namespace internal {
+
+// The accuracy of a curve through the faces is some hundredths of an edge: a grid of 256 moves it by less.
+constexpr double default_snapping_of_curves = 1. / 256.;
+
+inline Index resolution_of(double tolerance)
+{
+  constexpr double least = 1. / (1 << 20); // the square of its reciprocal is far below what rounding errors spoil
+  if(!(tolerance >= least && tolerance <= 0.5))
+    throw Invalid_input("the snapping tolerance must be from 2^-20 to 0.5");
+  return static_cast<Index>(std::lround(1. / tolerance));
+}
+
+} // namespace internal
+} // namespace Cut_loci
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusRef
+ *
+ * splits the faces that a cut locus runs through, so that it consists of edges of the result: straight seams, where
+ * edges of the mesh zigzag.
+ *
+ * The surface stays the same but for the rounding of points, and each face of the result is a part of one of `tm`. The
+ * cut locus is rounded first: its barycentric coordinates become multiples of the snapping tolerance, so that it goes
+ * through a vertex that it passes closely, and no face is degenerate: all have at least the square of the tolerance of
+ * the area of the face that they are a part of. See `Cut_loci::refine_along_curve()`.
+ *
+ * Time is O(n log k), for n faces and k vertices of the cut locus.
+ *
+ * @tparam TriangleMesh a model of `FaceListGraph`
+ * @tparam Point_3 the point type of the cut locus
+ * @tparam OutputMesh a model of `MutableFaceGraph`
+ *
+ * @param tm the triangle mesh of which the cut locus was computed
+ * @param cut_locus a cut locus on it: through the faces, as with `Cut_loci::Curve::THROUGH_FACES` or smoothed, or of
+ *        edges of the mesh, of which no face is split
+ * @param output the mesh to which the result is added, all components of it; it should be empty
+ * @param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tm`}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{snapping_tolerance}
+ *     \cgalParamDescription{the barycentric coordinates of the curve are rounded to multiples of it}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{1 / 256: less than the curve is off the true cut locus}
+ *     \cgalParamExtra{It is from 2^-20 to 1/2, and its reciprocal is rounded to a whole number.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_to_vertex_map}
+ *     \cgalParamDescription{tells for each vertex of `output` the vertex of `tm`, or `null_vertex()` if it is new}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_to_face_map}
+ *     \cgalParamDescription{tells for each face of `output` the face of `tm` that it is a part of}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_to_vertex_output_iterator}
+ *     \cgalParamDescription{an output iterator for pairs of a vertex of `tm`, or `null_vertex()`, and one of `output`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_to_face_output_iterator}
+ *     \cgalParamDescription{an output iterator for pairs of a face of `tm` and one of `output`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * @param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `output`}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, output)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{a property map that is set to `true` for the edges of `output` on the cut locus, and to
+ *                           `false` for all others}
+ *     \cgalParamType{a class model of `WritablePropertyMap` with
+ *                    `boost::graph_traits<OutputMesh>::%edge_descriptor` as key type and `bool` as value type}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * @throws Cut_loci::Invalid_input if a face of `tm` is not a triangle, or if the cut locus is not one of `tm`
+ */
+template <typename TriangleMesh, typename Point_3, typename OutputMesh,
+          typename NamedParametersIn = parameters::Default_named_parameters,
+          typename NamedParametersOut = parameters::Default_named_parameters>
+void refine_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh, Point_3>& cut_locus,
+                            OutputMesh& output, const NamedParametersIn& np_in = parameters::default_values(),
+                            const NamedParametersOut& np_out = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  namespace internal = Cut_loci::internal;
+
+  const Cut_loci::Index resolution = internal::resolution_of(
+    choose_parameter(get_parameter(np_in, internal_np::snapping_tolerance), internal::default_snapping_of_curves));
+  const auto read = internal::read_triangle_mesh(
+    tm, choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm)));
+  const internal::Curve_on_mesh curve = internal::curve_on_mesh(read, tm, cut_locus);
+  const Cut_loci::Refined_mesh refined = Cut_loci::refine_along_curve(
+    read.mesh, internal::manifold_connectivity(read.mesh), curve.graph, resolution);
+
+  std::vector<Cut_loci::Index> origin(refined.mesh.number_of_vertices(), Cut_loci::null_index);
+  std::iota(origin.begin(), origin.begin() + read.mesh.number_of_vertices(), Cut_loci::Index(0));
+  const auto built = internal::output_mesh(tm, read, refined.mesh, origin, refined.faces, output, np_in, np_out);
+  internal::output_seams(refined.mesh, refined.seams, built, output,
+                         get_parameter(np_out, internal_np::edge_is_constrained));
+}
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusRef
+ *
+ * cuts a surface open along a cut locus that may run through the faces: it splits these as `refine_along_cut_locus()`
+ * does, and then cuts along the edges of the result as `cut_along_cut_locus()` does. The result is one topological disk
+ * with straight seams, the component of the source alone. Parameters and errors are those of these functions, but for
+ * `edge_is_constrained_map`.
+ *
+ * Parts of the curve that touch after rounding, and so enclose faces, are opened. A smoothed curve may have left the
+ * border, or slipped off a thin handle: then the shortest ways over edges are cut, too. See `Cut_loci::repair_seams()`.
+ */
+template <typename TriangleMesh, typename Point_3, typename OutputMesh,
+          typename NamedParametersIn = parameters::Default_named_parameters,
+          typename NamedParametersOut = parameters::Default_named_parameters>
+void cut_along_curve(const TriangleMesh& tm, const Cut_locus<TriangleMesh, Point_3>& cut_locus, OutputMesh& output,
+                     const NamedParametersIn& np_in = parameters::default_values(),
+                     const NamedParametersOut& np_out = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  namespace internal = Cut_loci::internal;
+  using Cut_loci::Index;
+
+  const Index resolution = internal::resolution_of(
+    choose_parameter(get_parameter(np_in, internal_np::snapping_tolerance), internal::default_snapping_of_curves));
+  const auto read = internal::read_triangle_mesh(
+    tm, choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm)));
+  const internal::Curve_on_component on = internal::on_component(read.mesh,
+                                                                 internal::curve_on_mesh(read, tm, cut_locus));
+  Cut_loci::Refined_mesh refined = Cut_loci::refine_along_curve(
+    on.component.mesh, internal::manifold_connectivity(on.component.mesh), on.curve.graph, resolution);
+  Cut_loci::repair_seams(refined.mesh, refined.nodes.front(), refined.seams);
+  Cut_loci::complete_seams(refined.mesh, Cut_loci::Mesh_connectivity(refined.mesh), refined.nodes.front(),
+                           on.curve.source_vertex, refined.seams);
+  const Cut_loci::Cut_mesh cut = internal::cut_open_to_disk(refined.mesh, refined.seams);
+
+  std::vector<Index> vertices, faces;
+  for(Index v : cut.vertices)
+    vertices.push_back(v < on.component.vertices.size() ? on.component.vertices[v] : Cut_loci::null_index);
+  for(Index f : refined.faces)
+    faces.push_back(on.component.faces[f]);
+  internal::output_mesh(tm, read, cut.mesh, vertices, faces, output, np_in, np_out);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_REFINE_ALONG_CUT_LOCUS_H

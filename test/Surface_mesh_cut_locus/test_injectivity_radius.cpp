@@ -1,0 +1,195 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "built_mesh.h"
+
+#include <CGAL/Cut_loci/injectivity_radius.h>
+#include <CGAL/Cut_loci/statistics.h>
+#include <CGAL/compute_cut_locus.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace test_meshes;
+namespace params = CGAL::parameters;
+using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::injectivity_radius;
+using CGAL::Cut_loci::Method;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Cut_locus = CGAL::Cut_locus<Mesh, Kernel::Point_3>;
+
+// ---- the minimum over a graph
+
+// a graph of given points in the plane, with the distances to the origin
+Cut_locus made_of(const std::vector<Kernel::Point_3>& points, const std::vector<std::pair<int, int> >& edges)
+{
+  Cut_locus::Graph graph;
+  for(const Kernel::Point_3& p : points)
+  {
+    Cut_locus::Vertex v;
+    v.point = p;
+    v.distance = std::sqrt((p - CGAL::ORIGIN).squared_length());
+    add_vertex(v, graph);
+  }
+  for(const auto& e : edges)
+    add_edge(e.first, e.second, Cut_locus::Edge(), graph);
+  return Cut_locus(graph, {}, {}, nullptr, {});
+}
+
+TEST(Injectivity_radius, Is_reached_at_a_vertex_or_within_an_edge)
+{
+  const auto inside = injectivity_radius(made_of({{-1., 1., 0.}, {3., 1., 0.}, {3., 2., 0.}}, {{1, 2}, {0, 1}}));
+  EXPECT_DOUBLE_EQ(inside.distance, 1.);
+  EXPECT_NEAR((inside.point - Kernel::Point_3(0., 1., 0.)).squared_length(), 0., 1e-30);
+  EXPECT_TRUE(inside.edge);
+  EXPECT_EQ(inside.vertex, 0u);
+
+  const auto at_vertex = injectivity_radius(made_of({{1., 1., 0.}, {3., 1., 0.}, {3., 2., 0.}}, {{1, 2}, {0, 1}}));
+  EXPECT_DOUBLE_EQ(at_vertex.distance, std::sqrt(2.));
+  EXPECT_EQ(at_vertex.point, Kernel::Point_3(1., 1., 0.));
+  EXPECT_FALSE(at_vertex.edge);
+  EXPECT_EQ(at_vertex.vertex, 0u);
+
+  EXPECT_DOUBLE_EQ(injectivity_radius(made_of({{3., 4., 0.}}, {})).distance, 5.);
+  EXPECT_DOUBLE_EQ(injectivity_radius(made_of({{3., 4., 0.}, {3., 4., 0.}}, {{0, 1}})).distance, 5.); // no length
+  EXPECT_DOUBLE_EQ(CGAL::Cut_loci::compute_statistics(made_of({{-1., 1., 0.}, {3., 1., 0.}}, {{0, 1}}))
+                     .injectivity_radius, 1.);
+  EXPECT_THROW(injectivity_radius(made_of({}, {})), CGAL::Cut_loci::Invalid_input);
+}
+
+// ---- closed forms
+
+struct Surface
+{
+  std::string name;
+  double radius; // of injectivity
+  std::function<Mesh_data(int)> make;
+  Point source;
+};
+
+double half_meridian_of_spheroid(double a, double c)
+{
+  double sum = 0.;
+  const int n = 10000;
+  for(int i = 0; i < n; ++i)
+  {
+    const double t = pi * (i + 0.5) / n;
+    sum += std::hypot(a * std::cos(t), c * std::sin(t));
+  }
+  return sum * pi / n;
+}
+
+// The distance of the first conjugate point on a meridian from the equator: the first zero of J'' + K J = 0.
+double conjugate_distance_on_meridian(double a, double c)
+{
+  double s = 0., j = 0., dj = 1.;
+  const double dt = 1e-5;
+  for(double t = 0.5 * dt; j >= 0.; t += dt)
+  {
+    const double q = a * a * std::sin(t) * std::sin(t) + c * c * std::cos(t) * std::cos(t);
+    const double ds = std::sqrt(q) * dt, curvature = c * c / (q * q);
+    dj -= curvature * j * ds;
+    j += dj * ds;
+    s += ds;
+  }
+  return s;
+}
+
+// On the sphere the cut locus is the antipode; on the tori, whose closed geodesics of a meridian are the shortest, half
+// of one is the radius, reached inside of a curve. The end of the curve, a conjugate point, is the nearest point for a
+// source on the equator of a flat spheroid, at pi c, and of a long one. From a pole, all meridians meet at the other.
+const std::vector<Surface>& surfaces()
+{
+  const auto flat = [](int n) { return ellipsoid(1., 1., 0.6, 10 * n, 0.15, 3); };
+  const auto elongated = [](int n) { return ellipsoid(1., 1., 1.5, 10 * n, 0.15, 3); };
+  const auto tube = [](int n) { return torus(1., 0.4, 50 * n, 20 * n, 0.15, 2); };
+  static const std::vector<Surface> result = {
+    {"sphere", pi, [](int n) { return jittered_sphere(10 * n, 0.15, 1); }, {{1., 0., 0.}}},
+    {"torus, outer equator", 0.4 * pi, tube, {{1.4, 0., 0.}}},
+    {"torus, inner equator", 0.4 * pi, tube, {{0.6, 0., 0.}}},
+    {"flat spheroid, equator", 0.6 * pi, flat, {{1., 0., 0.}}},
+    {"long spheroid, equator", conjugate_distance_on_meridian(1., 1.5), elongated, {{1., 0., 0.}}},
+    {"long spheroid, pole", half_meridian_of_spheroid(1., 1.5), elongated, {{0., 0., 1.5}}}};
+  return result;
+}
+
+bool is_torus(const Surface& surface) { return surface.name.find("torus") == 0; }
+
+struct Estimate
+{
+  double error, h; // h: the mean length of edges
+};
+
+// at three resolutions, each twice as fine as the one before
+std::vector<Estimate> estimates(const Surface& surface, Method method, bool is_through_faces)
+{
+  std::vector<Estimate> result;
+  for(int n : {1, 2, 4})
+  {
+    const Mesh_data data = surface.make(n);
+    const Built_mesh<Mesh> built(data);
+    CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, params::cut_locus_method(method));
+    solver.set_source(built.vertices[nearest_vertex(data, surface.source)]);
+    const auto radius = injectivity_radius(
+      method == Method::LAPLACIAN ? solver.cut_locus(params::number_of_iterations(is_through_faces ? 4 : 0))
+      : solver.cut_locus(params::cut_locus_curve(is_through_faces ? Curve::THROUGH_FACES : Curve::MESH_EDGES)));
+    result.push_back({std::abs(radius.distance - surface.radius), mean_edge_length(data)});
+  }
+  return result;
+}
+
+TEST(Injectivity_radius, Is_within_half_an_edge_by_the_method_of_directions)
+{
+  for(const Surface& surface : surfaces())
+    for(bool is_through_faces : {false, true})
+    {
+      SCOPED_TRACE(surface.name + (is_through_faces ? ", through faces" : ", edges of the mesh"));
+      const std::vector<Estimate> e = estimates(surface, Method::DIRECTION, is_through_faces);
+      for(const Estimate& estimate : e)
+        EXPECT_LT(estimate.error, 0.5 * estimate.h);
+      if(is_through_faces)
+        EXPECT_LT(e[2].error, 0.6 * e[0].error);
+    }
+}
+
+TEST(Injectivity_radius, Has_an_error_of_second_order_inside_a_curve_through_faces)
+{
+  for(const Surface& surface : surfaces())
+  {
+    if(!is_torus(surface))
+      continue;
+    for(const Estimate& estimate : estimates(surface, Method::DIRECTION, true))
+      EXPECT_LT(estimate.error, 0.5 * estimate.h * estimate.h) << surface.name;
+  }
+}
+
+// A branch thins out towards a conjugate point, where the threshold on the angle cuts it off, whatever the resolution:
+// the radius is then that of the branch that is left. Around a point where all paths meet, stubs of a few edges remain.
+TEST(Injectivity_radius, Converges_by_the_method_of_the_Laplacian_unless_a_threshold_cuts_it_off)
+{
+  for(const Surface& surface : surfaces())
+  {
+    if(surface.name == "flat spheroid, equator")
+      continue;
+    for(bool is_through_faces : {false, true})
+      for(const Estimate& estimate : estimates(surface, Method::LAPLACIAN, is_through_faces))
+        EXPECT_LT(estimate.error, (is_torus(surface) ? 0.5 : 4.) * estimate.h)
+          << surface.name << (is_through_faces ? ", through faces" : ", edges of the mesh");
+  }
+}
+
+} // namespace
