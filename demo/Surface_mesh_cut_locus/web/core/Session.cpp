@@ -6,9 +6,12 @@
 
 #include "Session.h"
 
+#include "report_stage.h"
+
 #include <CGAL/Cut_loci/IO/OBJ.h>
 #include <CGAL/Cut_loci/IO/PLY.h>
 #include <CGAL/Cut_loci/IO/polylines.h>
+#include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Cut_loci/statistics.h>
 
 #include <algorithm>
@@ -23,11 +26,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// edges, cycles, leaves, branchings, length, least distance to the source
+// edges, cycles, leaves, branchings, length, injectivity radius, where it is reached (3)
 std::vector<double> statistics_of(const Cut_locus& cut_locus)
 {
   const CGAL::Cut_loci::Cut_locus_statistics s = CGAL::Cut_loci::compute_statistics(cut_locus);
-  return {double(s.edges), double(s.cycles), double(s.leaves), double(s.branchings), s.length, s.injectivity_radius};
+  const auto nearest = CGAL::Cut_loci::injectivity_radius(cut_locus);
+  return {double(s.edges), double(s.cycles), double(s.leaves), double(s.branchings), s.length, nearest.distance,
+          nearest.point.x(), nearest.point.y(), nearest.point.z()};
 }
 
 } // namespace
@@ -156,6 +161,13 @@ void Session::compute_laplacian()
 void Session::compute_gradient()
 {
   gradient = fields().gradient(exact_distance_);
+}
+
+void Session::cut_open(const Thresholds& thresholds)
+{
+  compute_curve(MESH_EDGES, thresholds);
+  report_stage(6, 1);
+  atlas = make_atlas(*mesh_, *results_[MESH_EDGES], [] { report_stage(7, 1); });
 }
 
 const Fields& Session::fields()

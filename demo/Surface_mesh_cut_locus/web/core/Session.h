@@ -7,6 +7,7 @@
 #ifndef SURFACE_MESH_CUT_LOCUS_WEB_SESSION_H
 #define SURFACE_MESH_CUT_LOCUS_WEB_SESSION_H
 
+#include "atlas.h"
 #include "fields.h"
 #include "solvers.h"
 
@@ -36,6 +37,7 @@ public:
   void compute_curve(Curve_index index, const Thresholds& thresholds);
   void compute_laplacian();
   void compute_gradient();
+  void cut_open(const Thresholds& thresholds);
   std::string write_curve(Curve_index index, const std::string& format) const;
 
   std::vector<float> positions;        // of the vertices, moved and scaled to fill the unit ball
@@ -44,6 +46,7 @@ public:
   std::vector<double> mesh_numbers;    // center (3), radius
   std::vector<double> source_numbers;  // source (3), farthest vertex (3), its distance, default angle, border loops, genus
   Curve curves[2];
+  Atlas atlas;
 
 private:
   void append_point(const Kernel::Point_3& p, std::vector<float>& to) const;

@@ -8,6 +8,7 @@
 // Results are read from arrays of the session; their numbers are those in src/arrays.js.
 
 #include "Session.h"
+#include "report_stage.h"
 #include "samples.h"
 
 #include <emscripten.h>
@@ -21,6 +22,7 @@
 namespace {
 
 Session session;
+Thresholds thresholds;
 std::string error, text;
 
 template <typename Function>
@@ -73,16 +75,23 @@ Array array(int id)
   case 11: return array(session.curves[1].strength);
   case 12: return array(session.curves[1].numbers);
   case 13: return {text.data(), text.size()};
+  case 14: return array(session.atlas.origin);
+  case 15: return array(session.atlas.triangles);
+  case 16: return array(session.atlas.border);
+  case 17: return array(session.atlas.uv);
+  case 18: return array(session.atlas.numbers);
   default: return {nullptr, 0};
   }
 }
 
 } // namespace
 
-EM_JS(void, report_stage, (int stage, int starts), { Module['onStage'](stage, starts); });
+EM_JS(void, report_stage_to_page, (int stage, int starts), { Module['onStage'](stage, starts); });
 
-void Stage_reporter::start_stage(CGAL::Cut_loci::Stage stage) const { report_stage(static_cast<int>(stage), 1); }
-void Stage_reporter::end_stage(CGAL::Cut_loci::Stage stage) const { report_stage(static_cast<int>(stage), 0); }
+void report_stage(int stage, bool starts) { report_stage_to_page(stage, starts); }
+
+void Stage_reporter::start_stage(CGAL::Cut_loci::Stage stage) const { report_stage(static_cast<int>(stage), true); }
+void Stage_reporter::end_stage(CGAL::Cut_loci::Stage stage) const { report_stage(static_cast<int>(stage), false); }
 
 extern "C" {
 
@@ -110,12 +119,22 @@ EMSCRIPTEN_KEEPALIVE int set_source(unsigned int face, double b0, double b1, dou
   return run([&] { session.set_source(face, {{b0, b1, b2}}); });
 }
 
-EMSCRIPTEN_KEEPALIVE int compute_curve(int index, double strength, double angle, double laplacian,
-                                       double minimum_edges, double minimum_length, int grows, int smoothing)
+// What is not a number stands for the default of the library.
+EMSCRIPTEN_KEEPALIVE void set_thresholds(double strength, double angle, double laplacian, double minimum_edges,
+                                         double minimum_length, int grows, int smoothing)
 {
-  const Thresholds thresholds = {strength, angle, laplacian, minimum_edges, minimum_length, grows != 0,
-                                 static_cast<unsigned int>(smoothing)};
+  thresholds = {strength, angle, laplacian, minimum_edges, minimum_length, grows != 0,
+                static_cast<unsigned int>(smoothing)};
+}
+
+EMSCRIPTEN_KEEPALIVE int compute_curve(int index)
+{
   return run([&] { session.compute_curve(static_cast<Session::Curve_index>(index), thresholds); });
+}
+
+EMSCRIPTEN_KEEPALIVE int cut_open()
+{
+  return run([&] { session.cut_open(thresholds); });
 }
 
 EMSCRIPTEN_KEEPALIVE int compute_laplacian()

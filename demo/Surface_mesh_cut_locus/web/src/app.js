@@ -1,5 +1,6 @@
 // What the page does: it loads a mesh, solves for a source, follows the sliders and cuts the surface open. It knows
 // the engine, the viewer and the panel, which do not know each other.
+import { describeAtlas, seamsOf } from './atlas.js';
 import { Cancelled, Engine } from './engine.js';
 import { atlasToObj, download, meshToPly } from './exporters.js';
 import { explain, objectionTo } from './messages.js';
@@ -12,9 +13,12 @@ const stageTexts = {
   strength: 'Finding jumps…',
   tree: 'Growing the tree…',
   homology: 'Closing the cycles…',
+  cutting: 'Cutting the surface open…',
+  flattening: 'Flattening…',
 };
 
 const faceCurve = 1, edgeCurve = 0;
+const restMilliseconds = 150; // a slider that has not moved for so long is at rest
 
 export class App {
   constructor(viewer, panel, state) {
@@ -102,6 +106,7 @@ export class App {
         this.viewer.resetView();
       }
       this.atlas = null;
+      this.panel.setCut(false);
       this.curves = {};
       this.viewer.setMesh(this.mesh.positions, this.mesh.triangles);
       this.panel.setMesh(this.state, this.mesh);
@@ -143,6 +148,7 @@ export class App {
     this.viewer.setDistance(this.distance);
     this.viewer.setMarker(this.viewer.sourceMarker, this.toView(this.source.point));
     this.viewer.setMarker(this.viewer.farthestMarker, this.toView(this.source.farthest));
+    const { isCut } = this.state;
     this.dropAtlas();
     this.takeCurves(result);
     this.viewer.draw();
@@ -151,9 +157,12 @@ export class App {
       solve: result.solveMilliseconds,
       stages: result.stages,
       threshold: null,
+      smoothing: null,
+      cut: null,
     });
     await this.showFields();
-    if (this.state.isCut) await this.cutNow();
+    this.state.isCut = isCut;
+    if (isCut) await this.cutNow();
     this.report();
   }
 
@@ -170,12 +179,24 @@ export class App {
     return curves;
   }
 
-  // A slider has moved. While the worker computes, only the last move is remembered.
-  async updateCurves() {
+  // Smoothing takes longer than a frame: it waits for the slider to rest.
+  setParameter(name, value) {
+    this.state.parameters[name] = value;
+    const { method, show, parameters } = this.state;
+    const waits = method === 'laplacian' && show.faceCurve && parameters.smoothing > 0;
+    clearTimeout(this.restTimer);
+    if (!waits) return this.updateCurves();
+    this.restTimer = setTimeout(() => this.updateCurves(true), restMilliseconds);
+    return this.updateCurves(false);
+  }
+
+  // While the worker computes, only the last move of a slider is remembered.
+  async updateCurves(isSmooth = true) {
     if (!this.isSolved) {
       if (this.mesh && !this.engine.isBusy) await this.solve();
       return;
     }
+    this.wantsSmooth = isSmooth;
     this.moved = performance.now();
     if (this.isUpdating) {
       this.wantsUpdate = true;
@@ -187,11 +208,11 @@ export class App {
         this.wantsUpdate = false;
         const begin = this.moved;
         const result = await this.engine.run('curves',
-          { curves: this.wantedCurves(), parameters: { ...this.state.parameters } });
+          { curves: this.wantedCurves(), parameters: this.liveParameters() });
         this.dropAtlas();
         this.takeCurves(result);
         this.viewer.draw();
-        this.times.threshold = { shown: performance.now() - begin, computed: result.milliseconds };
+        this.times[this.wantsSmooth && this.state.method === 'laplacian' ? 'smoothing' : 'threshold'] = { shown: performance.now() - begin, computed: result.milliseconds };
         this.panel.hideMessage();
         this.report();
       } while (this.wantsUpdate);
@@ -200,6 +221,10 @@ export class App {
     } finally {
       this.isUpdating = false;
     }
+  }
+
+  liveParameters() {
+    return { ...this.state.parameters, ...(this.wantsSmooth ? {} : { smoothing: 0 }) };
   }
 
   takeCurves(result) {
@@ -274,23 +299,44 @@ export class App {
     this.report();
   }
 
-  setParameter(name, value) {
-    this.state.parameters[name] = value;
-    return this.updateCurves();
-  }
-
   resetParameters() {
     this.state.parameters = defaultState().parameters;
     this.panel.setState(this.state);
     return this.updateCurves();
   }
 
+  async toggleCut() {
+    if (!this.mesh || this.engine.isBusy) return;
+    this.state.isCut = !this.atlas;
+    if (this.atlas) {
+      this.dropAtlas();
+    } else if (!await this.attempt('Cutting the surface open…', () => (this.isSolved ? this.cutNow() : this.solveNow()))) {
+      this.state.isCut = false;
+    }
+    this.report();
+  }
+
+  // Along the curve of mesh edges, for the thresholds as they are.
+  async cutNow() {
+    const begin = performance.now();
+    const { edgeCurve: curve, ...atlas } =
+      await this.engine.run('cut', { parameters: { ...this.state.parameters } });
+    this.curves.edgeCurve = curve;
+    this.atlas = atlas;
+    this.viewer.showCut({ ...atlas, ...seamsOf(atlas, this.mesh.positions) });
+    this.panel.setCut(true, describeAtlas(atlas.numbers, atlas.triangles.length / 3));
+    this.times.cut = performance.now() - begin;
+    this.drawCurves();
+  }
+
   // A cut belongs to the curve that it followed.
   dropAtlas() {
     if (!this.atlas) return;
     this.atlas = null;
+    this.state.isCut = false;
     this.viewer.showUncut();
     this.panel.setCut(false);
+    this.updateDisk();
   }
 
   report() {

@@ -10,6 +10,13 @@ export const arrays = {
   edgeCurve: { segments: [7, 'f32'], strength: [8, 'f32'], numbers: [9, 'f64'] },
   faceCurve: { segments: [10, 'f32'], strength: [11, 'f32'], numbers: [12, 'f64'] },
   text: [13, 'u8'],
+  atlas: {
+    origin: [14, 'u32'],
+    triangles: [15, 'u32'],
+    border: [16, 'u32'],
+    uv: [17, 'f32'],
+    numbers: [18, 'f64'],
+  },
 };
 
 export const curveNames = ['edgeCurve', 'faceCurve'];

@@ -24,14 +24,14 @@ export function meshToPly({ positions, triangles, numbers }, distance) {
   return bytes;
 }
 
-// The cut surface: a record `v` and a record `vt` for each of its vertices.
+// The cut surface: a record `v` and a record `vt`, in [0, 1], for each of its vertices.
 export function atlasToObj({ positions, numbers }, { origin, triangles, uv }) {
   const lines = [];
   for (let i = 0; i < origin.length; ++i) {
     const p = [0, 1, 2].map((k) => Number((numbers[k] + numbers[3] * positions[3 * origin[i] + k]).toPrecision(9)));
     lines.push(`v ${p.join(' ')}`);
   }
-  for (let i = 0; i < origin.length; ++i) lines.push(`vt ${uv[2 * i]} ${uv[2 * i + 1]}`);
+  for (let i = 0; i < origin.length; ++i) lines.push(`vt ${(1 + uv[2 * i]) / 2} ${(1 + uv[2 * i + 1]) / 2}`);
   for (let f = 0; f < triangles.length; f += 3) {
     const corners = [0, 1, 2].map((k) => `${triangles[f + k] + 1}/${triangles[f + k] + 1}`);
     lines.push(`f ${corners.join(' ')}`);

@@ -6,6 +6,7 @@ const element = (id) => document.getElementById(id);
 const count = (n) => Math.round(n).toLocaleString('en');
 
 function milliseconds(ms) {
+  if (!Number.isFinite(ms)) return '–';
   if (ms >= 1000) return `${(ms / 1000).toPrecision(3)} s`;
   return `${ms >= 100 ? Math.round(ms) : ms.toFixed(1)} ms`;
 }
@@ -123,8 +124,10 @@ export class Panel {
     const { threshold } = times;
     fillList(element('times'), [
       ['new threshold', threshold ? `${milliseconds(threshold.shown)} (${milliseconds(threshold.computed)} computing)` : '–'],
+      ...(times.smoothing ? [['smoothed', milliseconds(times.smoothing.shown)]] : []),
       ['new source', `${milliseconds(times.source)} (${milliseconds(times.solve)} computing)`],
       ...Object.entries(times.stages).map(([stage, ms]) => [`– ${stage}`, milliseconds(ms)]),
+      ...(times.cut ? [['cut and flattened', milliseconds(times.cut)]] : []),
       ['reading', milliseconds(times.load)],
     ]);
   }
@@ -133,7 +136,9 @@ export class Panel {
     element('legend-nearest').hidden = !visible;
   }
 
-  setCut(isCut) {
+  setCut(isCut, description = '') {
+    element('cut-info').textContent = description;
+    element('cut-info').hidden = !isCut;
     element('cut').textContent = isCut ? 'Close again' : 'Cut and flatten';
     element('cut').setAttribute('aria-pressed', isCut);
   }

@@ -5,7 +5,8 @@ import { arrays, curveNames } from './arrays.js';
 const base = new URL('.', self.location.href);
 importScripts(new URL('cut_locus.js', base).href);
 
-const stageNames = ['preprocessing', 'distance', 'strength', 'tree', 'homology', 'filter'];
+const stageNames = ['preprocessing', 'distance', 'strength', 'tree', 'homology', 'filter',
+  'cutting', 'flattening'];
 let stageTimes = {};
 let stageStart = 0;
 
@@ -33,6 +34,16 @@ function arrayOf(module, [number, type]) {
   const result = new Type(size);
   if (size > 0) result.set(new Type(module.HEAPU8.buffer, module._array_data(number), size));
   return result;
+}
+
+function arraysOf(module, named) {
+  return Object.fromEntries(Object.entries(named).map(([name, array]) => [name, arrayOf(module, array)]));
+}
+
+function setThresholds(module, p) {
+  const number = (value) => (value === null ? NaN : value);
+  module._set_thresholds(number(p.strength), number(p.angle), number(p.laplacian), number(p.minimumEdges),
+    number(p.minimumLength), p.policy === 'grow' ? 1 : 0, p.smoothing);
 }
 
 function check(module, success) {
@@ -77,19 +88,22 @@ const commands = {
     return result;
   },
 
-  curves(module, { curves, parameters: p }) {
+  curves(module, { curves, parameters }) {
     const start = performance.now();
     const result = {};
-    const number = (value) => (value === null ? NaN : value);
+    setThresholds(module, parameters);
     for (const i of curves) {
-      check(module, module._compute_curve(i, number(p.strength), number(p.angle), number(p.laplacian),
-        number(p.minimumEdges), number(p.minimumLength), p.policy === 'grow' ? 1 : 0, p.smoothing));
-      const curve = {};
-      for (const [key, array] of Object.entries(arrays[curveNames[i]])) curve[key] = arrayOf(module, array);
-      result[curveNames[i]] = curve;
+      check(module, module._compute_curve(i));
+      result[curveNames[i]] = arraysOf(module, arrays[curveNames[i]]);
     }
     result.milliseconds = performance.now() - start;
     return result;
+  },
+
+  cut(module, { parameters }) {
+    setThresholds(module, parameters);
+    check(module, module._cut_open());
+    return { ...arraysOf(module, arrays.atlas), edgeCurve: arraysOf(module, arrays.edgeCurve) };
   },
 
   laplacian(module) {
