@@ -9,8 +9,8 @@
  * \cgalConcept
  *
  * The concept `CutLocusVisitor` describes what is told when the stages of `CGAL::Surface_mesh_cut_locus` start and end,
- * for example to show progress or to take the time. An exception that it throws leaves the computation, which is a way
- * to cancel it: the object then has no source until `set_source()` is called again.
+ * for example to show progress, to take the time, or to cancel: an exception that `start_stage()` throws leaves the
+ * computation. The object can be used again then; if it was in `set_source()`, it has no source until the next call.
  *
  * \cgalRefines{CopyConstructible}
  *
@@ -21,9 +21,9 @@
 class CutLocusVisitor
 {
 public:
-  /// is called before a stage.
+  /// is called before a stage. It may throw.
   void start_stage(CGAL::Cut_loci::Stage stage);
 
-  /// is called after a stage, also if it ended by an exception.
+  /// is called after a stage, also if that ended by an exception. It must not throw.
   void end_stage(CGAL::Cut_loci::Stage stage);
 };
