@@ -20,6 +20,10 @@ namespace CGAL {
  * The function constructs a `Surface_mesh_cut_locus`, sets the source and returns the cut locus. For several sources
  * on a mesh or several thresholds for a source, the class does what they share only once.
  *
+ * The method is chosen by the distances, unless `cut_locus_method` is given: `Cut_loci::Method::DIRECTION` with the
+ * default solver, `Cut_loci::Method::LAPLACIAN` with others and with a `vertex_distance_map`. A threshold of the method
+ * that is not in force is refused.
+ *
  * @tparam TriangleMesh a model of `FaceListGraph`
  * @tparam Source `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or a pair of a face and barycentric
  * coordinates as
