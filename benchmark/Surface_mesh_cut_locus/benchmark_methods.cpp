@@ -13,7 +13,6 @@
 
 #include "analytic_surfaces.h"
 #include "curve_distance.h"
-#include "direction_truth.h"
 #include "remeshed_surface.h"
 
 #include <CGAL/Graph_geodesic_solver.h>
@@ -47,7 +46,19 @@ struct Case
   std::function<Polylines(double)> truth; // sampled at a step
 };
 
-Mesh cached_mesh(const Torus& torus, double length, const std::string& cache)
+template <typename Cut_locus>
+Polylines polylines_of(const Cut_locus& cut_locus)
+{
+  Polylines result;
+  const auto& graph = cut_locus.graph();
+  for(auto e : CGAL::make_range(edges(graph)))
+    result.push_back({graph[source(e, graph)].point, graph[target(e, graph)].point});
+  if(result.empty())
+    result.push_back({graph[cut_locus.root()].point});
+  return result;
+}
+
+Mesh torus_mesh(const Torus& torus, double length, const std::string& cache)
 {
   const std::string file = cache + "/torus_" + std::to_string(length) + ".off";
   Mesh mesh;
@@ -85,7 +96,7 @@ void run(const std::string& solver_name, const Solver& solver, Method method, co
   const Polylines truth = test.truth(h / 5.);
   for(const bool is_smooth : {false, true})
   {
-    Polylines estimate = segments_of(is_smooth ? through_faces : along_edges);
+    Polylines estimate = polylines_of(is_smooth ? through_faces : along_edges);
     const Deviation there = deviation(estimate, truth, h / 5.), back = deviation(truth, estimate, h / 5.);
     std::printf("%s,%u,%.5f,%s,%s,%s,%.2e,%.2e,%.3f,%.3f,%.3f,%.3f\n", test.name.c_str(),
                 unsigned(mesh.number_of_faces()), h, solver_name.c_str(),
@@ -133,7 +144,7 @@ int main(int argc, char** argv)
             "from_truth_mean,from_truth_max");
   for(double length : lengths)
   {
-    const Mesh mesh = cached_mesh(torus, length, cache);
+    const Mesh mesh = torus_mesh(torus, length, cache);
     for(const Case& c : cases)
     {
       run("exact", CGAL::Exact_geodesic_solver(), Method::DIRECTION, c, mesh);
