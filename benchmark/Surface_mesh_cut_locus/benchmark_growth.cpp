@@ -163,8 +163,8 @@ std::vector<Solver_case> solver_cases()
            { return measure(n, CGAL::Exact_geodesic_solver(), Method::LAPLACIAN, k); }},
           {"graph", any, [](std::size_t n, int k)
            { return measure(n, CGAL::Graph_geodesic_solver(), Method::LAPLACIAN, k); }},
-          {"heat-direct", 1000000, [](std::size_t n, int k) { return measure(n, Direct_heat(), Method::LAPLACIAN, k); }},
-          {"heat", 500000, [](std::size_t n, int k) { return measure(n, Heat(), Method::LAPLACIAN, k); }},
+          {"heat-direct", 300000, [](std::size_t n, int k) { return measure(n, Direct_heat(), Method::LAPLACIAN, k); }},
+          {"heat", 300000, [](std::size_t n, int k) { return measure(n, Heat(), Method::LAPLACIAN, k); }},
           {"cgal-exact", 100000, [](std::size_t n, int)
            { return measure(n, CGAL::Shortest_path_geodesic_solver(), Method::LAPLACIAN, 1); }}};
 }

@@ -94,9 +94,9 @@ void run(const std::string& solver_name, const Solver& solver, Method method, co
     }
 
   const Polylines truth = test.truth(h / 5.);
-  for(const bool is_smooth : {false, true})
+  for(bool is_smooth : {false, true})
   {
-    Polylines estimate = polylines_of(is_smooth ? through_faces : along_edges);
+    const Polylines estimate = polylines_of(is_smooth ? through_faces : along_edges);
     const Deviation there = deviation(estimate, truth, h / 5.), back = deviation(truth, estimate, h / 5.);
     std::printf("%s,%u,%.5f,%s,%s,%s,%.2e,%.2e,%.3f,%.3f,%.3f,%.3f\n", test.name.c_str(),
                 unsigned(mesh.number_of_faces()), h, solver_name.c_str(),
