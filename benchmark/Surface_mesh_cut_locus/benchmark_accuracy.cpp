@@ -8,9 +8,7 @@
 // All figures are in units of the mean edge length h: mean and max distance from the estimate to the truth, and from
 // the truth to the estimate; the larger max is the two-sided Hausdorff distance.
 
-#include "analytic_surfaces.h"
-#include "curve_distance.h"
-#include "remeshed_surface.h"
+#include "accuracy_benchmark.h"
 
 #include <CGAL/Exact_geodesic_solver.h>
 #include <CGAL/Graph_geodesic_solver.h>
@@ -21,7 +19,6 @@
 #include <boost/program_options.hpp>
 
 #include <cstdio>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <optional>
@@ -38,31 +35,6 @@ struct Case
   Point source;
   std::function<Polylines(double)> truth; // sampled at a step
 };
-
-Polylines segments(const Cut_locus& cut_locus)
-{
-  Polylines result;
-  const auto& g = cut_locus.graph();
-  for(auto e : CGAL::make_range(edges(g)))
-    result.push_back({g[source(e, g)].point, g[target(e, g)].point});
-  if(result.empty())
-    result.push_back({g[cut_locus.root()].point});
-  return result;
-}
-
-// The mesh of the surface with edges of about `length`, from the folder `cache` if it was made before.
-template <typename Surface>
-Mesh cached_mesh(const Surface& surface, const std::string& name, double length, const std::string& cache)
-{
-  const std::string file = cache.empty() ? "" : cache + "/" + name + "_" + std::to_string(length) + ".off";
-  Mesh mesh;
-  if(!file.empty() && std::ifstream(file).good() && CGAL::IO::read_OFF(file, mesh))
-    return mesh;
-  mesh = remeshed(surface, length);
-  if(!file.empty())
-    CGAL::IO::write_OFF(file, mesh, CGAL::parameters::stream_precision(17));
-  return mesh;
-}
 
 struct Thresholds
 {
@@ -89,7 +61,7 @@ void run(const std::string& solver_name, const Solver& solver, const Case& test,
                                                   .laplacian_threshold(laplacian)
                                                   .minimum_branch_edges(t.minimum_edges)
                                                   .number_of_iterations(iterations));
-    const Polylines estimate = segments(result);
+    const Polylines estimate = segments_of(result);
     const Deviation e = deviation(estimate, truth, h / 5.), m = deviation(truth, estimate, h / 5.);
     std::printf("%-22s %7u %8.5f  %-10s %9u %5.2f %9.3g  %7.3f %7.2f  %7.3f %7.2f\n", test.name.c_str(),
                 unsigned(mesh.number_of_faces()), h, solver_name.c_str(), iterations, angle,

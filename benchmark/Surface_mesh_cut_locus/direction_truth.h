@@ -7,10 +7,8 @@
 #ifndef CGAL_CUT_LOCI_BENCHMARK_DIRECTION_TRUTH_H
 #define CGAL_CUT_LOCI_BENCHMARK_DIRECTION_TRUTH_H
 
-#include "analytic_surfaces.h"
-#include "curve_distance.h"
+#include "accuracy_benchmark.h"
 #include "geodesic_shooting.h"
-#include "remeshed_surface.h"
 
 #include <CGAL/Surface_mesh_cut_locus.h>
 
@@ -22,18 +20,6 @@
 #include <vector>
 
 namespace analytic {
-
-template <typename Cut_locus>
-Polylines segments_of(const Cut_locus& cut_locus)
-{
-  Polylines result;
-  const auto& g = cut_locus.graph();
-  for(auto e : CGAL::make_range(edges(g)))
-    result.push_back({g[source(e, g)].point, g[target(e, g)].point});
-  if(result.empty())
-    result.push_back({g[cut_locus.root()].point});
-  return result;
-}
 
 // How far the curve of the direction method is from the cut locus of a general source, in mean edge lengths.
 struct Shot_errors

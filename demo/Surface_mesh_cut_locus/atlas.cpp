@@ -5,12 +5,12 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "atlas.h"
+#include "arap.h"
 
 #include <CGAL/cut_along_cut_locus.h>
 #include <CGAL/refine_along_cut_locus.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -30,11 +30,9 @@ using UV_map = Mesh::Property_map<Mesh::Vertex_index, Point_2>;
 SMP::Error_code parameterize(Mesh& disk, const std::string& name, UV_map uv)
 {
   const Mesh::Halfedge_index border = CGAL::Polygon_mesh_processing::longest_border(disk).first;
-  if(name == "lscm")
-    return SMP::parameterize(disk, SMP::LSCM_parameterizer_3<Mesh>(), border, uv);
   if(name == "convex")
     return SMP::parameterize(disk, SMP::Mean_value_coordinates_parameterizer_3<Mesh>(), border, uv);
-  return SMP::parameterize(disk, SMP::ARAP_parameterizer_3<Mesh>(), border, uv);
+  return SMP::parameterize(disk, SMP::LSCM_parameterizer_3<Mesh>(), border, uv); // arap starts from it, too
 }
 
 // The singular values of the map from a face to its image.
@@ -52,6 +50,29 @@ std::array<double, 2> stretches(const std::array<Kernel::Point_3, 3>& p, const s
   const double sum = a.squared_length() + b.squared_length();
   const double difference = std::sqrt((std::max)(0., sum * sum - 4. * determinant * determinant));
   return {{std::sqrt(0.5 * (sum + difference)), std::sqrt((std::max)(0., 0.5 * (sum - difference)))}};
+}
+
+bool make_rigid(const Mesh& disk, UV_map uv)
+{
+  std::vector<std::array<double, 3> > points;
+  std::vector<std::array<double, 2> > plane;
+  std::vector<std::array<std::size_t, 3> > faces;
+  for(Mesh::Vertex_index v : disk.vertices())
+  {
+    const Kernel::Point_3& p = disk.point(v);
+    points.push_back({{p.x(), p.y(), p.z()}});
+    plane.push_back({{uv[v].x(), uv[v].y()}});
+  }
+  for(Mesh::Face_index f : disk.faces())
+  {
+    const Mesh::Halfedge_index h = disk.halfedge(f);
+    faces.push_back({{disk.source(h), disk.target(h), disk.target(disk.next(h))}});
+  }
+  if(!flatten_as_rigidly_as_possible(points, faces, plane))
+    return false;
+  for(Mesh::Vertex_index v : disk.vertices())
+    uv[v] = Point_2(plane[v][0], plane[v][1]);
+  return true;
 }
 
 void measure(Atlas& atlas)
@@ -131,6 +152,8 @@ Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string
   const SMP::Error_code error = parameterize(disk, parameterization, uv);
   if(error != SMP::OK)
     throw std::runtime_error(std::string("the surface can not be flattened: ") + SMP::get_error_message(error));
+  if(parameterization == "arap" && !make_rigid(disk, uv))
+    throw std::runtime_error("the surface can not be flattened: the linear system can not be solved");
 
   Atlas atlas;
   atlas.parameterization = parameterization;

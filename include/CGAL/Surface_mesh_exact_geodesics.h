@@ -47,6 +47,8 @@ namespace CGAL {
  * In the worst case, time grows like \cgalBigO{n^2} and more with the number of faces. On meshes of smooth surfaces,
  * the number of windows grows like \cgalBigO{n^{1.5}}, the time a little slower, and the memory linearly.
  *
+ * Where distances need not be exact, `set_maximum_relative_error()` bounds their error and makes the growth nearly linear.
+ *
  * Faces must have an area: a face whose height is less than about `1e-13` of its longest edge can not be unfolded in
  * `double`, and is refused. Vertices whose faces form more than one fan are refused as well. In both cases the
  * constructor throws `Cut_loci::Invalid_input` with a message that names the element.
@@ -106,15 +108,15 @@ public:
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Surface_mesh_exact_geodesics(const TriangleMesh& tm,
                                         const CGAL_NP_CLASS& np = parameters::default_values())
-    : m_mesh(&tm)
-    , m_read(Cut_loci::internal::read_triangle_mesh(
+    : mesh_(&tm)
+    , read_(Cut_loci::internal::read_triangle_mesh(
           tm, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                            get_const_property_map(CGAL::vertex_point, tm))))
-    , m_geodesics(m_read.mesh, &m_read.positions)
+    , geodesics_(read_.mesh, &read_.positions)
   {
     // the solver has a copy of all it needs
-    m_read.mesh = Cut_loci::Indexed_triangle_mesh();
-    std::vector<Cut_loci::Index>().swap(m_read.positions);
+    read_.mesh = Cut_loci::Indexed_triangle_mesh();
+    std::vector<Cut_loci::Index>().swap(read_.positions);
   }
 
   Surface_mesh_exact_geodesics(const Surface_mesh_exact_geodesics&) = delete;
@@ -133,18 +135,18 @@ public:
     const Cut_loci::Index i = index(v);
     if(i == Cut_loci::null_index)
       throw Cut_loci::Invalid_input("the source is an isolated vertex: it is on no face");
-    m_sources.push_back(m_geodesics.vertex_location(i));
+    sources_.push_back(geodesics_.vertex_location(i));
   }
 
   /// adds a point in a face, on an edge, or at a vertex
   /// \throws Cut_loci::Invalid_input if the face is null or the coordinates are not barycentric
-  void add_source(const Face_location& location) { m_sources.push_back(to_indexed(location)); }
+  void add_source(const Face_location& location) { sources_.push_back(to_indexed(location)); }
 
   /// removes all sources
-  void clear_sources() { m_sources.clear(); }
+  void clear_sources() { sources_.clear(); }
 
   /// the number of sources
-  std::size_t number_of_sources() const { return m_sources.size(); }
+  std::size_t number_of_sources() const { return sources_.size(); }
 
   /// @}
 
@@ -153,29 +155,44 @@ public:
   /// @{
 
   /// stops the propagation at this distance; what is further away is not reached. Infinite by default.
-  void set_maximum_distance(FT distance) { m_options.maximum_distance = distance; }
+  void set_maximum_distance(FT distance) { options_.maximum_distance = distance; }
+
+  /// allows distances to be too long, by this times their length; zero by default.
+  ///
+  /// Neighbouring windows are then merged, so that a halfedge seldom has more than a few of them, and time and memory
+  /// grow about linearly with the number of faces. No distance is shorter than the exact one, nor longer than
+  /// `1 + error` times it, both up to rounding; `distance_error()` says how accurate each is. There are no directions
+  /// and no paths: functions that need them throw.
+  /// \throws Cut_loci::Invalid_input if `error` is negative or not a number
+  void set_maximum_relative_error(FT error)
+  {
+    if(!(error >= 0.))
+      throw Cut_loci::Invalid_input("the maximum relative error must not be negative");
+    options_.maximum_relative_error = error;
+  }
 
   /// asks for the directions at the source, at the price of some 10 % more time. Off by default.
-  void set_directions(bool wanted) { m_options.directions = wanted; }
+  void set_directions(bool wanted) { options_.directions = wanted; }
 
   /// asks for the distances at the centroids of all faces. Off by default.
-  void set_centroids(bool wanted) { m_options.all_centroids = wanted; }
+  void set_centroids(bool wanted) { options_.all_centroids = wanted; }
 
   /// adds a point to which the distance is wanted, and returns its number
   std::size_t add_query(const Face_location& location)
   {
-    m_options.queries.push_back(to_indexed(location));
-    return m_options.queries.size() - 1;
+    options_.queries.push_back(to_indexed(location));
+    return options_.queries.size() - 1;
   }
 
   /// removes all points added by `add_query()`
-  void clear_queries() { m_options.queries.clear(); }
+  void clear_queries() { options_.queries.clear(); }
 
   /// @}
 
   /// computes everything that has been asked for
-  /// \throws Cut_loci::Invalid_input if there is no source
-  void compute() { m_geodesics.run(m_sources, m_options); }
+  /// \throws Cut_loci::Invalid_input if there is no source, or if an error has been allowed and directions have been
+  ///         asked for
+  void compute() { geodesics_.run(sources_, options_); }
 
   /// the same with `source`, a vertex or a face location, as the only source
   template <typename Source>
@@ -194,7 +211,14 @@ public:
   FT distance(vertex_descriptor v) const
   {
     const Cut_loci::Index i = index(v);
-    return i == Cut_loci::null_index ? infinity() : m_geodesics.distance(i);
+    return i == Cut_loci::null_index ? infinity() : geodesics_.distance(i);
+  }
+
+  /// how much longer than the exact distance `distance(v)` may be; zero if no error has been allowed
+  FT distance_error(vertex_descriptor v) const
+  {
+    const Cut_loci::Index i = index(v);
+    return i == Cut_loci::null_index ? 0. : geodesics_.distance_error(i);
   }
 
   /// writes the distances of all vertices
@@ -203,20 +227,20 @@ public:
   template <typename VertexDistanceMap>
   void distances(VertexDistanceMap vdm) const
   {
-    for(Cut_loci::Index i = 0; i < m_read.vertices.size(); ++i)
-      put(vdm, m_read.vertices[i], m_geodesics.distance(i));
-    if(m_read.vertices.size() != num_vertices(*m_mesh))
-      for(vertex_descriptor v : CGAL::make_range(vertices(*m_mesh)))
+    for(Cut_loci::Index i = 0; i < read_.vertices.size(); ++i)
+      put(vdm, read_.vertices[i], geodesics_.distance(i));
+    if(read_.vertices.size() != num_vertices(*mesh_))
+      for(vertex_descriptor v : CGAL::make_range(vertices(*mesh_)))
         if(index(v) == Cut_loci::null_index)
           put(vdm, v, infinity());
   }
 
   /// the distance to query location number `i`
-  FT query_distance(std::size_t i) const { return m_geodesics.query_distance(i); }
+  FT query_distance(std::size_t i) const { return geodesics_.query_distance(i); }
 
   /// the distance to the centroid of `f`
   /// \pre centroids have been asked for
-  FT centroid_distance(face_descriptor f) const { return m_geodesics.query_distance(centroid(f)); }
+  FT centroid_distance(face_descriptor f) const { return geodesics_.query_distance(centroid(f)); }
 
   /// @}
 
@@ -225,7 +249,7 @@ public:
 
   /// the number of the source nearest to `v`, in the order in which sources were added
   /// \pre `v` is reached
-  std::size_t nearest_source(vertex_descriptor v) const { return m_geodesics.nearest_source(index(v)); }
+  std::size_t nearest_source(vertex_descriptor v) const { return geodesics_.nearest_source(index(v)); }
 
   /// the direction at its source in which the shortest path to `v` starts
   ///
@@ -233,13 +257,21 @@ public:
   /// `[0, source_angle())`, up to and including `source_angle()` for a source on the border. Zero is
   /// `source_halfedge()`.
   /// \pre directions have been asked for, `v` is reached and not a source
-  FT direction_at_source(vertex_descriptor v) const { return m_geodesics.direction_at_source(index(v)); }
+  FT direction_at_source(vertex_descriptor v) const
+  {
+    require_exact();
+    return geodesics_.direction_at_source(index(v));
+  }
 
   /// the same for query location number `i`
-  FT query_direction_at_source(std::size_t i) const { return m_geodesics.query_direction_at_source(i); }
+  FT query_direction_at_source(std::size_t i) const
+  {
+    require_exact();
+    return geodesics_.query_direction_at_source(i);
+  }
 
   /// the sum of the angles around source number `i`; \f$2\pi\f$ in faces
-  FT source_angle(std::size_t i = 0) const { return m_geodesics.source_angle(i); }
+  FT source_angle(std::size_t i = 0) const { return geodesics_.source_angle(i); }
 
   /// the halfedge along which the direction at source number `i` is zero
   ///
@@ -248,22 +280,24 @@ public:
   /// location; and in a face `f`, `halfedge(f, tm)`.
   halfedge_descriptor source_halfedge(std::size_t i = 0) const
   {
-    return m_read.halfedges[m_geodesics.source_halfedge(i)];
+    return read_.halfedges[geodesics_.source_halfedge(i)];
   }
 
   /// the direction at `v` in which the shortest path to it leads back to its source
   /// \pre `v` is reached and not a source
   Direction arrival_direction(vertex_descriptor v) const
   {
-    const Cut_loci::internal::Geodesic_arrival_direction direction = m_geodesics.arrival_direction(index(v));
-    return Direction(m_read.halfedges[direction.halfedge], direction.angle);
+    require_exact();
+    const Cut_loci::internal::Geodesic_arrival_direction direction = geodesics_.arrival_direction(index(v));
+    return Direction(read_.halfedges[direction.halfedge], direction.angle);
   }
 
   /// @}
 
   /// \name Shortest Paths
   /// A path is a sequence of face locations: its end, the points where it crosses edges or meets vertices, and its
-  /// source. No two consecutive ones are the same point. There are none if the end is not reached.
+  /// source. No two consecutive ones are the same point. There are none if the end is not reached. All functions throw
+  /// `Cut_loci::Invalid_input` if the last call of `compute()` has been allowed an error.
   /// @{
 
   /// writes the shortest path from `v` to its source
@@ -271,17 +305,19 @@ public:
   template <typename OutputIterator>
   OutputIterator shortest_path(vertex_descriptor v, OutputIterator out) const
   {
+    require_exact();
     const Cut_loci::Index i = index(v);
     if(i == Cut_loci::null_index)
       return out;
-    return write(Cut_loci::internal::Geodesic_path_tracing(m_geodesics).path_from_vertex(i), out);
+    return write(Cut_loci::internal::Geodesic_path_tracing(geodesics_).path_from_vertex(i), out);
   }
 
   /// writes the shortest path from query location number `i` to its source
   template <typename OutputIterator>
   OutputIterator query_shortest_path(std::size_t i, OutputIterator out) const
   {
-    return write(Cut_loci::internal::Geodesic_path_tracing(m_geodesics).path_from_query(i), out);
+    require_exact();
+    return write(Cut_loci::internal::Geodesic_path_tracing(geodesics_).path_from_query(i), out);
   }
 
   /// writes the shortest path from the centroid of `f` to its source
@@ -295,16 +331,23 @@ public:
   /// @}
 
   /// the number of windows that the last call of `compute()` has taken across a face
-  std::size_t number_of_windows() const { return m_geodesics.number_of_windows(); }
+  std::size_t number_of_windows() const { return geodesics_.number_of_windows(); }
 
 private:
   static constexpr FT infinity() { return (std::numeric_limits<FT>::infinity)(); }
 
-  Cut_loci::Index index(vertex_descriptor v) const { return get(m_read.index_of_vertex, v); }
+  void require_exact() const
+  {
+    if(geodesics_.is_approximate())
+      throw Cut_loci::Invalid_input("directions and paths need exact distances: "
+                                    "the maximum relative error must be zero");
+  }
+
+  Cut_loci::Index index(vertex_descriptor v) const { return get(read_.index_of_vertex, v); }
 
   std::size_t centroid(face_descriptor f) const
   {
-    return m_geodesics.number_of_queries() - m_geodesics.faces().number_of_faces() + get(m_read.index_of_face, f);
+    return geodesics_.number_of_queries() - geodesics_.faces().number_of_faces() + get(read_.index_of_face, f);
   }
 
   Cut_loci::Indexed_location to_indexed(const Face_location& location) const
@@ -312,9 +355,9 @@ private:
     if(location.first == Graph_traits::null_face())
       throw Cut_loci::Invalid_input("a location is in the null face");
     Cut_loci::Indexed_location result;
-    result.face = get(m_read.index_of_face, location.first);
+    result.face = get(read_.index_of_face, location.first);
     result.coordinates = location.second;
-    m_geodesics.check(result);
+    geodesics_.check(result);
     return result;
   }
 
@@ -322,15 +365,15 @@ private:
   OutputIterator write(const std::vector<Cut_loci::Indexed_location>& path, OutputIterator out) const
   {
     for(const Cut_loci::Indexed_location& location : path)
-      *out++ = Face_location(face(m_read.halfedges[3 * location.face], *m_mesh), location.coordinates);
+      *out++ = Face_location(face(read_.halfedges[3 * location.face], *mesh_), location.coordinates);
     return out;
   }
 
-  const TriangleMesh* m_mesh;
-  Cut_loci::internal::Read_triangle_mesh<TriangleMesh> m_read;
-  Cut_loci::internal::Exact_geodesic_propagation m_geodesics;
-  Cut_loci::internal::Exact_geodesic_options m_options;
-  std::vector<Cut_loci::Indexed_location> m_sources;
+  const TriangleMesh* mesh_;
+  Cut_loci::internal::Read_triangle_mesh<TriangleMesh> read_;
+  Cut_loci::internal::Exact_geodesic_propagation geodesics_;
+  Cut_loci::internal::Exact_geodesic_options options_;
+  std::vector<Cut_loci::Indexed_location> sources_;
 };
 
 } // namespace CGAL

@@ -56,15 +56,15 @@ std::vector<Indexed_location> random_sources(const Mesh& mesh, std::size_t n, un
 class Box_distance
 {
 public:
-  explicit Box_distance(const std::array<double, 3>& size) : m_size(size) {}
+  explicit Box_distance(const std::array<double, 3>& size) : size_(size) {}
 
   double operator()(const Point& s, const Point& t)
   {
-    m_target = t;
-    m_best = 1e300;
+    target_ = t;
+    best_ = 1e300;
     for(int face = 0; face < 6; ++face) {
       const std::size_t axis = std::size_t(face / 2);
-      if(std::fabs(s[axis] - (face % 2 ? m_size[axis] : 0.)) > 1e-12)
+      if(std::fabs(s[axis] - (face % 2 ? size_[axis] : 0.)) > 1e-12)
         continue;
       // the images of the axes in the plane, and of the source
       std::array<std::array<double, 2>, 3> image{};
@@ -72,7 +72,7 @@ public:
       image[(axis + 2) % 3] = {{0., 1.}};
       roll(face, image, s, {{0., 0.}}, 1u << face);
     }
-    return m_best;
+    return best_;
   }
 
 private:
@@ -90,9 +90,9 @@ private:
   void roll(int face, const std::array<Image, 3>& image, const Point& from, const Image& at, unsigned visited)
   {
     const std::size_t axis = std::size_t(face / 2);
-    if(std::fabs(m_target[axis] - (face % 2 ? m_size[axis] : 0.)) < 1e-12) {
-      const Image t = unfold(image, from, at, m_target);
-      m_best = (std::min)(m_best, std::hypot(t[0], t[1]));
+    if(std::fabs(target_[axis] - (face % 2 ? size_[axis] : 0.)) < 1e-12) {
+      const Image t = unfold(image, from, at, target_);
+      best_ = (std::min)(best_, std::hypot(t[0], t[1]));
     }
     for(int next = 0; next < 6; ++next) {
       const std::size_t other = std::size_t(next / 2);
@@ -100,8 +100,8 @@ private:
         continue;
       // a point of the common edge; behind it the next face leads away from the plane of this one
       Point edge = from;
-      edge[axis] = face % 2 ? m_size[axis] : 0.;
-      edge[other] = next % 2 ? m_size[other] : 0.;
+      edge[axis] = face % 2 ? size_[axis] : 0.;
+      edge[other] = next % 2 ? size_[other] : 0.;
       const Image edge_image = unfold(image, from, at, edge);
       std::array<Image, 3> turned = image;
       const double sign = (next % 2 ? 1. : -1.) * (face % 2 ? -1. : 1.);
@@ -111,9 +111,9 @@ private:
     }
   }
 
-  std::array<double, 3> m_size;
-  Point m_target{};
-  double m_best = 0.;
+  std::array<double, 3> size_;
+  Point target_{};
+  double best_ = 0.;
 };
 
 double euclidean(const Point& p, const Point& q)

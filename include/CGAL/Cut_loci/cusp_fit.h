@@ -101,16 +101,22 @@ private:
   // the derivative of all terms, `a` times by alpha and `b` times by d
   static Row derivative(int a, int b, double alpha, double d)
   {
+    // by multiplication: std::pow() would take most of the time of a fit
+    double alphas[6] = {1.}, ds[3] = {1.};
+    for(int i = 1; i < 6; ++i)
+      alphas[i] = alphas[i - 1] * alpha;
+    for(int i = 1; i < 3; ++i)
+      ds[i] = ds[i - 1] * d;
     Row result;
     for(int k = 0; k < number_of_terms; ++k)
     {
-      int p = power(k, 0), q = power(k, 1);
+      const int p = power(k, 0), q = power(k, 1);
       double value = 1.;
       for(int i = 0; i < a; ++i)
-        value *= p--;
+        value *= p - i;
       for(int i = 0; i < b; ++i)
-        value *= q--;
-      result[k] = value == 0. ? 0. : value * std::pow(alpha, p) * std::pow(d, q);
+        value *= q - i;
+      result[k] = p < a || q < b ? 0. : value * alphas[p - a] * ds[q - b];
     }
     return result;
   }

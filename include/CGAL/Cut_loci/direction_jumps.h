@@ -35,21 +35,12 @@ struct Direction_jumps
     float arrival = 0.f;   ///< the angle between the arrival directions, over what the bend of the front explains
     float angle = 0.f;     ///< that angle, in radians
     float weight = 0.f;    ///< for the spanning tree
+    float strength = 0.f;  ///< of the cut locus where it crosses the edge
   };
   std::vector<Edge> edges;
 
   /// what a smooth field reaches at most; a jump beyond it is the cut locus
   static constexpr float smooth_limit() { return 1.6f; }
-
-  /*!
-   * the strength of the cut locus where it crosses an edge. Both figures must be large, but where the paths meet at a
-   * wide angle (of half a radian), that is enough: behind a thin limb their directions at the source are almost the
-   * same.
-   */
-  static float strength(const Edge& e)
-  {
-    return (std::max)(std::sqrt(e.direction * e.arrival), e.arrival * (std::min)(1.f, 2.f * e.angle));
-  }
 };
 
 namespace internal {
@@ -83,6 +74,37 @@ inline std::vector<Index> source_star(const Indexed_triangle_mesh& mesh, const M
   return result;
 }
 
+/*
+ * The strength of the cut locus where it crosses an edge. Both figures must be large, but where the paths meet at a
+ * wide angle (of half a radian), that is enough: behind a thin limb their directions at the source are almost the same.
+ *
+ * Noise of the mesh enlarges the first of these two criteria, and with it the threshold. In the second one the noise is
+ * in the figure already: the angles behind bumps are about the square root of the deviation of the deficits, and the
+ * square of the angle over the deficits does not depend on the noise. So it must not fall behind the threshold, and
+ * where there is noise, a radian keeps it clear.
+ */
+class Jump_strength
+{
+public:
+  Jump_strength(const Direction_geometry& geometry, const Direction_field& field)
+  {
+    double farthest = 0.;
+    for(const Direction_field::Vertex& v : field.vertices)
+      farthest = (std::max)(farthest, v.distance);
+    noise_factor_ = static_cast<float>(geometry.noise_factor(farthest));
+    wide_angle_ = (std::min)(0.5f * noise_factor_, 1.f);
+  }
+
+  float operator()(const Direction_jumps::Edge& e) const
+  {
+    return (std::max)(std::sqrt(e.direction * e.arrival),
+                      noise_factor_ * e.arrival * (std::min)(1.f, e.angle / wide_angle_));
+  }
+
+private:
+  float noise_factor_, wide_angle_;
+};
+
 } // namespace internal
 
 /*!
@@ -95,6 +117,7 @@ inline Direction_jumps direction_jumps(const Indexed_triangle_mesh& mesh, const 
 {
   constexpr double two_pi = 6.28318530717958647693;
   const float noise = static_cast<float>(geometry.deficit_noise);
+  const internal::Jump_strength strength(geometry, field);
   const Index ne = connectivity.number_of_edges();
   Direction_jumps result;
   result.edges.resize(ne);
@@ -126,6 +149,7 @@ inline Direction_jumps direction_jumps(const Indexed_triangle_mesh& mesh, const 
     edge.angle = static_cast<float>(angle);
     // Radians beyond the smooth limit count a thousand times, so that the tree crosses the cut locus where it is
     // weakest, and only there where it must.
+    edge.strength = strength(edge);
     const double limit = Direction_jumps::smooth_limit();
     const double excess = (std::max)(0., gap - limit * l / reach) + (std::max)(0., angle - limit * expected);
     edge.weight = static_cast<float>(1000. * excess +

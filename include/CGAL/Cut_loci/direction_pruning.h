@@ -137,6 +137,66 @@ private:
     return length * (std::min)((std::max)(log_strength - log_threshold, -1.f), 1.f);
   }
 
+  /*
+   * The root of a tree: a node that as high a threshold as possible keeps. What connects a branch to the root decides
+   * on all of it, so that a root on a weak branch would take the strong ones away with it. `enough` is the least value
+   * of what is kept: a single strong edge tells nothing. `value` is what is behind each node at the least threshold;
+   * null_index, if that is zero everywhere.
+   */
+  template <typename Log_strength, typename Length>
+  static Index strongest_node(const Peeling& peeling, const std::vector<float>& value, const Log_strength& log_strength,
+                              const Length& length, float enough)
+  {
+    struct Step
+    {
+      Index node, parent; // positions among the nodes that have anything behind them
+      float length, log_strength;
+    };
+    std::vector<Index> nodes, position(value.size(), null_index);
+    for(Index f = 0; f < value.size(); ++f)
+      if(value[f] > 0.f)
+      {
+        position[f] = static_cast<Index>(nodes.size());
+        nodes.push_back(f);
+      }
+    std::vector<Step> steps; // the other nodes have nothing behind them at higher thresholds either
+    float strongest = static_cast<float>(std::log(least_threshold()));
+    for(Index f : peeling.order)
+      if(position[peeling.parent[f]] != null_index)
+      {
+        const Index e = peeling.parent_edge[f];
+        steps.push_back({position[f], position[peeling.parent[f]], length(e), log_strength(e)});
+        strongest = (std::max)(strongest, steps.back().log_strength);
+      }
+    std::vector<float> behind(nodes.size());
+    const auto best_at = [&](float log_threshold)
+    {
+      std::fill(behind.begin(), behind.end(), 0.f);
+      for(const Step& s : steps)
+        behind[s.parent] += (std::max)(0.f, (s.node != null_index ? behind[s.node] : 0.f) +
+                                              score(s.length, s.log_strength, log_threshold));
+      return std::max_element(behind.begin(), behind.end()) - behind.begin();
+    };
+    if(nodes.empty())
+      return null_index;
+    float low = static_cast<float>(std::log(least_threshold())), high = strongest;
+    auto best = best_at(low);
+    enough = (std::min)(enough, behind[best]);
+    while(high - low > 0.05f)
+    {
+      const float middle = 0.5f * (low + high);
+      const auto node = best_at(middle);
+      if(behind[node] >= enough)
+      {
+        low = middle;
+        best = node;
+      }
+      else
+        high = middle;
+    }
+    return nodes[best];
+  }
+
   void build(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
              const Direction_geometry& geometry, const Direction_jumps& jumps, const Direction_graph& graph,
              Index farthest_face)
@@ -146,7 +206,7 @@ private:
     std::vector<float> value(n);
     const auto log_strength = [&](Index e)
     {
-      return std::log((std::max)(Direction_jumps::strength(jumps.edges[e]), 1e-3f));
+      return std::log((std::max)(jumps.edges[e].strength, 1e-3f));
     };
     const auto length = [&](Index e) { return geometry.length[connectivity.halfedge_of_edge[e]]; };
     const auto accumulate = [&](const Peeling& p)
@@ -160,24 +220,18 @@ private:
         if(above > 0.f)
           value[p.parent[f]] += above;
         else
-          value[f] = -value[f] - 1.f; // marks a branch that is dropped; its nodes may still be the best root
+          value[f] = -value[f] - 1.f; // marks a branch that is dropped; the root may still be on it
       }
     };
     Peeling peeling = peel(mesh, connectivity, graph, null_index);
     accumulate(peeling);
     if(peeling.order.size() + 1 == n && n == graph.number_of_faces) // a tree without terminals
     {
-      root_ = farthest_face;
-      float best = 0.f;
-      for(Index f = 0; f < n; ++f)
-      {
-        const float behind = value[f] < 0.f ? -value[f] - 1.f : value[f];
-        if(behind > best)
-        {
-          best = behind;
-          root_ = f;
-        }
-      }
+      for(float& v : value)
+        v = v < 0.f ? -v - 1.f : v;
+      root_ = strongest_node(peeling, value, log_strength, length, 5.f * static_cast<float>(geometry.mean_edge_length));
+      if(root_ == null_index)
+        root_ = farthest_face;
       peeling = peel(mesh, connectivity, graph, root_);
       accumulate(peeling);
     }

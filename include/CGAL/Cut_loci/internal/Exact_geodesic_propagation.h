@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/internal/Geodesic_batches.h>
 #include <CGAL/Cut_loci/internal/Geodesic_faces.h>
+#include <CGAL/Cut_loci/internal/Geodesic_merging.h>
 #include <CGAL/Cut_loci/internal/Geodesic_results.h>
 #include <CGAL/Cut_loci/internal/Geodesic_windows.h>
 #include <CGAL/Cut_loci/internal/geodesic_window_filters.h>
@@ -34,7 +35,8 @@ namespace internal {
  * \cgalCite{xu-fwp-15}. In the face entered, only the window with the shortest path to the apex goes on to both other
  * edges \cgalCite{ch-spp-90}; the ends of a batch lose the windows to which a path through a vertex of the face is
  * preferable \cgalCite{xw-ich-09}. Neighbouring windows are trimmed as described in `geodesic_window_trimming.h`.
- * Batches are forgotten once they have been propagated.
+ * Batches are forgotten once they have been propagated. If an error is allowed, neighbouring windows are merged as
+ * described in `Geodesic_merging.h`; what is the direction otherwise, is then the error.
  *
  * The mesh geometry is read by the constructor. All memory is reused from one run to the next. Queries after a run
  * are const.
@@ -48,7 +50,7 @@ public:
   /// `positions` are the numbers by which messages name the vertices, if not by their index.
   explicit Exact_geodesic_propagation(const Indexed_triangle_mesh& mesh, const std::vector<Index>* positions = nullptr)
     : Geodesic_results(mesh, positions)
-    , m_batches(m_faces.number_of_halfedges(), m_faces.number_of_vertices(), 0.5 * m_faces.mean_edge_length())
+    , batches_(faces_.number_of_halfedges(), faces_.number_of_vertices(), 0.5 * faces_.mean_edge_length())
   {}
 
   /// \throws Invalid_input if there is no source, or a location is none on the mesh
@@ -57,12 +59,13 @@ public:
     if(sources.empty())
       throw Invalid_input("no source");
     prepare(sources, options);
-    m_batches.prepare(options.maximum_distance);
-    m_maximum_distance = options.maximum_distance;
-    m_number_of_windows = 0;
+    batches_.prepare(options.maximum_distance);
+    maximum_distance_ = options.maximum_distance;
+    tolerance_ = options.maximum_relative_error;
+    number_of_windows_ = 0;
     if(sources.size() > 1)
       propagate<7>();
-    else if(options.directions)
+    else if(options.directions || is_approximate())
       propagate<6>();
     else
       propagate<5>();
@@ -75,7 +78,7 @@ public:
   }
 
   /// the number of windows that have been propagated across a face in the last run
-  std::size_t number_of_windows() const { return m_number_of_windows; }
+  std::size_t number_of_windows() const { return number_of_windows_; }
 
 private:
   using Mesh = Indexed_triangle_mesh;
@@ -83,22 +86,24 @@ private:
   template <int columns>
   void propagate()
   {
-    for(std::size_t i = 0; i < m_sources.size(); ++i)
-      if(m_sources[i].vertex != null_index)
+    for(std::size_t i = 0; i < sources_.size(); ++i)
+      if(sources_[i].vertex != null_index)
         start_at_vertex<columns>(i);
       else
         start_in_face<columns>(i);
     Index item;
-    while(m_batches.pop(item)) {
-      prefetch(m_batches.peek(6), m_batches.peek(3));
-      if(item < m_faces.number_of_halfedges())
+    while(batches_.pop(item)) {
+      prefetch(batches_.peek(6), batches_.peek(3));
+      if(item < faces_.number_of_halfedges())
         cross_face<columns>(item);
       else
-        bend<columns>(item - m_faces.number_of_halfedges());
+        bend<columns>(item - faces_.number_of_halfedges());
     }
     finish_queries();
-    if(m_maximum_distance < infinity)
-      cut_off(m_maximum_distance);
+    if(maximum_distance_ < infinity)
+      cut_off(maximum_distance_);
+    if(is_approximate())
+      add_errors();
   }
 
   // -- sources -------------------------------------------------------------------------------------------------------
@@ -106,20 +111,20 @@ private:
   template <int columns>
   void start_at_vertex(std::size_t number)
   {
-    const Index v = m_sources[number].vertex;
-    if(m_distance[v] == 0.)
+    const Index v = sources_[number].vertex;
+    if(distance_[v] == 0.)
       return;
-    m_distance[v] = 0.;
-    m_arrival[v] = Geodesic_arrival();
-    m_arrival[v].halfedge = m_faces.first_halfedge(v);
-    m_arrival[v].source = static_cast<Index>(number);
-    const Index first = m_faces.first_halfedge(v);
+    distance_[v] = 0.;
+    arrival_[v] = Geodesic_arrival();
+    arrival_[v].halfedge = faces_.first_halfedge(v);
+    arrival_[v].source = static_cast<Index>(number);
+    const Index first = faces_.first_halfedge(v);
     double angle = 0.;
     Index h = first;
     do {
-      emit<columns>(h, 0., m_faces.angle(h), 0., angle, static_cast<Index>(number));
-      angle += m_faces.angle(h);
-      h = m_faces.next_around_source(h);
+      emit<columns>(h, 0., faces_.angle(h), 0., is_approximate() ? 0. : angle, static_cast<Index>(number));
+      angle += faces_.angle(h);
+      h = faces_.next_around_source(h);
     } while(h != null_index && h != first);
   }
 
@@ -127,17 +132,17 @@ private:
   template <int columns>
   void start_in_face(std::size_t number)
   {
-    const Source& source = m_sources[number];
+    const Source& source = sources_[number];
     const Index f = source.location.face;
     if(source.halfedge == null_index) {
-      start_in_face<columns>(number, 3 * f, m_faces.in_frame(3 * f, source.location.coordinates), 0., null_index);
+      start_in_face<columns>(number, 3 * f, faces_.in_frame(3 * f, source.location.coordinates), 0., null_index);
       return;
     }
-    const Index h = source.halfedge, o = m_faces.opposite(h);
-    const double t = source.location.coordinates[Mesh::next(h) % 3] * m_faces.length(h);
+    const Index h = source.halfedge, o = faces_.opposite(h);
+    const double t = source.location.coordinates[Mesh::next(h) % 3] * faces_.length(h);
     start_in_face<columns>(number, h, {t, 0.}, 0., h);
     if(o != null_index)
-      start_in_face<columns>(number, o, {m_faces.length(h) - t, 0.}, geodesic_pi, o);
+      start_in_face<columns>(number, o, {faces_.length(h) - t, 0.}, geodesic_pi, o);
   }
 
   /// starts across all halfedges but `skipped` of the face of `h`, in whose frame the source is given
@@ -147,29 +152,30 @@ private:
     Geodesic_arrival arrival;
     arrival.x = p.x;
     arrival.y = p.y;
-    arrival.turn = turn;
+    arrival.turn = is_approximate() ? 0. : turn;
     arrival.halfedge = h;
     arrival.source = static_cast<Index>(number);
-    const std::array<Plane_point, 3> corner = {{{0., 0.}, {m_faces.length(h), 0.}, m_faces.apex(h)}};
+    const std::array<Plane_point, 3> corner = {{{0., 0.}, {faces_.length(h), 0.}, faces_.apex(h)}};
     double rotation = 0.;
     Index g = h;
     for(std::size_t i = 0; i < 3; ++i) {
       const Plane_point &from = corner[i], &to = corner[(i + 1) % 3];
-      reach(m_faces.source(g), std::hypot(from.x - p.x, from.y - p.y), arrival);
-      const Index o = m_faces.opposite(g);
+      reach(faces_.source(g), std::hypot(from.x - p.x, from.y - p.y), arrival);
+      const Index o = faces_.opposite(g);
       if(g != skipped && o != null_index) {
         // the frame of the opposite halfedge starts at `to`
-        const double length = m_faces.length(g);
+        const double length = faces_.length(g);
         const double ux = (from.x - to.x) / length, uy = (from.y - to.y) / length;
         const double dx = p.x - to.x, dy = p.y - to.y;
         const double depth = dy * ux - dx * uy;
-        Geodesic_window w{0., length, dx * ux + dy * uy, (std::min)(depth, 0.), 0., turn + rotation - geodesic_pi,
-                          double(number)};
-        if(m_sources.size() > 1)
-          m_batches.mark_inner_source(o);
-        m_batches.insert<columns>(o, w, m_faces.length(o));
+        Geodesic_window w{0., length, dx * ux + dy * uy, (std::min)(depth, 0.), 0., 0., double(number)};
+        if(!is_approximate())
+          w.turn = turn + rotation - geodesic_pi;
+        if(sources_.size() > 1)
+          batches_.mark_inner_source(o);
+        batches_.insert<columns>(o, w, faces_.length(o));
       }
-      rotation += geodesic_pi - m_faces.angle(Mesh::next(g));
+      rotation += geodesic_pi - faces_.angle(Mesh::next(g));
       g = Mesh::next(g);
     }
   }
@@ -178,8 +184,8 @@ private:
   template <int columns>
   void emit(Index h, double from, double to, double sigma, double turn, Index source)
   {
-    const Geodesic_face& face = m_faces.face_of(h);
-    const Index next = Mesh::next(h), v = m_faces.source(h);
+    const Geodesic_face& face = faces_.face_of(h);
+    const Index next = Mesh::next(h), v = faces_.source(h);
     const Geodesic_face::Corner& here = face.corner[h % 3];
     const Geodesic_face::Corner& right = face.corner[next % 3];
     const Geodesic_face::Corner& left = face.corner[Mesh::previous(h) % 3];
@@ -190,10 +196,10 @@ private:
     arrival.source = source;
     const bool starts_at_edge = from <= 0., ends_at_edge = to >= here.angle;
     if(starts_at_edge)
-      reach(m_faces.target(h), m_distance[v] + here.length, arrival);
+      reach(faces_.target(h), distance_[v] + here.length, arrival);
     if(ends_at_edge)
-      reach(m_faces.source(Mesh::previous(h)), m_distance[v] + left.length, arrival);
-    const Index o = m_faces.opposite(next);
+      reach(faces_.source(Mesh::previous(h)), distance_[v] + left.length, arrival);
+    const Index o = faces_.opposite(next);
     if(o == null_index)
       return;
     Geodesic_window w;
@@ -206,74 +212,74 @@ private:
     w.x = left.length * left.cosine;
     w.y = -left.length * left.sine;
     w.sigma = sigma;
-    w.turn = sigma > 0. ? turn : turn - right.angle;
+    w.turn = sigma > 0. || is_approximate() ? turn : turn - right.angle;
     w.nearest = source == null_index ? 0. : double(source);
-    m_batches.insert<columns>(o, w, m_faces.length(o));
+    batches_.insert<columns>(o, w, faces_.length(o));
   }
 
   /// continues the shortest path to `v`, at which it may bend, into its shadow
   template <int columns>
   void bend(Index v)
   {
-    const double sigma = m_distance[v];
-    if(sigma == 0. || sigma > m_maximum_distance)
+    const double sigma = distance_[v];
+    if(sigma == 0. || sigma > maximum_distance_)
       return;
     const Geodesic_arrival_direction in = arrival_direction(v);
-    const Index source = m_arrival[v].source;
-    const double turn = columns > 5 ? direction_at_source(v) : 0.;
+    const Index source = arrival_[v].source;
+    const double turn = is_approximate() ? arrival_[v].turn : columns > 5 ? direction_at_source(v) : 0.;
     // a shadow that is wider by the accuracy of the angle only adds a few paths that are not the shortest
     constexpr double margin = 1e-9;
-    const bool is_border = m_faces.is_border(v);
+    const bool is_border = faces_.is_border(v);
     const double first = geodesic_pi - margin;
-    const double last = is_border ? infinity : m_faces.total_angle(v) - geodesic_pi + margin;
+    const double last = is_border ? infinity : faces_.total_angle(v) - geodesic_pi + margin;
     double angle = -in.angle;
     Index h = in.halfedge;
     do {
-      const double width = m_faces.angle(h);
+      const double width = faces_.angle(h);
       if(angle + width > first && angle < last)
         emit<columns>(h, first - angle, (std::min)(last - angle, width), sigma, turn, source);
       angle += width;
-      h = m_faces.next_around_source(h);
+      h = faces_.next_around_source(h);
     } while(h != null_index && angle < last);
     if(!is_border)
       return;
-    angle = m_faces.angle(in.halfedge) - in.angle;
+    angle = faces_.angle(in.halfedge) - in.angle;
     h = in.halfedge;
     while(h != null_index) {
-      const double width = m_faces.angle(h);
+      const double width = faces_.angle(h);
       angle -= width;
       if(angle < -first)
         emit<columns>(h, 0., (std::min)(-first - angle, width), sigma, turn, source);
-      h = m_faces.previous_around_source(h);
+      h = faces_.previous_around_source(h);
     }
   }
 
   /// a path of length `d` to the vertex `v` has been found
   void reach(Index v, double d, const Geodesic_arrival& arrival)
   {
-    if(improve(v, d, arrival) && m_faces.is_pseudo_source(v))
-      m_batches.push_vertex(d, v);
+    if(improve(v, d, arrival) && faces_.is_pseudo_source(v))
+      batches_.push_vertex(d, v);
   }
 
   // -- propagation ---------------------------------------------------------------------------------------------------
 
   void prefetch(Index far, Index near) const
   {
-    if(far < m_faces.number_of_halfedges()) {
-      m_batches.prefetch_lists(far);
+    if(far < faces_.number_of_halfedges()) {
+      batches_.prefetch_lists(far);
 #if defined(__GNUC__)
-      const char* face = reinterpret_cast<const char*>(&m_faces.face_of(far));
+      const char* face = reinterpret_cast<const char*>(&faces_.face_of(far));
       __builtin_prefetch(face);
       __builtin_prefetch(face + 64);
 #endif
     }
-    if(near < m_faces.number_of_halfedges()) {
-      m_batches.prefetch_windows(near);
+    if(near < faces_.number_of_halfedges()) {
+      batches_.prefetch_windows(near);
 #if defined(__GNUC__)
-      const Geodesic_face& face = m_faces.face_of(near);
-      __builtin_prefetch(&m_distance[face.vertex[0]]);
-      __builtin_prefetch(&m_distance[face.vertex[1]]);
-      __builtin_prefetch(&m_distance[face.vertex[2]]);
+      const Geodesic_face& face = faces_.face_of(near);
+      __builtin_prefetch(&distance_[face.vertex[0]]);
+      __builtin_prefetch(&distance_[face.vertex[1]]);
+      __builtin_prefetch(&distance_[face.vertex[2]]);
 #endif
     }
   }
@@ -282,17 +288,22 @@ private:
   template <int columns>
   void cross_face(Index h)
   {
-    Geodesic_window_list* list = m_batches.collect<columns>(h, m_faces.length(h));
+    Geodesic_window_list* list = batches_.collect<columns>(h, faces_.length(h));
     if(list->empty()) {
-      m_batches.release(list);
+      batches_.release(list);
       return;
     }
-    m_number_of_windows += list->size();
-    const Geodesic_face& face = m_faces.face_of(h);
-    const Index i = h % 3, j = Mesh::next(h) % 3, k = Mesh::previous(h) % 3;
+    const Geodesic_face& face = faces_.face_of(h);
+    if(columns > 5 && is_approximate() && list->size() > 1)
+      Geodesic_merging<columns>(*list, faces_.length(h), tolerance_)();
+    number_of_windows_ += list->size();
+    constexpr std::array<Index, 5> modulo_3 = {{0, 1, 2, 0, 1}}; // a condition here would be hard to predict
+    const Index i = h % 3, j = modulo_3[i + 1], k = modulo_3[i + 2];
     const Geodesic_face::Corner &corner_a = face.corner[i], &corner_b = face.corner[j];
     const double length = corner_a.length, length_left = face.corner[k].length, length_right = corner_b.length;
     const Plane_point apex{length_left * corner_a.cosine, length_left * corner_a.sine};
+
+    const bool turns = !is_approximate();
 
     if(has_queries())
       answer_queries<columns>(h, *list);
@@ -307,13 +318,13 @@ private:
     while(first < last &&
           side_of_rays(a[last - 1], b[last - 1], x[last - 1], y[last - 1], apex, tolerance) == passes_right)
       --last;
-    if(last - first > m_sides.size())
-      m_sides.resize(2 * (last - first));
+    if(last - first > sides_.size())
+      sides_.resize(2 * (last - first));
     std::size_t winner = end, first_right = last, behind_left = first;
     double shortest = infinity;
     for(std::size_t w = first; w < last; ++w) {
       const Geodesic_side side = side_of_rays(a[w], b[w], x[w], y[w], apex, tolerance);
-      m_sides[w - first] = static_cast<unsigned char>(side);
+      sides_[w - first] = static_cast<unsigned char>(side);
       if(side == covers) {
         const double dx = apex.x - x[w], dy = apex.y - y[w];
         const double d = list->column(4)[w] + std::sqrt(dx * dx + dy * dy);
@@ -327,14 +338,14 @@ private:
         first_right = w;
     }
     const Index vertex_a = face.vertex[i], vertex_b = face.vertex[j], vertex_c = face.vertex[k];
-    if(winner != end && shortest < m_distance[vertex_c]) {
+    if(winner != end && shortest < distance_[vertex_c]) {
       const Geodesic_window w = list->get<columns>(winner);
       Geodesic_arrival arrival{w.x, w.y, w.sigma, w.turn, h, static_cast<Index>(w.nearest), true};
       reach(vertex_c, shortest, arrival);
     }
-    const double distance_a = m_distance[vertex_a], distance_b = m_distance[vertex_b];
+    const double distance_a = distance_[vertex_a], distance_b = distance_[vertex_b];
     const double distance_c =
-        (std::min)(m_distance[vertex_c], (std::min)(distance_a + length_left, distance_b + length_right));
+        (std::min)(distance_[vertex_c], (std::min)(distance_a + length_left, distance_b + length_right));
 
     // the windows that cover the apex go to their side of the winner only
     const bool is_sorted = first == last || (behind_left <= winner && winner < first_right);
@@ -354,8 +365,8 @@ private:
       }
     }
     if(face.opposite[k] != null_index && number_left > 0) {
-      Geodesic_window_list* out = m_batches.allocate(number_left);
-      const Geodesic_step step{length, length_left, corner_a.cosine, corner_a.sine, corner_a.angle};
+      Geodesic_window_list* out = batches_.allocate<columns>(number_left);
+      const Geodesic_step step{length, length_left, corner_a.cosine, corner_a.sine, turns ? corner_a.angle : 0.};
       if(is_sorted)
         step_left<columns>(*list, begin, number_left, *out, step);
       else {
@@ -368,11 +379,11 @@ private:
       const Plane_point b_in_frame{length * corner_a.cosine, -length * corner_a.sine};
       filter_begin(*out, distance_a);
       filter_end(*out, distance_c, length_left, distance_b, b_in_frame);
-      m_batches.store<columns>(face.opposite[k], 0, out, length_left, (std::min)(distance_a, distance_c));
+      batches_.store<columns>(face.opposite[k], 0, out, length_left, (std::min)(distance_a, distance_c));
     }
     if(face.opposite[j] != null_index && number_right > 0) {
-      Geodesic_window_list* out = m_batches.allocate(number_right);
-      const Geodesic_step step{length, length_right, corner_b.cosine, corner_b.sine, -corner_b.angle};
+      Geodesic_window_list* out = batches_.allocate<columns>(number_right);
+      const Geodesic_step step{length, length_right, corner_b.cosine, corner_b.sine, turns ? -corner_b.angle : 0.};
       if(is_sorted)
         step_right<columns>(*list, end - number_right, number_right, *out, step);
       else {
@@ -385,27 +396,27 @@ private:
       const Plane_point a_in_frame{length_right - length * corner_b.cosine, -length * corner_b.sine};
       filter_begin(*out, distance_c, distance_a, a_in_frame);
       filter_end(*out, distance_b, length_right);
-      m_batches.store<columns>(face.opposite[j], 2, out, length_right, (std::min)(distance_b, distance_c));
+      batches_.store<columns>(face.opposite[j], 2, out, length_right, (std::min)(distance_b, distance_c));
     }
-    m_batches.release(list);
+    batches_.release(list);
   }
 
   bool goes_left(std::size_t w, std::size_t first, std::size_t winner) const
   {
-    const unsigned char side = m_sides[w - first];
+    const unsigned char side = sides_[w - first];
     return side == passes_left || (side == covers && w <= winner);
   }
 
   bool goes_right(std::size_t w, std::size_t first, std::size_t winner) const
   {
-    const unsigned char side = m_sides[w - first];
+    const unsigned char side = sides_[w - first];
     return side == passes_right || (side == covers && w >= winner);
   }
 
-  Geodesic_batches m_batches;
-  std::vector<unsigned char> m_sides; // of the apex, for the windows in work
-  double m_maximum_distance = infinity;
-  std::size_t m_number_of_windows = 0;
+  Geodesic_batches batches_;
+  std::vector<unsigned char> sides_; // of the apex, for the windows in work
+  double maximum_distance_ = infinity, tolerance_ = 0.;
+  std::size_t number_of_windows_ = 0;
 };
 
 } // namespace internal

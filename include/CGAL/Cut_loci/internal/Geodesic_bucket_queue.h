@@ -24,27 +24,27 @@ namespace internal {
 class Geodesic_bucket_queue
 {
 public:
-  explicit Geodesic_bucket_queue(double width) : m_inverse_width(1. / width) {}
+  explicit Geodesic_bucket_queue(double width) : inverse_width_(1. / width) {}
 
   void clear()
   {
-    for(std::size_t i = m_current; i < m_buckets.size(); ++i)
+    for(std::size_t i = current_; i < buckets_.size(); ++i)
       recycle(i);
-    m_buckets.clear();
-    m_current = m_position = 0;
+    buckets_.clear();
+    current_ = position_ = 0;
   }
 
   void push(double key, Index item)
   {
-    std::size_t i = static_cast<std::size_t>(key * m_inverse_width);
-    if(i < m_current)
-      i = m_current;
-    if(i >= m_buckets.size())
-      m_buckets.resize(i + 1);
-    std::vector<Index>& bucket = m_buckets[i];
-    if(bucket.capacity() == 0 && !m_spare.empty()) {
-      bucket.swap(m_spare.back());
-      m_spare.pop_back();
+    std::size_t i = static_cast<std::size_t>(key * inverse_width_);
+    if(i < current_)
+      i = current_;
+    if(i >= buckets_.size())
+      buckets_.resize(i + 1);
+    std::vector<Index>& bucket = buckets_[i];
+    if(bucket.capacity() == 0 && !spare_.empty()) {
+      bucket.swap(spare_.back());
+      spare_.pop_back();
     }
     bucket.push_back(item);
   }
@@ -52,14 +52,14 @@ public:
   /// moves to the next item; returns `false` if there is none
   bool pop(Index& item)
   {
-    while(m_current < m_buckets.size()) {
-      if(m_position < m_buckets[m_current].size()) {
-        item = m_buckets[m_current][m_position++];
+    while(current_ < buckets_.size()) {
+      if(position_ < buckets_[current_].size()) {
+        item = buckets_[current_][position_++];
         return true;
       }
-      recycle(m_current);
-      ++m_current;
-      m_position = 0;
+      recycle(current_);
+      ++current_;
+      position_ = 0;
     }
     return false;
   }
@@ -67,24 +67,24 @@ public:
   /// the item that is `ahead` places behind the one popped last, if the bucket holds it, else null
   Index peek(std::size_t ahead) const
   {
-    const std::vector<Index>& bucket = m_buckets[m_current];
-    const std::size_t i = m_position + ahead - 1;
+    const std::vector<Index>& bucket = buckets_[current_];
+    const std::size_t i = position_ + ahead - 1;
     return i < bucket.size() ? bucket[i] : null_index;
   }
 
 private:
   void recycle(std::size_t i)
   {
-    if(m_buckets[i].capacity() == 0)
+    if(buckets_[i].capacity() == 0)
       return;
-    m_buckets[i].clear();
-    m_spare.emplace_back();
-    m_spare.back().swap(m_buckets[i]);
+    buckets_[i].clear();
+    spare_.emplace_back();
+    spare_.back().swap(buckets_[i]);
   }
 
-  std::vector<std::vector<Index>> m_buckets, m_spare;
-  std::size_t m_current = 0, m_position = 0;
-  double m_inverse_width;
+  std::vector<std::vector<Index>> buckets_, spare_;
+  std::size_t current_ = 0, position_ = 0;
+  double inverse_width_;
 };
 
 } // namespace internal

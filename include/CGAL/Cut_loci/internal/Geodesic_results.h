@@ -30,6 +30,7 @@ struct Exact_geodesic_options
 {
   double maximum_distance = (std::numeric_limits<double>::infinity)(); ///< nothing beyond it is reached
   bool directions = false;                                             ///< whether directions at the source are wanted
+  double maximum_relative_error = 0.;                                  ///< by which distances may be too long
   bool all_centroids = false;                                          ///< whether face centroids are query locations
   std::vector<Indexed_location> queries;                               ///< further points whose distance is wanted
 };
@@ -38,7 +39,7 @@ struct Exact_geodesic_options
 struct Geodesic_arrival
 {
   double x = 0., y = 0.;           // the image of the (pseudo-)source
-  double sigma = 0., turn = 0.;    // as in `Geodesic_window`
+  double sigma = 0., turn = 0.;    // as in `Geodesic_window`, or the error if one is allowed
   Index halfedge = null_index;     // of the frame
   Index source = null_index;       // the number of the true source, if there are several
   bool crosses_halfedge = false;   // else the image lies in the face itself
@@ -63,9 +64,9 @@ public:
   /// a vertex as a location
   Indexed_location vertex_location(Index v) const
   {
-    if(v >= m_faces.number_of_vertices() || m_faces.first_halfedge(v) == null_index)
+    if(v >= faces_.number_of_vertices() || faces_.first_halfedge(v) == null_index)
       throw Invalid_input("vertex #" + std::to_string(v) + " is on no face");
-    const Index h = m_faces.first_halfedge(v);
+    const Index h = faces_.first_halfedge(v);
     Indexed_location location;
     location.face = h / 3;
     location.coordinates[h % 3] = 1.;
@@ -75,7 +76,7 @@ public:
   /// \throws Invalid_input if `location` is none on the mesh
   void check(const Indexed_location& location) const
   {
-    if(location.face >= m_faces.number_of_faces())
+    if(location.face >= faces_.number_of_faces())
       throw Invalid_input("a location is in face " + std::to_string(location.face) + ", which does not exist");
     double sum = 0.;
     bool is_inside = true;
@@ -88,34 +89,38 @@ public:
                           " are not barycentric");
   }
 
-  const Geodesic_faces& faces() const { return m_faces; }
+  const Geodesic_faces& faces() const { return faces_; }
 
   /// the distance of each vertex, infinite if not reached
-  const std::vector<double>& distances() const { return m_distance; }
-  double distance(Index v) const { return m_distance[v]; }
-  bool is_reached(Index v) const { return m_distance[v] < infinity; }
+  const std::vector<double>& distances() const { return distance_; }
+  double distance(Index v) const { return distance_[v]; }
+  /// by how much the distance of `v` may be too long, if an error is allowed; it is never too short
+  double distance_error(Index v) const { return is_approximate_ && is_reached(v) ? arrival_[v].turn : 0.; }
+  /// whether an error has been allowed; there are no directions and paths then
+  bool is_approximate() const { return is_approximate_; }
+  bool is_reached(Index v) const { return distance_[v] < infinity; }
 
   /// the direction at its source in which the shortest path to `v` starts
   ///
   /// It is an angle in the unrolled tangent plane of the source, counterclockwise from `source_halfedge()`, in
   /// `[0, source_angle())`, up to and including `source_angle()` if the source is on the border.
   /// \pre directions have been asked for, `v` is reached and no source
-  double direction_at_source(Index v) const { return direction_at_source(m_arrival[v], end_in_frame(m_arrival[v], v)); }
+  double direction_at_source(Index v) const { return direction_at_source(arrival_[v], end_in_frame(arrival_[v], v)); }
 
   /// the direction at `v` in which the shortest path to it leads back
   /// \pre `v` is reached and no source
   Geodesic_arrival_direction arrival_direction(Index v) const
   {
-    const Geodesic_arrival& arrival = m_arrival[v];
+    const Geodesic_arrival& arrival = arrival_[v];
     Index h = arrival.halfedge;
-    while(m_faces.source(h) != v)
+    while(faces_.source(h) != v)
       h = Indexed_triangle_mesh::next(h);
     const Plane_point end = end_in_frame(arrival, v);
     Plane_point along;
     if(h == arrival.halfedge)
       along = {1., 0.};
     else {
-      const Geodesic_face& face = m_faces.face_of(h);
+      const Geodesic_face& face = faces_.face_of(h);
       const Index i = arrival.halfedge % 3;
       if(h == Indexed_triangle_mesh::next(arrival.halfedge)) {
         const Geodesic_face::Corner& corner = face.corner[h % 3];
@@ -126,7 +131,7 @@ public:
     const double dx = arrival.x - end.x, dy = arrival.y - end.y;
     const double angle = std::atan2(along.x * dy - along.y * dx, along.x * dx + along.y * dy);
     // a path along an edge may turn out on the other side of it by a rounding error
-    const double corner = m_faces.angle(h);
+    const double corner = faces_.angle(h);
     if(angle < 0.5 * (corner - 2. * geodesic_pi) || angle > corner)
       return {h, corner};
     return {h, (std::max)(angle, 0.)};
@@ -136,53 +141,53 @@ public:
   double arrival_angle(Index v) const
   {
     const Geodesic_arrival_direction direction = arrival_direction(v);
-    return m_faces.angle_around_source(direction.halfedge) + direction.angle;
+    return faces_.angle_around_source(direction.halfedge) + direction.angle;
   }
 
   /// the number of the source nearest to `v`
-  Index nearest_source(Index v) const { return is_reached(v) ? m_arrival[v].source : null_index; }
+  Index nearest_source(Index v) const { return is_reached(v) ? arrival_[v].source : null_index; }
 
-  std::size_t number_of_sources() const { return m_sources.size(); }
+  std::size_t number_of_sources() const { return sources_.size(); }
   /// the total angle at source number `i`: two pi in faces
-  double source_angle(std::size_t i = 0) const { return m_sources[i].total_angle; }
+  double source_angle(std::size_t i = 0) const { return sources_[i].total_angle; }
 
   /// the halfedge along which directions at source number `i` are zero
   Index source_halfedge(std::size_t i = 0) const
   {
-    const Source& source = m_sources[i];
+    const Source& source = sources_[i];
     if(source.vertex != null_index)
-      return m_faces.first_halfedge(source.vertex);
+      return faces_.first_halfedge(source.vertex);
     return source.halfedge != null_index ? source.halfedge : 3 * source.location.face;
   }
 
   /// the number of query locations: those of the options, then one per face if centroids have been asked for
-  std::size_t number_of_queries() const { return m_queries.size(); }
-  const Indexed_location& query(std::size_t i) const { return m_queries[i].location; }
-  double query_distance(std::size_t i) const { return m_queries[i].distance; }
+  std::size_t number_of_queries() const { return queries_.size(); }
+  const Indexed_location& query(std::size_t i) const { return queries_[i].location; }
+  double query_distance(std::size_t i) const { return queries_[i].distance; }
   Index query_nearest_source(std::size_t i) const
   {
-    return m_queries[i].distance < infinity ? m_queries[i].arrival.source : null_index;
+    return queries_[i].distance < infinity ? queries_[i].arrival.source : null_index;
   }
   double query_direction_at_source(std::size_t i) const
   {
-    const Query& query = m_queries[i];
-    return direction_at_source(query.arrival, m_faces.in_frame(query.arrival.halfedge, query.location.coordinates));
+    const Query& query = queries_[i];
+    return direction_at_source(query.arrival, faces_.in_frame(query.arrival.halfedge, query.location.coordinates));
   }
 
   /// the last straight pieces, for tracing paths
-  const Geodesic_arrival& arrival(Index v) const { return m_arrival[v]; }
-  const Geodesic_arrival& query_arrival(std::size_t i) const { return m_queries[i].arrival; }
-  const Indexed_location& source_location(std::size_t i) const { return m_sources[i].location; }
-  Index source_vertex(std::size_t i) const { return m_sources[i].vertex; }
+  const Geodesic_arrival& arrival(Index v) const { return arrival_[v]; }
+  const Geodesic_arrival& query_arrival(std::size_t i) const { return queries_[i].arrival; }
+  const Indexed_location& source_location(std::size_t i) const { return sources_[i].location; }
+  Index source_vertex(std::size_t i) const { return sources_[i].vertex; }
 
   /// a vertex of the face of `h` in the frame of `h`
   Plane_point vertex_in_frame(Index h, Index v) const
   {
-    if(m_faces.source(h) == v)
+    if(faces_.source(h) == v)
       return {0., 0.};
-    if(m_faces.target(h) == v)
-      return {m_faces.length(h), 0.};
-    return m_faces.apex(h);
+    if(faces_.target(h) == v)
+      return {faces_.length(h), 0.};
+    return faces_.apex(h);
   }
   Plane_point end_in_frame(const Geodesic_arrival& arrival, Index v) const
   {
@@ -192,10 +197,10 @@ public:
   /// source number `i` in the frame of `h`, if it lies in the face of `h`
   bool source_in_frame(std::size_t i, Index h, Plane_point& p) const
   {
-    const Source& source = m_sources[i];
+    const Source& source = sources_[i];
     const Index f = h / 3;
     if(source.vertex != null_index) {
-      for(Index v : m_faces.face(f).vertex)
+      for(Index v : faces_.face(f).vertex)
         if(v == source.vertex) {
           p = vertex_in_frame(h, v);
           return true;
@@ -203,18 +208,18 @@ public:
       return false;
     }
     if(source.location.face == f) {
-      p = m_faces.in_frame(h, source.location.coordinates);
+      p = faces_.in_frame(h, source.location.coordinates);
       return true;
     }
     if(source.halfedge == null_index)
       return false;
-    const Index o = m_faces.opposite(source.halfedge);
+    const Index o = faces_.opposite(source.halfedge);
     if(o == null_index || o / 3 != f)
       return false;
     std::array<double, 3> coordinates = {{0., 0., 0.}};
     coordinates[o % 3] = source.location.coordinates[Mesh::next(source.halfedge) % 3];
     coordinates[Mesh::next(o) % 3] = source.location.coordinates[source.halfedge % 3];
-    p = m_faces.in_frame(h, coordinates);
+    p = faces_.in_frame(h, coordinates);
     return true;
   }
 
@@ -238,18 +243,23 @@ protected:
   };
 
   Geodesic_results(const Indexed_triangle_mesh& mesh, const std::vector<Index>* positions)
-    : m_faces(mesh, positions)
+    : faces_(mesh, positions)
   {}
 
   /// \throws Invalid_input if a location is none on the mesh
   void prepare(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options)
   {
-    m_sources.clear();
+    if(!(options.maximum_relative_error >= 0.))
+      throw Invalid_input("the maximum relative error must not be negative");
+    is_approximate_ = options.maximum_relative_error > 0.;
+    if(is_approximate_ && options.directions)
+      throw Invalid_input("directions need exact distances: the maximum relative error must be zero");
+    sources_.clear();
     for(const Indexed_location& location : sources)
-      m_sources.push_back(classify(location));
-    m_has_directions = options.directions || sources.size() > 1;
-    m_distance.assign(m_faces.number_of_vertices(), infinity);
-    m_arrival.resize(m_faces.number_of_vertices());
+      sources_.push_back(classify(location));
+    has_directions_ = options.directions || (sources.size() > 1 && !is_approximate_);
+    distance_.assign(faces_.number_of_vertices(), infinity);
+    arrival_.resize(faces_.number_of_vertices());
     prepare_queries(options);
   }
 
@@ -257,34 +267,44 @@ protected:
   bool improve(Index v, double d, const Geodesic_arrival& arrival)
   {
     // a smaller gain is rounding, and may be one forever
-    if(!(d < m_distance[v] * (1. - 1e-14)) && !(m_distance[v] == infinity))
+    if(!(d < distance_[v] * (1. - 1e-14)) && !(distance_[v] == infinity))
       return false;
-    m_distance[v] = d;
-    m_arrival[v] = arrival;
+    distance_[v] = d;
+    arrival_[v] = arrival;
     return true;
   }
 
   /// forgets what is further away than `maximum_distance`
   void cut_off(double maximum_distance)
   {
-    for(double& d : m_distance)
+    for(double& d : distance_)
       d = d <= maximum_distance ? d : infinity;
-    for(Query& query : m_queries)
+    for(Query& query : queries_)
       query.distance = query.distance <= maximum_distance ? query.distance : infinity;
   }
 
+  /// turns distances that may be too short into ones that may be too long
+  void add_errors()
+  {
+    for(Index v = 0; v < faces_.number_of_vertices(); ++v)
+      distance_[v] += distance_error(v);
+    for(Query& query : queries_)
+      if(query.distance < infinity)
+        query.distance += query.arrival.turn;
+  }
+
   /// whether there are query locations
-  bool has_queries() const { return !m_queries.empty(); }
+  bool has_queries() const { return !queries_.empty(); }
 
   /// considers the paths to the query locations of the face that windows of `h` lead to
   template <int columns>
   void answer_queries(Index h, const Geodesic_window_list& list)
   {
-    const double tolerance = geodesic_cover * m_faces.length(h);
+    const double tolerance = geodesic_cover * faces_.length(h);
     const double *a = list.column(0), *b = list.column(1), *x = list.column(2), *y = list.column(3);
-    for(Index q = m_query_first[h / 3]; q < m_query_first[h / 3 + std::size_t(1)]; ++q) {
-      Query& query = m_queries[m_query_index[q]];
-      const Plane_point p = m_faces.in_frame(h, query.location.coordinates);
+    for(Index q = query_first_[h / 3]; q < query_first_[h / 3 + std::size_t(1)]; ++q) {
+      Query& query = queries_[query_index_[q]];
+      const Plane_point p = faces_.in_frame(h, query.location.coordinates);
       for(std::size_t i = list.begin; i < list.end; ++i) {
         if(side_of_rays(a[i], b[i], x[i], y[i], p, tolerance) != covers)
           continue;
@@ -301,39 +321,41 @@ protected:
   /// considers the paths to query locations that come from a vertex of the face, or a source in it
   void finish_queries()
   {
-    for(Query& query : m_queries) {
+    for(Query& query : queries_) {
       const Index f = query.location.face;
       for(Index h = 3 * f; h < 3 * f + 3; ++h) {
-        const Index v = m_faces.source(h);
-        const Plane_point p = m_faces.in_frame(h, query.location.coordinates);
-        const double d = m_distance[v] + std::sqrt(p.x * p.x + p.y * p.y);
+        const Index v = faces_.source(h);
+        const Plane_point p = faces_.in_frame(h, query.location.coordinates);
+        const double d = distance_[v] + std::sqrt(p.x * p.x + p.y * p.y);
         if(!(d < query.distance))
           continue;
         query.distance = d;
         query.arrival = Geodesic_arrival();
         query.arrival.halfedge = h;
-        query.arrival.source = m_arrival[v].source;
-        query.arrival.sigma = m_distance[v];
-        if(m_distance[v] == 0.)
-          query.arrival.turn = m_faces.angle_around_source(h);
-        else if(m_has_directions)
+        query.arrival.source = arrival_[v].source;
+        query.arrival.sigma = distance_[v];
+        if(is_approximate_)
+          query.arrival.turn = arrival_[v].turn;
+        else if(distance_[v] == 0.)
+          query.arrival.turn = faces_.angle_around_source(h);
+        else if(has_directions_)
           query.arrival.turn = direction_at_source(v);
       }
     }
-    for(std::size_t i = 0; i < m_sources.size() && !m_queries.empty(); ++i) {
-      const Source& source = m_sources[i];
+    for(std::size_t i = 0; i < sources_.size() && !queries_.empty(); ++i) {
+      const Source& source = sources_[i];
       if(source.vertex != null_index)
         continue;
       if(source.halfedge == null_index) {
         const Index h = 3 * source.location.face;
-        finish_queries(i, h, m_faces.in_frame(h, source.location.coordinates), 0.);
+        finish_queries(i, h, faces_.in_frame(h, source.location.coordinates), 0.);
         continue;
       }
-      const Index h = source.halfedge, o = m_faces.opposite(h);
-      const double t = source.location.coordinates[Mesh::next(h) % 3] * m_faces.length(h);
+      const Index h = source.halfedge, o = faces_.opposite(h);
+      const double t = source.location.coordinates[Mesh::next(h) % 3] * faces_.length(h);
       finish_queries(i, h, {t, 0.}, 0.);
       if(o != null_index)
-        finish_queries(i, o, {m_faces.length(h) - t, 0.}, geodesic_pi);
+        finish_queries(i, o, {faces_.length(h) - t, 0.}, is_approximate_ ? 0. : geodesic_pi);
     }
   }
 
@@ -342,10 +364,10 @@ protected:
   {
     if(arrival.sigma > 0.)
       return arrival.turn;
-    const Source& source = m_sources[arrival.source];
+    const Source& source = sources_[arrival.source];
     const double angle = arrival.turn + std::atan2(end.y - arrival.y, end.x - arrival.x);
     // rounding may lead out of the range; at a source on the border that is no full turn
-    const bool is_border = source.vertex != null_index ? m_faces.is_border(source.vertex)
+    const bool is_border = source.vertex != null_index ? faces_.is_border(source.vertex)
                                                        : source.total_angle < 1.5 * geodesic_pi;
     if(is_border)
       return (std::min)((std::max)(angle, 0.), source.total_angle);
@@ -375,11 +397,11 @@ private:
     const Index h = 3 * location.face;
     for(Index i = 0; i < 3; ++i)
       if(zeros == 2 && location.coordinates[i] != 0.) {
-        source.vertex = m_faces.face(location.face).vertex[i];
-        source.total_angle = m_faces.total_angle(source.vertex);
+        source.vertex = faces_.face(location.face).vertex[i];
+        source.total_angle = faces_.total_angle(source.vertex);
       } else if(zeros == 1 && location.coordinates[i] == 0.) {
         source.halfedge = Mesh::next(h + i);
-        if(m_faces.opposite(source.halfedge) == null_index)
+        if(faces_.opposite(source.halfedge) == null_index)
           source.total_angle = geodesic_pi;
       }
     return source;
@@ -387,38 +409,38 @@ private:
 
   void prepare_queries(const Exact_geodesic_options& options)
   {
-    m_queries.clear();
-    m_query_first.clear();
-    m_query_index.clear();
+    queries_.clear();
+    query_first_.clear();
+    query_index_.clear();
     for(const Indexed_location& location : options.queries) {
       check(location);
-      m_queries.push_back({location, infinity, Geodesic_arrival()});
+      queries_.push_back({location, infinity, Geodesic_arrival()});
     }
     if(options.all_centroids)
-      for(Index f = 0; f < m_faces.number_of_faces(); ++f) {
+      for(Index f = 0; f < faces_.number_of_faces(); ++f) {
         Indexed_location location;
         location.face = f;
         location.coordinates = {{1. / 3., 1. / 3., 1. / 3.}};
-        m_queries.push_back({location, infinity, Geodesic_arrival()});
+        queries_.push_back({location, infinity, Geodesic_arrival()});
       }
-    if(m_queries.empty())
+    if(queries_.empty())
       return;
-    m_query_first.assign(m_faces.number_of_faces() + std::size_t(1), 0);
-    for(const Query& query : m_queries)
-      ++m_query_first[query.location.face + std::size_t(1)];
-    for(std::size_t f = 0; f < m_faces.number_of_faces(); ++f)
-      m_query_first[f + 1] += m_query_first[f];
-    m_query_index.resize(m_queries.size());
-    std::vector<Index> next(m_query_first.begin(), m_query_first.end() - 1);
-    for(std::size_t i = 0; i < m_queries.size(); ++i)
-      m_query_index[next[m_queries[i].location.face]++] = static_cast<Index>(i);
+    query_first_.assign(faces_.number_of_faces() + std::size_t(1), 0);
+    for(const Query& query : queries_)
+      ++query_first_[query.location.face + std::size_t(1)];
+    for(std::size_t f = 0; f < faces_.number_of_faces(); ++f)
+      query_first_[f + 1] += query_first_[f];
+    query_index_.resize(queries_.size());
+    std::vector<Index> next(query_first_.begin(), query_first_.end() - 1);
+    for(std::size_t i = 0; i < queries_.size(); ++i)
+      query_index_[next[queries_[i].location.face]++] = static_cast<Index>(i);
   }
 
   void finish_queries(std::size_t number, Index h, const Plane_point& source, double turn)
   {
-    for(Index q = m_query_first[h / 3]; q < m_query_first[h / 3 + std::size_t(1)]; ++q) {
-      Query& query = m_queries[m_query_index[q]];
-      const Plane_point p = m_faces.in_frame(h, query.location.coordinates);
+    for(Index q = query_first_[h / 3]; q < query_first_[h / 3 + std::size_t(1)]; ++q) {
+      Query& query = queries_[query_index_[q]];
+      const Plane_point p = faces_.in_frame(h, query.location.coordinates);
       const double d = std::hypot(p.x - source.x, p.y - source.y);
       if(d < query.distance) {
         query.distance = d;
@@ -428,15 +450,15 @@ private:
   }
 
 protected:
-  Geodesic_faces m_faces;
-  std::vector<Source> m_sources;
-  std::vector<double> m_distance;
-  std::vector<Geodesic_arrival> m_arrival;
+  Geodesic_faces faces_;
+  std::vector<Source> sources_;
+  std::vector<double> distance_;
+  std::vector<Geodesic_arrival> arrival_;
 
 private:
-  std::vector<Query> m_queries;
-  std::vector<Index> m_query_first, m_query_index; // the queries of each face
-  bool m_has_directions = false;
+  std::vector<Query> queries_;
+  std::vector<Index> query_first_, query_index_; // the queries of each face
+  bool has_directions_ = false, is_approximate_ = false;
 };
 
 } // namespace internal

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <vector>
@@ -83,12 +84,13 @@ struct Geodesic_window_list
   template <int columns>
   void append(const Geodesic_window_list& other)
   {
-    for(std::size_t k = 0; k < columns; ++k) {
-      const double* from = other.column(k) + other.begin;
-      double* to = column(k) + end;
-      for(std::size_t i = 0, n = other.size(); i < n; ++i)
-        to[i] = from[i];
-    }
+    const double* from = other.column(0) + other.begin;
+    double* to = column(0) + end;
+    const std::size_t n = other.size();
+    // two at a time, without a rest: there is room behind the last window
+    for(std::size_t i = 0; i < n; i += 2)
+      for(std::size_t k = 0; k < columns; ++k)
+        std::memcpy(to + k * capacity + i, from + k * other.capacity + i, 2 * sizeof(double));
     end += other.size();
   }
 
@@ -103,76 +105,87 @@ struct Geodesic_window_list
 
 static_assert(sizeof(Geodesic_window_list) == 2 * sizeof(double), "the columns follow the header");
 
-/// hands out window lists from large chunks, with one free list per power of two, so that memory is reused at once.
+/// hands out window lists from large chunks, with one free list per size, so that memory is reused at once.
 class Geodesic_window_pool
 {
 public:
   /// an empty list with room for `n` windows of `columns` members
+  template <int columns>
   Geodesic_window_list* allocate(std::size_t n)
   {
-    const std::uint32_t size_class = class_of_size(n);
-    if(size_class >= m_free.size())
-      m_free.resize(size_class + 1);
-    std::vector<Geodesic_window_list*>& free_lists = m_free[size_class];
-    Geodesic_window_list* list;
+    // Hardly any gap between the columns: a list takes as few cache lines as possible. The room for one or two more
+    // lets loops go by pairs: branches at their end for a single one are hard to predict.
+    const std::size_t capacity = n + 2 - (n & 1);
+    std::size_t lines = (2 + columns * capacity + doubles_per_line - 1) / doubles_per_line;
+    const std::uint32_t size_class = round_up(lines);
+    if(size_class >= free_.size())
+      free_.resize(size_class + 1);
+    std::vector<Geodesic_window_list*>& free_lists = free_[size_class];
+    void* place;
     if(!free_lists.empty()) {
-      list = free_lists.back();
+      place = free_lists.back();
       free_lists.pop_back();
-    } else {
-      // room for the largest number of columns: a pool serves runs with and without directions
-      list = new_list(size_class, 2 + 7 * (std::size_t(1) << size_class));
-    }
-    list->begin = list->end = 0;
-    return list;
+    } else
+      place = new_lines(lines);
+    return new(place) Geodesic_window_list{0, 0, static_cast<std::uint32_t>(capacity), size_class};
   }
 
-  void release(Geodesic_window_list* list) { m_free[list->size_class].push_back(list); }
+  void release(Geodesic_window_list* list) { free_[list->size_class].push_back(list); }
 
   /// takes back all lists
   void clear()
   {
-    for(std::vector<Geodesic_window_list*>& free_lists : m_free)
+    for(std::vector<Geodesic_window_list*>& free_lists : free_)
       free_lists.clear();
-    m_chunks.clear();
-    m_next = m_left = 0;
+    current_ = 0;
+    next_ = 0;
   }
 
 private:
-  /// the least power of two, from four on, that is not less than `n`
-  static std::uint32_t class_of_size(std::size_t n)
+  struct alignas(64) Line
   {
-    if(n <= 4)
-      return 2;
-#if defined(__GNUC__)
-    return static_cast<std::uint32_t>(8 * sizeof(unsigned long long)) -
-           static_cast<std::uint32_t>(__builtin_clzll(static_cast<unsigned long long>(n - 1)));
-#else
-    std::uint32_t size_class = 3;
-    while((std::size_t(1) << size_class) < n)
-      ++size_class;
-    return size_class;
-#endif
+    double values[8];
+  };
+  static constexpr std::size_t doubles_per_line = 8;
+
+  struct Chunk
+  {
+    std::unique_ptr<Line[]> lines;
+    std::size_t size;
+  };
+
+  /// rounds up to the next size there is, 16 to 32 of them per power of two, and returns its number
+  static std::uint32_t round_up(std::size_t& lines)
+  {
+    std::uint32_t shift = 0;
+    while(lines >> shift >= 32)
+      ++shift;
+    const std::size_t rounded = (lines + (std::size_t(1) << shift) - 1) >> shift;
+    lines = rounded << shift;
+    return static_cast<std::uint32_t>(16 * shift + rounded);
   }
 
-  Geodesic_window_list* new_list(std::uint32_t size_class, std::size_t doubles)
+  Line* new_lines(std::size_t n)
   {
-    if(doubles > m_left) {
-      const std::size_t chunk = doubles > chunk_size ? doubles : chunk_size;
-      m_chunks.emplace_back(new double[chunk]);
-      m_next = 0;
-      m_left = chunk;
+    while(current_ < chunks_.size() && next_ + n > chunks_[current_].size) {
+      ++current_;
+      next_ = 0;
     }
-    double* place = m_chunks.back().get() + m_next;
-    m_next += doubles;
-    m_left -= doubles;
-    return new(place) Geodesic_window_list{0, 0, std::uint32_t(1) << size_class, size_class};
+    if(current_ == chunks_.size()) {
+      const std::size_t size = n > chunk_size ? n : chunk_size;
+      // zeros, for the windows behind the last one that loops by pairs compute in vain
+      chunks_.push_back(Chunk{std::unique_ptr<Line[]>(new Line[size]()), size});
+    }
+    Line* place = chunks_[current_].lines.get() + next_;
+    next_ += n;
+    return place;
   }
 
-  static constexpr std::size_t chunk_size = std::size_t(1) << 15;
+  static constexpr std::size_t chunk_size = std::size_t(1) << 12;
 
-  std::vector<std::unique_ptr<double[]>> m_chunks;
-  std::vector<std::vector<Geodesic_window_list*>> m_free;
-  std::size_t m_next = 0, m_left = 0;
+  std::vector<Chunk> chunks_;
+  std::vector<std::vector<Geodesic_window_list*>> free_;
+  std::size_t current_ = 0, next_ = 0; // the chunk in use, and its first line not in use
 };
 
 } // namespace internal

@@ -27,35 +27,35 @@ class Geodesic_path_tracing
 {
 public:
   explicit Geodesic_path_tracing(const Exact_geodesic_propagation& geodesics)
-    : m_geodesics(geodesics)
-    , m_faces(geodesics.faces())
+    : geodesics_(geodesics)
+    , faces_(geodesics.faces())
   {}
 
   /// the shortest path from the vertex `v` to its source, empty if `v` is not reached
   std::vector<Indexed_location> path_from_vertex(Index v)
   {
-    m_path.clear();
-    if(!m_geodesics.is_reached(v))
-      return m_path;
+    path_.clear();
+    if(!geodesics_.is_reached(v))
+      return path_;
     add(at_vertex(v));
     trace_from_vertex(v);
-    return m_path;
+    return path_;
   }
 
   /// the shortest path from query location number `i` to its source, empty if it is not reached
   std::vector<Indexed_location> path_from_query(std::size_t i)
   {
-    m_path.clear();
-    if(!(m_geodesics.query_distance(i) < (std::numeric_limits<double>::infinity)()))
-      return m_path;
-    const Indexed_location& location = m_geodesics.query(i);
+    path_.clear();
+    if(!(geodesics_.query_distance(i) < (std::numeric_limits<double>::infinity)()))
+      return path_;
+    const Indexed_location& location = geodesics_.query(i);
     add(classify(location));
-    const Geodesic_arrival& arrival = m_geodesics.query_arrival(i);
-    m_distance = m_geodesics.query_distance(i);
-    const Index root = trace_piece(arrival, m_faces.in_frame(arrival.halfedge, location.coordinates));
+    const Geodesic_arrival& arrival = geodesics_.query_arrival(i);
+    distance_ = geodesics_.query_distance(i);
+    const Index root = trace_piece(arrival, faces_.in_frame(arrival.halfedge, location.coordinates));
     if(root != null_index)
       trace_from_vertex(root);
-    return m_path;
+    return path_;
   }
 
 private:
@@ -77,19 +77,19 @@ private:
     std::size_t length; // of the path that leads there
   };
 
-  Place at_vertex(Index v) const { return {m_geodesics.vertex_location(v), v, null_index, 0.}; }
+  Place at_vertex(Index v) const { return {geodesics_.vertex_location(v), v, null_index, 0.}; }
 
   Place on_halfedge(Index h, double t) const
   {
     if(t < geodesic_cover)
-      return at_vertex(m_faces.source(h));
+      return at_vertex(faces_.source(h));
     if(t > 1. - geodesic_cover)
-      return at_vertex(m_faces.target(h));
+      return at_vertex(faces_.target(h));
     Place place;
     place.location.face = h / 3;
     place.location.coordinates[h % 3] = 1. - t;
     place.location.coordinates[Mesh::next(h) % 3] = t;
-    const Index o = m_faces.opposite(h);
+    const Index o = faces_.opposite(h);
     place.vertex = null_index;
     place.halfedge = h < o ? h : o;
     place.t = h < o ? t : 1. - t;
@@ -126,18 +126,18 @@ private:
 
   void add(const Place& place)
   {
-    if(!m_path.empty() && is_same(m_last, place))
+    if(!path_.empty() && is_same(last_, place))
       return;
-    m_path.push_back(place.location);
-    m_last = place;
+    path_.push_back(place.location);
+    last_ = place;
   }
 
   void trace_from_vertex(Index v)
   {
-    while(v != null_index && m_geodesics.distance(v) > 0.) {
-      const Geodesic_arrival& arrival = m_geodesics.arrival(v);
-      m_distance = m_geodesics.distance(v);
-      v = trace_piece(arrival, m_geodesics.end_in_frame(arrival, v));
+    while(v != null_index && geodesics_.distance(v) > 0.) {
+      const Geodesic_arrival& arrival = geodesics_.arrival(v);
+      distance_ = geodesics_.distance(v);
+      v = trace_piece(arrival, geodesics_.end_in_frame(arrival, v));
     }
   }
 
@@ -146,57 +146,57 @@ private:
   {
     Plane_point image{arrival.x, arrival.y};
     Index h = arrival.halfedge;
-    m_root = {null_index, (std::numeric_limits<double>::infinity)(), m_path.size()};
+    root_ = {null_index, (std::numeric_limits<double>::infinity)(), path_.size()};
     if(!arrival.crosses_halfedge)
       look_for_root(arrival, h, image);
     // a shortest path meets each face at most once
-    for(Index step = 0; arrival.crosses_halfedge && step <= m_faces.number_of_faces(); ++step) {
-      const double length = m_faces.length(h);
+    for(Index step = 0; arrival.crosses_halfedge && step <= faces_.number_of_faces(); ++step) {
+      const double length = faces_.length(h);
       const double t = image.y < p.y ? p.x + (image.x - p.x) * p.y / (p.y - image.y) : image.x;
       add(on_halfedge(h, t / length));
       if(leads_through_last_vertex(arrival, image, h))
-        return m_last.vertex;
-      const Index g = m_faces.opposite(h);
+        return last_.vertex;
+      const Index g = faces_.opposite(h);
       if(g == null_index)
         break;
       p = {length - p.x, -p.y};
       image = {length - image.x, -image.y};
       if(look_for_root(arrival, g, image))
         break;
-      const Plane_point apex = m_faces.apex(g);
+      const Plane_point apex = faces_.apex(g);
       const bool apex_is_left = (image.x - p.x) * (apex.y - p.y) > (image.y - p.y) * (apex.x - p.x);
       if(apex_is_left) {
         h = Mesh::next(g);
         const Plane_point corner{length, 0.};
-        p = change_frame(p, corner, apex, m_faces.length(h));
-        image = change_frame(image, corner, apex, m_faces.length(h));
+        p = change_frame(p, corner, apex, faces_.length(h));
+        image = change_frame(image, corner, apex, faces_.length(h));
       } else {
         h = Mesh::previous(g);
         const Plane_point corner{0., 0.};
-        p = change_frame(p, apex, corner, m_faces.length(h));
-        image = change_frame(image, apex, corner, m_faces.length(h));
+        p = change_frame(p, apex, corner, faces_.length(h));
+        image = change_frame(image, apex, corner, faces_.length(h));
       }
       if(image.y >= 0.)
         break; // the image is in the face
     }
-    m_path.resize(m_root.length);
-    if(m_root.vertex != null_index && arrival.sigma > 0.) {
-      add(at_vertex(m_root.vertex));
-      return m_root.vertex;
+    path_.resize(root_.length);
+    if(root_.vertex != null_index && arrival.sigma > 0.) {
+      add(at_vertex(root_.vertex));
+      return root_.vertex;
     }
-    add(classify(m_geodesics.source_location(arrival.source)));
+    add(classify(geodesics_.source_location(arrival.source)));
     return null_index;
   }
 
   /// whether the rest of a path is the shortest path from the vertex of `h` at which it has just arrived
   bool leads_through_last_vertex(const Geodesic_arrival& arrival, const Plane_point& image, Index h) const
   {
-    const Index v = m_last.vertex;
-    if(v == null_index || !(m_geodesics.distance(v) > 0.) || !(m_geodesics.distance(v) < m_distance))
+    const Index v = last_.vertex;
+    if(v == null_index || !(geodesics_.distance(v) > 0.) || !(geodesics_.distance(v) < distance_))
       return false;
-    const Plane_point p = m_geodesics.vertex_in_frame(h, v);
+    const Plane_point p = geodesics_.vertex_in_frame(h, v);
     const double d = arrival.sigma + std::hypot(p.x - image.x, p.y - image.y);
-    return std::fabs(m_geodesics.distance(v) - d) <= geodesic_cover * d;
+    return std::fabs(geodesics_.distance(v) - d) <= geodesic_cover * d;
   }
 
   static Plane_point change_frame(const Plane_point& p, const Plane_point& from, const Plane_point& to, double length)
@@ -209,18 +209,18 @@ private:
   /// remembers the point of the face of `h` that fits the image best; returns whether it fits
   bool look_for_root(const Geodesic_arrival& arrival, Index h, const Plane_point& image)
   {
-    const double scale = m_faces.length(h) + m_faces.length(Mesh::next(h));
+    const double scale = faces_.length(h) + faces_.length(Mesh::next(h));
     if(arrival.sigma == 0.) {
       Plane_point p;
-      if(!m_geodesics.source_in_frame(arrival.source, h, p))
+      if(!geodesics_.source_in_frame(arrival.source, h, p))
         return false;
       return consider(p, image, null_index, scale);
     }
     for(Index i = 0; i < 3; ++i) {
-      const Index g = 3 * (h / 3) + i, v = m_faces.source(g);
-      if(std::fabs(m_geodesics.distance(v) - arrival.sigma) > 1e-9 * arrival.sigma)
+      const Index g = 3 * (h / 3) + i, v = faces_.source(g);
+      if(std::fabs(geodesics_.distance(v) - arrival.sigma) > 1e-9 * arrival.sigma)
         continue;
-      if(consider(m_geodesics.vertex_in_frame(h, v), image, v, scale))
+      if(consider(geodesics_.vertex_in_frame(h, v), image, v, scale))
         return true;
     }
     return false;
@@ -229,18 +229,18 @@ private:
   bool consider(const Plane_point& p, const Plane_point& image, Index v, double scale)
   {
     const double offset = std::hypot(p.x - image.x, p.y - image.y);
-    if(offset < m_root.offset)
-      m_root = {v, offset, m_path.size()};
+    if(offset < root_.offset)
+      root_ = {v, offset, path_.size()};
     // unfolding adds rounding errors, which thin faces enlarge; another vertex at this distance would be as good an end
     return offset <= 1e-8 * scale;
   }
 
-  const Exact_geodesic_propagation& m_geodesics;
-  const Geodesic_faces& m_faces;
-  std::vector<Indexed_location> m_path;
-  Place m_last;
-  double m_distance = 0.; // of the end of the piece
-  Root m_root;
+  const Exact_geodesic_propagation& geodesics_;
+  const Geodesic_faces& faces_;
+  std::vector<Indexed_location> path_;
+  Place last_;
+  double distance_ = 0.; // of the end of the piece
+  Root root_;
 };
 
 } // namespace internal

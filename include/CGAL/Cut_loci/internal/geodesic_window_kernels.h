@@ -44,11 +44,12 @@ inline void step_left(const Geodesic_window_list& in, std::size_t first, std::si
                       const Geodesic_step& step)
 {
   const std::size_t ci = in.capacity, co = out.capacity;
+  const std::size_t pairs = (n + 1) / 2; // lists have room for one more
   const double* p = in.column(0) + first;
   double* q = out.column(0) + out.end;
   const double length = step.length, c = step.cosine, s = step.sine;
   CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
-  for(std::size_t i = 0; i < n; ++i) {
+  for(std::size_t i = 0; i < 2 * pairs; ++i) {
     const double a = p[i], b = p[i + ci], x = p[i + 2 * ci], y = p[i + 3 * ci];
     const double yc = y * c;
     const double da = (a - x) * s + yc, db = (b - x) * s + yc;
@@ -65,13 +66,13 @@ inline void step_left(const Geodesic_window_list& in, std::size_t first, std::si
   if(columns > 5) {
     const double turn = step.turn;
     CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
-    for(std::size_t i = 0; i < n; ++i) {
+    for(std::size_t i = 0; i < 2 * pairs; ++i) {
       const double add = p[i + 4 * ci] > 0. ? 0. : turn;
       q[i + 5 * co] = p[i + 5 * ci] + add;
     }
   }
   if(columns > 6)
-    for(std::size_t i = 0; i < n; ++i)
+    for(std::size_t i = 0; i < 2 * pairs; ++i)
       q[i + 6 * co] = p[i + 6 * ci];
   out.end += static_cast<std::uint32_t>(n);
 }
@@ -82,11 +83,12 @@ inline void step_right(const Geodesic_window_list& in, std::size_t first, std::s
                        const Geodesic_step& step)
 {
   const std::size_t ci = in.capacity, co = out.capacity;
+  const std::size_t pairs = (n + 1) / 2; // lists have room for one more
   const double* p = in.column(0) + first;
   double* q = out.column(0) + out.end;
   const double base = step.base, length = step.length, c = step.cosine, s = step.sine;
   CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
-  for(std::size_t i = 0; i < n; ++i) {
+  for(std::size_t i = 0; i < 2 * pairs; ++i) {
     const double a = p[i], b = p[i + ci], x = p[i + 2 * ci], y = p[i + 3 * ci];
     const double yc = y * c, from_target = base - x;
     const double da = (x - a) * s + yc, db = (x - b) * s + yc;
@@ -102,13 +104,13 @@ inline void step_right(const Geodesic_window_list& in, std::size_t first, std::s
   if(columns > 5) {
     const double turn = step.turn;
     CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
-    for(std::size_t i = 0; i < n; ++i) {
+    for(std::size_t i = 0; i < 2 * pairs; ++i) {
       const double add = p[i + 4 * ci] > 0. ? 0. : turn;
       q[i + 5 * co] = p[i + 5 * ci] + add;
     }
   }
   if(columns > 6)
-    for(std::size_t i = 0; i < n; ++i)
+    for(std::size_t i = 0; i < 2 * pairs; ++i)
       q[i + 6 * co] = p[i + 6 * ci];
   out.end += static_cast<std::uint32_t>(n);
 }

@@ -121,71 +121,91 @@ class Geodesic_trimming
 public:
   /// `strictly`: without any overlap
   Geodesic_trimming(Geodesic_window_list& list, double length, bool strictly)
-    : m_list(list)
-    , m_length(length)
-    , m_strictly(strictly)
+    : list_(list)
+    , length_(length)
+    , strictly_(strictly)
   {}
 
-  /// the windows before `first`, of which there is at least one, are known to be in order
-  void operator()(std::size_t first, bool merge)
+  /// the windows before `first` are known to be in order
+  void operator()(std::size_t first)
   {
-    const double* a = m_list.column(0);
-    const double* b = m_list.column(1);
-    m_top = first;
-    for(std::size_t i = first, end = m_list.end; i < end; ++i) {
-      if(!merge && m_top > m_list.begin && is_in_order(a[m_top - 1], b[m_top - 1], a[i], b[i]) &&
-         b[i] - a[i] > geodesic_narrow * m_length) {
-        if(m_top != i)
-          m_list.template move<columns>(i, m_top);
-        ++m_top;
+    const double* a = list_.column(0);
+    const double* b = list_.column(1);
+    top_ = first;
+    for(std::size_t i = first, end = list_.end; i < end; ++i) {
+      if(top_ > list_.begin && is_in_order(a[top_ - 1], b[top_ - 1], a[i], b[i]) &&
+         b[i] - a[i] > geodesic_narrow * length_) {
+        if(top_ != i)
+          list_.template move<columns>(i, top_);
+        ++top_;
       } else
-        push(m_list.template get<columns>(i), merge);
-      merge = false;
+        push(list_.template get<columns>(i), false);
     }
-    m_list.end = static_cast<std::uint32_t>(m_top);
+    list_.end = static_cast<std::uint32_t>(top_);
+  }
+
+  /// joins two lists: the windows before `first` and those from there on are known to be in order
+  void join(std::size_t first)
+  {
+    const double* a = list_.column(0);
+    const double* b = list_.column(1);
+    top_ = first;
+    for(std::size_t i = first, end = list_.end; i < end; ++i) {
+      const Geodesic_window w = list_.template get<columns>(i);
+      push(w, i == first);
+      if(top_ > list_.begin && a[top_ - 1] == w.a && b[top_ - 1] == w.b) {
+        // it has its place, and so have those that follow it
+        if(top_ == i + 1)
+          return;
+        for(++i; i < end; ++i)
+          list_.template move<columns>(i, top_++);
+      }
+    }
+    list_.end = static_cast<std::uint32_t>(top_);
   }
 
 private:
   bool is_in_order(double a, double b, double next_a, double next_b) const
   {
-    return m_strictly ? b <= next_a : (a <= next_a && b <= next_b);
+    return strictly_ ? b <= next_a : (a <= next_a && b <= next_b);
   }
 
   void push(Geodesic_window w, bool merge)
   {
-    const double narrow = geodesic_narrow * m_length;
+    const double narrow = geodesic_narrow * length_;
     while(is_alive(w, narrow)) {
-      if(m_top == m_list.begin) {
-        m_list.template set<columns>(m_top++, w);
+      if(top_ == list_.begin) {
+        list_.template set<columns>(top_++, w);
         return;
       }
-      Geodesic_window top = m_list.template get<columns>(m_top - 1);
+      Geodesic_window top = list_.template get<columns>(top_ - 1);
       const bool in_order = is_in_order(top.a, top.b, w.a, w.b);
-      if((merge || !in_order) && are_mergeable(top, w, m_length)) {
+      if((merge || !in_order) && are_mergeable(top, w, length_)) {
         top.a = (std::min)(top.a, w.a);
         top.b = (std::max)(top.b, w.b);
-        --m_top;
+        top.turn = (std::max)(top.turn, w.turn); // the same direction, or the error
+        --top_;
         push(top, false);
         return;
       }
       if(in_order) {
-        m_list.template set<columns>(m_top++, w);
+        list_.template set<columns>(top_++, w);
         return;
       }
       const double b = top.b;
       resolve_overlap(top, w);
       if(top.b != b) {
         // a shorter window may now end before one that precedes it
-        --m_top;
+        --top_;
         push(top, false);
       }
     }
   }
 
-  Geodesic_window_list& m_list;
-  double m_length;
-  bool m_strictly;
-  std::size_t m_top = 0;
+  Geodesic_window_list& list_;
+  double length_;
+  bool strictly_;
+  std::size_t top_ = 0;
 };
 
 /// restores the order of the windows of a list, as produced by a step into the next face
@@ -204,7 +224,7 @@ inline void restore_order(Geodesic_window_list& list, double length)
       if(a[i] < a[i - 1] || b[i] < b[i - 1] || !(b[i] - a[i] > narrow))
         break;
   if(i < end)
-    Geodesic_trimming<columns>(list, length, false)(i, false);
+    Geodesic_trimming<columns>(list, length, false)(i);
 }
 
 /// the lower envelope of two lists that are not in any order with respect to each other
@@ -216,10 +236,10 @@ public:
   void operator()(Geodesic_window_list& first, Geodesic_window_list& second, Geodesic_window_list& result,
                   double length)
   {
-    Geodesic_trimming<columns>(first, length, true)(first.begin, false);
-    Geodesic_trimming<columns>(second, length, true)(second.begin, false);
-    m_result = &result;
-    m_narrow = geodesic_narrow * length;
+    Geodesic_trimming<columns>(first, length, true)(first.begin);
+    Geodesic_trimming<columns>(second, length, true)(second.begin);
+    result_ = &result;
+    narrow_ = geodesic_narrow * length;
     std::size_t i = first.begin, j = second.begin;
     double position = 0.;
     while(i < first.end || j < second.end) {
@@ -276,24 +296,25 @@ private:
 
   void emit(Geodesic_window w, double start, double stop)
   {
-    if(stop - start <= m_narrow)
+    if(stop - start <= narrow_)
       return;
     w.a = start;
     w.b = stop;
-    if(!m_result->empty()) {
-      Geodesic_window last = m_result->template get<columns>(m_result->end - 1);
+    if(!result_->empty()) {
+      Geodesic_window last = result_->template get<columns>(result_->end - 1);
       if(last.x == w.x && last.y == w.y && last.sigma == w.sigma && last.nearest == w.nearest &&
-         start - last.b <= m_narrow) {
+         start - last.b <= narrow_) {
         last.b = stop;
-        m_result->template set<columns>(m_result->end - 1, last);
+        last.turn = (std::max)(last.turn, w.turn);
+        result_->template set<columns>(result_->end - 1, last);
         return;
       }
     }
-    m_result->template append<columns>(w);
+    result_->template append<columns>(w);
   }
 
-  Geodesic_window_list* m_result = nullptr;
-  double m_narrow = 0.;
+  Geodesic_window_list* result_ = nullptr;
+  double narrow_ = 0.;
 };
 
 } // namespace internal

@@ -1,0 +1,14 @@
+# The package is its headers: a target without files to compile.
+get_filename_component(SURFACE_MESH_CUT_LOCUS_ROOT ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
+
+add_library(Surface_mesh_cut_locus INTERFACE)
+add_library(CGAL::Surface_mesh_cut_locus ALIAS Surface_mesh_cut_locus)
+# include_np adds the package's named parameters to CGAL's list and must come before CGAL's own headers. It is installed
+# apart, so that it never overwrites CGAL's file.
+target_include_directories(Surface_mesh_cut_locus INTERFACE
+  $<BUILD_INTERFACE:${SURFACE_MESH_CUT_LOCUS_ROOT}/include_np>
+  $<BUILD_INTERFACE:${SURFACE_MESH_CUT_LOCUS_ROOT}/include>
+  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/Surface_mesh_cut_locus/named_parameters>
+  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_link_libraries(Surface_mesh_cut_locus INTERFACE CGAL::CGAL CGAL::Eigen3_support)
+target_compile_features(Surface_mesh_cut_locus INTERFACE cxx_std_17)

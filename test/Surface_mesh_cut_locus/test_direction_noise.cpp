@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// Noise along the normals moves the cut locus a little; with its defaults the method neither loses it nor adds to it.
+
+#include "direction_meshes.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace {
+
+using namespace direction_test;
+using namespace CGAL::Cut_loci::internal;
+
+Indexed_triangle_mesh noisy(const Indexed_triangle_mesh& mesh, double amplitude, unsigned seed)
+{
+  std::vector<Vector> normals(mesh.points.size(), Vector{{0., 0., 0.}});
+  for(const auto& t : mesh.triangles)
+    for(Index v : t)
+      normals[v] = normals[v] + cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]]);
+  const double h = CGAL::Cut_loci::Mesh_connectivity(mesh).mean_edge_length;
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> random(0., amplitude * h);
+  Indexed_triangle_mesh result = mesh;
+  for(std::size_t v = 0; v < normals.size(); ++v)
+    result.points[v] = mesh.points[v] + (random(generator) / norm(normals[v])) * normals[v];
+  return result;
+}
+
+Indexed_triangle_mesh ellipsoid(int n)
+{
+  Indexed_triangle_mesh mesh = sphere(n);
+  for(auto& p : mesh.points)
+  {
+    p[1] *= 0.8;
+    p[2] *= 0.6;
+  }
+  return mesh;
+}
+
+// a ball with four limbs
+Indexed_triangle_mesh limbs(int n)
+{
+  Indexed_triangle_mesh mesh = sphere(n);
+  const double s = 1. / std::sqrt(3.);
+  for(auto& p : mesh.points)
+  {
+    double radius = 1.;
+    for(const Vector& axis : {Vector{{s, s, s}}, Vector{{s, -s, -s}}, Vector{{-s, s, -s}}, Vector{{-s, -s, s}}})
+      radius += 2. * std::exp(15. * (dot(p, axis) - 1.));
+    p = radius * p;
+  }
+  return mesh;
+}
+
+std::vector<Vector> nodes(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& graph)
+{
+  std::vector<Vector> result;
+  for(const auto& node : graph.nodes)
+    result.push_back(point_at(mesh, node.location));
+  return result;
+}
+
+// of a point of `from` from the nearest one of `to`, at most
+double farthest(const std::vector<Vector>& from, const std::vector<Vector>& to)
+{
+  double result = 0.;
+  for(const Vector& p : from)
+  {
+    double d = (std::numeric_limits<double>::infinity)();
+    for(const Vector& q : to)
+      d = (std::min)(d, norm(p - q));
+    result = (std::max)(result, d);
+  }
+  return result;
+}
+
+double total_length(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& graph)
+{
+  double result = 0.;
+  for(const auto& e : graph.edges)
+    result += norm(point_at(mesh, graph.nodes[e.source].location) - point_at(mesh, graph.nodes[e.target].location));
+  return result;
+}
+
+TEST(Direction_noise, ellipsoids)
+{
+  for(int n : {20, 35, 50})
+  {
+    const Indexed_triangle_mesh smooth = ellipsoid(n);
+    for(const Vector& at : {Vector{{0.5, 0.4, 0.45}}, Vector{{0.2, -0.7, 0.1}}, Vector{{-0.6, 0.3, -0.3}}})
+    {
+      const auto source = at_vertex(smooth, nearest_vertex(smooth, at));
+      const Solved reference(smooth, source);
+      const double h = reference.solver->connectivity().mean_edge_length;
+      const auto true_curve = reference.through_faces(reference.solver->default_threshold());
+      const auto truth = nodes(smooth, true_curve);
+      const double length = total_length(smooth, true_curve);
+      for(double amplitude : {0.03, 0.1, 0.2})
+      {
+        SCOPED_TRACE(std::to_string(n) + ", noise " + std::to_string(amplitude));
+        const Solved solved(noisy(smooth, amplitude, 5), source);
+        const auto curve = solved.through_faces(solved.solver->default_threshold());
+        const auto found = nodes(solved.mesh, curve);
+        EXPECT_LT(farthest(found, truth) / h, 5.) << "a spurious branch";
+        // Towards an end, the angle between the paths falls as the square root of the way to it, so that a part at the
+        // ends is lost in the noise whatever the edges; not the branch.
+        EXPECT_GT(total_length(solved.mesh, curve), 0.5 * length) << "a lost branch";
+      }
+    }
+  }
+}
+
+// What connects a branch to the root decides on it: the root must not be on a branch that noise has made.
+TEST(Direction_noise, root_is_on_the_cut_locus)
+{
+  const Indexed_triangle_mesh smooth = ellipsoid(40);
+  for(Index v = 0; v < smooth.number_of_vertices(); v += smooth.number_of_vertices() / 10)
+  {
+    const Solved reference(smooth, at_vertex(smooth, v));
+    const auto truth = nodes(smooth, reference.through_faces(reference.solver->default_threshold()));
+    const Indexed_triangle_mesh mesh = noisy(smooth, 0.2, v);
+    const Solved solved(mesh, at_vertex(mesh, v));
+    const auto& corners = mesh.triangles[solved.solver->branches().root()];
+    const Vector root = (1. / 3.) * (mesh.points[corners[0]] + mesh.points[corners[1]] + mesh.points[corners[2]]);
+    EXPECT_LT(farthest({root}, truth), 3. * solved.solver->connectivity().mean_edge_length) << "vertex " << v;
+  }
+}
+
+// A rough surface with limbs keeps its main branches: on the back of each limb but that of the source.
+TEST(Direction_noise, limbs_are_not_taken_for_noise)
+{
+  const Indexed_triangle_mesh smooth = limbs(50);
+  for(Index v : {nearest_vertex(smooth, {{1.7, 1.7, 1.7}}), nearest_vertex(smooth, {{0.6, 0.6, -0.6}})})
+  {
+    const Solved reference(smooth, at_vertex(smooth, v));
+    const auto truth = reference.through_faces(3.);
+    const double length = total_length(smooth, truth);
+    ASSERT_GT(length, 5.);
+    for(double amplitude : {0.03, 0.1, 0.2})
+    {
+      const Indexed_triangle_mesh mesh = noisy(smooth, amplitude, 3);
+      const Solved solved(mesh, at_vertex(mesh, v));
+      const auto found = solved.through_faces(solved.solver->default_threshold());
+      EXPECT_GT(total_length(mesh, found), 0.6 * length) << "noise " << amplitude;
+      EXPECT_LT(total_length(mesh, found), 1.4 * length) << "noise " << amplitude;
+    }
+  }
+}
+
+} // namespace

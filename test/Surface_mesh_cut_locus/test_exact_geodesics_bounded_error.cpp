@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// Geodesic distances with a maximum relative error, against the exact ones.
+
+#include "exact_geodesics_test_meshes.h"
+
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_exact_geodesics.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace {
+
+using namespace test_meshes;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-12;
+
+void expect_bound(double distance, double error, double exact, double maximum_relative_error, double scale)
+{
+  if(exact == infinity) {
+    EXPECT_EQ(distance, infinity);
+    return;
+  }
+  EXPECT_GE(distance, exact * (1. - rounding) - 1e-15 * scale);
+  EXPECT_LE(distance, exact * (1. + maximum_relative_error + rounding) + 1e-15 * scale);
+  EXPECT_LE(distance - error, exact * (1. + rounding) + 1e-15 * scale);
+}
+
+/// expects the bounds at all vertices, at points in faces, on edges and at vertices, and at all centroids
+void expect_bounds(const Mesh& mesh, std::size_t number_of_sources, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::vector<Indexed_location> sources;
+  for(unsigned k = 0; k < number_of_sources; ++k)
+    sources.push_back(random_location(mesh, random, seed + k));
+  Options options;
+  options.all_centroids = true;
+  for(unsigned k = 0; k < 30; ++k)
+    options.queries.push_back(random_location(mesh, random, k));
+  Geodesics geodesics(mesh), exact(mesh);
+  exact.run(sources, options);
+  double scale = 0.;
+  for(double d : exact.distances())
+    scale = d < infinity ? (std::max)(scale, d) : scale;
+  for(const double error : {0.3, 0.01, 1e-4}) {
+    SCOPED_TRACE("maximum relative error " + std::to_string(error));
+    options.maximum_relative_error = error;
+    geodesics.run(sources, options);
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+      expect_bound(geodesics.distance(v), geodesics.distance_error(v), exact.distance(v), error, scale);
+    for(std::size_t q = 0; q < exact.number_of_queries(); ++q)
+      expect_bound(geodesics.query_distance(q), infinity, exact.query_distance(q), error, scale);
+  }
+}
+
+TEST(Bounded_error, jittered)
+{
+  for(unsigned seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const double height = std::pow(10., -2. + 0.5 * (seed % 6));
+    expect_bounds(bumpy_grid(4 + seed % 30, 6 + seed % 31, height, seed, 0.05 * (seed % 6)), 1 + seed % 2, seed);
+  }
+}
+
+TEST(Bounded_error, needles)
+{
+  for(unsigned seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Mesh mesh = bumpy_grid(6 + seed % 17, 6 + seed % 15, 0.3, seed, 0.2);
+    const double squeeze = std::pow(10., -1. - 0.5 * (seed % 5));
+    for(Point& p : mesh.points)
+      p[seed % 2] *= squeeze;
+    expect_bounds(mesh, 1, seed);
+  }
+}
+
+TEST(Bounded_error, perforated)
+{
+  for(unsigned seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_bounds(perforated(bumpy_grid(9 + seed % 19, 8 + seed % 17, 0.2 * (seed % 4), seed, 0.15), 0.3, seed),
+                  1 + seed % 3, seed);
+  }
+}
+
+TEST(Bounded_error, tori)
+{
+  for(unsigned seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_bounds(torus(12 + seed % 43, 6 + seed % 27, 0.05 * (seed % 6), seed), 1 + seed % 2, seed);
+  }
+}
+
+TEST(Bounded_error, flat_and_subdivided)
+{
+  for(unsigned seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_bounds(flat_grid(5 + seed % 20, 7 + seed % 13, seed, 0.3 * (seed % 2)), 1, seed);
+    expect_bounds(subdivided(bumpy_grid(5 + seed % 9, 4 + seed % 7, 0.3 * (seed % 4), seed, 0.1)), 1, seed);
+  }
+}
+
+TEST(Bounded_error, welded_of_any_genus)
+{
+  for(unsigned seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> u(0.3, 0.6);
+    const Mesh open = perforated(bumpy_grid(6 + seed % 17, 6 + seed % 16, 0.2, seed, 0.15), 0.05 * (seed % 4), seed);
+    expect_bounds(doubled(open,
+                          [&](const Point& p) {
+                            return Point{{p[0], p[1], p[2] + u(random)}};
+                          }),
+                  1 + seed % 3, seed);
+  }
+}
+
+/// the number of windows for each halfedge of a torus with 4 n^2 faces
+double windows_per_halfedge(Index n, double error)
+{
+  const Mesh mesh = torus(2 * n, n, 0.2, 1);
+  Geodesics geodesics(mesh);
+  Options options;
+  options.maximum_relative_error = error;
+  geodesics.run(Index(0), options);
+  return double(geodesics.number_of_windows()) / mesh.number_of_halfedges();
+}
+
+TEST(Bounded_error, windows_per_halfedge_do_not_become_more)
+{
+  EXPECT_LT(windows_per_halfedge(120, 0.01), windows_per_halfedge(30, 0.01));
+  EXPECT_GT(windows_per_halfedge(120, 0.), 2. * windows_per_halfedge(30, 0.));
+}
+
+TEST(Bounded_error, maximum_distance)
+{
+  const Mesh mesh = torus(60, 30, 0.2, 3);
+  Geodesics exact(mesh), geodesics(mesh);
+  Options options;
+  exact.run(Index(0), options);
+  options.maximum_distance = 0.8;
+  options.maximum_relative_error = 0.05;
+  geodesics.run(Index(0), options);
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+    if(exact.distance(v) <= options.maximum_distance) {
+      EXPECT_TRUE(geodesics.is_reached(v));
+    }
+    if(geodesics.is_reached(v)) {
+      EXPECT_LE(exact.distance(v), geodesics.distance(v) * (1. + rounding));
+      EXPECT_LE(geodesics.distance(v), exact.distance(v) * (1.05 + rounding));
+    }
+  }
+}
+
+TEST(Bounded_error, is_gone_in_the_next_run)
+{
+  const Mesh mesh = torus(40, 20, 0.2, 3);
+  Geodesics exact(mesh), geodesics(mesh);
+  Options options;
+  exact.run(Index(0), options);
+  options.maximum_relative_error = 0.1;
+  geodesics.run(Index(0), options);
+  EXPECT_NE(geodesics.distances(), exact.distances());
+  geodesics.run(Index(0));
+  EXPECT_EQ(geodesics.distances(), exact.distances());
+  EXPECT_EQ(geodesics.distance_error(5), 0.);
+}
+
+TEST(Bounded_error, has_no_directions_and_paths)
+{
+  using Surface_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+  using CGAL::Cut_loci::Invalid_input;
+  Surface_mesh mesh;
+  for(const Point& p : {Point{{0., 0., 0.}}, Point{{1., 0., 0.}}, Point{{0., 1., 0.}}, Point{{0., 0., 1.}}})
+    mesh.add_vertex({p[0], p[1], p[2]});
+  using Vertex = Surface_mesh::Vertex_index;
+  for(const std::array<Index, 3>& t :
+      {std::array<Index, 3>{{0, 2, 1}}, std::array<Index, 3>{{0, 1, 3}}, std::array<Index, 3>{{1, 2, 3}},
+       std::array<Index, 3>{{2, 0, 3}}})
+    mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
+  CGAL::Surface_mesh_exact_geodesics<Surface_mesh> geodesics(mesh);
+  EXPECT_THROW(geodesics.set_maximum_relative_error(-0.1), Invalid_input);
+  EXPECT_THROW(geodesics.set_maximum_relative_error(std::numeric_limits<double>::quiet_NaN()), Invalid_input);
+  geodesics.set_maximum_relative_error(0.1);
+  geodesics.compute(Vertex(0));
+  EXPECT_NEAR(geodesics.distance(Vertex(1)), 1., rounding);
+  EXPECT_GE(geodesics.distance_error(Vertex(1)), 0.);
+  std::vector<CGAL::Surface_mesh_exact_geodesics<Surface_mesh>::Face_location> path;
+  EXPECT_THROW(geodesics.shortest_path(Vertex(1), std::back_inserter(path)), Invalid_input);
+  EXPECT_THROW(geodesics.arrival_direction(Vertex(1)), Invalid_input);
+  EXPECT_THROW(geodesics.direction_at_source(Vertex(1)), Invalid_input);
+  geodesics.set_directions(true);
+  EXPECT_THROW(geodesics.compute(Vertex(0)), Invalid_input);
+  geodesics.set_maximum_relative_error(0.);
+  geodesics.compute(Vertex(0));
+  EXPECT_EQ(geodesics.distance(Vertex(1)), 1.);
+  geodesics.shortest_path(Vertex(1), std::back_inserter(path));
+  EXPECT_EQ(path.size(), 2u);
+}
+
+} // namespace
