@@ -114,7 +114,7 @@ public:
    *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
    *     \cgalParamDescription{a visitor that is told when a stage starts and ends}
-   *     \cgalParamType{a class with the functions of `Cut_loci::Default_visitor`}
+   *     \cgalParamType{a model of `CutLocusVisitor`}
    *     \cgalParamDefault{`Cut_loci::Default_visitor()`}
    *     \cgalParamExtra{It is copied; pass `std::ref(visitor)` to keep its state.}
    *   \cgalParamNEnd

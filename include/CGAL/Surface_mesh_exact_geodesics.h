@@ -41,7 +41,7 @@ namespace CGAL {
  *
  * The algorithm propagates the windows of Mitchell, Mount and Papadimitriou \cgalCite{mmp-dgp-87} across the faces,
  * with the rule "one angle, one split" of Chen and Han \cgalCite{ch-spp-90}, the filter of Xin and Wang
- * \cgalCite{xw-ich-09}, and, as Xu et al. \cgalCite{xu-fwp-15} and Qin et al. \cgalCite{qin-vtp-16}, in batches: all
+ * \cgalCite{Xin2009Improvingchenandhan}, and, as Xu et al. \cgalCite{xu-fwp-15} and Qin et al. \cgalCite{qin-vtp-16}, in batches: all
  * windows of a halfedge cross its face at once.
  *
  * In the worst case, time grows like \cgalBigO{n^2} and more with the number of faces. On meshes of smooth surfaces,

@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "Session.h"
+
+#include "report_stage.h"
+
+#include <CGAL/Cut_loci/IO/OBJ.h>
+#include <CGAL/Cut_loci/IO/PLY.h>
+#include <CGAL/Cut_loci/IO/polylines.h>
+#include <CGAL/Cut_loci/injectivity_radius.h>
+#include <CGAL/Cut_loci/statistics.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// edges, cycles, leaves, branchings, length, injectivity radius, where it is reached (3)
+std::vector<double> statistics_of(const Cut_locus& cut_locus)
+{
+  const CGAL::Cut_loci::Cut_locus_statistics s = CGAL::Cut_loci::compute_statistics(cut_locus);
+  const auto nearest = CGAL::Cut_loci::injectivity_radius(cut_locus);
+  return {double(s.edges), double(s.cycles), double(s.leaves), double(s.branchings), s.length, nearest.distance,
+          nearest.point.x(), nearest.point.y(), nearest.point.z()};
+}
+
+} // namespace
+
+void Session::load(Mesh mesh)
+{
+  solver_.reset();
+  fields_.reset();
+  results_[0].reset();
+  results_[1].reset();
+  has_source_ = false;
+  mesh_ = std::make_unique<Mesh>(std::move(mesh));
+
+  std::array<double, 3> low = {{infinity, infinity, infinity}}, high = {{-infinity, -infinity, -infinity}};
+  for(Mesh::Vertex_index v : mesh_->vertices())
+    for(int i = 0; i < 3; ++i)
+    {
+      const double c = mesh_->point(v)[i];
+      if(!std::isfinite(c))
+        throw std::runtime_error("vertex #" + std::to_string(v.idx()) + " has a coordinate that is not a finite number");
+      low[i] = (std::min)(low[i], c);
+      high[i] = (std::max)(high[i], c);
+    }
+  center_ = Kernel::Point_3((low[0] + high[0]) / 2., (low[1] + high[1]) / 2., (low[2] + high[2]) / 2.);
+  radius_ = 0.;
+  for(Mesh::Vertex_index v : mesh_->vertices())
+    radius_ = (std::max)(radius_, std::sqrt(CGAL::squared_distance(center_, mesh_->point(v))));
+  if(!(radius_ > 0.))
+    throw std::runtime_error("all vertices are at the same point");
+  mesh_numbers = {center_.x(), center_.y(), center_.z(), radius_};
+
+  positions.clear();
+  positions.reserve(3 * mesh_->number_of_vertices());
+  for(Mesh::Vertex_index v : mesh_->vertices())
+    append_point(mesh_->point(v), positions);
+  triangles.clear();
+  triangles.reserve(3 * mesh_->number_of_faces());
+  for(Mesh::Face_index f : mesh_->faces())
+  {
+    const Mesh::Halfedge_index h = mesh_->halfedge(f);
+    for(Mesh::Vertex_index v : {mesh_->source(h), mesh_->target(h), mesh_->target(mesh_->next(h))})
+      triangles.push_back(v);
+  }
+}
+
+void Session::prepare(const std::string& solver, const std::string& method)
+{
+  if(!mesh_)
+    throw std::runtime_error("there is no mesh yet");
+  if(solver_ && solver == solver_name_ && method == method_name_)
+    return;
+  const bool is_direction = method == "direction";
+  if(is_direction && solver != "exact")
+    throw std::runtime_error("the direction method needs exact distances");
+  results_[0].reset();
+  results_[1].reset();
+  solver_.reset(); // its memory is free for the next one
+  has_source_ = false;
+  if(solver == "heat")
+    solver_ = make_heat_solver(*mesh_);
+  else if(solver == "graph")
+    solver_ = make_graph_solver(*mesh_);
+  else
+    solver_ = make_exact_solver(*mesh_, is_direction ? CGAL::Cut_loci::Method::DIRECTION
+                                                     : CGAL::Cut_loci::Method::LAPLACIAN);
+  solver_name_ = solver;
+  method_name_ = method;
+}
+
+void Session::set_source(std::uint32_t face, const std::array<double, 3>& coordinates)
+{
+  if(!solver_)
+    throw std::runtime_error("there is no solver yet");
+  if(face >= mesh_->number_of_faces())
+    throw std::runtime_error("the mesh has no face #" + std::to_string(face));
+  has_source_ = false;
+  exact_distance_.clear();
+  ::set_source(*solver_, Location(Mesh::Face_index(face), coordinates));
+  has_source_ = true;
+}
+
+void Session::compute_curve(Curve_index index, const Thresholds& thresholds)
+{
+  if(!has_source_)
+    throw std::runtime_error("there is no source yet");
+  using CGAL::Cut_loci::Curve;
+  const Curve kind = index == MESH_EDGES ? Curve::MESH_EDGES : Curve::THROUGH_FACES;
+  results_[index].emplace(method_name_ == "direction" ? direction_cut_locus(*solver_, thresholds, kind)
+                                                      : laplacian_cut_locus(*solver_, thresholds, kind));
+  const Cut_locus& cut_locus = *results_[index];
+  const Cut_locus::Graph& graph = cut_locus.graph();
+  Session::Curve& curve = curves[index];
+  curve.segments.clear();
+  curve.strength.clear();
+  curve.segments.reserve(6 * num_edges(graph));
+  for(const auto e : CGAL::make_range(edges(graph)))
+  {
+    append_point(graph[source(e, graph)].point, curve.segments);
+    append_point(graph[target(e, graph)].point, curve.segments);
+    curve.strength.push_back(static_cast<float>(graph[e].strength));
+  }
+  curve.numbers = statistics_of(cut_locus);
+
+  if(!exact_distance_.empty())
+    return;
+  exact_distance_.reserve(mesh_->number_of_vertices());
+  distance.clear();
+  for(Mesh::Vertex_index v : mesh_->vertices())
+  {
+    exact_distance_.push_back(cut_locus.distance(v));
+    distance.push_back(static_cast<float>(exact_distance_.back()));
+  }
+  const Kernel::Point_3& s = cut_locus.source().point;
+  const Mesh::Vertex_index farthest = cut_locus.farthest_vertex();
+  const Kernel::Point_3& f = mesh_->point(farthest);
+  source_numbers = {s.x(), s.y(), s.z(), f.x(), f.y(), f.z(), cut_locus.distance(farthest),
+                    solver_->gradient_angle_threshold(), double(cut_locus.number_of_border_loops()),
+                    double(cut_locus.genus())};
+}
+
+void Session::compute_laplacian()
+{
+  laplacian = fields().laplacian(exact_distance_);
+}
+
+void Session::compute_gradient()
+{
+  gradient = fields().gradient(exact_distance_);
+}
+
+void Session::cut_open(const Thresholds& thresholds)
+{
+  compute_curve(MESH_EDGES, thresholds);
+  report_stage(6, 1);
+  atlas = make_atlas(*mesh_, *results_[MESH_EDGES], [] { report_stage(7, 1); });
+}
+
+const Fields& Session::fields()
+{
+  if(exact_distance_.empty())
+    throw std::runtime_error("there are no distances yet");
+  if(!fields_)
+    fields_ = std::make_unique<Fields>(*mesh_);
+  return *fields_;
+}
+
+std::string Session::write_curve(Curve_index index, const std::string& format) const
+{
+  if(!results_[index])
+    throw std::runtime_error("there is no cut locus yet");
+  std::ostringstream os;
+  if(format == "obj")
+    CGAL::IO::write_OBJ(os, *results_[index]);
+  else if(format == "ply")
+    CGAL::IO::write_PLY(os, *results_[index]);
+  else
+    CGAL::IO::write_polylines(os, *results_[index]);
+  return os.str();
+}
+
+void Session::append_point(const Kernel::Point_3& p, std::vector<float>& to) const
+{
+  for(int i = 0; i < 3; ++i)
+    to.push_back(static_cast<float>((p[i] - center_[i]) / radius_));
+}

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_WEB_SESSION_H
+#define SURFACE_MESH_CUT_LOCUS_WEB_SESSION_H
+
+#include "atlas.h"
+#include "fields.h"
+#include "solvers.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What the page works with: one mesh, one solver on it, one source, and the curves for the last thresholds.
+class Session
+{
+public:
+  enum Curve_index { MESH_EDGES, THROUGH_FACES };
+
+  // A curve as the page draws it.
+  struct Curve
+  {
+    std::vector<float> segments; // two points each
+    std::vector<float> strength; // of each segment
+    std::vector<double> numbers; // see `statistics_of`
+  };
+
+  void load(Mesh mesh);
+  void prepare(const std::string& solver, const std::string& method);
+  void set_source(std::uint32_t face, const std::array<double, 3>& coordinates);
+  void compute_curve(Curve_index index, const Thresholds& thresholds);
+  void compute_laplacian();
+  void compute_gradient();
+  void cut_open(const Thresholds& thresholds);
+  std::string write_curve(Curve_index index, const std::string& format) const;
+
+  std::vector<float> positions;        // of the vertices, moved and scaled to fill the unit ball
+  std::vector<std::uint32_t> triangles; // in the order of barycentric coordinates
+  std::vector<float> distance, laplacian, gradient;
+  std::vector<double> mesh_numbers;    // center (3), radius
+  std::vector<double> source_numbers;  // source (3), farthest vertex (3), its distance, default angle, border loops, genus
+  Curve curves[2];
+  Atlas atlas;
+
+private:
+  void append_point(const Kernel::Point_3& p, std::vector<float>& to) const;
+  const Fields& fields();
+
+  // The solver and the results refer to the mesh, which must not move.
+  std::unique_ptr<Mesh> mesh_;
+  Kernel::Point_3 center_;
+  double radius_ = 1.;
+  std::string solver_name_, method_name_;
+  std::unique_ptr<Solver> solver_;
+  std::unique_ptr<Fields> fields_;
+  bool has_source_ = false;
+  std::vector<double> exact_distance_;
+  std::optional<Cut_locus> results_[2];
+};
+
+#endif // SURFACE_MESH_CUT_LOCUS_WEB_SESSION_H

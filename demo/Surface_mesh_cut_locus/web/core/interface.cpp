@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// The functions that the page's worker calls. All return 1, or 0 after an error, whose message `last_error` gives.
+// Results are read from arrays of the session; their numbers are those in src/arrays.js.
+
+#include "Session.h"
+#include "report_stage.h"
+#include "samples.h"
+
+#include <emscripten.h>
+
+#include <cstddef>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace {
+
+Session session;
+Thresholds thresholds;
+std::string error, text;
+
+template <typename Function>
+int run(const Function& function)
+{
+  error.clear();
+  try
+  {
+    function();
+    return 1;
+  }
+  catch(const std::bad_alloc&)
+  {
+    error = "the mesh is too large for the memory that a page can have";
+  }
+  catch(const std::exception& e)
+  {
+    error = e.what();
+  }
+  return 0;
+}
+
+struct Array
+{
+  const void* data;
+  std::size_t size;
+};
+
+template <typename T>
+Array array(const std::vector<T>& v)
+{
+  return {v.data(), v.size()};
+}
+
+Array array(int id)
+{
+  switch(id)
+  {
+  case 0: return array(session.positions);
+  case 1: return array(session.triangles);
+  case 2: return array(session.mesh_numbers);
+  case 3: return array(session.distance);
+  case 4: return array(session.source_numbers);
+  case 5: return array(session.laplacian);
+  case 6: return array(session.gradient);
+  case 7: return array(session.curves[0].segments);
+  case 8: return array(session.curves[0].strength);
+  case 9: return array(session.curves[0].numbers);
+  case 10: return array(session.curves[1].segments);
+  case 11: return array(session.curves[1].strength);
+  case 12: return array(session.curves[1].numbers);
+  case 13: return {text.data(), text.size()};
+  case 14: return array(session.atlas.origin);
+  case 15: return array(session.atlas.triangles);
+  case 16: return array(session.atlas.border);
+  case 17: return array(session.atlas.uv);
+  case 18: return array(session.atlas.numbers);
+  default: return {nullptr, 0};
+  }
+}
+
+} // namespace
+
+EM_JS(void, report_stage_to_page, (int stage, int starts), { Module['onStage'](stage, starts); });
+
+void report_stage(int stage, bool starts) { report_stage_to_page(stage, starts); }
+
+void Stage_reporter::start_stage(CGAL::Cut_loci::Stage stage) const { report_stage(static_cast<int>(stage), true); }
+void Stage_reporter::end_stage(CGAL::Cut_loci::Stage stage) const { report_stage(static_cast<int>(stage), false); }
+
+extern "C" {
+
+EMSCRIPTEN_KEEPALIVE const char* last_error() { return error.c_str(); }
+EMSCRIPTEN_KEEPALIVE const void* array_data(int id) { return array(id).data; }
+EMSCRIPTEN_KEEPALIVE std::size_t array_size(int id) { return array(id).size; }
+
+EMSCRIPTEN_KEEPALIVE int load_file(const char* filename)
+{
+  return run([&] { session.load(read_mesh(filename)); });
+}
+
+EMSCRIPTEN_KEEPALIVE int load_sample(const char* name, double number_of_faces)
+{
+  return run([&] { session.load(make_sample(name, number_of_faces)); });
+}
+
+EMSCRIPTEN_KEEPALIVE int prepare(const char* solver, const char* method)
+{
+  return run([&] { session.prepare(solver, method); });
+}
+
+EMSCRIPTEN_KEEPALIVE int set_source(unsigned int face, double b0, double b1, double b2)
+{
+  return run([&] { session.set_source(face, {{b0, b1, b2}}); });
+}
+
+// What is not a number stands for the default of the library.
+EMSCRIPTEN_KEEPALIVE void set_thresholds(double strength, double angle, double laplacian, double minimum_edges,
+                                         double minimum_length, int grows, int smoothing)
+{
+  thresholds = {strength, angle, laplacian, minimum_edges, minimum_length, grows != 0,
+                static_cast<unsigned int>(smoothing)};
+}
+
+EMSCRIPTEN_KEEPALIVE int compute_curve(int index)
+{
+  return run([&] { session.compute_curve(static_cast<Session::Curve_index>(index), thresholds); });
+}
+
+EMSCRIPTEN_KEEPALIVE int cut_open()
+{
+  return run([&] { session.cut_open(thresholds); });
+}
+
+EMSCRIPTEN_KEEPALIVE int compute_laplacian()
+{
+  return run([&] { session.compute_laplacian(); });
+}
+
+EMSCRIPTEN_KEEPALIVE int compute_gradient()
+{
+  return run([&] { session.compute_gradient(); });
+}
+
+EMSCRIPTEN_KEEPALIVE int write_curve(int index, const char* format)
+{
+  return run([&] { text = session.write_curve(static_cast<Session::Curve_index>(index), format); });
+}
+
+} // extern "C"

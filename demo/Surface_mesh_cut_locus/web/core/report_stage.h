@@ -1,0 +1,13 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_WEB_REPORT_STAGE_H
+#define SURFACE_MESH_CUT_LOCUS_WEB_REPORT_STAGE_H
+
+// Tells the page that a stage starts or ends: one of `CGAL::Cut_loci::Stage`, 6 for cutting or 7 for flattening.
+void report_stage(int stage, bool starts);
+
+#endif // SURFACE_MESH_CUT_LOCUS_WEB_REPORT_STAGE_H

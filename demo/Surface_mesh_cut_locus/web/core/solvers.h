@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_WEB_SOLVERS_H
+#define SURFACE_MESH_CUT_LOCUS_WEB_SOLVERS_H
+
+#include "../../Mesh.h"
+
+#include <CGAL/Surface_mesh_cut_locus.h>
+
+#include <memory>
+
+using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
+
+// Tells the page which stage runs.
+struct Stage_reporter
+{
+  void start_stage(CGAL::Cut_loci::Stage stage) const;
+  void end_stage(CGAL::Cut_loci::Stage stage) const;
+};
+
+// Each solver of distances is compiled on its own: they take long.
+std::unique_ptr<Solver> make_exact_solver(const Mesh& mesh, CGAL::Cut_loci::Method method);
+std::unique_ptr<Solver> make_graph_solver(const Mesh& mesh);
+std::unique_ptr<Solver> make_heat_solver(const Mesh& mesh);
+
+// The thresholds of both methods: each takes its own. What is not a number stands for the default of the library.
+struct Thresholds
+{
+  double strength;       // of the method `DIRECTION`
+  double angle;          // and these of the method `LAPLACIAN`
+  double laplacian;
+  double minimum_edges;
+  double minimum_length;
+  bool grows;
+  unsigned int smoothing;
+};
+
+void set_source(Solver& solver, const Location& source);
+Cut_locus direction_cut_locus(const Solver& solver, const Thresholds& thresholds, CGAL::Cut_loci::Curve curve);
+Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& thresholds, CGAL::Cut_loci::Curve curve);
+
+#endif // SURFACE_MESH_CUT_LOCUS_WEB_SOLVERS_H

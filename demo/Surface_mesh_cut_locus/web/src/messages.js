@@ -1,0 +1,45 @@
+// Errors in words that say what is wrong with the mesh and what to do about it.
+
+const explanations = [
+  [/face #(\d+) has (\d+) sides/,
+    (m) => `This is not a triangle mesh: face #${m[1]} has ${m[2]} sides. Triangulate it first and open it again.`],
+  [/an edge belongs to more than two faces/,
+    () => 'The faces do not form an oriented surface: an edge belongs to more than two faces, or to two of opposite orientation.'],
+  [/(vertex #\d+ is not manifold|meets others at a vertex that is not manifold)/,
+    () => 'The faces do not form a surface: at some vertex several sheets touch in a point. Split that vertex first.'],
+  [/(face #\d+).* has no area/,
+    (m) => `The ${m[1]} of this mesh has no area. Remove degenerate faces first and open it again.`],
+  [/(face #\d+) has a vertex twice/,
+    (m) => `The ${m[1]} of this mesh has the same vertex twice. Remove degenerate faces first and open it again.`],
+  [/(face #\d+) refers to a vertex that does not exist/,
+    (m) => `The file is damaged: its ${m[1]} refers to a vertex that is not there.`],
+  [/there are no (vertices|faces)|the mesh (is empty|has no faces)/,
+    () => 'There is no surface in this file: it has no faces.'],
+  [/memory|Array buffer allocation|too large/i,
+    () => 'The mesh is too large for the memory that a page can have. Simplify it, or use the program cut_locus.'],
+  [/(cannot read|it is damaged)/,
+    () => 'The file cannot be read: it is damaged, or its content does not match the ending of its name.'],
+];
+
+export function explain(message) {
+  for (const [pattern, text] of explanations) {
+    const match = message.match(pattern);
+    if (match) return text(match);
+  }
+  const plain = message.replace(/'\/mesh\.\w+': /, '').replace(/\s*\(CGAL::[^)]*\([^)]*\)[^)]*\)/, '');
+  return plain.charAt(0).toUpperCase() + plain.slice(1) + (/[.!?]$/.test(plain) ? '' : '.');
+}
+
+export const extensions = ['off', 'obj', 'ply', 'stl'];
+export const largestFile = 500e6;
+
+// What can be told before a file is read, or null.
+export function objectionTo(file) {
+  const extension = file.name.split('.').pop().toLowerCase();
+  if (!extensions.includes(extension))
+    return `“${file.name}” cannot be opened: its name must end in .off, .obj, .ply or .stl.`;
+  if (file.size === 0) return `“${file.name}” is empty.`;
+  if (file.size > largestFile)
+    return `“${file.name}” has ${Math.round(file.size / 1e6)} MB: that is too large for a page. Simplify it, or use the program cut_locus.`;
+  return null;
+}

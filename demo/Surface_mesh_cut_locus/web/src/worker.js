@@ -1,0 +1,142 @@
+// Runs the library in a thread of its own. It takes messages { id, command, ...arguments } and answers each with
+// { id, result } or { id, error }; meanwhile { stage, starts } tell how far it is.
+import { arrays, curveNames } from './arrays.js';
+
+const base = new URL('.', self.location.href);
+importScripts(new URL('cut_locus.js', base).href);
+
+const stageNames = ['preprocessing', 'distance', 'strength', 'tree', 'homology', 'filter',
+  'cutting', 'flattening'];
+let stageTimes = {};
+let stageStart = 0;
+
+const ready = self.createCutLocus({
+  locateFile: (name) => new URL(name, base).href,
+  printErr: () => {},
+  onStage(stage, starts) {
+    const now = performance.now();
+    const name = stageNames[stage];
+    if (starts) {
+      stageStart = now;
+      if (name !== 'filter') self.postMessage({ stage: name });
+    } else {
+      stageTimes[name] = (stageTimes[name] || 0) + now - stageStart;
+    }
+  },
+});
+
+const typedArrays = { f32: Float32Array, f64: Float64Array, u32: Uint32Array, u8: Uint8Array };
+
+// A copy of an array of the module, which can be handed over to the page.
+function arrayOf(module, [number, type]) {
+  const size = module._array_size(number);
+  const Type = typedArrays[type];
+  const result = new Type(size);
+  if (size > 0) result.set(new Type(module.HEAPU8.buffer, module._array_data(number), size));
+  return result;
+}
+
+function arraysOf(module, named) {
+  return Object.fromEntries(Object.entries(named).map(([name, array]) => [name, arrayOf(module, array)]));
+}
+
+function setThresholds(module, p) {
+  const number = (value) => (value === null ? NaN : value);
+  module._set_thresholds(number(p.strength), number(p.angle), number(p.laplacian), number(p.minimumEdges),
+    number(p.minimumLength), p.policy === 'grow' ? 1 : 0, p.smoothing);
+}
+
+function check(module, success) {
+  if (!success) throw new Error(module.UTF8ToString(module._last_error()));
+}
+
+function call(module, name, types, values) {
+  check(module, module.ccall(name, 'number', types, values));
+}
+
+const commands = {
+  load(module, { recipe }) {
+    if (recipe.sample) {
+      call(module, 'load_sample', ['string', 'number'], [recipe.sample, recipe.faces]);
+    } else {
+      const name = `/mesh.${recipe.extension}`;
+      module.FS.writeFile(name, new Uint8Array(recipe.bytes));
+      try {
+        call(module, 'load_file', ['string'], [name]);
+      } finally {
+        module.FS.unlink(name);
+      }
+    }
+    return {
+      positions: arrayOf(module, arrays.positions),
+      triangles: arrayOf(module, arrays.triangles),
+      numbers: arrayOf(module, arrays.meshNumbers),
+    };
+  },
+
+  solve(module, { solver, method, source, curves, parameters }) {
+    stageTimes = {};
+    const start = performance.now();
+    call(module, 'prepare', ['string', 'string'], [solver, method]);
+    check(module, module._set_source(source.face, ...source.coordinates));
+    const milliseconds = performance.now() - start;
+    const result = commands.curves(module, { curves, parameters });
+    result.solveMilliseconds = milliseconds;
+    result.stages = stageTimes;
+    result.distance = arrayOf(module, arrays.distance);
+    result.sourceNumbers = arrayOf(module, arrays.sourceNumbers);
+    return result;
+  },
+
+  curves(module, { curves, parameters }) {
+    const start = performance.now();
+    const result = {};
+    setThresholds(module, parameters);
+    for (const i of curves) {
+      check(module, module._compute_curve(i));
+      result[curveNames[i]] = arraysOf(module, arrays[curveNames[i]]);
+    }
+    result.milliseconds = performance.now() - start;
+    return result;
+  },
+
+  cut(module, { parameters }) {
+    setThresholds(module, parameters);
+    check(module, module._cut_open());
+    return { ...arraysOf(module, arrays.atlas), edgeCurve: arraysOf(module, arrays.edgeCurve) };
+  },
+
+  laplacian(module) {
+    check(module, module._compute_laplacian());
+    return arrayOf(module, arrays.laplacian);
+  },
+
+  gradient(module) {
+    check(module, module._compute_gradient());
+    return arrayOf(module, arrays.gradient);
+  },
+
+  write(module, { curve, format }) {
+    call(module, 'write_curve', ['number', 'string'], [curve, format]);
+    return arrayOf(module, arrays.text);
+  },
+};
+
+// All buffers of a result are moved to the page, not copied.
+function buffersOf(result, buffers = []) {
+  if (ArrayBuffer.isView(result)) buffers.push(result.buffer);
+  else if (result && typeof result === 'object') Object.values(result).forEach((value) => buffersOf(value, buffers));
+  return buffers;
+}
+
+self.onmessage = async ({ data }) => {
+  try {
+    const module = await ready;
+    const result = commands[data.command](module, data);
+    self.postMessage({ id: data.id, result }, buffersOf(result));
+  } catch (error) {
+    // what is not an error of the library leaves the module in an unknown state
+    const fatal = error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
+    self.postMessage({ id: data.id, error: error.message || String(error), fatal });
+  }
+};
