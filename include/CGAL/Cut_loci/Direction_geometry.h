@@ -37,6 +37,7 @@ struct Direction_geometry
   std::vector<float> curvature; ///< the Gaussian curvature at each vertex, averaged over its 2-ring
   double mean_edge_length = 0.;
   double deficit_noise = 0.;    ///< a robust standard deviation of what the deficits differ by from their surroundings
+  double noise_share = 0.;      ///< the part of it that is noise of the vertices and not shape, from 0 to 1
 
   Direction_geometry(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity)
     : mean_edge_length(connectivity.mean_edge_length)
@@ -69,7 +70,7 @@ struct Direction_geometry
   double noise_factor(double distance) const
   {
     const double n = distance / mean_edge_length;
-    return (std::max)(1., (std::min)(std::pow(1. + n * deficit_noise, 0.7), std::sqrt(n) / 2.5));
+    return (std::max)(1., (std::min)(std::pow(1. + n * noise_share * deficit_noise, 0.7), std::sqrt(n) / 2.5));
   }
 
   /*!
@@ -166,6 +167,32 @@ private:
       std::nth_element(difference.begin(), middle, difference.end());
       deficit_noise = *middle / 0.6745; // the median of the absolute value of a normal variable of deviation 1
     }
+    measure_noise_share(mesh, connectivity);
+  }
+
+  /*
+   * A vertex that is out of place has a deficit of one sign, and its neighbors have more of the other; where the shape
+   * is rough, or sampled coarsely, the signs are independent or agree. The mean of the product of the sign at a vertex
+   * and that of the sum over its neighbors is -0.39 to -0.48 for noise along the normals of 3 to 20 % of the edges on
+   * tori and ellipsoids, of any resolution; 1 without noise; and between -0.05 and 0.8 for scans and sculptures. Down to
+   * -0.1 it can be chance, on a hundred vertices with independent signs.
+   */
+  void measure_noise_share(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity)
+  {
+    constexpr double no_noise = -0.1, all_noise = -0.4;
+    double sum = 0., count = 0.;
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+    {
+      if(connectivity.is_border(v))
+        continue;
+      double around = 0.;
+      for(Index entry = connectivity.ring_begin[v]; entry < connectivity.ring_begin[v + 1]; ++entry)
+        around += deficit[connectivity.ring_vertex[entry]];
+      sum += deficit[v] * around > 0. ? 1. : deficit[v] * around < 0. ? -1. : 0.;
+      ++count;
+    }
+    if(count > 0.)
+      noise_share = (std::min)((std::max)((sum / count - no_noise) / (all_noise - no_noise), 0.), 1.);
   }
 };
 
