@@ -81,7 +81,9 @@ private:
                           gb = fronts_.front(f, (inside + 1) % 3, points).gradient(p);
     Fronts::Point_2 ahead = {{ga[0] + gb[0], ga[1] + gb[1]}};
     const double size = std::sqrt(ahead[0] * ahead[0] + ahead[1] * ahead[1]);
-    if(size < 1.) // paths that meet at more than 120 degrees are at no cusp
+    // Paths that come from opposite sides are at no cusp. On a coarse mesh they meet at more than 120 degrees two edges
+    // beside one; then it is for the fit to say.
+    if(size < 0.5)
       return;
     ahead = {{ahead[0] / size, ahead[1] / size}};
 
