@@ -113,7 +113,7 @@ po::options_description visible_options()
     ("edges", po::value<std::string>()->value_name("FILE"),
      "write its edges as pairs of vertices of the mesh, counted from 0")
     ("uv", po::value<std::string>()->value_name("FILE.obj"),
-     "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a checker texture")
+     "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a texture")
     ("parameterization", po::value<std::string>()->value_name("NAME")->default_value("arap"),
      "how --uv flattens:\n  arap: as rigidly as possible\n  lscm: least squares conformal map\n"
      "  convex: mean value coordinates in a circle, without flipped triangles")

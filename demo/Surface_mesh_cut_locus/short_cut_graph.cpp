@@ -28,8 +28,8 @@ double length(const Mesh& mesh, Mesh::Edge_index e)
   return std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
 }
 
-// The shortest loops from `base` that cut the mesh open: a tree of shortest paths, and the edges that neither it crosses
-// nor a spanning tree of the faces, which takes the edges of the longest loops.
+// The shortest loops from `base` that cut the mesh open: each goes over an edge that is neither in a tree of shortest
+// paths nor crossed by a spanning tree of the faces, which takes the edges of the longest loops.
 Cut_graph shortest_loops(const Mesh& mesh, Mesh::Vertex_index base, const std::vector<bool>& is_in_component)
 {
   std::vector<double> distance(mesh.number_of_vertices(), infinity);

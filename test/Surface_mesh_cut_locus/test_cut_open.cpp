@@ -82,7 +82,7 @@ void expect_cut_open(const Mesh_data& data, std::size_t source)
 {
   Built_mesh<Mesh> built(data);
   {
-    Solver solver(built.mesh);
+    Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
     solver.set_source(built.vertices[source]);
     for(double angle : {0., 0.2, 0.7, 2., 10.})
       for(std::size_t edges : {0, 3})
@@ -146,7 +146,7 @@ TEST(Cut_open, Single_vertex_is_cut_by_two_edges_that_avoid_the_source)
     Built_mesh<Mesh> built(data);
     Mesh& mesh = built.mesh;
     const Mesh::Vertex_index source = built.vertices[3];
-    const Cut_locus point = CGAL::compute_cut_locus(mesh, source, params::gradient_angle_threshold(10.));
+    const Cut_locus point = CGAL::compute_cut_locus(mesh, source, params::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(10.));
     ASSERT_EQ(num_edges(point.graph()), 0u);
     Edge_map seam_edges = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam").first;
     Vertex_map seam_vertices = mesh.add_property_map<Mesh::Vertex_index, bool>("v:seam").first;
