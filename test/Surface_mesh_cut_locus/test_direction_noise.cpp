@@ -152,4 +152,35 @@ TEST(Direction_noise, limbs_are_not_taken_for_noise)
   }
 }
 
+// What the faces resolve is shape, and paths do meet behind its bumps: only what alternates from vertex to vertex is noise.
+TEST(Direction_noise, rough_shape_is_no_noise)
+{
+  using CGAL::Cut_loci::Direction_geometry;
+  using CGAL::Cut_loci::Mesh_connectivity;
+  const Indexed_triangle_mesh smooth = ellipsoid(40);
+  const double h = Mesh_connectivity(smooth).mean_edge_length;
+  std::mt19937 generator(7);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> phase(0., 6.283185307);
+  Indexed_triangle_mesh bumpy = smooth;
+  for(int wave = 0; wave < 30; ++wave)
+  {
+    Vector k{{normal(generator), normal(generator), normal(generator)}};
+    k = (6.283185307 / (6. * h * norm(k))) * k;
+    const double shift = phase(generator);
+    for(std::size_t v = 0; v < bumpy.points.size(); ++v)
+      bumpy.points[v] = (1. + 0.2 * h * std::sin(dot(k, smooth.points[v]) + shift)) * bumpy.points[v];
+  }
+  const Direction_geometry shape(bumpy, Mesh_connectivity(bumpy));
+  EXPECT_LT(shape.noise_share, 0.05);
+  for(double amplitude : {0.03, 0.1, 0.2})
+  {
+    const Indexed_triangle_mesh mesh = noisy(smooth, amplitude, 3);
+    const Direction_geometry noise(mesh, Mesh_connectivity(mesh));
+    EXPECT_GT(noise.noise_share, 0.9) << amplitude;
+    if(amplitude == 0.03)
+      EXPECT_GT(shape.deficit_noise, noise.deficit_noise) << "the shape is rougher than the noise";
+  }
+}
+
 } // namespace
