@@ -20,7 +20,7 @@ struct Atlas
   std::vector<std::uint32_t> triangles; // of vertices of the cut surface
   std::vector<std::uint32_t> border;    // the ends of its border edges
   std::vector<float> uv;                // two coordinates for each vertex, in [-1, 1]
-  std::vector<double> numbers;          // flipped faces, mean stretch (1: none), Euler characteristic
+  std::vector<double> numbers;          // flipped faces, part of the area that is moved to other faces
 };
 
 // Cuts along a cut locus of mesh edges, and flattens as rigidly as possible. `on_flatten` is called between the two.

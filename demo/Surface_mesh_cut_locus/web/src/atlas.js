@@ -11,8 +11,7 @@ export function seamsOf({ origin, border, uv }, positions) {
 }
 
 // What the user should know of the quality.
-export function describeAtlas([flipped, stretch], faceCount) {
-  const percent = Math.round(100 * (stretch - 1));
-  const areas = `areas change by ${percent} % on average`;
+export function describeAtlas([flipped, change], faceCount) {
+  const areas = `areas change by ${(100 * change).toPrecision(2)} % on average`;
   return flipped > 0 ? `${areas}; ${flipped} of ${faceCount} faces are flipped` : areas;
 }

@@ -5,6 +5,7 @@ import { CurveLines } from './curve_lines.js';
 import { makeSurfaceMaterial } from './surface_material.js';
 
 const background = 0xf6f7f8;
+const viewAngle = 35; // degrees
 
 function makeMarker(color) {
   const marker = new THREE.Mesh(new THREE.SphereGeometry(1, 24, 16), new THREE.MeshBasicMaterial({ color }));
@@ -24,7 +25,7 @@ export class Viewer {
     THREE.ColorManagement.enabled = false;
 
     this.scene = new THREE.Scene();
-    this.camera = new THREE.PerspectiveCamera(35, 1, 0.01, 100);
+    this.camera = new THREE.PerspectiveCamera(viewAngle, 1, 0.01, 100);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.minDistance = 0.2;
     this.controls.maxDistance = 30;
@@ -80,7 +81,7 @@ export class Viewer {
 
   drawInto(scene, camera, left, width, height) {
     if (camera.isPerspectiveCamera) {
-      camera.aspect = width / height;
+      this.setAspect(width / height);
     } else {
       const half = 1.06 * Math.max(1, width / height);
       Object.assign(camera, { left: -half, right: half, top: half * height / width, bottom: -half * height / width });
@@ -88,8 +89,8 @@ export class Viewer {
         const k = 1.06 / camera.top;
         Object.assign(camera, { left: -half * k, right: half * k, top: 1.06, bottom: -1.06 });
       }
+      camera.updateProjectionMatrix();
     }
-    camera.updateProjectionMatrix();
     this.setMarkerSizes(width, height);
     for (const lines of [this.edgeCurve, this.faceCurve, this.seams, this.atlasSeams]) lines.setResolution(width, height);
     this.renderer.setViewport(left, 0, width, height);
@@ -98,6 +99,14 @@ export class Viewer {
     this.renderer.setClearColor(background);
     this.renderer.clear();
     this.renderer.render(scene, camera);
+  }
+
+  // The view has the same angle along the shorter side of the window, whichever that is.
+  setAspect(aspect) {
+    const half = Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(aspect, 1);
+    this.camera.fov = 2 * THREE.MathUtils.radToDeg(Math.atan(half));
+    this.camera.aspect = aspect;
+    this.camera.updateProjectionMatrix();
   }
 
   setMarkerSizes(width, height) {
@@ -294,8 +303,7 @@ export class Viewer {
     const width = this.hasAtlas ? Math.floor(this.size.width / 2) : this.size.width;
     if (!this.positions || x >= width) return;
     const pointer = new THREE.Vector2(2 * x / width - 1, 1 - 2 * y / this.size.height);
-    this.camera.aspect = width / this.size.height;
-    this.camera.updateProjectionMatrix();
+    this.setAspect(width / this.size.height);
     const ray = new THREE.Raycaster();
     ray.setFromCamera(pointer, this.camera);
     const [hit] = ray.intersectObject(this.pickable);
