@@ -5,7 +5,7 @@ import { Cancelled, Engine } from './engine.js';
 import { atlasToObj, download, meshToPly } from './exporters.js';
 import { explain, objectionTo } from './messages.js';
 import { samples } from './samples.js';
-import { defaultState } from './state.js';
+import { defaultState, rounded } from './state.js';
 
 const stageTexts = {
   preprocessing: 'Preparing the mesh…',
@@ -62,6 +62,7 @@ export class App {
       this.panel.showMessage(`There is no sample of the name “${name}”.`);
       return false;
     }
+    this.wantedSample = name;
     return this.open({ sample: name, faces }, { sample: name, faces, file: null }, sample.start, keepsSource);
   }
 
@@ -93,14 +94,16 @@ export class App {
         // the module has dropped the mesh it had
         if (this.mesh && !(error instanceof Cancelled)) this.engine.restart();
         this.isSolved = false;
+        this.panel.setSample(this.state);
         throw error;
       }
       this.times = { load: performance.now() - begin };
       Object.assign(this.state, names);
+      this.wantedSample = this.state.sample;
       this.isSolved = false;
       const faceCount = this.mesh.triangles.length / 3;
       if (!keepsSource || !this.state.source || this.state.source.face >= faceCount)
-        this.state.source = { face: Math.floor(start * faceCount), coordinates: [1 / 3, 1 / 3, 1 / 3] };
+        this.state.source = { face: Math.floor(start * faceCount), coordinates: Array(3).fill(rounded(1 / 3)) };
       if (!keepsSource) {
         this.state.isCut = false;
         this.viewer.resetView();
@@ -114,8 +117,9 @@ export class App {
     });
   }
 
-  setSource(source) {
-    this.state.source = source;
+  setSource({ face, coordinates }) {
+    // as a link will have it
+    this.state.source = { face, coordinates: coordinates.map(rounded) };
     return this.solve();
   }
 

@@ -48,7 +48,7 @@ export class Panel {
       if (target.dataset.sample) app.openSample(target.dataset.sample, Number(element('faces').value));
     });
     element('faces').addEventListener('change', () => {
-      if (app.state.sample) app.openSample(app.state.sample, Number(element('faces').value));
+      if (app.wantedSample) app.openSample(app.wantedSample, Number(element('faces').value));
     });
     element('open').addEventListener('click', () => element('file').click());
     element('file').addEventListener('change', () => {

@@ -91,7 +91,7 @@ export class Viewer {
       }
       camera.updateProjectionMatrix();
     }
-    this.setMarkerSizes(width, height);
+    this.setMarkerSizes();
     for (const lines of [this.edgeCurve, this.faceCurve, this.seams, this.atlasSeams]) lines.setResolution(width, height);
     this.renderer.setViewport(left, 0, width, height);
     this.renderer.setScissor(left, 0, width, height);
@@ -109,10 +109,10 @@ export class Viewer {
     this.camera.updateProjectionMatrix();
   }
 
-  setMarkerSizes(width, height) {
+  setMarkerSizes() {
     for (const marker of [this.sourceMarker, this.farthestMarker, this.nearestMarker]) {
       const distance = marker.position.distanceTo(this.camera.position);
-      marker.scale.setScalar(0.0045 * distance * Math.min(1, 800 / height));
+      marker.scale.setScalar(0.012 * distance * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2)));
     }
   }
 
