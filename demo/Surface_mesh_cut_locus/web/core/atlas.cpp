@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 
@@ -117,24 +118,27 @@ void fit(Points_2& plane)
       p[k] = scale * (p[k] - (low[k] + high[k]) / 2.);
 }
 
-// The number of flipped faces, and the part of the area that is moved to other faces.
-std::vector<double> quality(const Mesh& disk, const Triangles& triangles, const Points_2& plane)
+std::size_t number_of_flips(const Triangles& triangles, const Points_2& plane)
 {
-  double flipped = 0., flat_area = 0., area = 0.;
+  return std::count_if(triangles.begin(), triangles.end(), [&](const auto& t) { return !(twice_area(plane, t) > 0.); });
+}
+
+// The part of the area that is moved to other faces.
+double area_change(const Mesh& disk, const Triangles& triangles, const Points_2& plane)
+{
+  double flat_area = 0., area = 0.;
   std::vector<std::array<double, 2> > areas;
   for(const auto& t : triangles)
   {
     const auto p = [&](int i) { return disk.point(Mesh::Vertex_index(t[i])); };
-    const double flat = twice_area(plane, t) / 2.;
-    areas.push_back({{std::fabs(flat), std::sqrt(CGAL::squared_area(p(0), p(1), p(2)))}});
-    flipped += !(flat > 0.);
+    areas.push_back({{std::fabs(twice_area(plane, t)) / 2., std::sqrt(CGAL::squared_area(p(0), p(1), p(2)))}});
     flat_area += areas.back()[0];
     area += areas.back()[1];
   }
-  double change = 0.;
+  double result = 0.;
   for(const std::array<double, 2>& a : areas)
-    change += std::fabs(a[0] / flat_area - a[1] / area);
-  return {flipped, change};
+    result += std::fabs(a[0] / flat_area - a[1] / area);
+  return result;
 }
 
 } // namespace
@@ -155,13 +159,18 @@ Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::functi
     const Mesh::Halfedge_index h = disk.halfedge(f);
     triangles.push_back({{disk.source(h), disk.target(h), disk.target(disk.next(h))}});
   }
-  Points_2 plane = exponential_map(mesh, cut_locus.source().location, disk, origin);
+  const Points_2 polar = exponential_map(mesh, cut_locus.source().location, disk, origin);
+  Points_2 plane = polar;
   if(!flatten_as_rigidly_as_possible(points, triangles, plane))
     throw std::runtime_error("the cut surface cannot be flattened: it has faces that are too thin");
+  // A surface that closes around a short cut does not lie flat without being stretched, and rather folds.
+  const bool is_rigid = number_of_flips(triangles, plane) <= number_of_flips(triangles, polar);
+  if(!is_rigid)
+    plane = polar;
   fit(plane);
 
   Atlas atlas;
-  atlas.numbers = quality(disk, triangles, plane);
+  atlas.numbers = {double(number_of_flips(triangles, plane)), area_change(disk, triangles, plane), double(is_rigid)};
   for(Mesh::Vertex_index v : disk.vertices())
   {
     atlas.origin.push_back(origin[v]);

@@ -4,7 +4,7 @@ import { describeAtlas, seamsOf } from './atlas.js';
 import { Cancelled, Engine } from './engine.js';
 import { atlasToObj, download, meshToPly } from './exporters.js';
 import { explain, objectionTo } from './messages.js';
-import { samples } from './samples.js';
+import { farthestFace, fileStart, samples } from './samples.js';
 import { defaultState, rounded } from './state.js';
 
 const stageTexts = {
@@ -81,7 +81,7 @@ export class App {
       return false;
     }
     const extension = file.name.split('.').pop().toLowerCase();
-    return this.open({ bytes, extension }, { sample: null, file: file.name }, 0, keepsSource);
+    return this.open({ bytes, extension }, { sample: null, file: file.name }, fileStart, keepsSource);
   }
 
   async open(recipe, names, start, keepsSource) {
@@ -101,9 +101,10 @@ export class App {
       Object.assign(this.state, names);
       this.wantedSample = this.state.sample;
       this.isSolved = false;
-      const faceCount = this.mesh.triangles.length / 3;
+      const { positions, triangles } = this.mesh;
+      const faceCount = triangles.length / 3;
       if (!keepsSource || !this.state.source || this.state.source.face >= faceCount)
-        this.state.source = { face: Math.floor(start * faceCount), coordinates: Array(3).fill(rounded(1 / 3)) };
+        this.state.source = { face: farthestFace(positions, triangles, start), coordinates: Array(3).fill(rounded(1 / 3)) };
       if (!keepsSource) {
         this.state.isCut = false;
         this.viewer.resetView();
@@ -111,7 +112,7 @@ export class App {
       this.atlas = null;
       this.panel.setCut(false);
       this.curves = {};
-      this.viewer.setMesh(this.mesh.positions, this.mesh.triangles);
+      this.viewer.setMesh(positions, triangles);
       this.panel.setMesh(this.state, this.mesh);
       await this.solveNow();
     });

@@ -123,10 +123,12 @@ export class Panel {
     ]);
     const { threshold } = times;
     fillList(element('times'), [
-      ['new threshold', threshold ? `${milliseconds(threshold.shown)} (${milliseconds(threshold.computed)} computing)` : '–'],
+      ['new threshold', threshold ? milliseconds(threshold.shown) : '–'],
+      ...(threshold ? [['– computing', milliseconds(threshold.computed)]] : []),
       ...(times.smoothing ? [['smoothed', milliseconds(times.smoothing.shown)]] : []),
-      ['new source', `${milliseconds(times.source)} (${milliseconds(times.solve)} computing)`],
-      ...Object.entries(times.stages).map(([stage, ms]) => [`– ${stage}`, milliseconds(ms)]),
+      ['new source', milliseconds(times.source)],
+      ['– computing', milliseconds(times.solve)],
+      ...Object.entries(times.stages).map(([stage, ms]) => [`– – ${stage}`, milliseconds(ms)]),
       ...(times.cut ? [['cut and flattened', milliseconds(times.cut)]] : []),
       ['reading', milliseconds(times.load)],
     ]);

@@ -1,6 +1,6 @@
 // Drives the page in a browser as a user does: test_page.mjs PAGE_FOLDER [PICTURE_FOLDER]
 import assert from 'node:assert/strict';
-import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { mkdir, mkdtemp, readFile, rm, truncate, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
@@ -237,11 +237,37 @@ const tests = {
       ['flat.off', 'OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n3 0 1 2\n3 0 2 3\n', /has no area/],
     ];
     for (const [name, content, words] of cases) assert.match(await openFile(name, content) || 'no message', words, name);
+    const large = join(scratch, 'large.ply');
+    await writeFile(large, '');
+    await truncate(large, 600e6);
+    await page.setInputFiles('#file', large);
+    await page.waitForTimeout(200);
+    assert.match(await page.innerText('#message-text'), /too large for a page/);
     await page.click('text="Torus"');
     await page.waitForTimeout(100);
     await idle();
     assert.equal((await result()).genus, 1);
     assert.ok(!await page.locator('#message').isVisible());
+  },
+
+  async 'a surface with a border is taken, too'() {
+    const n = 12;
+    const points = [], faces = [];
+    for (let i = 0; i <= n; ++i)
+      for (let j = 0; j < n; ++j) {
+        const angle = 2 * Math.PI * (j + i / 2) / n;
+        points.push(`${Math.cos(angle)} ${Math.sin(angle)} ${0.4 * i}`);
+        if (i === n) continue;
+        const [a, b] = [i * n + j, i * n + (j + 1) % n];
+        faces.push(`3 ${a} ${b} ${a + n}`, `3 ${b} ${b + n} ${a + n}`);
+      }
+    assert.equal(await openFile('tube.off', `OFF\n${points.length} ${faces.length} 0\n${points.concat(faces).join('\n')}\n`), null);
+    assert.match(await page.innerText('#numbers'), /border loops\s*2/);
+    await page.click('#cut');
+    await page.waitForTimeout(100);
+    await idle();
+    const words = (await page.locator('#message').isVisible()) ? await page.innerText('#message-text') : 'cut';
+    assert.match(words, /^(cut$|The surface has 2 borders)/);
   },
 
   async 'what takes long can be cancelled, and the page goes on'() {
