@@ -42,8 +42,8 @@ export class App {
       await action();
       return true;
     } catch (error) {
-      if (error instanceof Cancelled) this.panel.showMessage('Cancelled.', true);
-      else this.panel.showMessage(explain(error.message));
+      // what another command has replaced needs no words
+      if (!(error instanceof Cancelled)) this.panel.showMessage(explain(error.message));
       return false;
     } finally {
       this.panel.setBusy(--this.jobs > 0);
@@ -54,6 +54,7 @@ export class App {
     if (!this.engine.isBusy) return;
     this.isSolved = false;
     this.engine.cancel();
+    this.panel.showMessage('Cancelled.', true);
   }
 
   openSample(name, faces, keepsSource = false) {
@@ -85,7 +86,7 @@ export class App {
   }
 
   async open(recipe, names, start, keepsSource) {
-    if (this.engine.isBusy) this.engine.cancel();
+    if (this.engine.isBusy) this.engine.cancel(false);
     return this.attempt('Reading the mesh…', async () => {
       const begin = performance.now();
       try {
@@ -300,7 +301,7 @@ export class App {
     this.drawCurves();
     if (value && (name === 'laplacian' || name === 'gradient'))
       await this.attempt('Computing…', () => this.showFields());
-    this.viewer.invalidate();
+    this.viewer.invalidateCurves();
     this.report();
   }
 

@@ -1,4 +1,5 @@
-// Drives the page in a browser as a user does: test_page.mjs PAGE_FOLDER [PICTURE_FOLDER]
+// Drives the page in a browser as a user does: test_page.mjs PAGE_FOLDER [PICTURE_FOLDER [TESTS]]
+// TESTS is a regular expression that the names of the tests to run match.
 import assert from 'node:assert/strict';
 import { mkdir, mkdtemp, readFile, rm, truncate, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -7,7 +8,7 @@ import { chromium } from 'playwright-core';
 import { serve } from '../serve.mjs';
 import { curveTopology, readObj, surfaceTopology } from './topology.mjs';
 
-const [pageFolder, pictureFolder] = process.argv.slice(2);
+const [pageFolder, pictureFolder, wanted = ''] = process.argv.slice(2);
 const patience = 120000; // milliseconds: machines of continuous integration are slow
 
 const scratch = await mkdtemp(join(tmpdir(), 'cut_locus_page_'));
@@ -31,6 +32,7 @@ const idle = () => page.waitForFunction(() => document.body.dataset.busy === 'fa
 const result = () => page.evaluate(() => {
   const { app } = window.cutLocusPage;
   const curve = app.curves[app.shownCurve];
+  if (!curve) throw new Error(`there is no curve: ${document.getElementById('message').innerText}`);
   const [edges, cycles, leaves, , length, radius] = curve.numbers;
   return { edges, cycles, leaves, length, radius, genus: app.source.genus, point: app.source.point, times: app.times };
 });
@@ -227,6 +229,39 @@ const tests = {
     }
   },
 
+  async 'a file can be dropped on the page'() {
+    await page.evaluate(() => {
+      const text = 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n';
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([text], 'dropped.off'));
+      const fire = (type) => document.body.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+      fire('dragenter');
+      if (document.getElementById('drop').hidden) throw new Error('the page does not invite to drop');
+      fire('drop');
+    });
+    await page.waitForTimeout(200);
+    await idle();
+    assert.match(await page.innerText('#mesh-info'), /^dropped.off: 4 vertices, 4 faces$/);
+    assert.ok(!await page.locator('#drop').isVisible());
+  },
+
+  async 'a frame in which only the curve changes shows the same as a whole one'() {
+    await open('#sample=torus&faces=5000&show=isolines');
+    await page.fill('#strength-number', '60');
+    await page.waitForFunction(() => window.cutLocusPage.app.times.threshold && !window.cutLocusPage.app.isUpdating);
+    const canvas = (redraws) => page.evaluate(async (isWhole) => {
+      const { viewer } = window.cutLocusPage;
+      if (isWhole) viewer.layer.isValid = false;
+      const blob = await viewer.toPng();
+      return [...new Uint8Array(await crypto.subtle.digest('SHA-256', await blob.arrayBuffer()))].join();
+    }, redraws);
+    const kept = await canvas(false);
+    assert.equal(kept, await canvas(true));
+    await page.fill('#strength-number', '2');
+    await page.waitForFunction(() => window.cutLocusPage.app.curves.faceCurve && !window.cutLocusPage.app.isUpdating);
+    assert.notEqual(kept, await canvas(false));
+  },
+
   async 'bad files are refused in plain words'() {
     const cases = [
       ['quads.off', 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n', /not a triangle mesh: face #0 has 4 sides/],
@@ -322,6 +357,7 @@ const tests = {
 let failures = 0;
 if (pictureFolder) await mkdir(pictureFolder, { recursive: true });
 for (const [name, test] of Object.entries(tests)) {
+  if (!name.match(wanted)) continue;
   const start = performance.now();
   try {
     await test();
