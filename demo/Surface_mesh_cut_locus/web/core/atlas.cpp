@@ -6,63 +6,139 @@
 
 #include "atlas.h"
 
+#include "flatten.h"
+
+#include <CGAL/Surface_mesh_exact_geodesics.h>
 #include <CGAL/cut_along_cut_locus.h>
 
-#include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/boost/graph/helpers.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
-#include <string>
 
 namespace {
 
-namespace SMP = CGAL::Surface_mesh_parameterization;
-using UV_map = Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2>;
+using Origin_map = Mesh::Property_map<Mesh::Vertex_index, Mesh::Vertex_index>;
 
-// Enough for a picture: the energy falls fast at first.
-constexpr unsigned int number_of_iterations = 20;
+// How far from a seam, in edges, the curve of mesh edges may be off the cut locus: there shortest paths may come from
+// the wrong side of the seam, and directions are taken from farther inside.
+constexpr int doubtful_edges = 2;
 
-Mesh::Halfedge_index border_halfedge(const Mesh& disk)
+// How many edges each vertex is away from the border, up to `doubtful_edges`.
+std::vector<int> edges_to_border(const Mesh& disk)
 {
-  for(Mesh::Halfedge_index h : disk.halfedges())
-    if(disk.is_border(h))
-      return h;
-  throw std::runtime_error("the surface could not be cut to a disk");
-}
-
-void flatten(Mesh& disk, UV_map uv)
-{
-  using Parameterizer = SMP::ARAP_parameterizer_3<Mesh>;
-  Parameterizer parameterizer(Parameterizer::Border_parameterizer(), Parameterizer::Solver_traits(), 0.,
-                              number_of_iterations, 1e-4);
-  const SMP::Error_code code = SMP::parameterize(disk, parameterizer, border_halfedge(disk), uv);
-  if(code != SMP::OK)
-    throw std::runtime_error(std::string("the cut surface cannot be flattened: ") + SMP::get_error_message(code));
+  std::vector<int> result(disk.number_of_vertices(), doubtful_edges + 1);
   for(Mesh::Vertex_index v : disk.vertices())
-    if(!std::isfinite(uv[v].x()) || !std::isfinite(uv[v].y()))
-      throw std::runtime_error("the cut surface cannot be flattened: it has faces that are too thin");
+    if(disk.is_border(v))
+      result[v] = 0;
+  for(int step = 1; step <= doubtful_edges; ++step)
+    for(Mesh::Edge_index e : disk.edges())
+    {
+      const Mesh::Vertex_index v = disk.vertex(e, 0), w = disk.vertex(e, 1);
+      for(const auto& [from, to] : {std::make_pair(v, w), std::make_pair(w, v)})
+        if(result[from] == step - 1)
+          result[to] = (std::min)(result[to], step);
+    }
+  return result;
 }
 
-// Moves and scales the atlas into the square [-1, 1] x [-1, 1], and returns the factor.
-double fit(const Mesh& disk, UV_map uv)
+// The first layout: each vertex at its distance from the source, in the direction in which the shortest path to it
+// starts.
+Points_2 exponential_map(const Mesh& mesh, const Location& source, const Mesh& disk, Origin_map origin)
+{
+  CGAL::Surface_mesh_exact_geodesics<Mesh> geodesics(mesh);
+  geodesics.add_source(source);
+  geodesics.set_directions(true);
+  geodesics.compute();
+  const double turn = 2. * CGAL_PI / geodesics.source_angle();
+
+  const std::vector<int> level = edges_to_border(disk);
+  Points_2 direction(disk.number_of_vertices(), {{0., 0.}});
+  std::vector<bool> is_known(disk.number_of_vertices(), false);
+  for(Mesh::Vertex_index v : disk.vertices())
+    if(level[v] > doubtful_edges && geodesics.distance(origin[v]) > 0.)
+    {
+      const double angle = turn * geodesics.direction_at_source(origin[v]);
+      direction[v] = {{std::cos(angle), std::sin(angle)}};
+      is_known[v] = true;
+    }
+  // Narrow tongues between seams may be wholly unknown: then they are filled from their roots.
+  std::vector<Mesh::Vertex_index> found;
+  do
+  {
+    found.clear();
+    for(Mesh::Vertex_index v : disk.vertices())
+    {
+      if(is_known[v])
+        continue;
+      std::array<double, 2> sum = {{0., 0.}};
+      for(Mesh::Vertex_index w : disk.vertices_around_target(disk.halfedge(v)))
+        if(is_known[w])
+          for(int k = 0; k < 2; ++k)
+            sum[k] += direction[w][k];
+      const double norm = std::hypot(sum[0], sum[1]);
+      if(!(norm > 1e-9))
+        continue;
+      direction[v] = {{sum[0] / norm, sum[1] / norm}};
+      found.push_back(v);
+    }
+    for(Mesh::Vertex_index v : found)
+      is_known[v] = true;
+  } while(!found.empty());
+
+  Points_2 plane(disk.number_of_vertices());
+  for(Mesh::Vertex_index v : disk.vertices())
+    for(int k = 0; k < 2; ++k)
+      plane[v][k] = geodesics.distance(origin[v]) * direction[v][k];
+  return plane;
+}
+
+double twice_area(const Points_2& plane, const std::array<std::uint32_t, 3>& t)
+{
+  const auto &p = plane[t[0]], &q = plane[t[1]], &r = plane[t[2]];
+  return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+}
+
+// Moves and scales the layout into the square [-1, 1] x [-1, 1].
+void fit(Points_2& plane)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  double low[2] = {infinity, infinity}, high[2] = {-infinity, -infinity};
-  for(Mesh::Vertex_index v : disk.vertices())
-    for(int i = 0; i < 2; ++i)
+  std::array<double, 2> low = {{infinity, infinity}}, high = {{-infinity, -infinity}};
+  for(const auto& p : plane)
+    for(int k = 0; k < 2; ++k)
     {
-      low[i] = (std::min)(low[i], uv[v][i]);
-      high[i] = (std::max)(high[i], uv[v][i]);
+      low[k] = (std::min)(low[k], p[k]);
+      high[k] = (std::max)(high[k], p[k]);
     }
   const double scale = 2. / (std::max)(high[0] - low[0], high[1] - low[1]);
-  for(Mesh::Vertex_index v : disk.vertices())
-    uv[v] = Kernel::Point_2(scale * (uv[v].x() - (low[0] + high[0]) / 2.),
-                            scale * (uv[v].y() - (low[1] + high[1]) / 2.));
-  return scale;
+  for(auto& p : plane)
+    for(int k = 0; k < 2; ++k)
+      p[k] = scale * (p[k] - (low[k] + high[k]) / 2.);
+}
+
+std::size_t number_of_flips(const Triangles& triangles, const Points_2& plane)
+{
+  return std::count_if(triangles.begin(), triangles.end(), [&](const auto& t) { return !(twice_area(plane, t) > 0.); });
+}
+
+// The part of the area that is moved to other faces.
+double area_change(const Mesh& disk, const Triangles& triangles, const Points_2& plane)
+{
+  double flat_area = 0., area = 0.;
+  std::vector<std::array<double, 2> > areas;
+  for(const auto& t : triangles)
+  {
+    const auto p = [&](int i) { return disk.point(Mesh::Vertex_index(t[i])); };
+    areas.push_back({{std::fabs(twice_area(plane, t)) / 2., std::sqrt(CGAL::squared_area(p(0), p(1), p(2)))}});
+    flat_area += areas.back()[0];
+    area += areas.back()[1];
+  }
+  double result = 0.;
+  for(const std::array<double, 2>& a : areas)
+    result += std::fabs(a[0] / flat_area - a[1] / area);
+  return result;
 }
 
 } // namespace
@@ -70,39 +146,42 @@ double fit(const Mesh& disk, UV_map uv)
 Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::function<void()>& on_flatten)
 {
   Mesh disk;
-  auto origin = disk.add_property_map<Mesh::Vertex_index, Mesh::Vertex_index>("v:origin").first;
-  UV_map uv = disk.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+  Origin_map origin = disk.add_property_map<Mesh::Vertex_index, Mesh::Vertex_index>("v:origin").first;
   CGAL::cut_along_cut_locus(mesh, cut_locus, disk, CGAL::parameters::vertex_to_vertex_map(origin));
 
   on_flatten();
-  flatten(disk, uv);
-  const double scale = fit(disk, uv);
-
-  Atlas atlas;
+  Points_3 points;
+  Triangles triangles;
   for(Mesh::Vertex_index v : disk.vertices())
-  {
-    atlas.origin.push_back(origin[v]);
-    atlas.uv.push_back(static_cast<float>(uv[v].x()));
-    atlas.uv.push_back(static_cast<float>(uv[v].y()));
-  }
-  double flipped = 0., area = 0., stretch = 0.;
+    points.push_back({{disk.point(v).x(), disk.point(v).y(), disk.point(v).z()}});
   for(Mesh::Face_index f : disk.faces())
   {
     const Mesh::Halfedge_index h = disk.halfedge(f);
-    const Mesh::Vertex_index t[3] = {disk.source(h), disk.target(h), disk.target(disk.next(h))};
-    for(Mesh::Vertex_index v : t)
-      atlas.triangles.push_back(v);
-    const double flat = CGAL::area(uv[t[0]], uv[t[1]], uv[t[2]]) / (scale * scale);
-    const double real = std::sqrt(CGAL::squared_area(disk.point(t[0]), disk.point(t[1]), disk.point(t[2])));
-    flipped += flat <= 0.;
-    area += real;
-    stretch += real * (std::max)(std::fabs(flat) / real, real / std::fabs(flat));
+    triangles.push_back({{disk.source(h), disk.target(h), disk.target(disk.next(h))}});
   }
+  const Points_2 polar = exponential_map(mesh, cut_locus.source().location, disk, origin);
+  Points_2 plane = polar;
+  if(!flatten_as_rigidly_as_possible(points, triangles, plane))
+    throw std::runtime_error("the cut surface cannot be flattened: it has faces that are too thin");
+  // A surface that closes around a short cut does not lie flat without being stretched, and rather folds.
+  const bool is_rigid = number_of_flips(triangles, plane) <= number_of_flips(triangles, polar);
+  if(!is_rigid)
+    plane = polar;
+  fit(plane);
+
+  Atlas atlas;
+  atlas.numbers = {double(number_of_flips(triangles, plane)), area_change(disk, triangles, plane), double(is_rigid)};
+  for(Mesh::Vertex_index v : disk.vertices())
+  {
+    atlas.origin.push_back(origin[v]);
+    for(double x : plane[v])
+      atlas.uv.push_back(static_cast<float>(x));
+  }
+  for(const auto& t : triangles)
+    atlas.triangles.insert(atlas.triangles.end(), t.begin(), t.end());
   for(Mesh::Halfedge_index h : disk.halfedges())
     if(disk.is_border(h))
       for(Mesh::Vertex_index v : {disk.source(h), disk.target(h)})
         atlas.border.push_back(v);
-  atlas.numbers = {flipped, stretch / area,
-                   double(disk.number_of_vertices()) - double(disk.number_of_edges()) + double(disk.number_of_faces())};
   return atlas;
 }

@@ -20,11 +20,12 @@ struct Atlas
   std::vector<std::uint32_t> triangles; // of vertices of the cut surface
   std::vector<std::uint32_t> border;    // the ends of its border edges
   std::vector<float> uv;                // two coordinates for each vertex, in [-1, 1]
-  std::vector<double> numbers;          // flipped faces, mean stretch (1: none), Euler characteristic
+  std::vector<double> numbers;          // flipped faces, part of the area that is moved to other faces, is rigid
 };
 
-// Cuts along a cut locus of mesh edges, and flattens as rigidly as possible. `on_flatten` is called between the two.
-// Throws `std::runtime_error` if the result is not a disk or cannot be flattened.
+// Cuts along a cut locus of mesh edges, and flattens as rigidly as possible, or, where that folds, by the
+// polar coordinates of the shortest paths. `on_flatten` is called between the two.
+// Throws `std::runtime_error` if that fails.
 Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::function<void()>& on_flatten);
 
 #endif // SURFACE_MESH_CUT_LOCUS_WEB_ATLAS_H

@@ -4,8 +4,8 @@ import { describeAtlas, seamsOf } from './atlas.js';
 import { Cancelled, Engine } from './engine.js';
 import { atlasToObj, download, meshToPly } from './exporters.js';
 import { explain, objectionTo } from './messages.js';
-import { samples } from './samples.js';
-import { defaultState } from './state.js';
+import { farthestFace, fileStart, samples } from './samples.js';
+import { defaultState, rounded } from './state.js';
 
 const stageTexts = {
   preprocessing: 'Preparing the mesh…',
@@ -42,8 +42,8 @@ export class App {
       await action();
       return true;
     } catch (error) {
-      if (error instanceof Cancelled) this.panel.showMessage('Cancelled.', true);
-      else this.panel.showMessage(explain(error.message));
+      // what another command has replaced needs no words
+      if (!(error instanceof Cancelled)) this.panel.showMessage(explain(error.message));
       return false;
     } finally {
       this.panel.setBusy(--this.jobs > 0);
@@ -54,6 +54,7 @@ export class App {
     if (!this.engine.isBusy) return;
     this.isSolved = false;
     this.engine.cancel();
+    this.panel.showMessage('Cancelled.', true);
   }
 
   openSample(name, faces, keepsSource = false) {
@@ -62,6 +63,7 @@ export class App {
       this.panel.showMessage(`There is no sample of the name “${name}”.`);
       return false;
     }
+    this.wantedSample = name;
     return this.open({ sample: name, faces }, { sample: name, faces, file: null }, sample.start, keepsSource);
   }
 
@@ -80,11 +82,11 @@ export class App {
       return false;
     }
     const extension = file.name.split('.').pop().toLowerCase();
-    return this.open({ bytes, extension }, { sample: null, file: file.name }, 0, keepsSource);
+    return this.open({ bytes, extension }, { sample: null, file: file.name }, fileStart, keepsSource);
   }
 
   async open(recipe, names, start, keepsSource) {
-    if (this.engine.isBusy) this.engine.cancel();
+    if (this.engine.isBusy) this.engine.cancel(false);
     return this.attempt('Reading the mesh…', async () => {
       const begin = performance.now();
       try {
@@ -93,14 +95,17 @@ export class App {
         // the module has dropped the mesh it had
         if (this.mesh && !(error instanceof Cancelled)) this.engine.restart();
         this.isSolved = false;
+        this.panel.setSample(this.state);
         throw error;
       }
       this.times = { load: performance.now() - begin };
       Object.assign(this.state, names);
+      this.wantedSample = this.state.sample;
       this.isSolved = false;
-      const faceCount = this.mesh.triangles.length / 3;
+      const { positions, triangles } = this.mesh;
+      const faceCount = triangles.length / 3;
       if (!keepsSource || !this.state.source || this.state.source.face >= faceCount)
-        this.state.source = { face: Math.floor(start * faceCount), coordinates: [1 / 3, 1 / 3, 1 / 3] };
+        this.state.source = { face: farthestFace(positions, triangles, start), coordinates: Array(3).fill(rounded(1 / 3)) };
       if (!keepsSource) {
         this.state.isCut = false;
         this.viewer.resetView();
@@ -108,14 +113,15 @@ export class App {
       this.atlas = null;
       this.panel.setCut(false);
       this.curves = {};
-      this.viewer.setMesh(this.mesh.positions, this.mesh.triangles);
+      this.viewer.setMesh(positions, triangles);
       this.panel.setMesh(this.state, this.mesh);
       await this.solveNow();
     });
   }
 
-  setSource(source) {
-    this.state.source = source;
+  setSource({ face, coordinates }) {
+    // as a link will have it
+    this.state.source = { face, coordinates: coordinates.map(rounded) };
     return this.solve();
   }
 
@@ -295,7 +301,7 @@ export class App {
     this.drawCurves();
     if (value && (name === 'laplacian' || name === 'gradient'))
       await this.attempt('Computing…', () => this.showFields());
-    this.viewer.invalidate();
+    this.viewer.invalidateCurves();
     this.report();
   }
 

@@ -11,8 +11,9 @@ export function seamsOf({ origin, border, uv }, positions) {
 }
 
 // What the user should know of the quality.
-export function describeAtlas([flipped, stretch], faceCount) {
-  const percent = Math.round(100 * (stretch - 1));
-  const areas = `areas change by ${percent} % on average`;
-  return flipped > 0 ? `${areas}; ${flipped} of ${faceCount} faces are flipped` : areas;
+export function describeAtlas([flipped, change, isRigid], faceCount) {
+  const parts = [`Areas change by ${(100 * change).toPrecision(2)} %`];
+  if (!isRigid) parts.push('laid out by direction and distance: a more rigid layout would fold');
+  if (flipped > 0) parts.push(`${flipped} of ${faceCount} faces are flipped`);
+  return `${parts.join('; ')}.`;
 }

@@ -59,16 +59,20 @@ export class Engine {
     return result;
   }
 
-  restart() {
+  restart(keepsMesh = true) {
+    // what the old worker still says is of no interest
+    this.worker.onmessage = null;
+    this.worker.onerror = (event) => event.preventDefault();
     this.worker.terminate();
     this.start();
-    if (this.recipe) this.run('load', { recipe: this.recipe }).catch(() => {});
+    if (this.recipe && keepsMesh) this.run('load', { recipe: this.recipe }).catch(() => {});
   }
 
-  cancel() {
+  // Ends all work. The mesh is loaded again, unless another one follows.
+  cancel(keepsMesh = true) {
     const pending = [...this.pending.values()];
     this.pending.clear();
-    this.restart();
+    this.restart(keepsMesh);
     for (const { reject } of pending) reject(new Cancelled('cancelled'));
   }
 }

@@ -48,7 +48,7 @@ export class Panel {
       if (target.dataset.sample) app.openSample(target.dataset.sample, Number(element('faces').value));
     });
     element('faces').addEventListener('change', () => {
-      if (app.state.sample) app.openSample(app.state.sample, Number(element('faces').value));
+      if (app.wantedSample) app.openSample(app.wantedSample, Number(element('faces').value));
     });
     element('open').addEventListener('click', () => element('file').click());
     element('file').addEventListener('change', () => {
@@ -123,10 +123,12 @@ export class Panel {
     ]);
     const { threshold } = times;
     fillList(element('times'), [
-      ['new threshold', threshold ? `${milliseconds(threshold.shown)} (${milliseconds(threshold.computed)} computing)` : '–'],
+      ['new threshold', threshold ? milliseconds(threshold.shown) : '–'],
+      ...(threshold ? [['– computing', milliseconds(threshold.computed)]] : []),
       ...(times.smoothing ? [['smoothed', milliseconds(times.smoothing.shown)]] : []),
-      ['new source', `${milliseconds(times.source)} (${milliseconds(times.solve)} computing)`],
-      ...Object.entries(times.stages).map(([stage, ms]) => [`– ${stage}`, milliseconds(ms)]),
+      ['new source', milliseconds(times.source)],
+      ['– computing', milliseconds(times.solve)],
+      ...Object.entries(times.stages).map(([stage, ms]) => [`– – ${stage}`, milliseconds(ms)]),
       ...(times.cut ? [['cut and flattened', milliseconds(times.cut)]] : []),
       ['reading', milliseconds(times.load)],
     ]);

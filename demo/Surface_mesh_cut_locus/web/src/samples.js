@@ -1,9 +1,26 @@
-// The surfaces that the module generates; `start` tells where among its faces the first source is.
+// The surfaces that the module generates. The first source is where the surface reaches farthest in the direction
+// `start`: at the side, so that most of the cut locus is seen.
 export const samples = [
-  { name: 'torus', label: 'Torus', start: 0 },
-  { name: 'bumpy-sphere', label: 'Bumpy sphere', start: 0.3 },
-  { name: 'genus-3', label: 'Genus 3', start: 0.02 },
-  { name: 'capsule', label: 'Capsule', start: 0.47 },
+  { name: 'torus', label: 'Torus', start: [1, 0, 0] },
+  { name: 'bumpy-sphere', label: 'Bumpy sphere', start: [1, -0.4, 0.2] },
+  { name: 'genus-3', label: 'Genus 3', start: [-1, -0.1, 0] },
+  { name: 'capsule', label: 'Capsule', start: [1, 0.7, 0.01] },
 ];
 
+export const fileStart = [1, -0.2, 0.2];
+
 export const sampleSizes = [5000, 20000, 100000, 400000];
+
+export function farthestFace(positions, triangles, direction) {
+  let best = 0, farthest = -Infinity;
+  for (let f = 0; f < triangles.length; f += 3) {
+    let sum = 0;
+    for (let i = 0; i < 3; ++i)
+      for (let k = 0; k < 3; ++k) sum += direction[k] * positions[3 * triangles[f + i] + k];
+    if (sum > farthest) {
+      farthest = sum;
+      best = f / 3;
+    }
+  }
+  return best;
+}

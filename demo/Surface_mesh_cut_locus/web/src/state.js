@@ -35,6 +35,9 @@ export function defaultState() {
 
 const round = (x, digits) => Number(x.toPrecision(digits));
 
+// A barycentric coordinate as it is in a link.
+export const rounded = (x) => round(x, 8);
+
 export function toHash(state) {
   const items = new URLSearchParams();
   const standard = defaultState();
@@ -44,7 +47,7 @@ export function toHash(state) {
   } else if (state.file) {
     items.set('file', state.file);
   }
-  if (state.source) items.set('source', [state.source.face, ...state.source.coordinates.map((c) => round(c, 8))].join());
+  if (state.source) items.set('source', [state.source.face, ...state.source.coordinates.map(rounded)].join());
   items.set('solver', state.solver);
   items.set('method', state.method);
   for (const [name, value] of Object.entries(state.parameters))

@@ -2,9 +2,11 @@
 import * as THREE from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { CurveLines } from './curve_lines.js';
+import { SurfaceLayer } from './surface_layer.js';
 import { makeSurfaceMaterial } from './surface_material.js';
 
 const background = 0xf6f7f8;
+const viewAngle = 35; // degrees
 
 function makeMarker(color) {
   const marker = new THREE.Mesh(new THREE.SphereGeometry(1, 24, 16), new THREE.MeshBasicMaterial({ color }));
@@ -16,15 +18,17 @@ export class Viewer {
   constructor(canvas, { onPick, onChange }) {
     this.canvas = canvas;
     this.onPick = onPick;
-    this.onFrame = null;
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.autoClear = false;
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     THREE.ColorManagement.enabled = false;
 
+    // surfaces, and what is drawn above them
+    this.layer = new SurfaceLayer(this.renderer);
+    this.surfaceScene = new THREE.Scene();
     this.scene = new THREE.Scene();
-    this.camera = new THREE.PerspectiveCamera(35, 1, 0.01, 100);
+    this.camera = new THREE.PerspectiveCamera(viewAngle, 1, 0.01, 100);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.minDistance = 0.2;
     this.controls.maxDistance = 30;
@@ -41,15 +45,18 @@ export class Viewer {
     this.sourceMarker = makeMarker(0x1450d2);
     this.farthestMarker = makeMarker(0xf08c14);
     this.nearestMarker = makeMarker(0x0b6b20);
-    this.scene.add(this.surface, this.edgeCurve.object, this.faceCurve.object, this.seams.object, this.arrows,
+    this.surfaceScene.add(this.surface);
+    this.scene.add(this.edgeCurve.object, this.faceCurve.object, this.seams.object, this.arrows,
       this.sourceMarker, this.farthestMarker, this.nearestMarker);
 
+    this.atlasSurfaceScene = new THREE.Scene();
     this.atlasScene = new THREE.Scene();
     this.atlasCamera = new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10);
     this.atlas = new THREE.Mesh(this.surface.geometry, makeSurfaceMaterial(true));
     this.atlas.frustumCulled = false;
     this.atlasSeams = new CurveLines(0x111111, 2, 1);
-    this.atlasScene.add(this.atlas, this.atlasSeams.object);
+    this.atlasSurfaceScene.add(this.atlas);
+    this.atlasScene.add(this.atlasSeams.object);
     this.hasAtlas = false;
 
     this.isDirty = false;
@@ -59,7 +66,13 @@ export class Viewer {
     this.resetView();
   }
 
+  // A new frame is needed. Only `draw` alone keeps the picture of the surface.
   invalidate() {
+    this.layer.isValid = false;
+    this.invalidateCurves();
+  }
+
+  invalidateCurves() {
     if (this.isDirty) return;
     this.isDirty = true;
     requestAnimationFrame(() => this.render());
@@ -68,19 +81,22 @@ export class Viewer {
   render() {
     this.isDirty = false;
     this.draw();
-    if (this.onFrame) this.onFrame();
   }
 
   draw() {
     const { width, height } = this.size;
     const modelWidth = this.hasAtlas ? Math.floor(width / 2) : width;
-    this.drawInto(this.scene, this.camera, 0, modelWidth, height);
-    if (this.hasAtlas) this.drawInto(this.atlasScene, this.atlasCamera, modelWidth, width - modelWidth, height);
+    const drawBoth = (model, atlas, isCleared) => {
+      this.drawInto(model, this.camera, 0, modelWidth, height, isCleared);
+      if (this.hasAtlas) this.drawInto(atlas, this.atlasCamera, modelWidth, width - modelWidth, height, isCleared);
+    };
+    this.layer.draw(() => drawBoth(this.surfaceScene, this.atlasSurfaceScene, true), this.size);
+    drawBoth(this.scene, this.atlasScene, false);
   }
 
-  drawInto(scene, camera, left, width, height) {
+  drawInto(scene, camera, left, width, height, isCleared) {
     if (camera.isPerspectiveCamera) {
-      camera.aspect = width / height;
+      this.setAspect(width / height);
     } else {
       const half = 1.06 * Math.max(1, width / height);
       Object.assign(camera, { left: -half, right: half, top: half * height / width, bottom: -half * height / width });
@@ -88,22 +104,43 @@ export class Viewer {
         const k = 1.06 / camera.top;
         Object.assign(camera, { left: -half * k, right: half * k, top: 1.06, bottom: -1.06 });
       }
+      camera.updateProjectionMatrix();
     }
-    camera.updateProjectionMatrix();
-    this.setMarkerSizes(width, height);
+    this.setMarkerSizes();
     for (const lines of [this.edgeCurve, this.faceCurve, this.seams, this.atlasSeams]) lines.setResolution(width, height);
-    this.renderer.setViewport(left, 0, width, height);
-    this.renderer.setScissor(left, 0, width, height);
-    this.renderer.setScissorTest(true);
-    this.renderer.setClearColor(background);
-    this.renderer.clear();
+    // a render target counts in its own pixels
+    const target = this.renderer.getRenderTarget();
+    const ratio = target ? this.renderer.getPixelRatio() : 1;
+    const box = [left, 0, width, height].map((x) => Math.round(x * ratio));
+    if (target) {
+      target.viewport.set(...box);
+      target.scissor.set(...box);
+      target.scissorTest = true;
+      this.renderer.setRenderTarget(target);
+    } else {
+      this.renderer.setViewport(...box);
+      this.renderer.setScissor(...box);
+      this.renderer.setScissorTest(true);
+    }
+    if (isCleared) {
+      this.renderer.setClearColor(background);
+      this.renderer.clear();
+    }
     this.renderer.render(scene, camera);
   }
 
-  setMarkerSizes(width, height) {
+  // The view has the same angle along the shorter side of the window, whichever that is.
+  setAspect(aspect) {
+    const half = Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(aspect, 1);
+    this.camera.fov = 2 * THREE.MathUtils.radToDeg(Math.atan(half));
+    this.camera.aspect = aspect;
+    this.camera.updateProjectionMatrix();
+  }
+
+  setMarkerSizes() {
     for (const marker of [this.sourceMarker, this.farthestMarker, this.nearestMarker]) {
       const distance = marker.position.distanceTo(this.camera.position);
-      marker.scale.setScalar(0.0045 * distance * Math.min(1, 800 / height));
+      marker.scale.setScalar(0.012 * distance * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2)));
     }
   }
 
@@ -111,6 +148,8 @@ export class Viewer {
     const { clientWidth, clientHeight } = this.canvas.parentElement;
     this.size = { width: Math.max(clientWidth, 1), height: Math.max(clientHeight, 1) };
     this.renderer.setSize(this.size.width, this.size.height, false);
+    const ratio = this.renderer.getPixelRatio();
+    this.layer.setSize(Math.floor(ratio * this.size.width), Math.floor(ratio * this.size.height));
     // the canvas has been cleared: there must not be a frame without a picture
     this.draw();
   }
@@ -242,14 +281,17 @@ export class Viewer {
 
   setUniforms(values) {
     for (const material of [this.surface.material, this.atlas.material])
-      for (const [name, value] of Object.entries(values)) material.uniforms[name].value = value;
-    this.invalidate();
+      for (const [name, value] of Object.entries(values)) {
+        if (material.uniforms[name].value === value) continue;
+        material.uniforms[name].value = value;
+        this.invalidate();
+      }
   }
 
   setMarker(marker, point) {
     marker.visible = point !== null;
     if (point) marker.position.fromArray(point);
-    this.invalidate();
+    this.invalidateCurves();
   }
 
   // Arrows at some of the vertices, evenly taken, along vectors of length 1 where the distance is smooth.
@@ -294,8 +336,7 @@ export class Viewer {
     const width = this.hasAtlas ? Math.floor(this.size.width / 2) : this.size.width;
     if (!this.positions || x >= width) return;
     const pointer = new THREE.Vector2(2 * x / width - 1, 1 - 2 * y / this.size.height);
-    this.camera.aspect = width / this.size.height;
-    this.camera.updateProjectionMatrix();
+    this.setAspect(width / this.size.height);
     const ray = new THREE.Raycaster();
     ray.setFromCamera(pointer, this.camera);
     const [hit] = ray.intersectObject(this.pickable);

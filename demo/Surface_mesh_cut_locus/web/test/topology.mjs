@@ -1,0 +1,56 @@
+// Reads the files that the page exports, and tells their topology.
+
+export function readObj(text) {
+  const mesh = { points: [], textureCoordinates: [], faces: [], lines: [] };
+  for (const line of text.split('\n')) {
+    const [kind, ...words] = line.trim().split(/\s+/);
+    if (kind === 'v') mesh.points.push(words.map(Number));
+    else if (kind === 'vt') mesh.textureCoordinates.push(words.map(Number));
+    else if (kind === 'f') mesh.faces.push(words.map((w) => Number(w.split('/')[0]) - 1));
+    else if (kind === 'l') mesh.lines.push(words.map((w) => Number(w) - 1));
+  }
+  return mesh;
+}
+
+// V - E + F and the number of border loops of a mesh; it throws if that is no surface.
+export function surfaceTopology({ points, faces }) {
+  const halfedges = new Map();
+  for (const face of faces)
+    face.forEach((v, i) => {
+      const key = `${v} ${face[(i + 1) % face.length]}`;
+      if (halfedges.has(key)) throw new Error(`the halfedge ${key} belongs to two faces`);
+      halfedges.set(key, true);
+    });
+  const next = new Map(); // along the border
+  let edgeCount = 0;
+  for (const key of halfedges.keys()) {
+    const [v, w] = key.split(' ');
+    const hasOpposite = halfedges.has(`${w} ${v}`);
+    edgeCount += hasOpposite ? 0.5 : 1;
+    if (hasOpposite) continue;
+    if (next.has(v)) throw new Error(`the border passes vertex ${v} twice`);
+    next.set(v, w);
+  }
+  let loops = 0;
+  const seen = new Set();
+  for (const start of next.keys()) {
+    if (seen.has(start)) continue;
+    ++loops;
+    for (let v = start; !seen.has(v); v = next.get(v)) seen.add(v);
+  }
+  return { euler: points.length - edgeCount + faces.length, loops };
+}
+
+// Connected components and independent cycles of a set of polylines.
+export function curveTopology({ points, lines }) {
+  const parent = points.map((_, i) => i);
+  const find = (v) => { while (parent[v] !== v) v = parent[v] = parent[parent[v]]; return v; };
+  let edges = 0;
+  for (const line of lines)
+    for (let i = 1; i < line.length; ++i) {
+      ++edges;
+      parent[find(line[i])] = find(line[i - 1]);
+    }
+  const components = points.filter((_, i) => find(i) === i).length;
+  return { components, cycles: edges - points.length + components };
+}
