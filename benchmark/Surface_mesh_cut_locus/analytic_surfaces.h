@@ -23,7 +23,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Mesh = CGAL::Surface_mesh<Point>;
-using Polylines = std::vector<std::vector<Point> >;
+using Polylines = std::vector<std::vector<Point>>;
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -98,8 +98,8 @@ struct Torus
     result.push_back(curve(2. * pi * r, step, [&](double t) { return point(u0 + pi, 2. * pi * t); }));
     result.push_back(curve(2. * pi * (R - r), step, [&](double t) { return point(u0 + 2. * pi * t, pi); }));
     const double length = 2. * (pi - conjugate) * (R + r);
-    result.push_back(curve(length, step, [&](double t)
-                           { return point(u0 + conjugate + t * 2. * (pi - conjugate), 0.); }));
+    result.push_back(
+      curve(length, step, [&](double t) { return point(u0 + conjugate + t * 2. * (pi - conjugate), 0.); }));
     return result;
   }
 

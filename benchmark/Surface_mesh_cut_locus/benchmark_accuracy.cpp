@@ -82,18 +82,16 @@ int main(int argc, char** argv)
   std::vector<unsigned int> smoothing;
   std::size_t minimum_edges = 3;
   po::options_description options("Accuracy of the cut locus by the Laplacian against closed forms");
-  options.add_options()
-    ("help", "print this")
-    ("cache", po::value(&cache), "folder that keeps the generated meshes")
-    ("length", po::value(&lengths)->multitoken()->default_value({0.064, 0.032, 0.022}, "0.064 0.032 0.022"),
-     "edge lengths; the torus has radii 1 and 0.4")
-    ("angle", po::value(&angles)->multitoken(), "thresholds for the gradient angle (default: the library's)")
-    ("laplacian", po::value(&laplacians)->multitoken(), "thresholds for the Laplacian (default: none)")
-    ("min-branch-edges", po::value(&minimum_edges), "branches of fewer edges are removed")
-    ("solver", po::value(&solvers)->multitoken()->default_value({"exact", "heat"}, "exact heat"),
-     "exact, cgal-exact, heat, heat-direct, graph")
-    ("smoothing", po::value(&smoothing)->multitoken()->default_value({0, 4}, "0 4"),
-     "numbers of smoothing iterations (0: edges of the mesh)");
+  options.add_options()("help", "print this")("cache", po::value(&cache), "folder that keeps the generated meshes")(
+    "length", po::value(&lengths)->multitoken()->default_value({0.064, 0.032, 0.022}, "0.064 0.032 0.022"),
+    "edge lengths; the torus has radii 1 and 0.4")("angle", po::value(&angles)->multitoken(),
+                                                   "thresholds for the gradient angle (default: the library's)")(
+    "laplacian", po::value(&laplacians)->multitoken(), "thresholds for the Laplacian (default: none)")(
+    "min-branch-edges", po::value(&minimum_edges), "branches of fewer edges are removed")(
+    "solver", po::value(&solvers)->multitoken()->default_value({"exact", "heat"}, "exact heat"),
+    "exact, cgal-exact, heat, heat-direct, graph")("smoothing",
+                                                   po::value(&smoothing)->multitoken()->default_value({0, 4}, "0 4"),
+                                                   "numbers of smoothing iterations (0: edges of the mesh)");
   po::variables_map values;
   try
   {
@@ -116,9 +114,8 @@ int main(int argc, char** argv)
     {"torus outer equator", torus.point(0., 0.), [&](double s) { return torus.cut_locus_of_outer_equator(0., s); }},
     {"torus inner equator", torus.point(1., pi), [&](double s) { return torus.cut_locus_of_inner_equator(1., s); }}};
 
-  std::printf("%-22s %7s %8s  %-10s %9s %5s %9s  %7s %7s  %7s %7s\n", "surface and source", "faces", "h",
-              "solver", "smoothing", "angle",
-              "laplacian", "est mean", "max", "truth mean", "max");
+  std::printf("%-22s %7s %8s  %-10s %9s %5s %9s  %7s %7s  %7s %7s\n", "surface and source", "faces", "h", "solver",
+              "smoothing", "angle", "laplacian", "est mean", "max", "truth mean", "max");
   for(double length : lengths)
   {
     const Mesh mesh = cached_mesh(torus, "torus", length, cache);

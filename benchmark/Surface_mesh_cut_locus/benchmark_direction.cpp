@@ -156,7 +156,7 @@ std::string number(double x, int digits)
 }
 
 // The slope of the logarithm of the absolute error over that of h, by least squares.
-double fitted_order(const std::vector<std::pair<double, double> >& h_and_error)
+double fitted_order(const std::vector<std::pair<double, double>>& h_and_error)
 {
   double n = 0., sx = 0., sy = 0., sxx = 0., sxy = 0.;
   for(const auto& p : h_and_error)
@@ -184,8 +184,8 @@ Run solve(const Surface& surface, const Mesh& mesh, Mesh::Vertex_index source)
 {
   Run run;
   run.h = mean_edge_length(mesh);
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(
-    mesh, params::cut_locus_method(Method::DIRECTION).visitor(std::ref(run.clock)));
+  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh,
+                                            params::cut_locus_method(Method::DIRECTION).visitor(std::ref(run.clock)));
   solver.set_source(source); // warms up
   run.clock.distance = run.clock.extraction = 0.;
   solver.set_source(source);
@@ -205,7 +205,7 @@ Run solve(const Surface& surface, const Mesh& mesh, Mesh::Vertex_index source)
   return run;
 }
 
-using Orders = std::map<std::string, std::vector<std::pair<double, double> > >;
+using Orders = std::map<std::string, std::vector<std::pair<double, double>>>;
 
 // `smooth` is the mesh before the noise.
 template <typename Surface>
@@ -230,8 +230,9 @@ void run(const Surface& surface, const std::string& name, const std::string& var
   }
   const Run result = solve(surface, mesh, source);
   const double h = result.h, step = h / 5.;
-  const Polylines truth = closed_form ? closed_form(step) : is_noisy ? solve(surface, smooth, source).curve
-                                                                     : result.curve;
+  const Polylines truth = closed_form ? closed_form(step)
+                          : is_noisy  ? solve(surface, smooth, source).curve
+                                      : result.curve;
   std::vector<std::string> cells = {name, variant, std::to_string(mesh.number_of_faces()), number(h, 4)};
   if(closed_form || is_noisy)
   {
@@ -240,8 +241,8 @@ void run(const Surface& surface, const std::string& name, const std::string& var
   }
   else
     cells.insert(cells.end(), 3, "-");
-  cells.push_back(number((std::max)(deviation(result.edges, truth, step).max,
-                                    deviation(truth, result.edges, step).max) / h, 3));
+  cells.push_back(
+    number((std::max)(deviation(result.edges, truth, step).max, deviation(truth, result.edges, step).max) / h, 3));
   if(is_noisy)
     cells.insert(cells.end(), 6, "-");
   else
@@ -267,15 +268,14 @@ int main(int argc, char** argv)
   std::vector<double> lengths;
   std::vector<std::string> variants;
   po::options_description options("Accuracy of the direction method");
-  options.add_options()
-    ("help", "print this")
-    ("cache", po::value(&cache), "folder that keeps the generated meshes")
-    ("csv", po::value(&csv), "file for the table, as comma separated values")
-    ("length", po::value(&lengths)->multitoken()->default_value({0.08, 0.064, 0.04, 0.032}, "0.08 0.064 0.04 0.032"),
-     "edge lengths; the torus has radii 1 and 0.4, the ellipsoid the half axes 1, 0.8, 0.6")
-    ("variant", po::value(&variants)->multitoken()->default_value(
-       {"isotropic", "jittered", "anisotropic", "noise_0.03", "noise_0.1", "noise_0.2"}, "all"),
-     "isotropic, jittered, anisotropic, noise_<amplitude>");
+  options.add_options()("help", "print this")("cache", po::value(&cache), "folder that keeps the generated meshes")(
+    "csv", po::value(&csv), "file for the table, as comma separated values")(
+    "length", po::value(&lengths)->multitoken()->default_value({0.08, 0.064, 0.04, 0.032}, "0.08 0.064 0.04 0.032"),
+    "edge lengths; the torus has radii 1 and 0.4, the ellipsoid the half axes 1, 0.8, 0.6")(
+    "variant",
+    po::value(&variants)->multitoken()->default_value(
+      {"isotropic", "jittered", "anisotropic", "noise_0.03", "noise_0.1", "noise_0.2"}, "all"),
+    "isotropic, jittered, anisotropic, noise_<amplitude>");
   po::variables_map values;
   try
   {
@@ -295,8 +295,8 @@ int main(int argc, char** argv)
 
   Table table(csv);
   Orders orders;
-  table.row({"source", "mesh", "faces", "h", "closed", "max", "truth", "edges", "shot", "max", "away", "bad", "ends", "of",
-             "leaves", "cycles", "dist ms", "extr ms"});
+  table.row({"source", "mesh", "faces", "h", "closed", "max", "truth", "edges", "shot", "max", "away", "bad", "ends",
+             "of", "leaves", "cycles", "dist ms", "extr ms"});
   const Torus torus;
   const Ellipsoid ellipsoid;
   for(const std::string& variant : variants)
@@ -316,10 +316,12 @@ int main(int argc, char** argv)
       const Mesh t = mesh_of(torus, "torus"), e = mesh_of(ellipsoid, "ellipsoid");
       const Mesh smooth_t = cached_mesh(torus, "torus", length, cache),
                  smooth_e = cached_mesh(ellipsoid, "ellipsoid", length, cache);
-      run(torus, "torus outer", variant, t, smooth_t, torus.point(0., 0.),
-          [&](double s) { return torus.cut_locus_of_outer_equator(0., s); }, 4., table, orders);
-      run(torus, "torus inner", variant, t, smooth_t, torus.point(1., pi),
-          [&](double s) { return torus.cut_locus_of_inner_equator(1., s); }, 4., table, orders);
+      run(
+        torus, "torus outer", variant, t, smooth_t, torus.point(0., 0.),
+        [&](double s) { return torus.cut_locus_of_outer_equator(0., s); }, 4., table, orders);
+      run(
+        torus, "torus inner", variant, t, smooth_t, torus.point(1., pi),
+        [&](double s) { return torus.cut_locus_of_inner_equator(1., s); }, 4., table, orders);
       run(torus, "torus general", variant, t, smooth_t, torus.point(0.3, 0.9), nullptr, 4., table, orders);
       run(ellipsoid, "ellipsoid 1", variant, e, smooth_e, ellipsoid.project(Point(0.5, 0.4, 0.45)), nullptr, 5., table,
           orders);

@@ -67,7 +67,8 @@ double peak_memory()
   std::ifstream status("/proc/self/status");
   std::string word;
   while(status >> word)
-    if(word == "VmHWM:") {
+    if(word == "VmHWM:")
+    {
       double kilobytes = 0.;
       status >> kilobytes;
       return kilobytes / 1024.;
@@ -86,7 +87,8 @@ Times time_ours(const Mesh& mesh, Vertex source, bool directions, bool centroids
 {
   directions = directions && maximum_relative_error == 0.;
   std::vector<double> read, total, again, angles(num_vertices(mesh));
-  for(int i = 0; i < trials; ++i) {
+  for(int i = 0; i < trials; ++i)
+  {
     const double start = now();
     Geodesics geodesics(mesh);
     const double have_read = now();
@@ -113,7 +115,8 @@ Times time_ours(const Mesh& mesh, Vertex source, bool directions, bool centroids
 void compare(const std::string& file, int trials, int cgal_trials)
 {
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh)) {
+  if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh))
+  {
     std::fprintf(stderr, "%s is no triangle mesh\n", file.c_str());
     return;
   }
@@ -132,13 +135,15 @@ void compare(const std::string& file, int trials, int cgal_trials)
     return;
   std::vector<double> cgal_times;
   double difference = 0.;
-  for(int i = 0; i < cgal_trials; ++i) {
+  for(int i = 0; i < cgal_trials; ++i)
+  {
     CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>> shortest_path(mesh);
     shortest_path.add_source_point(source);
     const double start = now();
     shortest_path.build_sequence_tree();
     cgal_times.push_back(now() - start);
-    for(Vertex v : mesh.vertices()) {
+    for(Vertex v : mesh.vertices())
+    {
       const double d = shortest_path.shortest_distance_to_source_points(v).first;
       if(d > 0.)
         difference = (std::max)(difference, std::fabs(d - distances[v]) / d);
@@ -160,7 +165,8 @@ Mesh jittered_torus(std::size_t faces)
   Mesh mesh;
   mesh.reserve(Mesh::size_type(n * m), Mesh::size_type(3 * n * m), Mesh::size_type(2 * n * m));
   for(std::size_t i = 0; i < n; ++i)
-    for(std::size_t j = 0; j < m; ++j) {
+    for(std::size_t j = 0; j < m; ++j)
+    {
       const double u = 2. * pi * (double(i) + jitter(random)) / double(n);
       const double w = 2. * pi * (double(j) + jitter(random)) / double(m);
       const double r = 1. + 0.4 * std::cos(w);
@@ -168,7 +174,8 @@ Mesh jittered_torus(std::size_t faces)
     }
   const auto vertex = [&](std::size_t i, std::size_t j) { return Vertex(Mesh::size_type((i % n) * m + j % m)); };
   for(std::size_t i = 0; i < n; ++i)
-    for(std::size_t j = 0; j < m; ++j) {
+    for(std::size_t j = 0; j < m; ++j)
+    {
       mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
       mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
     }
@@ -179,7 +186,8 @@ Mesh jittered_torus(std::size_t faces)
 double exponent(const std::vector<double>& x, const std::vector<double>& y)
 {
   double sx = 0., sy = 0., sxx = 0., sxy = 0.;
-  for(std::size_t i = 0; i < x.size(); ++i) {
+  for(std::size_t i = 0; i < x.size(); ++i)
+  {
     const double u = std::log(x[i]), v = std::log(y[i]);
     sx += u;
     sy += v;
@@ -194,17 +202,20 @@ double exponent(const std::vector<double>& x, const std::vector<double>& y)
 void growth(std::size_t largest, std::FILE* csv)
 {
   std::vector<double> sizes, times, counts;
-  const auto print = [csv](const char* line) {
+  const auto print = [csv](const char* line)
+  {
     std::puts(line);
     std::fflush(stdout);
-    if(csv != nullptr) {
+    if(csv != nullptr)
+    {
       std::fprintf(csv, "%s\n", line);
       // nothing may be left for the child processes to write
       std::fflush(csv);
     }
   };
   print("faces,mesh_to_distances_s,directions_s,peak_mb,mesh_only_mb,windows");
-  for(std::size_t faces = 12500; faces <= largest; faces *= 2) {
+  for(std::size_t faces = 12500; faces <= largest; faces *= 2)
+  {
     // a process of its own per size, so that the peak of the memory is its own
     int channel[2];
     if(pipe(channel) != 0)
@@ -212,7 +223,8 @@ void growth(std::size_t largest, std::FILE* csv)
     const pid_t child = fork();
     if(child < 0)
       return;
-    if(child == 0) {
+    if(child == 0)
+    {
       double result[6];
       const Mesh mesh = jittered_torus(faces);
       result[4] = peak_memory();
@@ -252,22 +264,26 @@ int main(int argc, char** argv)
   int trials = 5, cgal_trials = 1;
   const char* csv_file = nullptr;
   bool done = false;
-  for(int i = 1; i < argc; ++i) {
+  for(int i = 1; i < argc; ++i)
+  {
     if(std::strcmp(argv[i], "--cpu") == 0)
       measures_processor_time = true;
     else if(std::strcmp(argv[i], "--error") == 0 && i + 1 < argc)
       maximum_relative_error = std::atof(argv[++i]);
-    else if(std::strcmp(argv[i], "--growth") == 0) {
+    else if(std::strcmp(argv[i], "--growth") == 0)
+    {
       const bool has_size = i + 1 < argc && std::atoi(argv[i + 1]) > 0;
       std::FILE* csv = csv_file == nullptr ? nullptr : std::fopen(csv_file, "w");
-      if(csv_file != nullptr && csv == nullptr) {
+      if(csv_file != nullptr && csv == nullptr)
+      {
         std::fprintf(stderr, "cannot write %s\n", csv_file);
         return EXIT_FAILURE;
       }
       growth(has_size ? std::size_t(std::atoi(argv[++i])) : 1600000, csv);
       if(csv != nullptr)
         std::fclose(csv);
-    } else if(std::strcmp(argv[i], "--csv") == 0 && i + 1 < argc)
+    }
+    else if(std::strcmp(argv[i], "--csv") == 0 && i + 1 < argc)
       csv_file = argv[++i];
     else if(std::strcmp(argv[i], "--trials") == 0 && i + 1 < argc)
       trials = (std::max)(1, std::atoi(argv[++i]));

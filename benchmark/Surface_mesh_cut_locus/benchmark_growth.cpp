@@ -49,7 +49,10 @@ using Vertex = Mesh::Vertex_index;
 using CGAL::Cut_loci::Method;
 using CGAL::Cut_loci::Stage;
 
-double now() { return double(std::clock()) / CLOCKS_PER_SEC; }
+double now()
+{
+  return double(std::clock()) / CLOCKS_PER_SEC;
+}
 
 double median(std::vector<double> values)
 {
@@ -130,20 +133,21 @@ Figures measure(std::size_t faces, const Solver& solver, Method method, int tria
   cut_loci.set_source(*mesh.vertices().begin());
   const double first = clock[Stage::PREPROCESSING] + clock[Stage::DISTANCE];
 
-  std::map<Stage, std::vector<double> > times;
+  std::map<Stage, std::vector<double>> times;
   for(int i = 0; i < trials; ++i)
   {
     clock.reset();
-    cut_loci.set_source(*(mesh.vertices_begin() + Mesh::size_type(i) * mesh.number_of_vertices() / Mesh::size_type(trials)));
+    cut_loci.set_source(
+      *(mesh.vertices_begin() + Mesh::size_type(i) * mesh.number_of_vertices() / Mesh::size_type(trials)));
     cut_loci.cut_locus();
     for(Stage stage : {Stage::DISTANCE, Stage::STRENGTH, Stage::TREE, Stage::HOMOLOGY, Stage::FILTER})
       times[stage].push_back(clock[stage]);
   }
   // the first of these sources is the one before, for which the solver made what it needs once
-  return {double(num_faces(mesh)), (std::max)(0., first - times[Stage::DISTANCE].front()),
+  return {double(num_faces(mesh)),        (std::max)(0., first - times[Stage::DISTANCE].front()),
           median(times[Stage::DISTANCE]), median(times[Stage::STRENGTH]),
-          median(times[Stage::TREE]), median(times[Stage::HOMOLOGY]), median(times[Stage::FILTER]),
-          peak_memory() - before};
+          median(times[Stage::TREE]),     median(times[Stage::HOMOLOGY]),
+          median(times[Stage::FILTER]),   peak_memory() - before};
 }
 
 struct Solver_case
@@ -158,16 +162,16 @@ std::vector<Solver_case> solver_cases()
   using Heat = CGAL::Heat_method_geodesic_solver<>;
   using Direct_heat = CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct>;
   const std::size_t any = 10000000;
-  return {{"exact-direction", any, [](std::size_t n, int k)
-           { return measure(n, CGAL::Exact_geodesic_solver(), Method::DIRECTION, k); }},
-          {"exact-laplacian", any, [](std::size_t n, int k)
-           { return measure(n, CGAL::Exact_geodesic_solver(), Method::LAPLACIAN, k); }},
-          {"graph", any, [](std::size_t n, int k)
-           { return measure(n, CGAL::Graph_geodesic_solver(), Method::LAPLACIAN, k); }},
+  return {{"exact-direction", any,
+           [](std::size_t n, int k) { return measure(n, CGAL::Exact_geodesic_solver(), Method::DIRECTION, k); }},
+          {"exact-laplacian", any,
+           [](std::size_t n, int k) { return measure(n, CGAL::Exact_geodesic_solver(), Method::LAPLACIAN, k); }},
+          {"graph", any,
+           [](std::size_t n, int k) { return measure(n, CGAL::Graph_geodesic_solver(), Method::LAPLACIAN, k); }},
           {"heat-direct", 300000, [](std::size_t n, int k) { return measure(n, Direct_heat(), Method::LAPLACIAN, k); }},
           {"heat", 300000, [](std::size_t n, int k) { return measure(n, Heat(), Method::LAPLACIAN, k); }},
-          {"cgal-exact", 100000, [](std::size_t n, int)
-           { return measure(n, CGAL::Shortest_path_geodesic_solver(), Method::LAPLACIAN, 1); }}};
+          {"cgal-exact", 100000,
+           [](std::size_t n, int) { return measure(n, CGAL::Shortest_path_geodesic_solver(), Method::LAPLACIAN, 1); }}};
 }
 
 // In a process of its own. Returns false if it has failed.
@@ -209,12 +213,11 @@ int main(int argc, char** argv)
   std::vector<std::string> limits, only;
   int trials = 3;
   po::options_description options("Time and memory against the number of faces");
-  options.add_options()
-    ("help", "print this")
-    ("faces", po::value(&sizes)->multitoken()->default_value({10000, 100000}, "10000 100000"), "sizes of the meshes")
-    ("largest", po::value(&limits)->multitoken(), "SOLVER=N: no mesh of more than N faces for this solver")
-    ("only", po::value(&only)->multitoken(), "solvers (default: all)")
-    ("trials", po::value(&trials)->default_value(3), "sources; each figure is the median");
+  options.add_options()("help", "print this")(
+    "faces", po::value(&sizes)->multitoken()->default_value({10000, 100000}, "10000 100000"), "sizes of the meshes")(
+    "largest", po::value(&limits)->multitoken(), "SOLVER=N: no mesh of more than N faces for this solver")(
+    "only", po::value(&only)->multitoken(), "solvers (default: all)")("trials", po::value(&trials)->default_value(3),
+                                                                      "sources; each figure is the median");
   po::variables_map values;
   std::vector<Solver_case> solvers = solver_cases();
   try
@@ -257,8 +260,8 @@ int main(int argc, char** argv)
       if(faces > solver.largest || !measure_apart(solver, faces, trials, f))
         continue;
       std::printf("%s,%.0f,%.5f,%.5f,%.5f,%.5f,%.5f,%.6f,%.5f,%.1f\n", solver.name.c_str(), f.faces, f.mesh, f.distance,
-                  f.strength, f.tree, f.homology, f.filter,
-                  f.distance + f.strength + f.tree + f.homology + f.filter, f.memory);
+                  f.strength, f.tree, f.homology, f.filter, f.distance + f.strength + f.tree + f.homology + f.filter,
+                  f.memory);
       std::fflush(stdout);
     }
   }

@@ -114,11 +114,9 @@ int main(int argc, char** argv)
   std::string cache;
   std::vector<double> lengths;
   po::options_description options("Accuracy with each solver and method");
-  options.add_options()
-    ("help", "print this")
-    ("cache", po::value(&cache), "folder that keeps the generated meshes")
-    ("length", po::value(&lengths)->multitoken()->default_value({0.064, 0.032, 0.022}, "0.064 0.032 0.022"),
-     "edge lengths; the torus has radii 1 and 0.4");
+  options.add_options()("help", "print this")("cache", po::value(&cache), "folder that keeps the generated meshes")(
+    "length", po::value(&lengths)->multitoken()->default_value({0.064, 0.032, 0.022}, "0.064 0.032 0.022"),
+    "edge lengths; the torus has radii 1 and 0.4");
   po::variables_map values;
   try
   {

@@ -35,7 +35,10 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Stage = CGAL::Cut_loci::Stage;
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 double median(std::vector<double> values)
 {
@@ -61,7 +64,7 @@ public:
 private:
   Clock::time_point start_;
   std::map<Stage, double> run_;
-  std::map<Stage, std::vector<double> > times_;
+  std::map<Stage, std::vector<double>> times_;
 };
 
 // The largest resident size since the last reset, in bytes (Linux).
@@ -93,12 +96,10 @@ int main(int argc, char** argv)
   int runs = 5, subdivisions = 0;
   double reference = 0.;
   po::options_description options("Time and memory of the stages. Usage: benchmark_stages [options] MESH...");
-  options.add_options()
-    ("help", "print this")
-    ("mesh", po::value(&files), "meshes")
-    ("runs", po::value(&runs)->default_value(5), "each figure is the median of so many runs")
-    ("loop", po::value(&subdivisions)->default_value(0), "steps of Loop subdivision before")
-    ("reference", po::value(&reference), "seconds to compare with, instead of a run of build_sequence_tree");
+  options.add_options()("help", "print this")("mesh", po::value(&files), "meshes")(
+    "runs", po::value(&runs)->default_value(5), "each figure is the median of so many runs")(
+    "loop", po::value(&subdivisions)->default_value(0), "steps of Loop subdivision before")(
+    "reference", po::value(&reference), "seconds to compare with, instead of a run of build_sequence_tree");
   po::positional_options_description positional;
   positional.add("mesh", -1);
   po::variables_map values;
@@ -134,7 +135,7 @@ int main(int argc, char** argv)
     double exact = reference;
     if(!values.count("reference"))
     {
-      CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh> > shortest_paths(mesh);
+      CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>> shortest_paths(mesh);
       shortest_paths.add_source_point(source);
       const Clock::time_point start = Clock::now();
       shortest_paths.build_sequence_tree();
@@ -162,8 +163,8 @@ int main(int argc, char** argv)
       memory = peak_memory() - before;
       // a slider that moves over the range in which branches come and go
       for(double angle = 0.2; angle < 2.; angle += 0.1)
-        for(CGAL::Cut_loci::Filter_policy policy : {CGAL::Cut_loci::Filter_policy::PRUNING,
-                                                    CGAL::Cut_loci::Filter_policy::GROWING})
+        for(CGAL::Cut_loci::Filter_policy policy :
+            {CGAL::Cut_loci::Filter_policy::PRUNING, CGAL::Cut_loci::Filter_policy::GROWING})
         {
           const Clock::time_point start = Clock::now();
           const auto result = cut_loci.cut_locus(params::gradient_angle_threshold(angle).filter_policy(policy));
@@ -175,9 +176,7 @@ int main(int argc, char** argv)
 
     std::printf("%s: %u faces, %zu cycles\n", file.c_str(), unsigned(mesh.number_of_faces()), cycles);
     const auto row = [&](const char* name, double seconds)
-    {
-      std::printf("  %-34s %10.6f s %12.7f\n", name, seconds, seconds / exact);
-    };
+    { std::printf("  %-34s %10.6f s %12.7f\n", name, seconds, seconds / exact); };
     row("build_sequence_tree", exact);
     row("preprocess", times[Stage::PREPROCESSING]);
     row("strengths, tree and thinning", times[Stage::STRENGTH] + times[Stage::TREE]);

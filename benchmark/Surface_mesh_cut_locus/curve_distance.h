@@ -48,7 +48,7 @@ inline std::vector<double> distances(const std::vector<Point>& from, const Polyl
 {
   using Segment = Kernel::Segment_3;
   using Primitive = CGAL::AABB_segment_primitive<Kernel, std::vector<Segment>::iterator>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive> >;
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
   std::vector<Segment> segments;
   std::vector<Point> isolated;

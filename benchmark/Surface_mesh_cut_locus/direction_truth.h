@@ -25,11 +25,11 @@ namespace analytic {
 struct Shot_errors
 {
   double h = 0.;
-  double mean = 0., max = 0.;  // of the nodes on edges, from where two geodesics meet
-  double max_away = 0.;        // of those farther than 4 from the ends
-  std::size_t unverified = 0;  // nodes near which no two geodesics meet
+  double mean = 0., max = 0.; // of the nodes on edges, from where two geodesics meet
+  double max_away = 0.;       // of those farther than 4 from the ends
+  std::size_t unverified = 0; // nodes near which no two geodesics meet
   std::size_t leaves = 0;
-  std::vector<double> ends;    // how far each conjugate end of the cut locus is from the nearest leaf
+  std::vector<double> ends; // how far each conjugate end of the cut locus is from the nearest leaf
 };
 
 // Ends beyond `limit` are not looked for.
@@ -56,7 +56,7 @@ Shot_errors shot_errors(const Surface& surface, Mesh mesh, const Point& near_sou
   const Index first = faces.first_halfedge(v);
   const auto edge = [&](Index h) { return mesh.point(read.vertices[read.mesh.target(h)]) - source; };
   const Geodesic_shooting<Surface> shooting(surface, source, edge(first));
-  std::vector<std::pair<double, double> > table;
+  std::vector<std::pair<double, double>> table;
   double turned = 0., previous = 0.;
   Index around = first;
   do
@@ -68,8 +68,7 @@ Shot_errors shot_errors(const Surface& surface, Mesh mesh, const Point& near_sou
     previous = direction;
     turned += faces.angle(around);
     around = faces.next_around_source(around);
-  }
-  while(around != first);
+  } while(around != first);
   table.push_back({turned, 2. * pi});
   const auto smooth_direction = [&](double direction)
   {
@@ -86,8 +85,8 @@ Shot_errors shot_errors(const Surface& surface, Mesh mesh, const Point& near_sou
   {
     Vector p = CGAL::NULL_VECTOR;
     for(int i = 0; i < 3; ++i)
-      p = p + location.coordinates[i] *
-                (mesh.point(read.vertices[read.mesh.triangles[location.face][i]]) - CGAL::ORIGIN);
+      p =
+        p + location.coordinates[i] * (mesh.point(read.vertices[read.mesh.triangles[location.face][i]]) - CGAL::ORIGIN);
     return surface.project(CGAL::ORIGIN + p);
   };
   const auto cusps = shooting.cusps(limit);
@@ -104,8 +103,7 @@ Shot_errors shot_errors(const Surface& surface, Mesh mesh, const Point& near_sou
     double end = (std::numeric_limits<double>::infinity)();
     for(const auto& c : cusps)
       end = (std::min)(end, std::sqrt((c.point - (p - CGAL::ORIGIN)).squared_length()));
-    const double error =
-      found ? std::sqrt((found->point - (p - CGAL::ORIGIN)).squared_length()) / result.h : 10.;
+    const double error = found ? std::sqrt((found->point - (p - CGAL::ORIGIN)).squared_length()) / result.h : 10.;
     if(error > 3.)
     {
       ++result.unverified;

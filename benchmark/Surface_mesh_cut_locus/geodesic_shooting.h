@@ -47,9 +47,9 @@ public:
     if(length > 0.)
     {
       using Stepper = boost::numeric::odeint::runge_kutta_dopri5<State>;
-      boost::numeric::odeint::integrate_adaptive(boost::numeric::odeint::make_controlled<Stepper>(1e-11, 1e-11),
-                                                 [this](const State& x, State& dx, double) { derive(x, dx); }, s, 0.,
-                                                 length, 0.05 * length);
+      boost::numeric::odeint::integrate_adaptive(
+        boost::numeric::odeint::make_controlled<Stepper>(1e-11, 1e-11),
+        [this](const State& x, State& dx, double) { derive(x, dx); }, s, 0., length, 0.05 * length);
     }
     return arrival(s);
   }

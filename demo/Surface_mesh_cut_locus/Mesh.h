@@ -18,7 +18,7 @@
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Location = std::pair<Mesh::Face_index, std::array<double, 3> >;
+using Location = std::pair<Mesh::Face_index, std::array<double, 3>>;
 using Cut_locus = CGAL::Cut_locus<Mesh, Kernel::Point_3>;
 
 // Reads a mesh whose vertices have the numbers that they have in the file. Throws `std::runtime_error` with the cause.

@@ -76,50 +76,49 @@ po::options_description visible_options()
 {
   constexpr unsigned columns = 110;
   po::options_description description("Options", columns, columns / 2);
-  description.add_options()
-    ("source", po::value<std::string>()->value_name("V"),
-     "vertex of the mesh, counted from 0 (default: the first one that belongs to a face)")
-    ("source-point", po::value<std::string>()->value_name("X,Y,Z"), "the point of the surface closest to x,y,z")
-    ("solver", po::value<std::string>()->value_name("NAME")->default_value(default_solver_name()),
-     ("geodesic distances by:\n" + solver_descriptions()).c_str())
-    ("method", po::value<std::string>()->value_name("NAME")->default_value("auto"),
-     ("how the cut locus is found:\n"
-      "  auto: " + default_methods() + "\n"
-      "  direction: where the direction at the source jumps, for exact distances\n"
-      "  laplacian: valleys of the Laplacian of the distance, for any solver\n"
-      "  polyhedral: all of the cut locus of a convex polyhedron, exactly").c_str())
-    ("strength", po::value<std::string>()->value_name("S"),
-     "least strength of a branch with the method direction (default: from the noise of the mesh)")
-    ("angle", po::value<std::string>()->value_name("RAD"),
-     "least angle, in radians, at which shortest paths meet, with the method laplacian (default: 0.7; 0.4 with the "
-     "heat method)")
-    ("laplacian", po::value<std::string>()->value_name("L"),
-     "least value of minus the Laplacian of the distance times the mean edge length, with the method laplacian "
-     "(default: none)")
-    ("policy", po::value<std::string>()->value_name("prune|grow"),
-     "weak branches are pruned from the leaves, or the tree is grown from its root, with the method laplacian "
-     "(default: prune)")
-    ("min-branch-edges", po::value<std::string>()->value_name("N"),
-     "branches of fewer edges are removed (default: 3 with the method laplacian, else 0)")
-    ("min-branch-length", po::value<std::string>()->value_name("L"),
-     "branches that are shorter are removed, in units of the diagonal of the bounding box (default: 0)")
-    ("smooth", po::value<std::string>()->value_name("N"),
-     "N steps that move the curves off the edges of the mesh, onto the cut locus (default: 0; 4 are enough); with the "
-     "method direction any N but 0 gives the curve through the faces")
-    ("output,o", po::value<std::vector<std::string> >()->value_name("FILE")->composing(),
-     ("write the cut locus; may be given several times. By extension:\n" + output_descriptions()).c_str())
-    ("view", po::value<std::string>()->value_name("X,Y,Z"),
-     "pictures look from this direction only (default: two that show most)")
-    ("edges", po::value<std::string>()->value_name("FILE"),
-     "write its edges as pairs of vertices of the mesh, counted from 0")
-    ("uv", po::value<std::string>()->value_name("FILE.obj"),
-     "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a texture")
-    ("parameterization", po::value<std::string>()->value_name("NAME")->default_value("arap"),
-     "how --uv flattens:\n  arap: as rigidly as possible\n  lscm: least squares conformal map\n"
-     "  convex: mean value coordinates in a circle, without flipped triangles")
-    ("report", po::value<std::string>()->value_name("FILE"), "write figures and times as JSON")
-    ("quiet", po::bool_switch(), "no progress on stderr")
-    ("help,h", po::bool_switch(), "print this text");
+  description.add_options()("source", po::value<std::string>()->value_name("V"),
+                            "vertex of the mesh, counted from 0 (default: the first one that belongs to a face)")(
+    "source-point", po::value<std::string>()->value_name("X,Y,Z"), "the point of the surface closest to x,y,z")(
+    "solver", po::value<std::string>()->value_name("NAME")->default_value(default_solver_name()),
+    ("geodesic distances by:\n" + solver_descriptions()).c_str())(
+    "method", po::value<std::string>()->value_name("NAME")->default_value("auto"),
+    ("how the cut locus is found:\n"
+     "  auto: " +
+     default_methods() +
+     "\n"
+     "  direction: where the direction at the source jumps, for exact distances\n"
+     "  laplacian: valleys of the Laplacian of the distance, for any solver\n"
+     "  polyhedral: all of the cut locus of a convex polyhedron, exactly")
+      .c_str())("strength", po::value<std::string>()->value_name("S"),
+                "least strength of a branch with the method direction (default: from the noise of the mesh)")(
+    "angle", po::value<std::string>()->value_name("RAD"),
+    "least angle, in radians, at which shortest paths meet, with the method laplacian (default: 0.7; 0.4 with the "
+    "heat method)")(
+    "laplacian", po::value<std::string>()->value_name("L"),
+    "least value of minus the Laplacian of the distance times the mean edge length, with the method laplacian "
+    "(default: none)")(
+    "policy", po::value<std::string>()->value_name("prune|grow"),
+    "weak branches are pruned from the leaves, or the tree is grown from its root, with the method laplacian "
+    "(default: prune)")("min-branch-edges", po::value<std::string>()->value_name("N"),
+                        "branches of fewer edges are removed (default: 3 with the method laplacian, else 0)")(
+    "min-branch-length", po::value<std::string>()->value_name("L"),
+    "branches that are shorter are removed, in units of the diagonal of the bounding box (default: 0)")(
+    "smooth", po::value<std::string>()->value_name("N"),
+    "N steps that move the curves off the edges of the mesh, onto the cut locus (default: 0; 4 are enough); with the "
+    "method direction any N but 0 gives the curve through the faces")(
+    "output,o", po::value<std::vector<std::string>>()->value_name("FILE")->composing(),
+    ("write the cut locus; may be given several times. By extension:\n" + output_descriptions()).c_str())(
+    "view", po::value<std::string>()->value_name("X,Y,Z"),
+    "pictures look from this direction only (default: two that show most)")(
+    "edges", po::value<std::string>()->value_name("FILE"),
+    "write its edges as pairs of vertices of the mesh, counted from 0")(
+    "uv", po::value<std::string>()->value_name("FILE.obj"),
+    "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a texture")(
+    "parameterization", po::value<std::string>()->value_name("NAME")->default_value("arap"),
+    "how --uv flattens:\n  arap: as rigidly as possible\n  lscm: least squares conformal map\n"
+    "  convex: mean value coordinates in a circle, without flipped triangles")(
+    "report", po::value<std::string>()->value_name("FILE"), "write figures and times as JSON")(
+    "quiet", po::bool_switch(), "no progress on stderr")("help,h", po::bool_switch(), "print this text");
   return description;
 }
 
@@ -136,8 +135,9 @@ void read_method(const std::string& name, Options& options)
     options.method = Method::LAPLACIAN;
   else
     throw Usage_error("--method takes auto, direction, laplacian or polyhedral, not '" + name + "'");
-  options.method_name = options.method == Method::DIRECTION ? "direction"
-                        : options.method == Method::LAPLACIAN ? "laplacian" : "polyhedral";
+  options.method_name = options.method == Method::DIRECTION   ? "direction"
+                        : options.method == Method::LAPLACIAN ? "laplacian"
+                                                              : "polyhedral";
   if(options.method != Method::LAPLACIAN && options.solver != "exact" && options.solver != "cgal-exact")
     throw Usage_error("--method " + name + " needs exact distances: --solver exact or cgal-exact");
 }
@@ -176,7 +176,7 @@ std::string usage()
 Options parse_command_line(int argc, char* argv[])
 {
   po::options_description all = visible_options();
-  all.add_options()("mesh", po::value<std::vector<std::string> >());
+  all.add_options()("mesh", po::value<std::vector<std::string>>());
   po::positional_options_description positional;
   positional.add("mesh", -1);
   po::variables_map given;
@@ -184,8 +184,12 @@ Options parse_command_line(int argc, char* argv[])
   {
     namespace style = po::command_line_style;
     // no guessing: a prefix that is unique today may not be tomorrow
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional)
-                .style(style::default_style & ~style::allow_guessing).run(), given);
+    po::store(po::command_line_parser(argc, argv)
+                .options(all)
+                .positional(positional)
+                .style(style::default_style & ~style::allow_guessing)
+                .run(),
+              given);
     po::notify(given);
   }
   catch(const po::error& error)
@@ -202,7 +206,7 @@ Options parse_command_line(int argc, char* argv[])
   const auto text = [&](const char* name) { return given[name].as<std::string>(); };
   if(!given.count("mesh"))
     throw Usage_error("there is no mesh: cut_locus --help tells how to use the program");
-  const std::vector<std::string> meshes = given["mesh"].as<std::vector<std::string> >();
+  const std::vector<std::string> meshes = given["mesh"].as<std::vector<std::string>>();
   if(meshes.size() != 1)
     throw Usage_error("one mesh at a time: '" + meshes[1] + "' is too much");
   options.mesh = meshes.front();
@@ -239,7 +243,7 @@ Options parse_command_line(int argc, char* argv[])
     options.smoothing = to_count(text("smooth"), "--smooth");
 
   if(given.count("output"))
-    options.outputs = given["output"].as<std::vector<std::string> >();
+    options.outputs = given["output"].as<std::vector<std::string>>();
   for(const std::string& output : options.outputs)
   {
     check_output_path(output, "-o");

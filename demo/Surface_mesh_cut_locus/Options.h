@@ -21,7 +21,7 @@ struct Options
 {
   std::string mesh;
   std::optional<std::size_t> source;
-  std::optional<std::array<double, 3> > source_point;
+  std::optional<std::array<double, 3>> source_point;
   std::string solver;
   std::optional<double> angle;
   std::optional<double> laplacian;
@@ -33,7 +33,7 @@ struct Options
   std::string method_name;
   std::optional<double> strength;
   std::vector<std::string> outputs;
-  std::optional<std::array<double, 3> > view; // the direction from which pictures look
+  std::optional<std::array<double, 3>> view; // the direction from which pictures look
   std::string edges;
   std::string uv;
   std::string parameterization;

@@ -50,12 +50,18 @@ void Progress::start_stage(CGAL::Cut_loci::Stage stage)
   using CGAL::Cut_loci::Stage;
   switch(stage)
   {
-    case Stage::PREPROCESSING: return start("preprocess");
-    case Stage::DISTANCE: return start("distance");
-    case Stage::STRENGTH: return start("strengths");
-    case Stage::TREE: return start("tree");
-    case Stage::HOMOLOGY: return start("homology");
-    case Stage::FILTER: return start("filter");
+  case Stage::PREPROCESSING:
+    return start("preprocess");
+  case Stage::DISTANCE:
+    return start("distance");
+  case Stage::STRENGTH:
+    return start("strengths");
+  case Stage::TREE:
+    return start("tree");
+  case Stage::HOMOLOGY:
+    return start("homology");
+  case Stage::FILTER:
+    return start("filter");
   }
   start("other");
 }

@@ -30,7 +30,7 @@ public:
   void end_stage(CGAL::Cut_loci::Stage) { end(); }
 
   // In the order in which they came first.
-  const std::vector<std::pair<std::string, double> >& seconds() const { return seconds_; }
+  const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }
 
   template <typename Function>
   auto run(const std::string& stage, const Function& function)
@@ -51,7 +51,7 @@ private:
   bool is_quiet_;
   std::string stage_; // empty between stages
   Clock::time_point start_;
-  std::vector<std::pair<std::string, double> > seconds_;
+  std::vector<std::pair<std::string, double>> seconds_;
 };
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_PROGRESS_H

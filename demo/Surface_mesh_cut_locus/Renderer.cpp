@@ -82,7 +82,8 @@ public:
       p[i] = {frame_.x(scene_.points[t[i]]), frame_.y(scene_.points[t[i]])};
     const Point_2 q = {x, y};
     const double area = cross_2(p[0], p[1], p[2]);
-    const double weight[3] = {cross_2(q, p[1], p[2]) / area, cross_2(p[0], q, p[2]) / area, cross_2(p[0], p[1], q) / area};
+    const double weight[3] = {cross_2(q, p[1], p[2]) / area, cross_2(p[0], q, p[2]) / area,
+                              cross_2(p[0], p[1], q) / area};
 
     const Vector flat = normalized(area_normal(t));
     Vector normal = {{0., 0., 0.}};
@@ -150,11 +151,11 @@ public:
     fill((std::min)(a.x, b.x) - r, (std::min)(a.y, b.y) - r, (std::max)(a.x, b.x) + r, (std::max)(a.y, b.y) + r, color,
          [&](double x, double y)
          {
-           double t = squared > 0. ? ((x - a.x) * dx + (y - a.y) * dy) / squared : 0.;
-           t = (std::max)(0., (std::min)(1., t));
-           const double ex = x - a.x - t * dx, ey = y - a.y - t * dy;
-           return ex * ex + ey * ey <= r * r;
-         });
+      double t = squared > 0. ? ((x - a.x) * dx + (y - a.y) * dy) / squared : 0.;
+      t = (std::max)(0., (std::min)(1., t));
+      const double ex = x - a.x - t * dx, ey = y - a.y - t * dy;
+      return ex * ex + ey * ey <= r * r;
+    });
   }
 
   Image reduced(int factor) const
@@ -305,8 +306,7 @@ Frame enlarged(Frame frame, int factor)
 }
 
 Depth_buffer::Depth_buffer(const Scene& scene, const Frame& frame)
-  : frame_(frame),
-    depths_(std::size_t(frame.width) * frame.height, -(std::numeric_limits<float>::infinity)()),
+  : frame_(frame), depths_(std::size_t(frame.width) * frame.height, -(std::numeric_limits<float>::infinity)()),
     triangles_(depths_.size(), no_triangle)
 {
   struct Projected
@@ -411,8 +411,8 @@ Image flatten(const Rendered_view& rendered)
   const auto scaled_point = [&](const Point_2& p) { return Point_2{factor * p.x, factor * p.y}; };
   for(const Visible_polyline& polyline : rendered.polylines)
     for(std::size_t i = 1; i < polyline.points.size(); ++i)
-      canvas.draw_segment(scaled_point(polyline.points[i - 1]), scaled_point(polyline.points[i]), factor * polyline.width,
-                          polyline.color);
+      canvas.draw_segment(scaled_point(polyline.points[i - 1]), scaled_point(polyline.points[i]),
+                          factor * polyline.width, polyline.color);
   for(const Visible_dot& d : rendered.dots)
   {
     const Point_2 p = scaled_point(d.point);

@@ -19,8 +19,8 @@ namespace picture {
 struct Frame
 {
   View view;
-  Vector center;      // the point of the scene in the middle
-  double scale = 1.;  // pixels per unit of length
+  Vector center;     // the point of the scene in the middle
+  double scale = 1.; // pixels per unit of length
   int width = 0, height = 0;
 
   double x(const Vector& p) const { return 0.5 * width + scale * dot(p - center, view.right); }

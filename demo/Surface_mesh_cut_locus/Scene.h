@@ -38,7 +38,7 @@ struct Dot
 struct Scene
 {
   std::vector<Vector> points;
-  std::vector<std::array<std::uint32_t, 3> > triangles;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<double> values; // empty, or a number for each point: the surface is shaded in bands of it
   std::vector<Polyline> polylines;
   std::vector<Dot> dots;
@@ -50,10 +50,22 @@ struct View
   Vector right, up, toward;
 };
 
-inline Vector operator+(const Vector& a, const Vector& b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
-inline Vector operator-(const Vector& a, const Vector& b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
-inline Vector operator*(double s, const Vector& a) { return {{s * a[0], s * a[1], s * a[2]}}; }
-inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Vector operator+(const Vector& a, const Vector& b)
+{
+  return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
+}
+inline Vector operator-(const Vector& a, const Vector& b)
+{
+  return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
+}
+inline Vector operator*(double s, const Vector& a)
+{
+  return {{s * a[0], s * a[1], s * a[2]}};
+}
+inline double dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 inline Vector cross(const Vector& a, const Vector& b)
 {
   return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};

@@ -41,15 +41,15 @@ Flat_face flat(const std::array<double, 3>& a, const std::array<double, 3>& b, c
 
 } // namespace
 
-bool flatten_as_rigidly_as_possible(const std::vector<std::array<double, 3> >& points,
-                                    const std::vector<std::array<std::size_t, 3> >& faces,
-                                    std::vector<std::array<double, 2> >& plane)
+bool flatten_as_rigidly_as_possible(const std::vector<std::array<double, 3>>& points,
+                                    const std::vector<std::array<std::size_t, 3>>& faces,
+                                    std::vector<std::array<double, 2>>& plane)
 {
   constexpr int max_iterations = 500;
   constexpr double tolerance = 1e-6; // of the energy, in an iteration
 
   std::vector<Flat_face> rest;
-  std::vector<Eigen::Triplet<double> > entries;
+  std::vector<Eigen::Triplet<double>> entries;
   double area = 0., area_in_plane = 0.;
   const auto at = [&](std::size_t v) { return Complex(plane[v][0], plane[v][1]); };
   for(const auto& f : faces)
@@ -71,7 +71,7 @@ bool flatten_as_rigidly_as_possible(const std::vector<std::array<double, 3> >& p
   const int n = static_cast<int>(points.size());
   Eigen::SparseMatrix<double> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > solver(matrix);
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
   if(solver.info() != Eigen::Success || !(std::abs(area_in_plane) > 0.))
     return false;
 

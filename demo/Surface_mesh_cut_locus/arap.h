@@ -15,8 +15,8 @@
 // cotangents of its angles, fall in each iteration [Liu, Zhang, Xu, Gotsman, Gortler: A local/global approach to mesh
 // parameterization, 2008]. `points` are in space, `plane` holds the start and the result. Returns whether it has
 // succeeded.
-bool flatten_as_rigidly_as_possible(const std::vector<std::array<double, 3> >& points,
-                                    const std::vector<std::array<std::size_t, 3> >& faces,
-                                    std::vector<std::array<double, 2> >& plane);
+bool flatten_as_rigidly_as_possible(const std::vector<std::array<double, 3>>& points,
+                                    const std::vector<std::array<std::size_t, 3>>& faces,
+                                    std::vector<std::array<double, 2>>& plane);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_ARAP_H

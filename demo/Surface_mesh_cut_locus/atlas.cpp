@@ -54,9 +54,9 @@ std::array<double, 2> stretches(const std::array<Kernel::Point_3, 3>& p, const s
 
 bool make_rigid(const Mesh& disk, UV_map uv)
 {
-  std::vector<std::array<double, 3> > points;
-  std::vector<std::array<double, 2> > plane;
-  std::vector<std::array<std::size_t, 3> > faces;
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<double, 2>> plane;
+  std::vector<std::array<std::size_t, 3>> faces;
   for(Mesh::Vertex_index v : disk.vertices())
   {
     const Kernel::Point_3& p = disk.point(v);
@@ -78,7 +78,7 @@ bool make_rigid(const Mesh& disk, UV_map uv)
 void measure(Atlas& atlas)
 {
   double area_3 = 0., area_2 = 0.;
-  std::vector<std::array<double, 4> > faces; // area, signed area in the plane, stretches
+  std::vector<std::array<double, 4>> faces; // area, signed area in the plane, stretches
   for(std::size_t f = 0; f < atlas.texture_corners.size(); ++f)
   {
     std::array<Kernel::Point_3, 3> p;
@@ -106,7 +106,7 @@ void measure(Atlas& atlas)
 }
 
 // Into the unit square, with a margin, and counterclockwise.
-void normalize(std::vector<std::array<double, 2> >& points, bool is_reversed)
+void normalize(std::vector<std::array<double, 2>>& points, bool is_reversed)
 {
   constexpr double margin = 0.02;
   std::array<double, 2> low = {{1e300, 1e300}}, high = {{-1e300, -1e300}};

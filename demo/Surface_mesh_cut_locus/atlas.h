@@ -19,10 +19,10 @@
 struct Atlas
 {
   std::string parameterization;
-  std::vector<Kernel::Point_3> points;                      // the vertices of the mesh, then those that were added
-  std::vector<std::array<double, 2> > texture_coordinates;  // in the unit square
-  std::vector<std::array<std::size_t, 3> > faces;           // corners in `points`
-  std::vector<std::array<std::size_t, 3> > texture_corners; // in `texture_coordinates`, for the first faces
+  std::vector<Kernel::Point_3> points;                     // the vertices of the mesh, then those that were added
+  std::vector<std::array<double, 2>> texture_coordinates;  // in the unit square
+  std::vector<std::array<std::size_t, 3>> faces;           // corners in `points`
+  std::vector<std::array<std::size_t, 3>> texture_corners; // in `texture_coordinates`, for the first faces
 
   std::size_t flipped_faces = 0;
   // Means over the area of (s + 1/s) / 2, where s is the ratio of the areas, or of the largest and the least stretch:

@@ -36,7 +36,8 @@ void set_source(const Options& options, const Mesh& mesh, Cut_locus_solver& solv
   if(options.source)
   {
     if(*options.source >= mesh.number_of_vertices())
-      throw Usage_error("--source " + std::to_string(*options.source) + " is out of range: the mesh has the vertices 0 to " +
+      throw Usage_error("--source " + std::to_string(*options.source) +
+                        " is out of range: the mesh has the vertices 0 to " +
                         std::to_string(mesh.number_of_vertices() - 1));
     solver.set_source(Mesh::Vertex_index(static_cast<Mesh::size_type>(*options.source)));
     return;
@@ -78,18 +79,20 @@ void run(const Options& options)
   const std::unique_ptr<Cut_locus_solver> solver = make_solver(options.solver, options.method, mesh, progress);
   set_source(options, mesh, *solver);
   const Cut_locus cut_locus = apply_thresholds(options, *solver, options.smoothing);
-  const Cut_locus mesh_edges = options.edges.empty() || options.smoothing == 0
-                               ? cut_locus : apply_thresholds(options, *solver, 0);
-  progress.run("write", [&]()
-  {
+  const Cut_locus mesh_edges =
+    options.edges.empty() || options.smoothing == 0 ? cut_locus : apply_thresholds(options, *solver, 0);
+  progress.run("write",
+               [&]()
+               {
     write_outputs(options.outputs, cut_locus, mesh, options.view);
     if(!options.edges.empty())
       write_edges(options.edges, mesh_edges, mesh);
   });
   std::optional<Atlas> atlas;
   if(!options.uv.empty())
-    progress.run("flatten", [&]()
-    {
+    progress.run("flatten",
+                 [&]()
+                 {
       atlas = make_atlas(mesh, cut_locus, options.parameterization);
       write_atlas(options.uv, *atlas);
     });

@@ -22,12 +22,15 @@ namespace {
 
 using namespace test_meshes;
 
-const std::map<std::string, std::function<Mesh_data(int)> >& shapes()
+const std::map<std::string, std::function<Mesh_data(int)>>& shapes()
 {
-  static const std::map<std::string, std::function<Mesh_data(int)> > result = {
+  static const std::map<std::string, std::function<Mesh_data(int)>> result = {
     {"torus", [](int n) { return torus(1., 0.4, 5 * n / 2, n, 0.2, 1); }},
     {"sphere", [](int n) { return jittered_sphere(n, 0.15, 1); }},
-    {"sphere-with-bump", [](int n) { return sphere_with_bump(n, {{1., 0., 0.}}, 0.15, 0.08); }},
+    {"sphere-with-bump",
+     [](int n) {
+    return sphere_with_bump(n, {{1., 0., 0.}}, 0.15, 0.08);
+     }},
     {"bumpy-sphere", [](int n) { return bumpy_sphere(n, 0.5, 1); }},
     {"irregular-bumpy-sphere", [](int n) { return irregular_bumpy_sphere(n, 0.5, 1); }},
     {"remeshed-bumpy-sphere", [](int n) { return remeshed(irregular_bumpy_sphere(n, 0.5, 1)); }},

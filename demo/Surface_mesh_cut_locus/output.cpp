@@ -124,7 +124,7 @@ std::string output_descriptions()
 }
 
 void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& cut_locus, const Mesh& mesh,
-                   const std::optional<std::array<double, 3> >& view)
+                   const std::optional<std::array<double, 3>>& view)
 {
   std::vector<picture::Rendered_view> views; // drawn once for all pictures
   for(const std::string& filename : filenames)

@@ -21,7 +21,7 @@ std::string output_descriptions(); // a line for each
 // Writes a cut locus to each file, in the format of its extension. Pictures look from the direction of `view`, or from
 // two sides if there is none. Throws `std::runtime_error` if a file can not be written.
 void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& cut_locus, const Mesh& mesh,
-                   const std::optional<std::array<double, 3> >& view);
+                   const std::optional<std::array<double, 3>>& view);
 void write_edges(const std::string& filename, const Cut_locus& cut_locus, const Mesh& mesh);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_OUTPUT_H

@@ -122,8 +122,9 @@ void write_svg(const std::string& filename, const std::vector<Rendered_view>& vi
   std::ofstream os = open(filename);
   os << std::fixed << std::setprecision(2);
   os << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-     << "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"" << surface.width
-     << "\" height=\"" << surface.height << "\" viewBox=\"0 0 " << surface.width << ' ' << surface.height << "\">\n"
+     << "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\""
+     << surface.width << "\" height=\"" << surface.height << "\" viewBox=\"0 0 " << surface.width << ' '
+     << surface.height << "\">\n"
      << "<image width=\"" << surface.width << "\" height=\"" << surface.height
      << "\" xlink:href=\"data:image/png;base64,\n";
   write_base64(os, encode_png(surface));

@@ -23,7 +23,7 @@
 namespace {
 
 using Points = std::vector<Kernel::Point_3>;
-using Polygons = std::vector<std::vector<std::size_t> >;
+using Polygons = std::vector<std::vector<std::size_t>>;
 
 void check_file(const std::string& filename)
 {
@@ -31,9 +31,11 @@ void check_file(const std::string& filename)
     throw std::runtime_error("cannot read '" + filename + "': it is a directory");
   errno = 0;
   if(!std::ifstream(filename))
-    throw std::runtime_error("cannot read '" + filename + "'" + (errno ? std::string(": ") + std::strerror(errno) : ""));
+    throw std::runtime_error("cannot read '" + filename + "'" +
+                             (errno ? std::string(": ") + std::strerror(errno) : ""));
   std::string extension = std::filesystem::path(filename).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
   std::vector<std::string> known = {".off", ".obj", ".stl", ".ply", ".ts"};
 #ifdef CGAL_USE_VTK
   known.push_back(".vtp");

@@ -35,7 +35,7 @@ Cut_graph shortest_loops(const Mesh& mesh, Mesh::Vertex_index base, const std::v
   std::vector<double> distance(mesh.number_of_vertices(), infinity);
   std::vector<Mesh::Halfedge_index> from(mesh.number_of_vertices(), Mesh::null_halfedge()); // halfedge towards it
   using Entry = std::pair<double, Mesh::Vertex_index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   distance[base] = 0.;
   queue.push({0., base});
   while(!queue.empty())
@@ -57,17 +57,16 @@ Cut_graph shortest_loops(const Mesh& mesh, Mesh::Vertex_index base, const std::v
     }
   }
 
-  std::vector<std::pair<double, Mesh::Edge_index> > loops;
+  std::vector<std::pair<double, Mesh::Edge_index>> loops;
   for(Mesh::Edge_index e : mesh.edges())
   {
     const Mesh::Vertex_index u = mesh.vertex(e, 0), v = mesh.vertex(e, 1);
-    if(!is_in_component[mesh.face(mesh.halfedge(e))] ||
-       (from[u] != Mesh::null_halfedge() && mesh.edge(from[u]) == e) ||
+    if(!is_in_component[mesh.face(mesh.halfedge(e))] || (from[u] != Mesh::null_halfedge() && mesh.edge(from[u]) == e) ||
        (from[v] != Mesh::null_halfedge() && mesh.edge(from[v]) == e))
       continue;
     loops.push_back({distance[u] + distance[v] + length(mesh, e), e});
   }
-  std::sort(loops.begin(), loops.end(), std::greater<std::pair<double, Mesh::Edge_index> >());
+  std::sort(loops.begin(), loops.end(), std::greater<std::pair<double, Mesh::Edge_index>>());
   std::vector<std::size_t> parent(mesh.number_of_faces());
   std::iota(parent.begin(), parent.end(), std::size_t(0));
   const auto find = [&](std::size_t f)

@@ -44,16 +44,17 @@ Solver_entry entry(const char* name, const char* description)
 const Solver_entry solvers[] = {
   entry<CGAL::Exact_geodesic_solver>("exact", "exact geodesic distances"),
   entry<CGAL::Shortest_path_geodesic_solver>("cgal-exact", "CGAL's exact shortest paths"),
-  entry<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Intrinsic_Delaunay> >(
+  entry<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Intrinsic_Delaunay>>(
     "heat", "CGAL's heat method on an intrinsic Delaunay triangulation"),
-  entry<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct> >(
-    "heat-direct", "CGAL's heat method on the mesh as it is"),
+  entry<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct>>("heat-direct",
+                                                                        "CGAL's heat method on the mesh as it is"),
   entry<CGAL::Graph_geodesic_solver>("graph", "shortest paths over edges and dual edges"),
 };
 
 const Solver_entry* find_solver(const std::string& name)
 {
-  const auto found = std::find_if(std::begin(solvers), std::end(solvers), [&](const auto& s) { return name == s.name; });
+  const auto found =
+    std::find_if(std::begin(solvers), std::end(solvers), [&](const auto& s) { return name == s.name; });
   return found == std::end(solvers) ? nullptr : found;
 }
 
@@ -102,8 +103,8 @@ std::string default_methods()
   return "direction with the solver " + direction + ", laplacian with " + laplacian;
 }
 
-std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, CGAL::Cut_loci::Method method,
-                                              const Mesh& mesh, Progress& progress)
+std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, CGAL::Cut_loci::Method method, const Mesh& mesh,
+                                              Progress& progress)
 {
   const Solver_entry* const solver = find_solver(name);
   if(solver == nullptr)

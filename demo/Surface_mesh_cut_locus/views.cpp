@@ -25,10 +25,10 @@ constexpr int width_of_trial = 160;
 struct Trial
 {
   View view;
-  double elevation = 0.;           // in radians above the horizon
-  double coverage = 0.;            // pixels
-  double front = 0., back = 0.;    // whether and how well the two points are seen, in [0, 1]
-  std::vector<double> samples;     // the same for points on the polylines
+  double elevation = 0.;        // in radians above the horizon
+  double coverage = 0.;         // pixels
+  double front = 0., back = 0.; // whether and how well the two points are seen, in [0, 1]
+  std::vector<double> samples;  // the same for points on the polylines
 };
 
 std::vector<Vector> sample_polylines(const Scene& scene)
@@ -125,7 +125,8 @@ std::vector<View> choose_two_views(const Scene& scene, const Vector& front, cons
       const double e = elevation * pi / 180., a = azimuth * pi / 180.;
       Trial trial;
       trial.elevation = e;
-      trial.view = look_from(std::cos(e) * (std::cos(a) * level.toward + std::sin(a) * level.right) + std::sin(e) * up, up);
+      trial.view =
+        look_from(std::cos(e) * (std::cos(a) * level.toward + std::sin(a) * level.right) + std::sin(e) * up, up);
       std::vector<Frame> frames = make_frames(scene, {trial.view}, width_of_trial);
       if(frames.empty())
         return {trial.view, look_from(-1. * trial.view.toward, up)};
@@ -134,16 +135,15 @@ std::vector<View> choose_two_views(const Scene& scene, const Vector& front, cons
       trial.coverage = buffer.number_of_covered_pixels() / (frames.front().scale * frames.front().scale);
       largest_coverage = (std::max)(largest_coverage, trial.coverage);
       const auto shown = [&](const Vector& p, const Vector& normal)
-      {
-        return buffer.is_visible(p) ? how_well_seen(normal, trial.view) : 0.;
-      };
+      { return buffer.is_visible(p) ? how_well_seen(normal, trial.view) : 0.; };
       trial.front = shown(front, front_normal);
       trial.back = shown(back, back_normal);
       for(const Vector& p : samples)
       {
         const int column = static_cast<int>(buffer.frame().x(p)), row = static_cast<int>(buffer.frame().y(p));
         const std::uint32_t triangle = buffer.triangle(column, row);
-        trial.samples.push_back(triangle == Depth_buffer::no_triangle ? 0. : shown(p, triangle_normal(scene, triangle)));
+        trial.samples.push_back(triangle == Depth_buffer::no_triangle ? 0.
+                                                                      : shown(p, triangle_normal(scene, triangle)));
       }
       trials.push_back(std::move(trial));
     }
@@ -156,13 +156,15 @@ std::vector<View> choose_two_views(const Scene& scene, const Vector& front, cons
                              [&](const Trial& s, const Trial& t) { return score(s) < score(t); });
   };
   const double number_of_samples = static_cast<double>((std::max)(std::size_t(1), samples.size()));
-  const Trial first = best([&](const Trial& t)
-  {
+  const Trial first = best(
+    [&](const Trial& t)
+    {
     const double seen = std::accumulate(t.samples.begin(), t.samples.end(), 0.);
     return t.coverage / largest_coverage + 2. * t.front + habit(t.elevation) + 0.4 * seen / number_of_samples;
   });
-  const Trial second = best([&](const Trial& t)
-  {
+  const Trial second = best(
+    [&](const Trial& t)
+    {
     double added = 0., seen = 0.;
     for(std::size_t i = 0; i < samples.size(); ++i)
     {

@@ -44,8 +44,8 @@ int main(int argc, char* argv[])
   Mesh disk;
   const auto origin = disk.add_property_map<Mesh::Vertex_index, Mesh::Vertex_index>("v:origin").first;
   CGAL::cut_along_cut_locus(mesh, cut_locus, disk, CGAL::parameters::vertex_to_vertex_map(origin));
-  std::cout << "The disk has " << disk.number_of_vertices() << " vertices, the surface "
-            << mesh.number_of_vertices() << ".\n";
+  std::cout << "The disk has " << disk.number_of_vertices() << " vertices, the surface " << mesh.number_of_vertices()
+            << ".\n";
 
   const auto uv = disk.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   const auto border = CGAL::Polygon_mesh_processing::longest_border(disk).first;

@@ -23,7 +23,7 @@
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Face_location = std::pair<Mesh::Face_index, std::array<double, 3> >;
+using Face_location = std::pair<Mesh::Face_index, std::array<double, 3>>;
 
 int main(int argc, char* argv[])
 {
@@ -41,8 +41,8 @@ int main(int argc, char* argv[])
     mesh, source,
     CGAL::parameters::geodesic_solver(CGAL::Heat_method_geodesic_solver<>()).edge_is_constrained_map(is_cut));
 
-  const auto number_of_cut_edges = std::count_if(mesh.edges_begin(), mesh.edges_end(),
-                                                 [&](Mesh::Edge_index e) { return get(is_cut, e); });
+  const auto number_of_cut_edges =
+    std::count_if(mesh.edges_begin(), mesh.edges_end(), [&](Mesh::Edge_index e) { return get(is_cut, e); });
   std::cout << "source at " << cut_locus.source().point << ", " << number_of_cut_edges << " edges to cut\n";
   return EXIT_SUCCESS;
 }

@@ -40,8 +40,8 @@ int main(int argc, char* argv[])
       for(double strength : {2., 3., 10., 100.})
       {
         const auto cut_locus = solver.cut_locus(CGAL::parameters::strength_threshold(strength));
-        std::cout << "source " << source << ", branches of strength " << strength << " or more: "
-                  << num_edges(cut_locus.graph()) << " edges\n";
+        std::cout << "source " << source << ", branches of strength " << strength
+                  << " or more: " << num_edges(cut_locus.graph()) << " edges\n";
       }
     }
   }

@@ -30,17 +30,16 @@ int main(int argc, char* argv[])
     std::cerr << "Cannot read " << filename << std::endl;
     return EXIT_FAILURE;
   }
-  const auto cut_locus = CGAL::compute_cut_locus(
-    mesh, *mesh.vertices().begin(),
-    CGAL::parameters::cut_locus_method(CGAL::Cut_loci::Method::DIRECTION)
-           .cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+  const auto cut_locus = CGAL::compute_cut_locus(mesh, *mesh.vertices().begin(),
+                                                 CGAL::parameters::cut_locus_method(CGAL::Cut_loci::Method::DIRECTION)
+                                                   .cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
 
   Mesh refined;
   const auto is_seam = refined.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
   CGAL::refine_along_cut_locus(mesh, cut_locus, refined, CGAL::parameters::default_values(),
                                CGAL::parameters::edge_is_constrained_map(is_seam));
-  const auto seams = std::count_if(refined.edges_begin(), refined.edges_end(),
-                                   [&](Mesh::Edge_index e) { return is_seam[e]; });
+  const auto seams =
+    std::count_if(refined.edges_begin(), refined.edges_end(), [&](Mesh::Edge_index e) { return is_seam[e]; });
   std::cout << mesh.number_of_faces() << " faces become " << refined.number_of_faces() << ", with " << seams
             << " edges on the cut locus.\n";
 

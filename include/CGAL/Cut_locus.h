@@ -35,7 +35,7 @@ struct Cut_locus_vertex
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
   /// face and barycentric coordinates, as in `Polygon_mesh_processing`
-  std::pair<face_descriptor, std::array<FT, 3> > location;
+  std::pair<face_descriptor, std::array<FT, 3>> location;
   Point_3 point;                 ///< the point in space
   vertex_descriptor mesh_vertex; ///< the vertex of the mesh it is at, or `null_vertex()`
   double distance = 0.;          ///< the distance to the source
@@ -50,9 +50,9 @@ struct Cut_locus_edge
 
   /// a halfedge on the edge of the mesh it follows, or `null_halfedge()`
   halfedge_descriptor mesh_halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
-  double strength = 0.;              ///< the largest on the branch from here to its tips, in the unit of the filter
-  bool is_on_border = false;         ///< whether it follows the border of the mesh
-  std::size_t origin = 0;            ///< the edge it replaces, or is, in the graph of mesh edges of the same thresholds
+  double strength = 0.;      ///< the largest on the branch from here to its tips, in the unit of the filter
+  bool is_on_border = false; ///< whether it follows the border of the mesh
+  std::size_t origin = 0;    ///< the edge it replaces, or is, in the graph of mesh edges of the same thresholds
 };
 
 namespace internal {
@@ -99,7 +99,8 @@ public:
             std::shared_ptr<const Cut_loci::internal::Source_result> result, Distance_function distance)
     : graph_(std::move(graph)), source_(std::move(source)), farthest_(farthest), result_(std::move(result)),
       distance_(std::move(distance))
-  {}
+  {
+  }
 
   /// the graph
   const Graph& graph() const { return graph_; }

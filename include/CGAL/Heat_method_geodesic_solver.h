@@ -69,7 +69,8 @@ private:
 
     explicit Factored(const Cut_loci::Indexed_triangle_mesh& input)
       : mesh(Cut_loci::internal::surface_mesh_copy(input)), heat_method(mesh)
-    {}
+    {
+    }
 
     void compute(Cut_loci::Index source, std::vector<double>& distances)
     {

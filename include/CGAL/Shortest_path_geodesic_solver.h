@@ -46,8 +46,8 @@ public:
     if(is_on_border_edge(source))
     {
       // CGAL 5.5 takes the mirror image of a source on a border edge: there it becomes a vertex of its own.
-      const Mesh refined = Cut_loci::internal::surface_mesh_copy(
-        Cut_loci::internal::insert_vertex(*input_, source.location));
+      const Mesh refined =
+        Cut_loci::internal::surface_mesh_copy(Cut_loci::internal::insert_vertex(*input_, source.location));
       Cut_loci::Indexed_source inserted = source;
       inserted.vertex = input_->number_of_vertices();
       compute_distances(refined, inserted, distances);

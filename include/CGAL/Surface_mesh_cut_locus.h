@@ -65,8 +65,8 @@ template <typename TriangleMesh, typename VertexPointMap = Default>
 class Surface_mesh_cut_locus
 {
 public:
-  using Vertex_point_map = typename Default::Get<
-    VertexPointMap, typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::type;
+  using Vertex_point_map =
+    typename Default::Get<VertexPointMap, typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::type;
   using Point_3 = typename boost::property_traits<Vertex_point_map>::value_type;
   using FT = typename Kernel_traits<Point_3>::Kernel::FT;
 
@@ -74,7 +74,7 @@ public:
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   /// a point of the mesh: a face, and barycentric coordinates in the order of the vertices from
   /// `source(halfedge(f, tm), tm)`
-  using Face_location = std::pair<face_descriptor, std::array<FT, 3> >;
+  using Face_location = std::pair<face_descriptor, std::array<FT, 3>>;
   using Result = Cut_locus<TriangleMesh, Point_3>;
 
   /*!
@@ -125,14 +125,14 @@ public:
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Surface_mesh_cut_locus(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
-    : tm_(tm),
-      vpm_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                        get_const_property_map(vertex_point, tm))),
+    : tm_(tm), vpm_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                 get_const_property_map(vertex_point, tm))),
       laplacian_operator_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::laplacian_operator),
                                                        Cut_loci::Laplacian_operator::QUADRATIC_FIT)),
-      has_own_solver_(!std::is_same<typename internal_np::Lookup_named_param_def<
-                        internal_np::geodesic_solver_t, CGAL_NP_CLASS, Exact_geodesic_solver>::type,
-                        Exact_geodesic_solver>::value),
+      has_own_solver_(
+        !std::is_same<typename internal_np::Lookup_named_param_def<internal_np::geodesic_solver_t, CGAL_NP_CLASS,
+                                                                   Exact_geodesic_solver>::type,
+                      Exact_geodesic_solver>::value),
       solver_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_solver),
                                            Exact_geodesic_solver()))
   {
@@ -142,8 +142,8 @@ public:
     fixed_method_ = choose_parameter(get_parameter(np, internal_np::cut_locus_method), fixed_method_);
     method_ = method_for(np);
     Cut_loci::internal::refuse_parameters_of_other_methods(method_, np);
-    visitor_ = Cut_loci::internal::Visitor_handle(choose_parameter(get_parameter(np, internal_np::visitor),
-                                                                   Cut_loci::Default_visitor()));
+    visitor_ = Cut_loci::internal::Visitor_handle(
+      choose_parameter(get_parameter(np, internal_np::visitor), Cut_loci::Default_visitor()));
     const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
     read_ = std::make_shared<Read>(Cut_loci::internal::read_triangle_mesh(tm, vpm_));
     component_of_face_ = Cut_loci::internal::face_components(read_->mesh, number_of_components_);
@@ -192,8 +192,8 @@ public:
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_source(const Face_location& location, const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    const double tolerance = to_double(parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::snapping_tolerance), FT(1e-10)));
+    const double tolerance = to_double(
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::snapping_tolerance), FT(1e-10)));
     solve(Cut_loci::internal::source_in_face(tm_, *read_, location.first, location.second, tolerance), np);
   }
 
@@ -285,8 +285,8 @@ public:
     Cut_loci::Indexed_cut_locus found, mesh_edges;
     if(method_ == Cut_loci::Method::LAPLACIAN)
     {
-      mesh_edges = component_->laplacian->filter(read_branch_thresholds(
-        np, source_angle_threshold_, default_minimum_branch_edges(), component_->diagonal));
+      mesh_edges = component_->laplacian->filter(
+        read_branch_thresholds(np, source_angle_threshold_, default_minimum_branch_edges(), component_->diagonal));
       Cut_loci::Smoothing_parameters smoothing;
       smoothing.number_of_iterations = static_cast<Index>(curve.iterations);
       found = curve.iterations == 0 ? mesh_edges : component_->laplacian->smoothed(mesh_edges, smoothing);
@@ -333,7 +333,7 @@ private:
     if(has_fixed_method_)
       return fixed_method_;
     return is_given<NamedParameters, internal_np::vertex_distance_map_t>() ? Cut_loci::Method::LAPLACIAN
-                                                                          : solver_.cut_locus_method();
+                                                                           : solver_.cut_locus_method();
   }
 
   template <typename NamedParameters>
@@ -345,7 +345,8 @@ private:
     method_ = method;
     constexpr bool runs_solver = !Cut_loci::internal::is_given<NamedParameters, internal_np::vertex_distance_map_t>();
     source_angle_threshold_ = runs_solver && solver_.gradient_angle_threshold() > 0.
-                              ? solver_.gradient_angle_threshold() : default_gradient_angle_threshold();
+                                ? solver_.gradient_angle_threshold()
+                                : default_gradient_angle_threshold();
     Component& component = component_at(component_of_face_[source.location.face]);
     component_ = &component;
     source_ = component.local(source);
@@ -475,17 +476,17 @@ private:
   bool has_fixed_method_ = false; // by the named parameter
   Cut_loci::Method fixed_method_ = Cut_loci::Method::DIRECTION;
   Cut_loci::Method method_ = Cut_loci::Method::DIRECTION; // in force
-  bool has_own_solver_; // another one than the package's exact one
-  Solver_handle solver_; // as given; each component has its own
+  bool has_own_solver_;                                   // another one than the package's exact one
+  Solver_handle solver_;                                  // as given; each component has its own
   Cut_loci::internal::Visitor_handle visitor_;
 
   std::shared_ptr<const Read> read_;
   std::vector<Index> component_of_face_;
   Index number_of_components_ = 0;
-  std::map<Index, std::unique_ptr<Component> > components_;
+  std::map<Index, std::unique_ptr<Component>> components_;
 
-  Component* component_ = nullptr;    // that of the source
-  Cut_loci::Indexed_source source_;   // in its component
+  Component* component_ = nullptr;  // that of the source
+  Cut_loci::Indexed_source source_; // in its component
   double source_angle_threshold_ = default_gradient_angle_threshold();
   std::shared_ptr<const Cut_loci::internal::Source_result> source_result_;
 };

@@ -76,7 +76,7 @@ public:
 
   /// a point on the mesh: a face `f` and barycentric coordinates with respect to `source(halfedge(f, tm), tm)` and the
   /// two vertices that follow counterclockwise, as in `Polygon_mesh_processing`
-  using Face_location = std::pair<face_descriptor, std::array<FT, 3> >;
+  using Face_location = std::pair<face_descriptor, std::array<FT, 3>>;
 
   /// a direction at a vertex: a halfedge that leaves it, and the angle from that halfedge, counterclockwise within
   /// its face
@@ -106,13 +106,11 @@ public:
    *         is not finite, or a vertex whose faces form more than one fan
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
-  explicit Surface_mesh_exact_geodesics(const TriangleMesh& tm,
-                                        const CGAL_NP_CLASS& np = parameters::default_values())
-    : mesh_(&tm)
-    , read_(Cut_loci::internal::read_triangle_mesh(
-          tm, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                           get_const_property_map(CGAL::vertex_point, tm))))
-    , geodesics_(read_.mesh, &read_.positions)
+  explicit Surface_mesh_exact_geodesics(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
+    : mesh_(&tm), read_(Cut_loci::internal::read_triangle_mesh(
+                    tm, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                     get_const_property_map(CGAL::vertex_point, tm)))),
+      geodesics_(read_.mesh, &read_.positions)
   {
     // the solver has a copy of all it needs
     read_.mesh = Cut_loci::Indexed_triangle_mesh();

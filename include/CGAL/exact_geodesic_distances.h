@@ -50,8 +50,7 @@ namespace CGAL {
  *
  * \throws Cut_loci::Invalid_input if the mesh or the source can not be used
  */
-template <typename TriangleMesh, typename VertexDistanceMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename TriangleMesh, typename VertexDistanceMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 void exact_geodesic_distances(const TriangleMesh& tm,
                               typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
                               VertexDistanceMap vdm, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -69,12 +68,11 @@ void exact_geodesic_distances(const TriangleMesh& tm,
  * The coordinates are barycentric with respect to `source(halfedge(f, tm), tm)` and the two vertices that follow
  * counterclockwise, where `f` is the face of the location. For everything else, see the overload for vertices.
  */
-template <typename TriangleMesh, typename VertexDistanceMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename TriangleMesh, typename VertexDistanceMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 void exact_geodesic_distances(
-    const TriangleMesh& tm,
-    const std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<double, 3> >& source,
-    VertexDistanceMap vdm, const CGAL_NP_CLASS& np = parameters::default_values())
+  const TriangleMesh& tm,
+  const std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<double, 3>>& source,
+  VertexDistanceMap vdm, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   Surface_mesh_exact_geodesics<TriangleMesh> geodesics(tm, np);
   geodesics.compute(source);

@@ -124,8 +124,8 @@ void refine_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh
   const auto read = internal::read_triangle_mesh(
     tm, choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm)));
   const internal::Curve_on_mesh curve = internal::curve_on_mesh(read, tm, cut_locus);
-  const Cut_loci::Refined_mesh refined = Cut_loci::refine_along_curve(
-    read.mesh, internal::manifold_connectivity(read.mesh), curve.graph, resolution);
+  const Cut_loci::Refined_mesh refined =
+    Cut_loci::refine_along_curve(read.mesh, internal::manifold_connectivity(read.mesh), curve.graph, resolution);
 
   std::vector<Cut_loci::Index> origin(refined.mesh.number_of_vertices(), Cut_loci::null_index);
   std::iota(origin.begin(), origin.begin() + read.mesh.number_of_vertices(), Cut_loci::Index(0));
@@ -161,8 +161,8 @@ void cut_along_curve(const TriangleMesh& tm, const Cut_locus<TriangleMesh, Point
     choose_parameter(get_parameter(np_in, internal_np::snapping_tolerance), internal::default_snapping_of_curves));
   const auto read = internal::read_triangle_mesh(
     tm, choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm)));
-  const internal::Curve_on_component on = internal::on_component(read.mesh,
-                                                                 internal::curve_on_mesh(read, tm, cut_locus));
+  const internal::Curve_on_component on =
+    internal::on_component(read.mesh, internal::curve_on_mesh(read, tm, cut_locus));
   Cut_loci::Refined_mesh refined = Cut_loci::refine_along_curve(
     on.component.mesh, internal::manifold_connectivity(on.component.mesh), on.curve.graph, resolution);
   Cut_loci::repair_seams(refined.mesh, refined.nodes.front(), refined.seams);

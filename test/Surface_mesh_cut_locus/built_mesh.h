@@ -33,20 +33,24 @@ struct Built_mesh
   using halfedge_descriptor = typename Traits::halfedge_descriptor;
   using edge_descriptor = typename Traits::edge_descriptor;
   using face_descriptor = typename Traits::face_descriptor;
-  using Point = typename boost::property_traits<
-    typename boost::property_map<Mesh, CGAL::vertex_point_t>::type>::value_type;
-  using Index_map = typename boost::property_map<Mesh, CGAL::dynamic_vertex_property_t<std::size_t> >::type;
+  using Point =
+    typename boost::property_traits<typename boost::property_map<Mesh, CGAL::vertex_point_t>::type>::value_type;
+  using Index_map = typename boost::property_map<Mesh, CGAL::dynamic_vertex_property_t<std::size_t>>::type;
 
-  explicit Built_mesh(const test_meshes::Mesh_data& d) : data(d) { add(d); finish(); }
+  explicit Built_mesh(const test_meshes::Mesh_data& d) : data(d)
+  {
+    add(d);
+    finish();
+  }
   Built_mesh(const Built_mesh&) = delete;
 
   std::size_t index(vertex_descriptor v) const { return get(index_map, v); }
 
   // barycentric coordinates given for data.triangles[f], in the order in which the mesh has the corners of this face
   template <typename FT>
-  std::pair<face_descriptor, std::array<FT, 3> > location(std::size_t f, const std::array<double, 3>& coordinates) const
+  std::pair<face_descriptor, std::array<FT, 3>> location(std::size_t f, const std::array<double, 3>& coordinates) const
   {
-    std::pair<face_descriptor, std::array<FT, 3> > result;
+    std::pair<face_descriptor, std::array<FT, 3>> result;
     result.first = faces[f];
     halfedge_descriptor h = halfedge(faces[f], mesh);
     for(int i = 0; i < 3; ++i, h = next(h, mesh))

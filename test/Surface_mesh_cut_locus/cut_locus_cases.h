@@ -60,8 +60,9 @@ public:
   static void expect_valid(const Built& built, const Result& result, const Place& place, Method method,
                            const std::string& what = "")
   {
-    EXPECT_EQ(fault_of(built, result, place.face, place.corners, method), "") << name_of(method) << ", "
-      << what << ", " << built.data.triangles.size() << " faces, source in face " << place.face;
+    EXPECT_EQ(fault_of(built, result, place.face, place.corners, method), "")
+      << name_of(method) << ", " << what << ", " << built.data.triangles.size() << " faces, source in face "
+      << place.face;
   }
 
   // at many thresholds of each kind
@@ -74,11 +75,12 @@ public:
         for(std::size_t edges : {0, 3, 10})
           for(double length : {0., 0.05, 0.3})
           {
-            const auto np = params::strength_threshold(strength).minimum_branch_edges(edges)
-                              .minimum_branch_length(length);
+            const auto np =
+              params::strength_threshold(strength).minimum_branch_edges(edges).minimum_branch_length(length);
             const Result result = solver.cut_locus(np);
-            expect_valid(built, result, place, Method::DIRECTION, "strength " + std::to_string(strength) + ", " +
-                         std::to_string(edges) + " edges, length " + std::to_string(length));
+            expect_valid(built, result, place, Method::DIRECTION,
+                         "strength " + std::to_string(strength) + ", " + std::to_string(edges) + " edges, length " +
+                           std::to_string(length));
             if(result.number_of_border_loops() > 0)
               continue;
             const Result curve = solver.cut_locus(np.cut_locus_curve(Curve::THROUGH_FACES));
@@ -91,13 +93,16 @@ public:
     {
       for(double angle : {0., 0.05, 0.2, 0.5, 1., 2., 3., pi, 10.})
         for(std::size_t edges : {0, 3, 10})
-          expect_valid(built, solver.cut_locus(params::gradient_angle_threshold(angle).filter_policy(policy)
-                                                     .minimum_branch_edges(edges)),
-                       place, Method::LAPLACIAN,
-                       "angle " + std::to_string(angle) + ", " + std::to_string(edges) + " edges");
+          expect_valid(
+            built,
+            solver.cut_locus(params::gradient_angle_threshold(angle).filter_policy(policy).minimum_branch_edges(edges)),
+            place, Method::LAPLACIAN, "angle " + std::to_string(angle) + ", " + std::to_string(edges) + " edges");
       for(double laplacian : {-1e9, -0.1, 0., 0.1, 0.5, 2., 1e9})
-        expect_valid(built, solver.cut_locus(params::laplacian_threshold(laplacian).gradient_angle_threshold(0.)
-                                                   .filter_policy(policy).minimum_branch_length(0.05)),
+        expect_valid(built,
+                     solver.cut_locus(params::laplacian_threshold(laplacian)
+                                        .gradient_angle_threshold(0.)
+                                        .filter_policy(policy)
+                                        .minimum_branch_length(0.05)),
                      place, Method::LAPLACIAN, "Laplacian " + std::to_string(laplacian));
     }
   }
@@ -108,11 +113,17 @@ TYPED_TEST_SUITE(Cut_locus_test, Mesh_types);
 TYPED_TEST(Cut_locus_test, is_a_graph_with_two_cycles_per_handle_and_a_disk_as_complement_at_every_threshold)
 {
   using Fixture = Cut_locus_test<TypeParam>;
-  const std::vector<std::pair<Mesh_data, long> > cases = {
-    {icosahedron(), 0}, {jittered_sphere(6, 0.2, 1), 0}, {ellipsoid(1., 0.8, 0.6, 7, 0.2, 2), 0},
-    {capsule(2., 16, 14), 0}, {box(3, 2, 1, 3), 0}, {bumpy_sphere(8, 0.5, 3), 0},
-    {torus(1., 0.4, 24, 12, 0.2, 4), 1}, {torus(1., 0.4, 16, 8), 1},
-    {perforated_plate(2, 1, 2, 5), 2}, {perforated_plate(3, 1, 2, 6), 3}, {perforated_plate(4, 3, 1, 7), 12}};
+  const std::vector<std::pair<Mesh_data, long>> cases = {{icosahedron(), 0},
+                                                         {jittered_sphere(6, 0.2, 1), 0},
+                                                         {ellipsoid(1., 0.8, 0.6, 7, 0.2, 2), 0},
+                                                         {capsule(2., 16, 14), 0},
+                                                         {box(3, 2, 1, 3), 0},
+                                                         {bumpy_sphere(8, 0.5, 3), 0},
+                                                         {torus(1., 0.4, 24, 12, 0.2, 4), 1},
+                                                         {torus(1., 0.4, 16, 8), 1},
+                                                         {perforated_plate(2, 1, 2, 5), 2},
+                                                         {perforated_plate(3, 1, 2, 6), 3},
+                                                         {perforated_plate(4, 3, 1, 7), 12}};
   unsigned seed = 0;
   for(const auto& c : cases)
   {
@@ -140,15 +151,16 @@ TYPED_TEST(Cut_locus_test, keeps_the_root_alone_or_the_homology_where_the_thresh
   const TypeParam sphere(ball);
   for(Filter_policy policy : {Filter_policy::PRUNING, Filter_policy::GROWING})
   {
-    const auto cut_locus = CGAL::compute_cut_locus(sphere.mesh, sphere.vertices[3],
+    const auto cut_locus = CGAL::compute_cut_locus(
+      sphere.mesh, sphere.vertices[3],
       CGAL::parameters::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(10.).filter_policy(policy));
     EXPECT_EQ(num_vertices(cut_locus.graph()), 1u);
     EXPECT_EQ(num_edges(cut_locus.graph()), 0u);
     EXPECT_EQ(cut_locus.graph()[cut_locus.root()].mesh_vertex, cut_locus.farthest_vertex());
     Fixture::expect_valid(sphere, cut_locus, Fixture::at_vertex(ball, 3), Method::LAPLACIAN);
   }
-  const auto point = CGAL::compute_cut_locus(sphere.mesh, sphere.vertices[3],
-                                             CGAL::parameters::strength_threshold(1e9));
+  const auto point =
+    CGAL::compute_cut_locus(sphere.mesh, sphere.vertices[3], CGAL::parameters::strength_threshold(1e9));
   EXPECT_EQ(num_vertices(point.graph()), 1u);
   EXPECT_EQ(num_edges(point.graph()), 0u);
   Fixture::expect_valid(sphere, point, Fixture::at_vertex(ball, 3), Method::DIRECTION);
@@ -163,11 +175,11 @@ TYPED_TEST(Cut_locus_test, keeps_the_root_alone_or_the_homology_where_the_thresh
       leaves += out_degree(v, cut_locus.graph()) == 1 && v != cut_locus.root() ? 1 : 0;
     EXPECT_EQ(leaves, 0u);
   };
-  expect_cycles_alone(CGAL::compute_cut_locus(
-    built.mesh, built.vertices[0],
-    CGAL::parameters::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(10.)));
-  expect_cycles_alone(CGAL::compute_cut_locus(built.mesh, built.vertices[0],
-                                              CGAL::parameters::strength_threshold(1e9)));
+  expect_cycles_alone(
+    CGAL::compute_cut_locus(built.mesh, built.vertices[0],
+                            CGAL::parameters::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(10.)));
+  expect_cycles_alone(
+    CGAL::compute_cut_locus(built.mesh, built.vertices[0], CGAL::parameters::strength_threshold(1e9)));
 }
 
 TYPED_TEST(Cut_locus_test, can_have_its_source_inside_a_face_or_on_an_edge)
@@ -233,8 +245,8 @@ TYPED_TEST(Cut_locus_test, a_source_at_the_corner_of_a_face_is_that_vertex)
       {
         const auto np = CGAL::parameters::cut_locus_method(method);
         const auto expected = CGAL::compute_cut_locus(built.mesh, built.vertices[data.triangles[f][corner]], np);
-        const auto found = CGAL::compute_cut_locus(built.mesh,
-                                                   built.template location<typename Fixture::FT>(f, coordinates), np);
+        const auto found =
+          CGAL::compute_cut_locus(built.mesh, built.template location<typename Fixture::FT>(f, coordinates), np);
         EXPECT_EQ(cut_of(built, found).edges, cut_of(built, expected).edges);
         EXPECT_EQ(cut_of(built, found).root, cut_of(built, expected).root);
         EXPECT_EQ(found.distance(built.vertices[data.triangles[f][corner]]), 0.);
@@ -262,8 +274,8 @@ TYPED_TEST(Cut_locus_test, marks_the_edges_of_the_mesh_that_it_follows_and_no_ot
       topology_checker::Edges marked;
       for(const auto e : CGAL::make_range(edges(built.mesh)))
         if(get(is_constrained, e))
-          marked.insert(topology_checker::make_edge(built.index(source(e, built.mesh)),
-                                                    built.index(target(e, built.mesh))));
+          marked.insert(
+            topology_checker::make_edge(built.index(source(e, built.mesh)), built.index(target(e, built.mesh))));
       EXPECT_EQ(marked, expected) << name_of(method);
     }
   }
@@ -319,14 +331,13 @@ TYPED_TEST(Cut_locus_test, of_distances_that_the_user_has_is_that_of_the_solver_
   auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
   for(const auto v : CGAL::make_range(vertices(built.mesh)))
     put(distance, v, expected.distance(v));
-  const auto found = CGAL::compute_cut_locus(built.mesh, built.vertices[5],
-                                             CGAL::parameters::vertex_distance_map(distance));
+  const auto found =
+    CGAL::compute_cut_locus(built.mesh, built.vertices[5], CGAL::parameters::vertex_distance_map(distance));
   EXPECT_EQ(cut_of(built, found).edges, cut_of(built, expected).edges);
   EXPECT_EQ(found.distance(built.vertices[77]), expected.distance(built.vertices[77]));
 
   const auto by_direction = CGAL::compute_cut_locus(
-    built.mesh, built.vertices[5],
-    CGAL::parameters::vertex_distance_map(distance).cut_locus_method(Method::DIRECTION));
+    built.mesh, built.vertices[5], CGAL::parameters::vertex_distance_map(distance).cut_locus_method(Method::DIRECTION));
   Fixture::expect_valid(built, by_direction, Fixture::at_vertex(data, 5), Method::DIRECTION);
 }
 
@@ -337,8 +348,9 @@ TYPED_TEST(Cut_locus_test, follows_the_distances_of_each_source_in_its_choice_of
   const TypeParam built(data);
   const auto edges_by = [&](Method method)
   {
-    return cut_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[5],
-                                                 CGAL::parameters::cut_locus_method(method))).edges;
+    return cut_of(built,
+                  CGAL::compute_cut_locus(built.mesh, built.vertices[5], CGAL::parameters::cut_locus_method(method)))
+      .edges;
   };
   typename Fixture::Solver solver(built.mesh);
   EXPECT_TRUE(solver.method() == Method::DIRECTION);
@@ -442,17 +454,17 @@ TYPED_TEST(Cut_locus_test, is_the_same_on_every_mesh_type)
 
 TYPED_TEST(Cut_locus_test, does_not_depend_on_the_numbering)
 {
-  for(const Mesh_data& data : {jittered_sphere(7, 0.2, 1), torus(1., 0.4, 20, 10, 0.2, 2),
-                               perforated_plate(2, 1, 2, 5)})
+  for(const Mesh_data& data :
+      {jittered_sphere(7, 0.2, 1), torus(1., 0.4, 20, 10, 0.2, 2), perforated_plate(2, 1, 2, 5)})
   {
     const TypeParam built(data);
     const auto np = CGAL::parameters::cut_locus_method(Method::LAPLACIAN);
     const auto expected = cut_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[4], np)).edges;
     // The curve by the other method: along edges of the mesh, it may go round a face on either side.
-    const auto through_faces = CGAL::parameters::cut_locus_method(Method::DIRECTION)
-                                 .cut_locus_curve(Curve::THROUGH_FACES);
-    const auto curve = CGAL::Cut_loci::compute_statistics(
-      CGAL::compute_cut_locus(built.mesh, built.vertices[4], through_faces));
+    const auto through_faces =
+      CGAL::parameters::cut_locus_method(Method::DIRECTION).cut_locus_curve(Curve::THROUGH_FACES);
+    const auto curve =
+      CGAL::Cut_loci::compute_statistics(CGAL::compute_cut_locus(built.mesh, built.vertices[4], through_faces));
     for(unsigned seed = 0; seed < 2; ++seed)
     {
       std::vector<std::size_t> new_index;
@@ -487,7 +499,9 @@ TYPED_TEST(Cut_locus_test, does_not_depend_on_the_unit_of_length)
       EXPECT_EQ(cut_of(other, CGAL::compute_cut_locus(other.mesh, other.vertices[4], np)).edges, expected);
     }
   };
-  expect_same(params::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(0.2).laplacian_threshold(0.1)
+  expect_same(params::cut_locus_method(Method::LAPLACIAN)
+                .gradient_angle_threshold(0.2)
+                .laplacian_threshold(0.1)
                 .minimum_branch_length(0.1));
   expect_same(params::strength_threshold(2.5).minimum_branch_length(0.1));
 }
@@ -519,12 +533,19 @@ TYPED_TEST(Cut_locus_test, named_parameters_chain_in_any_order_with_those_of_cga
   const auto vpm = get(CGAL::vertex_point, built.mesh);
   const CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct> heat;
   const auto first = CGAL::compute_cut_locus(built.mesh, built.vertices[4],
-    params::vertex_point_map(vpm).geodesic_solver(heat).edge_is_constrained_map(is_constrained)
-           .gradient_angle_threshold(0.2).minimum_branch_edges(1));
+                                             params::vertex_point_map(vpm)
+                                               .geodesic_solver(heat)
+                                               .edge_is_constrained_map(is_constrained)
+                                               .gradient_angle_threshold(0.2)
+                                               .minimum_branch_edges(1));
   const auto second = CGAL::compute_cut_locus(built.mesh, built.vertices[4],
-    params::minimum_branch_edges(1).gradient_angle_threshold(0.2).edge_is_constrained_map(is_constrained)
-           .geodesic_solver(heat).vertex_point_map(vpm));
-  const auto other_solver = CGAL::compute_cut_locus(built.mesh, built.vertices[4],
+                                              params::minimum_branch_edges(1)
+                                                .gradient_angle_threshold(0.2)
+                                                .edge_is_constrained_map(is_constrained)
+                                                .geodesic_solver(heat)
+                                                .vertex_point_map(vpm));
+  const auto other_solver = CGAL::compute_cut_locus(
+    built.mesh, built.vertices[4],
     params::minimum_branch_edges(1).cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(0.2));
   EXPECT_EQ(cut_of(built, first).edges, cut_of(built, second).edges);
   EXPECT_NE(first.distance(built.vertices[20]), other_solver.distance(built.vertices[20])) << "the solver was not used";
@@ -593,11 +614,10 @@ TYPED_TEST(Cut_locus_test, ignores_isolated_vertices)
 TYPED_TEST(Cut_locus_test, on_a_surface_with_boundary_joins_each_border_loop_once)
 {
   using Fixture = Cut_locus_test<TypeParam>;
-  for(const Mesh_data& data : {square(8, 0.2, 1), cylinder(2., 12, 8, 0.2, 2),
-                               punctured(square(12, 0.2, 3), {{{0.5, 0.5, 0.}}}, 0.2),
-                               punctured(jittered_sphere(9, 0.2, 3), {{{1., 0., 0.}}, {{-1., 0., 0.}}, {{0., 0., 1.}}},
-                                         0.35),
-                               punctured(torus(1., 0.4, 24, 14, 0.2, 4), {{{-1.4, 0., 0.}}, {{0., 1.4, 0.}}}, 0.3)})
+  for(const Mesh_data& data :
+      {square(8, 0.2, 1), cylinder(2., 12, 8, 0.2, 2), punctured(square(12, 0.2, 3), {{{0.5, 0.5, 0.}}}, 0.2),
+       punctured(jittered_sphere(9, 0.2, 3), {{{1., 0., 0.}}, {{-1., 0., 0.}}, {{0., 0., 1.}}}, 0.35),
+       punctured(torus(1., 0.4, 24, 14, 0.2, 4), {{{-1.4, 0., 0.}}, {{0., 1.4, 0.}}}, 0.3)})
   {
     const TypeParam built(data);
     const topology_checker::Surface surface(data.triangles, 0);
@@ -610,12 +630,13 @@ TYPED_TEST(Cut_locus_test, on_a_surface_with_boundary_joins_each_border_loop_onc
         solver.set_source(built.vertices[v]);
         Fixture::expect_valid_at_all_thresholds(built, solver, Fixture::at_vertex(data, v));
         const auto cut_locus = method == Method::LAPLACIAN
-                               ? solver.cut_locus(CGAL::parameters::gradient_angle_threshold(0.))
-                               : solver.cut_locus(CGAL::parameters::strength_threshold(0.));
+                                 ? solver.cut_locus(CGAL::parameters::gradient_angle_threshold(0.))
+                                 : solver.cut_locus(CGAL::parameters::strength_threshold(0.));
         const auto& graph = cut_locus.graph();
         for(const auto e : CGAL::make_range(edges(graph)))
           EXPECT_EQ(graph[e].is_on_border, surface.border_edges.count(topology_checker::make_edge(
-            built.index(graph[source(e, graph)].mesh_vertex), built.index(graph[target(e, graph)].mesh_vertex))) != 0);
+                                             built.index(graph[source(e, graph)].mesh_vertex),
+                                             built.index(graph[target(e, graph)].mesh_vertex))) != 0);
       }
     }
   }
@@ -640,8 +661,8 @@ TYPED_TEST(Cut_locus_test, of_the_torus_holds_the_opposite_meridian_and_the_inne
   const TypeParam built(data);
   for(Method method : both_methods)
   {
-    const auto cut_locus = CGAL::compute_cut_locus(built.mesh, built.vertices[0],
-                                                   CGAL::parameters::cut_locus_method(method));
+    const auto cut_locus =
+      CGAL::compute_cut_locus(built.mesh, built.vertices[0], CGAL::parameters::cut_locus_method(method));
     std::set<std::size_t> on_it;
     for(const auto& e : cut_of(built, cut_locus).edges)
       on_it.insert({e.first, e.second});

@@ -34,8 +34,8 @@ using CGAL::Cut_loci::null_index;
 
 constexpr double pi = 3.14159265358979323846;
 
-inline Indexed_triangle_mesh indexed(const std::vector<std::array<double, 3> >& points,
-                                     const std::vector<std::array<Index, 3> >& triangles)
+inline Indexed_triangle_mesh indexed(const std::vector<std::array<double, 3>>& points,
+                                     const std::vector<std::array<Index, 3>>& triangles)
 {
   Indexed_triangle_mesh mesh;
   mesh.points = points;
@@ -54,11 +54,11 @@ inline Indexed_triangle_mesh indexed(const std::vector<std::array<double, 3> >& 
 }
 
 // The surface of unit cubes at integer positions, each square cut into n x n, stretched by `scale`.
-inline Indexed_triangle_mesh cubes(const std::set<std::array<int, 3> >& cells, int n,
+inline Indexed_triangle_mesh cubes(const std::set<std::array<int, 3>>& cells, int n,
                                    const std::array<double, 3>& scale = {{1., 1., 1.}})
 {
-  std::vector<std::array<double, 3> > points;
-  std::vector<std::array<Index, 3> > triangles;
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<Index, 3>> triangles;
   std::map<std::array<int, 3>, Index> index;
   const auto at = [&](const std::array<int, 3>& p)
   {
@@ -104,7 +104,7 @@ inline Indexed_triangle_mesh box(int n, const std::array<double, 3>& scale = {{1
 // a plate with `holes` square holes: of this genus
 inline Indexed_triangle_mesh plate_with_holes(int holes, int n)
 {
-  std::set<std::array<int, 3> > cells;
+  std::set<std::array<int, 3>> cells;
   for(int i = 0; i < 2 * holes + 1; ++i)
     for(int j = 0; j < 3; ++j)
       if(j != 1 || i % 2 == 0)
@@ -131,11 +131,11 @@ inline Indexed_triangle_mesh sphere(int n)
 
 // rows of `nu` points for each of the profile's (radius, height); closed by a point at each end of the profile where
 // the radius is zero, and open where it is not
-inline Indexed_triangle_mesh revolution(int nu, const std::vector<std::array<double, 2> >& profile)
+inline Indexed_triangle_mesh revolution(int nu, const std::vector<std::array<double, 2>>& profile)
 {
-  std::vector<std::array<double, 3> > points;
-  std::vector<std::array<Index, 3> > triangles;
-  std::vector<std::vector<Index> > rows;
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<std::vector<Index>> rows;
   for(const auto& p : profile)
   {
     std::vector<Index> row;
@@ -161,8 +161,8 @@ inline Indexed_triangle_mesh revolution(int nu, const std::vector<std::array<dou
 
 inline Indexed_triangle_mesh torus(int nu, int nw, double R = 1., double r = 0.4)
 {
-  std::vector<std::array<double, 3> > points;
-  std::vector<std::array<Index, 3> > triangles;
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<Index, 3>> triangles;
   for(int i = 0; i < nu; ++i)
     for(int j = 0; j < nw; ++j)
     {
@@ -183,9 +183,9 @@ inline Indexed_triangle_mesh torus(int nu, int nw, double R = 1., double r = 0.4
 inline Indexed_triangle_mesh without_ball(const Indexed_triangle_mesh& mesh, const std::array<double, 3>& center,
                                           double radius)
 {
-  std::vector<std::array<Index, 3> > triangles;
+  std::vector<std::array<Index, 3>> triangles;
   std::vector<Index> index(mesh.number_of_vertices(), null_index);
-  std::vector<std::array<double, 3> > points;
+  std::vector<std::array<double, 3>> points;
   using namespace CGAL::Cut_loci::internal;
   for(const auto& t : mesh.triangles)
     if(norm(mesh.points[t[0]] - center) > radius && norm(mesh.points[t[1]] - center) > radius &&
@@ -271,9 +271,7 @@ inline void expect_graph_topology(const Indexed_triangle_mesh& mesh, const CGAL:
   for(std::size_t i = 0; i < parent.size(); ++i)
     parent[i] = i;
   const std::function<std::size_t(std::size_t)> find = [&](std::size_t i)
-  {
-    return parent[i] == i ? i : parent[i] = find(parent[i]);
-  };
+  { return parent[i] == i ? i : parent[i] = find(parent[i]); };
   std::size_t components = parent.size(), cycles = 0;
   const auto unite = [&](std::size_t a, std::size_t b)
   {

@@ -41,7 +41,7 @@ Counts count(const Graph& graph)
   std::map<typename Traits::vertex_descriptor, int> index;
   for(auto v : vertices(graph))
     index.emplace(v, static_cast<int>(index.size()));
-  std::set<std::pair<int, int> > ends;
+  std::set<std::pair<int, int>> ends;
   std::set<Halfedge> seen;
   for(auto f : faces(graph))
     for(Halfedge h : CGAL::halfedges_around_face(halfedge(f, graph), graph))

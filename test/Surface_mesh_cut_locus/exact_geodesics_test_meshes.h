@@ -50,7 +50,8 @@ inline Mesh make_mesh(const std::vector<Point>& points, const std::vector<Mesh::
     for(Index v : t)
       number[v] = 0;
   for(std::size_t v = 0; v < points.size(); ++v)
-    if(number[v] == 0) {
+    if(number[v] == 0)
+    {
       number[v] = mesh.number_of_vertices();
       mesh.points.push_back(points[v]);
     }
@@ -60,7 +61,8 @@ inline Mesh make_mesh(const std::vector<Point>& points, const std::vector<Mesh::
   for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
     halfedge[{mesh.source(h), mesh.target(h)}] = h;
   mesh.opposite.assign(mesh.number_of_halfedges(), null_index);
-  for(const auto& entry : halfedge) {
+  for(const auto& entry : halfedge)
+  {
     const auto other = halfedge.find({entry.first.second, entry.first.first});
     if(other != halfedge.end())
       mesh.opposite[entry.second] = other->second;
@@ -79,12 +81,16 @@ Mesh grid(Index nx, Index ny, unsigned seed, const Place& place)
     for(Index j = 0; j <= ny; ++j)
       points.push_back(place(double(i), double(j), random));
   for(Index i = 0; i < nx; ++i)
-    for(Index j = 0; j < ny; ++j) {
+    for(Index j = 0; j < ny; ++j)
+    {
       const Index a = i * (ny + 1) + j, b = a + ny + 1, c = b + 1, d = a + 1;
-      if(random() & 1) {
+      if(random() & 1)
+      {
         triangles.push_back({{a, b, c}});
         triangles.push_back({{a, c, d}});
-      } else {
+      }
+      else
+      {
         triangles.push_back({{a, b, d}});
         triangles.push_back({{b, c, d}});
       }
@@ -94,7 +100,9 @@ Mesh grid(Index nx, Index ny, unsigned seed, const Place& place)
 
 inline Mesh flat_grid(Index nx, Index ny, unsigned seed = 1, double jitter = 0.)
 {
-  return grid(nx, ny, seed, [=](double x, double y, std::mt19937& random) {
+  return grid(nx, ny, seed,
+              [=](double x, double y, std::mt19937& random)
+              {
     std::uniform_real_distribution<double> u(-jitter, jitter);
     // the border stays straight
     const double dx = x > 0. && x < nx ? u(random) : 0., dy = y > 0. && y < ny ? u(random) : 0.;
@@ -104,7 +112,9 @@ inline Mesh flat_grid(Index nx, Index ny, unsigned seed = 1, double jitter = 0.)
 
 inline Mesh bumpy_grid(Index nx, Index ny, double height, unsigned seed, double jitter = 0.)
 {
-  return grid(nx, ny, seed, [=](double x, double y, std::mt19937& random) {
+  return grid(nx, ny, seed,
+              [=](double x, double y, std::mt19937& random)
+              {
     std::uniform_real_distribution<double> u(-1., 1.);
     const double dx = jitter * u(random), dy = jitter * u(random), z = height * u(random);
     return Point{{x + dx, y + dy, z}};
@@ -122,7 +132,8 @@ Mesh closed_grid(Index n, Index m, const Place& place)
       points.push_back(place(double(i) / n, double(j) / m));
   const auto v = [=](Index i, Index j) { return (i % n) * m + j % m; };
   for(Index i = 0; i < n; ++i)
-    for(Index j = 0; j < m; ++j) {
+    for(Index j = 0; j < m; ++j)
+    {
       triangles.push_back({{v(i, j), v(i + 1, j), v(i + 1, j + 1)}});
       triangles.push_back({{v(i, j), v(i + 1, j + 1), v(i, j + 1)}});
     }
@@ -133,7 +144,9 @@ inline Mesh torus(Index n, Index m, double jitter = 0., unsigned seed = 1)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> u(-jitter, jitter);
-  return closed_grid(n, m, [&](double s, double t) {
+  return closed_grid(n, m,
+                     [&](double s, double t)
+                     {
     const double a = 2. * pi * (s + u(random) / n), b = 2. * pi * (t + u(random) / m), r = 1. + 0.4 * std::cos(b);
     return Point{{r * std::cos(a), r * std::sin(a), 0.4 * std::sin(b)}};
   });
@@ -145,9 +158,11 @@ inline Mesh box(const std::array<double, 3>& size, const std::array<Index, 3>& c
   std::map<std::array<Index, 3>, Index> number;
   std::vector<Point> points;
   std::vector<Mesh::Triangle> triangles;
-  const auto vertex = [&](const std::array<Index, 3>& c) {
+  const auto vertex = [&](const std::array<Index, 3>& c)
+  {
     const auto inserted = number.insert({c, Index(points.size())});
-    if(inserted.second) {
+    if(inserted.second)
+    {
       Point p;
       for(std::size_t i = 0; i < 3; ++i)
         p[i] = size[i] * c[i] / cells[i];
@@ -156,12 +171,15 @@ inline Mesh box(const std::array<double, 3>& size, const std::array<Index, 3>& c
     return inserted.first->second;
   };
   for(std::size_t axis = 0; axis < 3; ++axis)
-    for(Index side = 0; side < 2; ++side) {
+    for(Index side = 0; side < 2; ++side)
+    {
       // u, v and the outer normal are a right-handed frame
       const std::size_t u = side == 1 ? (axis + 1) % 3 : (axis + 2) % 3, v = 3 - axis - u;
       for(Index i = 0; i < cells[u]; ++i)
-        for(Index j = 0; j < cells[v]; ++j) {
-          const auto corner = [&](Index di, Index dj) {
+        for(Index j = 0; j < cells[v]; ++j)
+        {
+          const auto corner = [&](Index di, Index dj)
+          {
             std::array<Index, 3> c;
             c[axis] = side * cells[axis];
             c[u] = i + di;
@@ -169,10 +187,13 @@ inline Mesh box(const std::array<double, 3>& size, const std::array<Index, 3>& c
             return vertex(c);
           };
           const Index a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
-          if((i + j) % 2) {
+          if((i + j) % 2)
+          {
             triangles.push_back({{a, b, c}});
             triangles.push_back({{a, c, d}});
-          } else {
+          }
+          else
+          {
             triangles.push_back({{a, b, d}});
             triangles.push_back({{b, c, d}});
           }
@@ -186,11 +207,13 @@ inline Mesh split_edges(const Mesh& mesh, const std::vector<char>& is_marked)
 {
   std::vector<Point> points = mesh.points;
   std::vector<Index> middle(mesh.number_of_halfedges(), null_index);
-  for(Index h = 0; h < mesh.number_of_halfedges(); ++h) {
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+  {
     if(!is_marked[h])
       continue;
     const Index o = mesh.opposite[h];
-    if(o != null_index && middle[o] != null_index) {
+    if(o != null_index && middle[o] != null_index)
+    {
       middle[h] = middle[o];
       continue;
     }
@@ -199,10 +222,12 @@ inline Mesh split_edges(const Mesh& mesh, const std::vector<char>& is_marked)
     points.push_back({{0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])}});
   }
   std::vector<Mesh::Triangle> triangles;
-  for(Index f = 0; f < mesh.number_of_faces(); ++f) {
+  for(Index f = 0; f < mesh.number_of_faces(); ++f)
+  {
     // cut the corners between two marked edges off, then cut what is left from its first new vertex
     std::vector<Index> polygon;
-    for(Index h = 3 * f; h < 3 * f + 3; ++h) {
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
       const Index before = middle[Mesh::previous(h)];
       if(before != null_index && middle[h] != null_index)
         triangles.push_back({{before, mesh.source(h), middle[h]}});
@@ -215,8 +240,8 @@ inline Mesh split_edges(const Mesh& mesh, const std::vector<char>& is_marked)
     while(first + 1 < polygon.size() && polygon[first] < mesh.number_of_vertices())
       ++first;
     for(std::size_t k = 1; k + 1 < polygon.size(); ++k)
-      triangles.push_back({{polygon[first], polygon[(first + k) % polygon.size()],
-                            polygon[(first + k + 1) % polygon.size()]}});
+      triangles.push_back(
+        {{polygon[first], polygon[(first + k) % polygon.size()], polygon[(first + k + 1) % polygon.size()]}});
   }
   return make_mesh(points, triangles);
 }
@@ -225,7 +250,8 @@ inline Mesh split_edges(const Mesh& mesh, const std::vector<char>& is_marked)
 template <typename Move>
 Mesh doubled(const Mesh& open, const Move& move)
 {
-  const auto mark_border = [](const Mesh& mesh) {
+  const auto mark_border = [](const Mesh& mesh)
+  {
     std::vector<char> is_border(mesh.number_of_vertices(), 0);
     for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
       if(mesh.is_border_edge(h))
@@ -256,7 +282,8 @@ Mesh fan(Index sides, Index rings, const Rim& rim)
   std::vector<Point> points(1, Point{{0., 0., 0.}});
   std::vector<Mesh::Triangle> triangles;
   for(Index r = 1; r <= rings; ++r)
-    for(Index i = 0; i < sides; ++i) {
+    for(Index i = 0; i < sides; ++i)
+    {
       Point p = rim(i);
       for(double& c : p)
         c *= double(r) / rings;
@@ -264,7 +291,8 @@ Mesh fan(Index sides, Index rings, const Rim& rim)
     }
   const auto v = [=](Index r, Index i) { return r == 0 ? 0 : 1 + (r - 1) * sides + i % sides; };
   for(Index i = 0; i < sides; ++i)
-    for(Index r = 0; r < rings; ++r) {
+    for(Index r = 0; r < rings; ++r)
+    {
       triangles.push_back({{v(r, i), v(r + 1, i), v(r + 1, i + 1)}});
       if(r > 0)
         triangles.push_back({{v(r, i), v(r + 1, i + 1), v(r, i + 1)}});
@@ -297,9 +325,11 @@ inline Mesh subdivided(const Mesh& mesh, double jitter = 0., unsigned seed = 1)
   std::uniform_real_distribution<double> u(0.5 - jitter, 0.5 + jitter);
   std::vector<Point> points = mesh.points;
   std::vector<Index> middle(mesh.number_of_halfedges());
-  for(Index h = 0; h < mesh.number_of_halfedges(); ++h) {
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+  {
     const Index o = mesh.opposite[h];
-    if(o != null_index && o < h) {
+    if(o != null_index && o < h)
+    {
       middle[h] = middle[o];
       continue;
     }
@@ -309,7 +339,8 @@ inline Mesh subdivided(const Mesh& mesh, double jitter = 0., unsigned seed = 1)
     points.push_back({{p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])}});
   }
   std::vector<Mesh::Triangle> triangles;
-  for(Index f = 0; f < mesh.number_of_faces(); ++f) {
+  for(Index f = 0; f < mesh.number_of_faces(); ++f)
+  {
     const Mesh::Triangle& t = mesh.triangles[f];
     const Index a = middle[3 * f], b = middle[3 * f + 1], c = middle[3 * f + 2];
     triangles.push_back({{t[0], a, c}});
@@ -332,7 +363,8 @@ inline Mesh renumbered(const Mesh& mesh, unsigned seed, std::vector<Index>& numb
   for(Index v = 0; v < mesh.number_of_vertices(); ++v)
     points[number[v]] = mesh.points[v];
   std::vector<Mesh::Triangle> triangles;
-  for(const Mesh::Triangle& t : mesh.triangles) {
+  for(const Mesh::Triangle& t : mesh.triangles)
+  {
     const std::size_t i = random() % 3;
     triangles.push_back({{number[t[i]], number[t[(i + 1) % 3]], number[t[(i + 2) % 3]]}});
   }
@@ -378,7 +410,8 @@ inline std::set<Index> faces_around(const Mesh& mesh, const Indexed_location& lo
   std::size_t zeros = 0;
   for(double c : location.coordinates)
     zeros += c == 0.;
-  for(Index i = 0; i < 3; ++i) {
+  for(Index i = 0; i < 3; ++i)
+  {
     const Index h = 3 * location.face + i;
     if(zeros == 1 && location.coordinates[(i + 2) % 3] == 0. && !mesh.is_border_edge(h))
       faces.insert(Mesh::face(mesh.opposite[h]));
@@ -409,9 +442,11 @@ inline std::string defect_of_path(const Geodesics& geodesics, const Mesh& mesh,
   for(const Point& p : mesh.points)
     scale = (std::max)(scale, distance(p, mesh.points[0]));
   double sum = 0.;
-  for(std::size_t i = 0; i < path.size(); ++i) {
+  for(std::size_t i = 0; i < path.size(); ++i)
+  {
     double coordinates = 0.;
-    for(double c : path[i].coordinates) {
+    for(double c : path[i].coordinates)
+    {
       if(c < 0.)
         return "a point is outside of its face";
       coordinates += c;
@@ -437,15 +472,18 @@ inline std::string defect_of_path(const Geodesics& geodesics, const Mesh& mesh,
     for(double c : path[i].coordinates)
       zeros += c == 0.;
     const Point r = point(mesh, path[i + 1]);
-    for(Index k = 0; k < 3; ++k) {
+    for(Index k = 0; k < 3; ++k)
+    {
       const Index h = 3 * path[i].face + k;
-      if(zeros == 2 && path[i].coordinates[k] != 0.) {
+      if(zeros == 2 && path[i].coordinates[k] != 0.)
+      {
         const Index v = mesh.source(h);
         const double straight = geodesics.faces().is_border(v) ? pi : 2. * pi;
         if(!geodesics.faces().is_pseudo_source(v) && std::fabs(geodesics.faces().total_angle(v) - straight) > 1e-6)
           return "it goes through a vertex where it should not";
       }
-      if(zeros == 1 && path[i].coordinates[(k + 2) % 3] == 0. && step > 1e-6 * scale && distance(q, r) > 1e-6 * scale) {
+      if(zeros == 1 && path[i].coordinates[(k + 2) % 3] == 0. && step > 1e-6 * scale && distance(q, r) > 1e-6 * scale)
+      {
         const Point& t = mesh.points[mesh.target(h)];
         const Point& s = mesh.points[mesh.source(h)];
         // measured from the farther end, where rounding does less

@@ -22,7 +22,10 @@ namespace indexed_meshes {
 using CGAL::Cut_loci::Index;
 using Mesh = CGAL::Cut_loci::Indexed_triangle_mesh;
 
-inline double pi() { return std::acos(-1.); }
+inline double pi()
+{
+  return std::acos(-1.);
+}
 
 inline Mesh glued(std::vector<Mesh::Point> points, std::vector<Mesh::Triangle> triangles)
 {
@@ -148,9 +151,7 @@ inline Mesh sphere(Index n)
 inline Mesh bumpy_sphere(Index n)
 {
   return star_shape(n, [](const Mesh::Point& p)
-  {
-    return 1. + 0.15 * std::sin(5. * p[0] + 1.) * std::sin(6. * p[1] + 2.) * std::sin(4. * p[2]);
-  });
+                    { return 1. + 0.15 * std::sin(5. * p[0] + 1.) * std::sin(6. * p[1] + 2.) * std::sin(4. * p[2]); });
 }
 
 // a closed surface of triangles a hundred times as long as wide

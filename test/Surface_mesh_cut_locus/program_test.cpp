@@ -37,7 +37,10 @@ struct Outcome
   std::string messages; // both streams
 };
 
-std::string quoted(const std::string& text) { return "'" + text + "'"; }
+std::string quoted(const std::string& text)
+{
+  return "'" + text + "'";
+}
 
 std::string read_file(const fs::path& path)
 {
@@ -154,9 +157,9 @@ TEST_F(Program, Help)
 {
   const Outcome outcome = run("--help");
   EXPECT_EQ(outcome.status, 0);
-  for(const char* option : {"--source ", "--source-point", "--solver", "--method", "--strength", "--angle", "--laplacian",
-                            "--policy", "--min-branch-edges", "--min-branch-length", "--output", "--edges", "--uv",
-                            "--parameterization", "--report", "--quiet"})
+  for(const char* option : {"--source ", "--source-point", "--solver", "--method", "--strength", "--angle",
+                            "--laplacian", "--policy", "--min-branch-edges", "--min-branch-length", "--output",
+                            "--edges", "--uv", "--parameterization", "--report", "--quiet"})
     EXPECT_NE(outcome.messages.find(option), std::string::npos) << option;
 }
 
@@ -188,11 +191,11 @@ TEST_F(Program, Report_and_edges)
 
     // The edges are edges of the mesh, they form a connected graph with two cycles, and the faces stay connected without
     // crossing them: so the rest of the torus is a disk.
-    std::map<std::pair<int, int>, std::vector<std::size_t> > faces_of_edge;
+    std::map<std::pair<int, int>, std::vector<std::size_t>> faces_of_edge;
     for(std::size_t f = 0; f < triangles_.size(); ++f)
       for(int i = 0; i < 3; ++i)
         faces_of_edge[std::minmax(triangles_[f][i], triangles_[f][(i + 1) % 3])].push_back(f);
-    std::set<std::pair<int, int> > cut;
+    std::set<std::pair<int, int>> cut;
     std::set<int> cut_vertices;
     std::istringstream edges(read_file(path("edges.txt")));
     for(int a, b; edges >> a >> b;)
@@ -220,8 +223,8 @@ TEST_F(Program, Report_and_edges)
 TEST_F(Program, All_formats)
 {
   std::string arguments = "--solver heat";
-  const std::map<std::string, std::string> starts = {
-    {"a.polylines.txt", ""}, {"a.obj", "v "}, {"a.vtp", "<?xml"}, {"a.ply", "ply\n"}, {"a.png", "\x89PNG"}, {"a.svg", "<?xml"}};
+  const std::map<std::string, std::string> starts = {{"a.polylines.txt", ""}, {"a.obj", "v "},      {"a.vtp", "<?xml"},
+                                                     {"a.ply", "ply\n"},      {"a.png", "\x89PNG"}, {"a.svg", "<?xml"}};
   for(const auto& format : starts)
     arguments += " -o " + quoted(path(format.first));
   const Outcome outcome = run_on_torus(arguments);
@@ -288,8 +291,8 @@ TEST_F(Program, Default_methods)
         {"exact", "direction"}, {"cgal-exact", "laplacian"}, {"heat", "laplacian"}, {"graph", "laplacian"}})
     for(const char* explicitly : {"", " --method auto"})
     {
-      const Outcome outcome = run_on_torus("--quiet --solver " + solver + explicitly + " --report " +
-                                           quoted(path("r.json")));
+      const Outcome outcome =
+        run_on_torus("--quiet --solver " + solver + explicitly + " --report " + quoted(path("r.json")));
       ASSERT_EQ(outcome.status, 0) << outcome.messages;
       EXPECT_EQ(nlohmann::json::parse(read_file(path("r.json"))).at("method"), method) << solver;
     }
@@ -299,17 +302,18 @@ TEST_F(Program, Default_methods)
 // form one disk in the unit square.
 TEST_F(Program, Textured_mesh)
 {
-  for(const char* method : {"--method laplacian", "--method direction", "--method laplacian --smooth 4", "--method direction --smooth 1"})
+  for(const char* method :
+      {"--method laplacian", "--method direction", "--method laplacian --smooth 4", "--method direction --smooth 1"})
     for(const char* parameterization : {"arap", "lscm", "convex"})
     {
       SCOPED_TRACE(std::string(method) + " " + parameterization);
-      const Outcome outcome = run_on_torus(std::string("--quiet ") + method + " --parameterization " +
-                                           parameterization + " --uv " + quoted(path("uv.obj")) + " --report " +
-                                           quoted(path("uv.json")));
+      const Outcome outcome =
+        run_on_torus(std::string("--quiet ") + method + " --parameterization " + parameterization + " --uv " +
+                     quoted(path("uv.obj")) + " --report " + quoted(path("uv.json")));
       ASSERT_EQ(outcome.status, 0) << outcome.messages;
       std::map<std::string, int> lines;
-      std::vector<std::array<double, 2> > uv;
-      std::vector<std::array<int, 3> > faces, texture_faces;
+      std::vector<std::array<double, 2>> uv;
+      std::vector<std::array<int, 3>> faces, texture_faces;
       std::istringstream obj(read_file(path("uv.obj")));
       std::string material;
       for(std::string line; std::getline(obj, line);)
@@ -342,7 +346,7 @@ TEST_F(Program, Textured_mesh)
       if(std::string(method).find("smooth") == std::string::npos)
       {
         EXPECT_EQ(lines["v"], number_of_vertices_);
-        std::multiset<std::set<int> > given, found;
+        std::multiset<std::set<int>> given, found;
         for(const Triangle& t : triangles_)
           given.insert({t[0] + 1, t[1] + 1, t[2] + 1});
         for(const auto& f : faces)
@@ -353,7 +357,7 @@ TEST_F(Program, Textured_mesh)
         EXPECT_GT(faces.size(), triangles_.size());
 
       // the surface is closed, and its texture one disk
-      const auto edges_of = [](const std::vector<std::array<int, 3> >& all)
+      const auto edges_of = [](const std::vector<std::array<int, 3>>& all)
       {
         std::map<std::pair<int, int>, int> edges;
         for(const auto& f : all)
@@ -365,7 +369,7 @@ TEST_F(Program, Textured_mesh)
         EXPECT_EQ(e.second, 2);
       const auto edges = edges_of(texture_faces);
       EXPECT_EQ(int(uv.size()) - int(edges.size()) + int(faces.size()), 1);
-      std::map<int, std::vector<int> > border;
+      std::map<int, std::vector<int>> border;
       for(const auto& e : edges)
         if(e.second == 1)
         {
@@ -395,7 +399,7 @@ TEST_F(Program, Textured_mesh)
       EXPECT_EQ(report.at("parameterization"), parameterization);
       EXPECT_EQ(report.at("faces"), faces.size());
       EXPECT_NEAR(report.at("flipped_faces").get<int>(), flipped, 1); // of no area, up to rounding
-      if(std::string(parameterization) == "convex") // the other two do not promise it
+      if(std::string(parameterization) == "convex")                   // the other two do not promise it
       {
         EXPECT_EQ(flipped, 0);
       }

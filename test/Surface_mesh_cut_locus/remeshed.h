@@ -31,8 +31,8 @@ inline Mesh_data remeshed(const Mesh_data& m, double length)
   for(Mesh::Face_index f : mesh.faces())
   {
     const Mesh::Halfedge_index h = mesh.halfedge(f);
-    result.triangles.push_back({{std::size_t(mesh.source(h)), std::size_t(mesh.target(h)),
-                                 std::size_t(mesh.target(mesh.next(h)))}});
+    result.triangles.push_back(
+      {{std::size_t(mesh.source(h)), std::size_t(mesh.target(h)), std::size_t(mesh.target(mesh.next(h)))}});
   }
   return result;
 }

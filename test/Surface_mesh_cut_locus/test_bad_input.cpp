@@ -145,8 +145,8 @@ TEST(Bad_input, a_face_that_is_not_a_triangle_is_refused_by_its_position_and_num
 {
   Mesh mesh;
   std::vector<Mesh::Vertex_index> v;
-  for(const Point& p : std::vector<Point>{{{0., 0., 0.}}, {{1., 0., 0.}}, {{1., 1., 0.}}, {{0., 1., 0.}},
-                                             {{2., 0.5, 0.}}})
+  for(const Point& p :
+      std::vector<Point>{{{0., 0., 0.}}, {{1., 0., 0.}}, {{1., 1., 0.}}, {{0., 1., 0.}}, {{2., 0.5, 0.}}})
     v.push_back(mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2])));
   mesh.add_face(v[1], v[4], v[2]);
   mesh.add_face(v[0], v[1], v[2], v[3]);
@@ -183,24 +183,22 @@ TEST(Bad_input, a_source_that_is_not_in_the_mesh_is_refused)
     expect_refused([&] { CGAL::compute_cut_locus(built.mesh, Mesh::Vertex_index(v)); },
                    {"source", "not a vertex of the mesh"});
   for(Mesh::size_type f : {Mesh::size_type(0), nf - 1, nf, Mesh::size_type(1000000000)})
-    expect_refused([&]
-                   {
-                     Solver::Face_location location;
-                     location.first = Mesh::Face_index(f);
-                     location.second = {{0.2, 0.3, 0.5}};
-                     CGAL::compute_cut_locus(built.mesh, location);
-                   }, {"face of the source", "not a face of the mesh"});
+    expect_refused(
+      [&]
+      {
+      Solver::Face_location location;
+      location.first = Mesh::Face_index(f);
+      location.second = {{0.2, 0.3, 0.5}};
+      CGAL::compute_cut_locus(built.mesh, location);
+      },
+      {"face of the source", "not a face of the mesh"});
 }
 
 TEST(Bad_input, barycentric_coordinates_that_are_no_point_of_the_face_are_refused)
 {
   const Built built(octahedron());
-  const auto compute = [&](double a, double b, double c)
-  {
-    return [=, &built]
-    {
-      CGAL::compute_cut_locus(built.mesh, Solver::Face_location(built.faces[0], {{a, b, c}}));
-    };
+  const auto compute = [&](double a, double b, double c) {
+    return [=, &built] { CGAL::compute_cut_locus(built.mesh, Solver::Face_location(built.faces[0], {{a, b, c}})); };
   };
   expect_refused(compute(not_a_number, 0.5, 0.5), {"barycentric coordinate", "not finite"});
   expect_refused(compute(infinity, 0.5, 0.5), {"barycentric coordinate", "not finite"});
@@ -252,8 +250,7 @@ TEST(Bad_input, a_face_without_area_in_another_component_does_no_harm)
     p = {{p[0], 0., 0.}};
   const Mesh_data data = disjoint_union(flat, octahedron(), {{5., 0., 0.}});
   const Built built(data);
-  EXPECT_EQ(fault_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[5]), 4, {5},
-                     Method::DIRECTION), "");
+  EXPECT_EQ(fault_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[5]), 4, {5}, Method::DIRECTION), "");
   expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, {"face #0", "no area"});
   // positions are those in the whole mesh
   const Built other(disjoint_union(octahedron(), flat, {{5., 0., 0.}}));
@@ -356,9 +353,9 @@ TEST(Bad_input, parameters_of_another_method_are_refused_with_what_to_do)
   expect_refused_everywhere(default_method, laplacian, {"laplacian_threshold", in_force, remedy});
   expect_refused_everywhere(default_method, policy, {"filter_policy", in_force, remedy});
   expect_refused_everywhere(params::cut_locus_method(Method::DIRECTION), angle, {"gradient_angle_threshold", remedy});
-  expect_refused_everywhere(params::cut_locus_method(Method::LAPLACIAN), strength,
-                            {"strength_threshold", "Cut_loci::Method::LAPLACIAN",
-                             "cut_locus_method(Cut_loci::Method::DIRECTION)"});
+  expect_refused_everywhere(
+    params::cut_locus_method(Method::LAPLACIAN), strength,
+    {"strength_threshold", "Cut_loci::Method::LAPLACIAN", "cut_locus_method(Cut_loci::Method::DIRECTION)"});
   expect_refused_everywhere(params::cut_locus_method(Method::POLYHEDRAL), strength,
                             {"strength_threshold", "Cut_loci::Method::POLYHEDRAL"});
   expect_refused_everywhere(params::cut_locus_method(Method::POLYHEDRAL), edges,
@@ -370,9 +367,7 @@ TEST(Bad_input, parameters_of_another_method_are_refused_with_what_to_do)
   for(std::size_t v = 0; v < built.vertices.size(); ++v)
     put(distance, built.vertices[v], double(v));
   const auto compute = [&](const auto& np)
-  {
-    return message_of([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], np); });
-  };
+  { return message_of([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], np); }); };
   EXPECT_EQ(compute(params::vertex_distance_map(distance).gradient_angle_threshold(0.3)), "nothing was thrown");
   EXPECT_NE(compute(params::vertex_distance_map(distance).strength_threshold(3.)).find("strength_threshold"),
             std::string::npos);
@@ -390,8 +385,9 @@ TEST(Bad_input, parameters_that_contradict_each_other_about_the_curve_are_refuse
                    {"cut_locus_curve", "number_of_iterations", "contradict"});
     expect_refused([&] { solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES).number_of_iterations(0)); },
                    {"cut_locus_curve", "number_of_iterations", "contradict"});
-    EXPECT_EQ(message_of([&] { solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES)
-                                                  .number_of_iterations(2)); }), "nothing was thrown");
+    EXPECT_EQ(
+      message_of([&] { solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES).number_of_iterations(2)); }),
+      "nothing was thrown");
   }
 }
 
@@ -403,9 +399,7 @@ TEST(Bad_input, the_largest_minimum_number_of_edges_removes_more_than_any_smalle
     Solver solver(built.mesh, params::cut_locus_method(method));
     solver.set_source(built.vertices[0]);
     const auto edges_left = [&](std::size_t minimum)
-    {
-      return num_edges(solver.cut_locus(params::minimum_branch_edges(minimum)).graph());
-    };
+    { return num_edges(solver.cut_locus(params::minimum_branch_edges(minimum)).graph()); };
     EXPECT_LT(edges_left(1000), edges_left(0));
     EXPECT_EQ(edges_left(std::size_t(1) << 32), edges_left(1000));
     EXPECT_EQ(edges_left((std::numeric_limits<std::size_t>::max)()), edges_left(1000));
@@ -444,8 +438,8 @@ TEST(Odd_input, the_smallest_meshes_have_cut_loci)
   triangle.triangles = {{{0, 1, 2}}};
   Mesh_data pillow = triangle; // two faces glued along all three edges
   pillow.triangles.push_back({{0, 2, 1}});
-  for(const Mesh_data& data : {tetrahedron(), octahedron(), triangle, pillow, square(1), icosahedron(),
-                               box(1, 1, 1, 1)})
+  for(const Mesh_data& data :
+      {tetrahedron(), octahedron(), triangle, pillow, square(1), icosahedron(), box(1, 1, 1, 1)})
     expect_sound_from_everywhere(data);
 }
 
@@ -467,8 +461,8 @@ TEST(Odd_input, needles_have_cut_loci)
 
 TEST(Odd_input, regular_meshes_where_all_distances_are_tied_have_cut_loci)
 {
-  for(const Mesh_data& data : {sphere(4), torus(1., 0.4, 16, 8), box(2, 2, 2, 2), square(6), capsule(1., 8, 8),
-                               cylinder(1., 8, 4, 0., 0)})
+  for(const Mesh_data& data :
+      {sphere(4), torus(1., 0.4, 16, 8), box(2, 2, 2, 2), square(6), capsule(1., 8, 8), cylinder(1., 8, 4, 0., 0)})
     expect_sound_from_everywhere(data);
 }
 

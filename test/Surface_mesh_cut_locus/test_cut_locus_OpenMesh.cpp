@@ -20,7 +20,7 @@ struct Double_traits : public OpenMesh::DefaultTraits
   using Normal = OpenMesh::Vec3d;
 };
 
-using Mesh_types = ::testing::Types<Built_mesh<OpenMesh::PolyMesh_ArrayKernelT<Double_traits> >,
-                                    Built_mesh<OpenMesh::TriMesh_ArrayKernelT<Double_traits> > >;
+using Mesh_types = ::testing::Types<Built_mesh<OpenMesh::PolyMesh_ArrayKernelT<Double_traits>>,
+                                    Built_mesh<OpenMesh::TriMesh_ArrayKernelT<Double_traits>>>;
 
 #include "cut_locus_cases.h"

@@ -14,8 +14,8 @@
 #include <gtest/gtest.h>
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh_types = ::testing::Types<Built_mesh<CGAL::Polyhedron_3<Epick> >,
-                                    Built_mesh<CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>,
-                                                                  CGAL::Polyhedron_items_with_id_3> > >;
+using Mesh_types =
+  ::testing::Types<Built_mesh<CGAL::Polyhedron_3<Epick>>,
+                   Built_mesh<CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>, CGAL::Polyhedron_items_with_id_3>>>;
 
 #include "cut_locus_cases.h"

@@ -14,7 +14,7 @@
 
 using Epick_mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 using Cartesian_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Mesh_types = ::testing::Types<Built_mesh<Epick_mesh>, Built_mesh<Cartesian_mesh>,
-                                    Built_mesh_with_garbage<Epick_mesh> >;
+using Mesh_types =
+  ::testing::Types<Built_mesh<Epick_mesh>, Built_mesh<Cartesian_mesh>, Built_mesh_with_garbage<Epick_mesh>>;
 
 #include "cut_locus_cases.h"

@@ -88,8 +88,8 @@ void expect_cut_open(const Mesh_data& data, std::size_t source)
       for(std::size_t edges : {0, 3})
       {
         SCOPED_TRACE("angle " + std::to_string(angle) + ", " + std::to_string(edges) + " edges");
-        expect_cut_open(built.mesh, solver.cut_locus(params::gradient_angle_threshold(angle)
-                                                           .minimum_branch_edges(edges)));
+        expect_cut_open(built.mesh,
+                        solver.cut_locus(params::gradient_angle_threshold(angle).minimum_branch_edges(edges)));
       }
   }
   Solver solver(built.mesh, params::cut_locus_method(Method::DIRECTION));
@@ -103,10 +103,10 @@ void expect_cut_open(const Mesh_data& data, std::size_t source)
 
 TEST(Cut_open, Closed_surfaces_of_any_genus)
 {
-  const std::vector<Mesh_data> surfaces = {jittered_sphere(6, 0.2, 1), bumpy_sphere(8, 0.4, 2), box(1, 1, 1, 3),
-                                           torus(1., 0.4, 24, 12, 0.2, 3), perforated_plate(2, 1, 2, 4),
-                                           perforated_plate(3, 1, 2, 5), perforated_plate(2, 2, 1, 6),
-                                           perforated_plate(5, 1, 1, 7), perforated_plate(3, 2, 2, 8)};
+  const std::vector<Mesh_data> surfaces = {
+    jittered_sphere(6, 0.2, 1),     bumpy_sphere(8, 0.4, 2),      box(1, 1, 1, 3),
+    torus(1., 0.4, 24, 12, 0.2, 3), perforated_plate(2, 1, 2, 4), perforated_plate(3, 1, 2, 5),
+    perforated_plate(2, 2, 1, 6),   perforated_plate(5, 1, 1, 7), perforated_plate(3, 2, 2, 8)};
   for(const Mesh_data& data : surfaces)
     for(std::size_t source : {std::size_t(0), data.points.size() / 2})
     {
@@ -118,8 +118,7 @@ TEST(Cut_open, Closed_surfaces_of_any_genus)
 TEST(Cut_open, Surfaces_with_boundary)
 {
   const std::vector<Mesh_data> surfaces = {
-    square(8, 0.2, 1), cylinder(2., 16, 8, 0.2, 2),
-    punctured(jittered_sphere(8, 0.2, 3), {{{1., 0., 0.}}}, 0.35),
+    square(8, 0.2, 1), cylinder(2., 16, 8, 0.2, 2), punctured(jittered_sphere(8, 0.2, 3), {{{1., 0., 0.}}}, 0.35),
     punctured(jittered_sphere(8, 0.2, 3), {{{1., 0., 0.}}, {{-1., 0., 0.}}, {{0., 0., 1.}}}, 0.35),
     punctured(torus(1., 0.4, 24, 14, 0.2, 4), {{{-1.4, 0., 0.}}, {{0., 1.4, 0.}}}, 0.3)};
   for(const Mesh_data& data : surfaces)
@@ -146,7 +145,8 @@ TEST(Cut_open, Single_vertex_is_cut_by_two_edges_that_avoid_the_source)
     Built_mesh<Mesh> built(data);
     Mesh& mesh = built.mesh;
     const Mesh::Vertex_index source = built.vertices[3];
-    const Cut_locus point = CGAL::compute_cut_locus(mesh, source, params::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(10.));
+    const Cut_locus point =
+      CGAL::compute_cut_locus(mesh, source, params::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(10.));
     ASSERT_EQ(num_edges(point.graph()), 0u);
     Edge_map seam_edges = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam").first;
     Vertex_map seam_vertices = mesh.add_property_map<Mesh::Vertex_index, bool>("v:seam").first;
@@ -171,11 +171,11 @@ TEST(Cut_open, Only_the_component_of_the_source_is_returned)
   const Mesh::Vertex_index source = built.vertices[first.points.size() + 7];
   const Cut_locus cut_locus = CGAL::compute_cut_locus(built.mesh, source);
   Mesh disk;
-  std::vector<std::pair<Mesh::Vertex_index, Mesh::Vertex_index> > vertices;
-  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index> > faces;
+  std::vector<std::pair<Mesh::Vertex_index, Mesh::Vertex_index>> vertices;
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> faces;
   CGAL::cut_along_cut_locus(built.mesh, cut_locus, disk,
                             params::vertex_to_vertex_output_iterator(std::back_inserter(vertices))
-                                   .face_to_face_output_iterator(std::back_inserter(faces)));
+                              .face_to_face_output_iterator(std::back_inserter(faces)));
   EXPECT_EQ(disk_checker::fault(disk), "");
   EXPECT_EQ(disk.number_of_faces(), second.triangles.size());
   ASSERT_EQ(vertices.size(), disk.number_of_vertices());
@@ -197,7 +197,7 @@ TEST(Cut_open, Only_the_component_of_the_source_is_returned)
 
 TEST(Cut_open, Other_mesh_types)
 {
-  using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double> >;
+  using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
   const Built_mesh<Polyhedron> built(perforated_plate(2, 1, 1, 4));
   const auto cut_locus = CGAL::compute_cut_locus(built.mesh, built.vertices[0]);
   Polyhedron polyhedron;
@@ -234,15 +234,13 @@ std::string error(const Mesh& mesh, const Cut_locus& cut_locus)
 TEST(Cut_open, Bad_input_gives_an_error)
 {
   const auto contains = [](const std::string& text, const std::string& part)
-  {
-    return text.find(part) != std::string::npos;
-  };
+  { return text.find(part) != std::string::npos; };
   Built_mesh<Mesh> built(torus(1., 0.4, 24, 12, 0.2, 3));
   const Cut_locus cut_locus = CGAL::compute_cut_locus(built.mesh, built.vertices[0]);
   ASSERT_EQ(error(built.mesh, cut_locus), "");
 
-  for(const Mesh_data& data : {icosahedron(), jittered_sphere(12, 0.1, 1), torus(1., 0.4, 12, 24, 0.2, 3),
-                               perforated_plate(2, 1, 2, 1)})
+  for(const Mesh_data& data :
+      {icosahedron(), jittered_sphere(12, 0.1, 1), torus(1., 0.4, 12, 24, 0.2, 3), perforated_plate(2, 1, 2, 1)})
     EXPECT_TRUE(contains(error(Built_mesh<Mesh>(data).mesh, cut_locus), "does not belong to the mesh"));
   EXPECT_NE(error(Mesh(), cut_locus), "");
 

@@ -25,8 +25,14 @@ using CGAL::Cut_loci::Mesh_connectivity;
 namespace {
 
 // f = x y + sin(2 z) + x^2 / 2 in space
-double value(const Point& p) { return p[0] * p[1] + std::sin(2. * p[2]) + 0.5 * p[0] * p[0]; }
-Point derivative(const Point& p) { return {{p[1] + p[0], p[0], 2. * std::cos(2. * p[2])}}; }
+double value(const Point& p)
+{
+  return p[0] * p[1] + std::sin(2. * p[2]) + 0.5 * p[0] * p[0];
+}
+Point derivative(const Point& p)
+{
+  return {{p[1] + p[0], p[0], 2. * std::cos(2. * p[2])}};
+}
 // trace of the second derivatives, without the normal one
 double tangential_second_derivative(const Point& p, const Point& n)
 {
@@ -36,8 +42,8 @@ double tangential_second_derivative(const Point& p, const Point& n)
 
 struct Shape
 {
-  std::function<Mesh_data(std::size_t)> mesh;  // at a resolution
-  std::function<Point(const Point&)> normal;   // outwards
+  std::function<Mesh_data(std::size_t)> mesh; // at a resolution
+  std::function<Point(const Point&)> normal;  // outwards
   std::function<double(const Point&)> divergence_of_normal;
 };
 
@@ -65,35 +71,34 @@ Shape torus_shape(double amount)
   return {[=](std::size_t n) { return torus(R, r, 4 * n, 2 * n, amount, 2); },
           [=](const Point& p)
           {
-            const double s = std::hypot(p[0], p[1]);
-            return Point{{(s - R) / r * p[0] / s, (s - R) / r * p[1] / s, p[2] / r}};
+    const double s = std::hypot(p[0], p[1]);
+    return Point{{(s - R) / r * p[0] / s, (s - R) / r * p[1] / s, p[2] / r}};
           },
           [=](const Point& p)
           {
-            const double s = std::hypot(p[0], p[1]);
-            return 1. / r + (s - R) / r / s;
-          }};
+    const double s = std::hypot(p[0], p[1]);
+    return 1. / r + (s - R) / r / s;
+  }};
 }
 
 Shape ellipsoid_shape()
 {
   const Point axes = {{1., 0.8, 0.6}};
-  const auto gradient = [=](const Point& p)
-  {
+  const auto gradient = [=](const Point& p) {
     return Point{{p[0] / (axes[0] * axes[0]), p[1] / (axes[1] * axes[1]), p[2] / (axes[2] * axes[2])}};
   };
   return {[=](std::size_t n) { return ellipsoid(axes[0], axes[1], axes[2], n, 0.2, 3); },
           [=](const Point& p) { return normalized(gradient(p)); },
           [=](const Point& p)
           {
-            const Point g = gradient(p);
-            double trace = 0., along = 0.;
-            for(int i = 0; i < 3; ++i)
-            {
-              trace += 1. / (axes[i] * axes[i]);
-              along += g[i] * g[i] / (axes[i] * axes[i]);
-            }
-            return trace / norm(g) - along / std::pow(norm(g), 3);
+    const Point g = gradient(p);
+    double trace = 0., along = 0.;
+    for(int i = 0; i < 3; ++i)
+    {
+      trace += 1. / (axes[i] * axes[i]);
+      along += g[i] * g[i] / (axes[i] * axes[i]);
+    }
+    return trace / norm(g) - along / std::pow(norm(g), 3);
           }};
 }
 
@@ -135,7 +140,7 @@ Errors orders(const std::string& name, const Shape& shape, Laplacian_operator ty
   std::vector<Errors> e;
   for(std::size_t n : {8, 16, 32, 64})
     e.push_back(errors(shape, n, type));
-  const auto slope = [&](double Errors::* member)
+  const auto slope = [&](double Errors::*member)
   {
     double sx = 0., sy = 0., sxx = 0., sxy = 0.;
     for(const Errors& at : e)
@@ -230,10 +235,9 @@ TEST(Differential_operators, are_exact_for_quadratic_functions_on_the_plane_up_t
     const Indexed_triangle_mesh mesh = indexed(data);
     const Mesh_connectivity connectivity(mesh);
     const Differential_operators operators(mesh, connectivity);
-    const Eigen::VectorXd f = sampled(data, [](const Point& p)
-    {
-      return 3. + 2. * p[0] - p[1] + 1.5 * p[0] * p[0] - 4. * p[0] * p[1] + 0.5 * p[1] * p[1];
-    });
+    const Eigen::VectorXd f =
+      sampled(data, [](const Point& p)
+              { return 3. + 2. * p[0] - p[1] + 1.5 * p[0] * p[0] - 4. * p[0] * p[1] + 0.5 * p[1] * p[1]; });
     const Eigen::VectorXd gradient = operators.gradient * f, laplacian = operators.laplacian * f;
     for(Index v = 0; v < data.points.size(); ++v)
     {

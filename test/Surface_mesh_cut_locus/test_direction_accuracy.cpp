@@ -65,9 +65,7 @@ TEST(Direction_accuracy, torus)
     {
       const Point source = outer ? torus.point(0., 0.) : torus.point(1., pi);
       const auto truth = [&](double s)
-      {
-        return outer ? torus.cut_locus_of_outer_equator(0., s) : torus.cut_locus_of_inner_equator(1., s);
-      };
+      { return outer ? torus.cut_locus_of_outer_equator(0., s) : torus.cut_locus_of_inner_equator(1., s); };
       const Errors curve = torus_errors(mesh, source, truth, Curve::THROUGH_FACES);
       EXPECT_LT(curve.estimate.mean, 0.02);
       EXPECT_LT(curve.estimate.max, 1.);
@@ -167,10 +165,11 @@ TEST(Direction_accuracy, noise)
       for(Mesh::Vertex_index v : mesh.vertices())
         mesh.point(v) = mesh.point(v) + amplitude * h * normal(generator) * torus.normal(mesh.point(v));
       const Point source = outer ? torus.point(0., 0.) : torus.point(1., pi);
-      const Errors e = torus_errors(mesh, source, [&](double s)
-      {
-        return outer ? torus.cut_locus_of_outer_equator(0., s) : torus.cut_locus_of_inner_equator(1., s);
-      }, Curve::THROUGH_FACES);
+      const Errors e = torus_errors(
+        mesh, source,
+        [&](double s)
+        { return outer ? torus.cut_locus_of_outer_equator(0., s) : torus.cut_locus_of_inner_equator(1., s); },
+        Curve::THROUGH_FACES);
       EXPECT_LT(e.estimate.max, 5.) << "a spurious branch, noise " << amplitude;
       EXPECT_LT(e.truth.max, 10.) << "a lost branch, noise " << amplitude;
     }

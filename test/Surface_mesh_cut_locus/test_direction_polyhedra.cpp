@@ -23,8 +23,7 @@ struct Polyhedral
   CGAL::Cut_loci::internal::Exact_geodesic_propagation propagation;
   Indexed_cut_locus graph;
 
-  Polyhedral(const Indexed_triangle_mesh& mesh, const Indexed_source& source)
-    : connectivity(mesh), propagation(mesh)
+  Polyhedral(const Indexed_triangle_mesh& mesh, const Indexed_source& source) : connectivity(mesh), propagation(mesh)
   {
     graph = Polyhedral_cut_locus(mesh, connectivity, propagation)(source);
   }
@@ -41,8 +40,8 @@ void check_tree(const Indexed_triangle_mesh& mesh, const Indexed_source& source,
     if(node.vertex != null_index)
       on_it.insert(node.vertex);
   for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-    EXPECT_TRUE(on_it.count(v) == 1 || v == source.vertex ||
-                p.propagation.faces().total_angle(v) > 2. * pi - 1e-9) << "vertex " << v;
+    EXPECT_TRUE(on_it.count(v) == 1 || v == source.vertex || p.propagation.faces().total_angle(v) > 2. * pi - 1e-9)
+      << "vertex " << v;
   for(Index i : leaves(p.graph))
   {
     const Index v = p.graph.nodes[i].vertex;
@@ -58,8 +57,9 @@ TEST(Polyhedral_cut_locus, trees)
     indexed({{{1., 0., 0.}}, {{-0.5, s / 2., 0.}}, {{-0.5, -s / 2., 0.}}, {{0., 0., std::sqrt(2.)}}},
             {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}});
   const Indexed_triangle_mesh prism = revolution(3, {{{0., 0.}}, {{1., 0.}}, {{1., 2.}}, {{0., 2.}}});
-  std::vector<std::pair<std::string, Indexed_triangle_mesh> > meshes = {
-    {"tetrahedron", tetrahedron}, {"prism", prism},
+  std::vector<std::pair<std::string, Indexed_triangle_mesh>> meshes = {
+    {"tetrahedron", tetrahedron},
+    {"prism", prism},
     {"double pyramid", revolution(5, {{{0., -1.}}, {{1., -0.5}}, {{0., 1.}}})}};
   for(int n : {1, 2, 3})
   {
@@ -101,8 +101,8 @@ TEST(Polyhedral_cut_locus, cube_in_closed_form)
     {
       const auto x = point_at(mesh, node.location);
       const bool on_vertical = std::fabs(x[0] - std::round(x[0])) < 1e-6 && std::fabs(x[1] - std::round(x[1])) < 1e-6;
-      const bool on_diagonal = std::fabs(x[2] - 1.) < 1e-6 &&
-                               (std::fabs(x[0] - x[1]) < 1e-6 || std::fabs(x[0] + x[1] - 1.) < 1e-6);
+      const bool on_diagonal =
+        std::fabs(x[2] - 1.) < 1e-6 && (std::fabs(x[0] - x[1]) < 1e-6 || std::fabs(x[0] + x[1] - 1.) < 1e-6);
       EXPECT_TRUE(on_vertical || on_diagonal) << x[0] << " " << x[1] << " " << x[2];
     }
   }

@@ -31,7 +31,8 @@ TEST(Direction_topology, flat_polyhedra)
   }
   const double s = std::sqrt(3.);
   check_all_kinds_of_sources(indexed({{{1., 0., 0.}}, {{-0.5, s / 2., 0.}}, {{-0.5, -s / 2., 0.}}, {{0., 0., 1.4}}},
-                                     {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}}), "tetrahedron");
+                                     {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}}),
+                             "tetrahedron");
   check_all_kinds_of_sources(revolution(3, {{{0., 0.}}, {{1., 0.}}, {{1., 2.}}, {{0., 2.}}}), "prism");
 }
 
@@ -48,12 +49,12 @@ TEST(Direction_topology, symmetry)
 {
   // All is a tie: circles of equally good points, and a sphere whose cut locus is one point.
   check_all_kinds_of_sources(sphere(8), "sphere");
-  std::vector<std::array<double, 2> > cylinder = {{{0., 0.}}, {{0.5, 0.}}, {{1., 0.}}};
+  std::vector<std::array<double, 2>> cylinder = {{{0., 0.}}, {{0.5, 0.}}, {{1., 0.}}};
   for(int i = 1; i <= 10; ++i)
     cylinder.push_back({{1., 0.4 * i}});
   cylinder.insert(cylinder.end(), {{{0.5, 4.}}, {{0., 4.}}});
   check_all_kinds_of_sources(revolution(16, cylinder), "cylinder with caps");
-  std::vector<std::array<double, 2> > limb = {{{0., 0.}}};
+  std::vector<std::array<double, 2>> limb = {{{0., 0.}}};
   for(int i = 0; i <= 60; ++i)
     limb.push_back({{i < 10 ? 1. : 0.04, 0.1 * (i + 1)}});
   limb.push_back({{0., 6.2}});
@@ -97,8 +98,8 @@ TEST(Direction_topology, boundary)
                              "plate with a hole at a corner");
   check_all_kinds_of_sources(revolution(20, {{{0.3, 0.}}, {{0.6, 0.}}, {{1., 0.}}, {{1.4, 0.}}}), "flat annulus");
   check_all_kinds_of_sources(revolution(20, {{{0., 0.}}, {{0.6, 0.}}, {{1., 0.}}, {{1.4, 0.}}}), "flat disk");
-  expect_invariants(indexed({{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}}, {{{0, 1, 2}}}),
-                    in_face(0, 0.3, 0.3, 0.4), "one triangle");
+  expect_invariants(indexed({{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}}, {{{0, 1, 2}}}), in_face(0, 0.3, 0.3, 0.4),
+                    "one triangle");
 }
 
 TEST(Direction_topology, sphere_is_cut_at_a_point)

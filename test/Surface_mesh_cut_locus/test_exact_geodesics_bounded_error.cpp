@@ -26,7 +26,8 @@ constexpr double rounding = 1e-12;
 
 void expect_bound(double distance, double error, double exact, double maximum_relative_error, double scale)
 {
-  if(exact == infinity) {
+  if(exact == infinity)
+  {
     EXPECT_EQ(distance, infinity);
     return;
   }
@@ -51,7 +52,8 @@ void expect_bounds(const Mesh& mesh, std::size_t number_of_sources, unsigned see
   double scale = 0.;
   for(double d : exact.distances())
     scale = d < infinity ? (std::max)(scale, d) : scale;
-  for(const double error : {0.3, 0.01, 1e-4}) {
+  for(const double error : {0.3, 0.01, 1e-4})
+  {
     SCOPED_TRACE("maximum relative error " + std::to_string(error));
     options.maximum_relative_error = error;
     geodesics.run(sources, options);
@@ -64,7 +66,8 @@ void expect_bounds(const Mesh& mesh, std::size_t number_of_sources, unsigned see
 
 TEST(Bounded_error, jittered)
 {
-  for(unsigned seed = 1; seed <= 60; ++seed) {
+  for(unsigned seed = 1; seed <= 60; ++seed)
+  {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const double height = std::pow(10., -2. + 0.5 * (seed % 6));
     expect_bounds(bumpy_grid(4 + seed % 30, 6 + seed % 31, height, seed, 0.05 * (seed % 6)), 1 + seed % 2, seed);
@@ -73,7 +76,8 @@ TEST(Bounded_error, jittered)
 
 TEST(Bounded_error, needles)
 {
-  for(unsigned seed = 1; seed <= 60; ++seed) {
+  for(unsigned seed = 1; seed <= 60; ++seed)
+  {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Mesh mesh = bumpy_grid(6 + seed % 17, 6 + seed % 15, 0.3, seed, 0.2);
     const double squeeze = std::pow(10., -1. - 0.5 * (seed % 5));
@@ -85,7 +89,8 @@ TEST(Bounded_error, needles)
 
 TEST(Bounded_error, perforated)
 {
-  for(unsigned seed = 1; seed <= 60; ++seed) {
+  for(unsigned seed = 1; seed <= 60; ++seed)
+  {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_bounds(perforated(bumpy_grid(9 + seed % 19, 8 + seed % 17, 0.2 * (seed % 4), seed, 0.15), 0.3, seed),
                   1 + seed % 3, seed);
@@ -94,7 +99,8 @@ TEST(Bounded_error, perforated)
 
 TEST(Bounded_error, tori)
 {
-  for(unsigned seed = 1; seed <= 40; ++seed) {
+  for(unsigned seed = 1; seed <= 40; ++seed)
+  {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_bounds(torus(12 + seed % 43, 6 + seed % 27, 0.05 * (seed % 6), seed), 1 + seed % 2, seed);
   }
@@ -102,7 +108,8 @@ TEST(Bounded_error, tori)
 
 TEST(Bounded_error, flat_and_subdivided)
 {
-  for(unsigned seed = 1; seed <= 30; ++seed) {
+  for(unsigned seed = 1; seed <= 30; ++seed)
+  {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_bounds(flat_grid(5 + seed % 20, 7 + seed % 13, seed, 0.3 * (seed % 2)), 1, seed);
     expect_bounds(subdivided(bumpy_grid(5 + seed % 9, 4 + seed % 7, 0.3 * (seed % 4), seed, 0.1)), 1, seed);
@@ -111,15 +118,16 @@ TEST(Bounded_error, flat_and_subdivided)
 
 TEST(Bounded_error, welded_of_any_genus)
 {
-  for(unsigned seed = 1; seed <= 40; ++seed) {
+  for(unsigned seed = 1; seed <= 40; ++seed)
+  {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> u(0.3, 0.6);
     const Mesh open = perforated(bumpy_grid(6 + seed % 17, 6 + seed % 16, 0.2, seed, 0.15), 0.05 * (seed % 4), seed);
     expect_bounds(doubled(open,
                           [&](const Point& p) {
-                            return Point{{p[0], p[1], p[2] + u(random)}};
-                          }),
+      return Point{{p[0], p[1], p[2] + u(random)}};
+                  }),
                   1 + seed % 3, seed);
   }
 }
@@ -150,11 +158,14 @@ TEST(Bounded_error, maximum_distance)
   options.maximum_distance = 0.8;
   options.maximum_relative_error = 0.05;
   geodesics.run(Index(0), options);
-  for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
-    if(exact.distance(v) <= options.maximum_distance) {
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+  {
+    if(exact.distance(v) <= options.maximum_distance)
+    {
       EXPECT_TRUE(geodesics.is_reached(v));
     }
-    if(geodesics.is_reached(v)) {
+    if(geodesics.is_reached(v))
+    {
       EXPECT_LE(exact.distance(v), geodesics.distance(v) * (1. + rounding));
       EXPECT_LE(geodesics.distance(v), exact.distance(v) * (1.05 + rounding));
     }
@@ -183,9 +194,8 @@ TEST(Bounded_error, has_no_directions_and_paths)
   for(const Point& p : {Point{{0., 0., 0.}}, Point{{1., 0., 0.}}, Point{{0., 1., 0.}}, Point{{0., 0., 1.}}})
     mesh.add_vertex({p[0], p[1], p[2]});
   using Vertex = Surface_mesh::Vertex_index;
-  for(const std::array<Index, 3>& t :
-      {std::array<Index, 3>{{0, 2, 1}}, std::array<Index, 3>{{0, 1, 3}}, std::array<Index, 3>{{1, 2, 3}},
-       std::array<Index, 3>{{2, 0, 3}}})
+  for(const std::array<Index, 3>& t : {std::array<Index, 3>{{0, 2, 1}}, std::array<Index, 3>{{0, 1, 3}},
+                                       std::array<Index, 3>{{1, 2, 3}}, std::array<Index, 3>{{2, 0, 3}}})
     mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
   CGAL::Surface_mesh_exact_geodesics<Surface_mesh> geodesics(mesh);
   EXPECT_THROW(geodesics.set_maximum_relative_error(-0.1), Invalid_input);

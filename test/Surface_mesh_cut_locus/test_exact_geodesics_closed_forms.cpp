@@ -25,15 +25,18 @@ void expect_distances(const Mesh& mesh, const std::function<double(const Point&,
   Geodesics geodesics(mesh);
   Options options;
   options.all_centroids = true;
-  for(const Indexed_location& source : sources) {
+  for(const Indexed_location& source : sources)
+  {
     const Point s = point(mesh, source);
     geodesics.run({source}, options);
     double worst = 0., worst_centroid = 0.;
-    for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+    {
       const double d = expected(s, mesh.points[v]);
       worst = (std::max)(worst, std::fabs(geodesics.distance(v) - d) / (d + 1e-3));
     }
-    for(std::size_t i = 0; i < geodesics.number_of_queries(); ++i) {
+    for(std::size_t i = 0; i < geodesics.number_of_queries(); ++i)
+    {
       const double d = expected(s, point(mesh, geodesics.query(i)));
       worst_centroid = (std::max)(worst_centroid, std::fabs(geodesics.query_distance(i) - d) / (d + 1e-3));
     }
@@ -62,7 +65,8 @@ public:
   {
     target_ = t;
     best_ = 1e300;
-    for(int face = 0; face < 6; ++face) {
+    for(int face = 0; face < 6; ++face)
+    {
       const std::size_t axis = std::size_t(face / 2);
       if(std::fabs(s[axis] - (face % 2 ? size_[axis] : 0.)) > 1e-12)
         continue;
@@ -90,11 +94,13 @@ private:
   void roll(int face, const std::array<Image, 3>& image, const Point& from, const Image& at, unsigned visited)
   {
     const std::size_t axis = std::size_t(face / 2);
-    if(std::fabs(target_[axis] - (face % 2 ? size_[axis] : 0.)) < 1e-12) {
+    if(std::fabs(target_[axis] - (face % 2 ? size_[axis] : 0.)) < 1e-12)
+    {
       const Image t = unfold(image, from, at, target_);
       best_ = (std::min)(best_, std::hypot(t[0], t[1]));
     }
-    for(int next = 0; next < 6; ++next) {
+    for(int next = 0; next < 6; ++next)
+    {
       const std::size_t other = std::size_t(next / 2);
       if(other == axis || (visited & (1u << next)))
         continue;
@@ -134,7 +140,8 @@ TEST(Closed_forms, plane_from_the_border)
   const Mesh mesh = flat_grid(15, 15);
   std::vector<Indexed_location> sources;
   for(Index h = 0; h < mesh.number_of_halfedges(); h += 1)
-    if(mesh.is_border_edge(h)) {
+    if(mesh.is_border_edge(h))
+    {
       Indexed_location vertex = location(h / 3, 0., 0., 0.), edge = vertex;
       vertex.coordinates[h % 3] = 1.;
       edge.coordinates[h % 3] = 0.3;
@@ -156,7 +163,8 @@ TEST(Closed_forms, plane_with_needles)
 
 TEST(Closed_forms, cube_and_box)
 {
-  for(const Index n : {1u, 2u, 5u, 12u}) {
+  for(const Index n : {1u, 2u, 5u, 12u})
+  {
     const Mesh cube = box({{1., 1., 1.}}, {{n, n, n}});
     expect_distances(cube, Box_distance(std::array<double, 3>{{1., 1., 1.}}), random_sources(cube, 9));
   }
@@ -168,7 +176,8 @@ TEST(Closed_forms, cube_and_box)
 TEST(Closed_forms, subdivided_cube)
 {
   Mesh cube = box({{1., 1., 1.}}, {{1, 1, 1}});
-  for(unsigned i = 0; i < 4; ++i) {
+  for(unsigned i = 0; i < 4; ++i)
+  {
     cube = subdivided(cube, i % 2 ? 0.2 : 0., i);
     expect_distances(cube, Box_distance(std::array<double, 3>{{1., 1., 1.}}), random_sources(cube, 9, i));
   }
@@ -180,7 +189,8 @@ TEST(Closed_forms, spider_and_fly)
   const Mesh room = box({{30., 12., 12.}}, {{30, 12, 12}});
   Geodesics geodesics(room);
   Index spider = null_index, fly = null_index;
-  for(Index v = 0; v < room.number_of_vertices(); ++v) {
+  for(Index v = 0; v < room.number_of_vertices(); ++v)
+  {
     if(distance(room.points[v], {{0., 6., 11.}}) < 1e-9)
       spider = v;
     if(distance(room.points[v], {{30., 6., 1.}}) < 1e-9)
@@ -198,19 +208,23 @@ TEST(Closed_forms, doubly_covered_disk)
   const Mesh mesh = doubled(disk, [](const Point& p) { return p; });
   Geodesics geodesics(mesh);
   const auto sheet = [&](Index f) { return f < disk.number_of_faces() ? 0 : 1; };
-  for(const Indexed_location& source : random_sources(mesh, 12)) {
+  for(const Indexed_location& source : random_sources(mesh, 12))
+  {
     Options options;
     options.all_centroids = true;
     geodesics.run({source}, options);
     const Point s = point(mesh, source);
     double worst = 0.;
-    for(std::size_t i = 0; i < geodesics.number_of_queries(); ++i) {
+    for(std::size_t i = 0; i < geodesics.number_of_queries(); ++i)
+    {
       const Point t = point(mesh, geodesics.query(i));
       double d = distance(s, t);
-      if(sheet(geodesics.query(i).face) != sheet(source.face)) {
+      if(sheet(geodesics.query(i).face) != sheet(source.face))
+      {
         // over the nearest point of each side, by reflection
         d = 1e300;
-        for(Index k = 0; k < sides; ++k) {
+        for(Index k = 0; k < sides; ++k)
+        {
           const Point a = rim(k), b = rim(k + 1);
           const double ux = (b[0] - a[0]), uy = (b[1] - a[1]), l = std::hypot(ux, uy);
           const double xs = ((s[0] - a[0]) * ux + (s[1] - a[1]) * uy) / l,
@@ -238,13 +252,15 @@ TEST(Closed_forms, cylinder)
       points.push_back({{std::cos(2. * pi * i / sides), std::sin(2. * pi * i / sides), 0.37 * j}});
   const auto v = [=](Index i, Index j) { return (i % sides) * (rows + 1) + j; };
   for(Index i = 0; i < sides; ++i)
-    for(Index j = 0; j < rows; ++j) {
+    for(Index j = 0; j < rows; ++j)
+    {
       triangles.push_back({{v(i, j), v(i + 1, j), v(i + 1, j + 1)}});
       triangles.push_back({{v(i, j), v(i + 1, j + 1), v(i, j + 1)}});
     }
   const Mesh mesh = make_mesh(points, triangles);
   const double perimeter = side * sides;
-  const auto unrolled = [=](const Point& p) {
+  const auto unrolled = [=](const Point& p)
+  {
     // the point lies on a chord between two corners
     const double a = std::atan2(p[1], p[0]) / (2. * pi) * sides;
     const double corner = std::floor(a);
@@ -252,13 +268,14 @@ TEST(Closed_forms, cylinder)
     return (corner + along) * side;
   };
   expect_distances(
-      mesh,
-      [=](const Point& p, const Point& q) {
-        double d = std::fabs(unrolled(p) - unrolled(q));
-        d = (std::min)(d, perimeter - d);
-        return std::hypot(d, p[2] - q[2]);
-      },
-      random_sources(mesh, 12));
+    mesh,
+    [=](const Point& p, const Point& q)
+    {
+    double d = std::fabs(unrolled(p) - unrolled(q));
+    d = (std::min)(d, perimeter - d);
+    return std::hypot(d, p[2] - q[2]);
+    },
+    random_sources(mesh, 12));
 }
 
 /// the distance on a cone over a polygon, at whose tip the angle may exceed a full turn
@@ -271,19 +288,22 @@ void expect_cone(Index sides, const std::function<Point(Index)>& rim)
     start[i + 1] = start[i] + angle({{0., 0., 0.}}, rim(i), rim(i + 1));
   // polar coordinates of a point of a face
   const Index faces_per_side = mesh.number_of_faces() / sides;
-  const auto polar = [&](const Indexed_location& l) {
+  const auto polar = [&](const Indexed_location& l)
+  {
     const Point p = point(mesh, l), o{{0., 0., 0.}};
     const Index i = l.face / faces_per_side;
     const double r = distance(o, p);
     return std::make_pair(r, r > 0. ? start[i] + angle(o, rim(i), p) : 0.);
   };
-  for(const Indexed_location& source : random_sources(mesh, 15)) {
+  for(const Indexed_location& source : random_sources(mesh, 15))
+  {
     Options options;
     options.all_centroids = true;
     geodesics.run({source}, options);
     const auto s = polar(source);
     double worst = 0.;
-    for(std::size_t i = 0; i < geodesics.number_of_queries(); ++i) {
+    for(std::size_t i = 0; i < geodesics.number_of_queries(); ++i)
+    {
       const auto t = polar(geodesics.query(i));
       double a = std::fabs(s.second - t.second);
       a = (std::min)(a, start[sides] - a);
@@ -304,7 +324,8 @@ TEST(Closed_forms, cone)
 TEST(Closed_forms, cone_with_more_than_a_full_turn)
 {
   for(const double height : {0.05, 0.5, 1.5})
-    expect_cone(10, [=](Index i) {
+    expect_cone(10,
+                [=](Index i) {
       return Point{{std::cos(2. * pi * i / 10), std::sin(2. * pi * i / 10), i % 2 ? height : -height}};
     });
 }
@@ -316,18 +337,21 @@ TEST(Closed_forms, directions_in_the_plane)
   Options options;
   options.directions = true;
   std::mt19937 random(3);
-  for(unsigned k = 0; k < 30; ++k) {
+  for(unsigned k = 0; k < 30; ++k)
+  {
     const Indexed_location source = random_location(mesh, random, k);
     geodesics.run({source}, options);
     const Point s = point(mesh, source);
-    const auto direction = [&](Index h) {
+    const auto direction = [&](Index h)
+    {
       const Point &p = mesh.points[mesh.source(h)], &q = mesh.points[mesh.target(h)];
       return std::atan2(q[1] - p[1], q[0] - p[0]);
     };
     const auto difference = [](double a, double b) { return std::fabs(std::remainder(a - b, 2. * pi)); };
     const double zero = direction(geodesics.source_halfedge());
     double worst = 0., worst_arrival = 0.;
-    for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+    {
       const Point& p = mesh.points[v];
       if(distance(p, s) < 1e-9)
         continue;

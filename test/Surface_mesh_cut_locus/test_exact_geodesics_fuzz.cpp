@@ -38,11 +38,13 @@ void expect_agreement(const Mesh& mesh, std::size_t number_of_sources, unsigned 
                                Surface_mesh::Vertex_index(t[2])),
               Surface_mesh::null_face());
   // barycentric coordinates in CGAL's order
-  const auto to_cgal = [&](const Indexed_location& l) {
+  const auto to_cgal = [&](const Indexed_location& l)
+  {
     const Surface_mesh::Face_index f(l.face);
     const Surface_mesh::Halfedge_index h = surface.halfedge(f);
     std::array<double, 3> sorted = {{0., 0., 0.}};
-    for(std::size_t i = 0; i < 3; ++i) {
+    for(std::size_t i = 0; i < 3; ++i)
+    {
       if(mesh.triangles[l.face][i] == surface.source(h))
         sorted[0] = l.coordinates[i];
       else if(mesh.triangles[l.face][i] == surface.target(h))
@@ -65,38 +67,48 @@ void expect_agreement(const Mesh& mesh, std::size_t number_of_sources, unsigned 
   Path_tracing tracing(geodesics);
   // one source at a time: CGAL 5.5 overestimates distances from several points of one face, and from points on edges
   std::vector<std::unique_ptr<Shortest_path>> shortest_paths;
-  for(const Indexed_location& source : sources) {
+  for(const Indexed_location& source : sources)
+  {
     shortest_paths.emplace_back(new Shortest_path(surface));
     shortest_paths.back()->add_source_point(to_cgal(source));
   }
-  const auto cgal_distance = [&](const auto&... target) {
+  const auto cgal_distance = [&](const auto&... target)
+  {
     double nearest = std::numeric_limits<double>::infinity();
-    for(const std::unique_ptr<Shortest_path>& shortest_path : shortest_paths) {
+    for(const std::unique_ptr<Shortest_path>& shortest_path : shortest_paths)
+    {
       const double d = shortest_path->shortest_distance_to_source_points(target...).first;
       nearest = d < 0. ? nearest : (std::min)(nearest, d);
     }
     return nearest;
   };
   double scale = 0.;
-  for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+  {
     const double expected = cgal_distance(Surface_mesh::Vertex_index(v));
-    if(expected == std::numeric_limits<double>::infinity()) {
+    if(expected == std::numeric_limits<double>::infinity())
+    {
       EXPECT_FALSE(geodesics.is_reached(v)) << "vertex " << v;
       continue;
     }
     EXPECT_NEAR(geodesics.distance(v), expected, relative * expected + 1e-14) << "vertex " << v;
     scale = (std::max)(scale, expected);
-    if(v % 7 == 0) {
+    if(v % 7 == 0)
+    {
       EXPECT_EQ(defect_of_path(geodesics, mesh, tracing.path_from_vertex(v), mesh.points[v], geodesics.distance(v)), "")
-          << "vertex " << v;
+        << "vertex " << v;
     }
   }
-  for(std::size_t q = 0; q < options.queries.size(); ++q) {
+  for(std::size_t q = 0; q < options.queries.size(); ++q)
+  {
     const Shortest_path::Face_location target = to_cgal(options.queries[q]);
     const double expected = cgal_distance(target.first, target.second);
-    if(expected == std::numeric_limits<double>::infinity()) {
+    if(expected == std::numeric_limits<double>::infinity())
+    {
       EXPECT_EQ(geodesics.query_distance(q), std::numeric_limits<double>::infinity());
-    } else {
+    }
+    else
+    {
       EXPECT_NEAR(geodesics.query_distance(q), expected, relative * expected + 1e-14 * scale) << "query " << q;
     }
   }
@@ -107,7 +119,8 @@ constexpr unsigned first_seed = 1;
 TEST(Fuzz, tiny)
 {
   for(unsigned seed = first_seed; seed < first_seed + 400; ++seed)
-    for(const double height : {0.1, 1., 3.}) {
+    for(const double height : {0.1, 1., 3.})
+    {
       SCOPED_TRACE("seed " + std::to_string(seed) + " height " + std::to_string(height));
       expect_agreement(bumpy_grid(1 + seed % 5, 1 + seed / 5 % 4, height, seed, 0.15), 1 + seed % 13 / 12, seed);
     }
@@ -115,7 +128,8 @@ TEST(Fuzz, tiny)
 
 TEST(Fuzz, jittered)
 {
-  for(unsigned seed = first_seed; seed < first_seed + 60; ++seed) {
+  for(unsigned seed = first_seed; seed < first_seed + 60; ++seed)
+  {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const double height = std::pow(10., -2. + 0.5 * (seed % 6));
     expect_agreement(bumpy_grid(8 + seed % 9, 6 + seed % 11, height, seed, 0.05 * (seed % 6)), 1 + seed % 3, seed);
@@ -124,7 +138,8 @@ TEST(Fuzz, jittered)
 
 TEST(Fuzz, needles)
 {
-  for(unsigned seed = first_seed; seed < first_seed + 40; ++seed) {
+  for(unsigned seed = first_seed; seed < first_seed + 40; ++seed)
+  {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Mesh mesh = bumpy_grid(6 + seed % 7, 6 + seed % 5, 0.3, seed, 0.2);
     const double squeeze = std::pow(10., -1. - 0.5 * (seed % 5));
@@ -136,7 +151,8 @@ TEST(Fuzz, needles)
 
 TEST(Fuzz, perforated)
 {
-  for(unsigned seed = first_seed; seed < first_seed + 50; ++seed) {
+  for(unsigned seed = first_seed; seed < first_seed + 50; ++seed)
+  {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_agreement(perforated(bumpy_grid(9 + seed % 9, 8 + seed % 7, 0.2 * (seed % 4), seed, 0.15), 0.3, seed),
                      1 + seed % 2, seed);
@@ -145,7 +161,8 @@ TEST(Fuzz, perforated)
 
 TEST(Fuzz, tori)
 {
-  for(unsigned seed = first_seed; seed < first_seed + 30; ++seed) {
+  for(unsigned seed = first_seed; seed < first_seed + 30; ++seed)
+  {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_agreement(torus(12 + seed % 13, 6 + seed % 7, 0.05 * (seed % 6), seed), 1 + seed % 2, seed);
   }
@@ -153,15 +170,16 @@ TEST(Fuzz, tori)
 
 TEST(Fuzz, welded_of_any_genus)
 {
-  for(unsigned seed = first_seed; seed < first_seed + 40; ++seed) {
+  for(unsigned seed = first_seed; seed < first_seed + 40; ++seed)
+  {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> u(0.3, 0.6);
     const Mesh open = perforated(bumpy_grid(6 + seed % 7, 6 + seed % 6, 0.2, seed, 0.15), 0.05 * (seed % 4), seed);
     expect_agreement(doubled(open,
                              [&](const Point& p) {
-                               return Point{{p[0], p[1], p[2] + u(random)}};
-                             }),
+      return Point{{p[0], p[1], p[2] + u(random)}};
+                     }),
                      1 + seed % 3, seed);
   }
 }

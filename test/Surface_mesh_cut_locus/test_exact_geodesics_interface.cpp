@@ -40,13 +40,14 @@ public:
   using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
   using Face_location = typename Geodesics::Face_location;
   using Point =
-      typename boost::property_traits<typename boost::property_map<Mesh, CGAL::vertex_point_t>::type>::value_type;
+    typename boost::property_traits<typename boost::property_map<Mesh, CGAL::vertex_point_t>::type>::value_type;
 
   /// the square [0, n]^2 in a grid of n times n cells
   static Mesh square(unsigned n)
   {
     Mesh mesh;
-    CGAL::make_grid(n, n, mesh, [](std::size_t i, std::size_t j) { return Point(double(i), double(j), 0.); }, true);
+    CGAL::make_grid(
+      n, n, mesh, [](std::size_t i, std::size_t j) { return Point(double(i), double(j), 0.); }, true);
     return mesh;
   }
 
@@ -104,7 +105,8 @@ TYPED_TEST(Exact_geodesics_interface, vertex_point_map)
   using Fixture = Exact_geodesics_interface<TypeParam>;
   const TypeParam mesh = Fixture::square(4);
   std::map<typename Fixture::vertex_descriptor, typename Fixture::Point> points;
-  for(auto v : vertices(mesh)) {
+  for(auto v : vertices(mesh))
+  {
     const auto& p = get(get(CGAL::vertex_point, mesh), v);
     points[v] = typename Fixture::Point(3. * p.x(), 2. * p.y(), 0.);
   }
@@ -128,18 +130,18 @@ TYPED_TEST(Exact_geodesics_interface, everything_asked_for)
   geodesics.set_directions(true);
   geodesics.set_centroids(true);
   EXPECT_EQ(geodesics.add_query(query), 0u);
-  for(auto s : vertices(mesh)) {
+  for(auto s : vertices(mesh))
+  {
     geodesics.compute(s);
     const auto zero = geodesics.source_halfedge();
     EXPECT_EQ(source(zero, mesh), s);
-    const auto direction = [&](const typename Fixture::Point& p, const typename Fixture::Point& q) {
-      return std::atan2(q.y() - p.y(), q.x() - p.x());
-    };
-    const auto along = [&](typename boost::graph_traits<TypeParam>::halfedge_descriptor h) {
-      return direction(get(vpm, source(h, mesh)), get(vpm, target(h, mesh)));
-    };
+    const auto direction = [&](const typename Fixture::Point& p, const typename Fixture::Point& q)
+    { return std::atan2(q.y() - p.y(), q.x() - p.x()); };
+    const auto along = [&](typename boost::graph_traits<TypeParam>::halfedge_descriptor h)
+    { return direction(get(vpm, source(h, mesh)), get(vpm, target(h, mesh))); };
     const auto turn = [](double a, double b) { return std::fabs(std::remainder(a - b, 2. * 3.14159265358979323846)); };
-    for(auto v : vertices(mesh)) {
+    for(auto v : vertices(mesh))
+    {
       EXPECT_EQ(geodesics.nearest_source(v), 0u);
       const double d = geodesics.distance(v);
       EXPECT_NEAR(d, Fixture::distance(get(vpm, s), get(vpm, v)), 1e-12);
@@ -175,7 +177,8 @@ TYPED_TEST(Exact_geodesics_interface, everything_asked_for)
   geodesics.set_maximum_distance(2.5);
   const auto s = *vertices(mesh).begin();
   geodesics.compute(s);
-  for(auto v : vertices(mesh)) {
+  for(auto v : vertices(mesh))
+  {
     const double d = Fixture::distance(get(vpm, s), get(vpm, v));
     EXPECT_EQ(geodesics.distance(v) < infinity, d <= 2.5);
     std::vector<Location> path;
@@ -211,10 +214,13 @@ TYPED_TEST(Exact_geodesics_interface, bad_meshes)
   const auto h = halfedge(f, mesh);
   const auto vpm = get(CGAL::vertex_point, mesh);
   put(vpm, source(h, mesh), CGAL::midpoint(get(vpm, target(h, mesh)), get(vpm, target(next(h, mesh), mesh))));
-  try {
+  try
+  {
     typename Fixture::Geodesics geodesics(mesh);
     ADD_FAILURE() << "a face without area has been accepted";
-  } catch(const std::invalid_argument& e) {
+  }
+  catch(const std::invalid_argument& e)
+  {
     EXPECT_NE(std::string(e.what()).find("face #5 "), std::string::npos) << e.what();
   }
 }
@@ -241,10 +247,13 @@ TEST(Exact_geodesics_surface_mesh, isolated_and_removed_vertices)
   EXPECT_DOUBLE_EQ(vdm[c], 5.);
   // messages count the vertices in the order of the mesh
   mesh.point(c) = Point(0., infinity, 0.);
-  try {
+  try
+  {
     CGAL::Surface_mesh_exact_geodesics<Mesh> other(mesh);
     ADD_FAILURE() << "an infinite coordinate has been accepted";
-  } catch(const std::invalid_argument& e) {
+  }
+  catch(const std::invalid_argument& e)
+  {
     EXPECT_NE(std::string(e.what()).find("vertex #3 "), std::string::npos) << e.what();
   }
 }

@@ -25,7 +25,8 @@ std::vector<Mesh> some_meshes()
   meshes.push_back(bumpy_grid(16, 13, 0.4, 1, 0.2));
   meshes.push_back(perforated(bumpy_grid(20, 20, 0.2, 2, 0.2), 0.15, 3));
   meshes.push_back(torus(24, 12, 0.2, 4));
-  meshes.push_back(doubled(perforated(bumpy_grid(14, 14, 0.3, 5), 0.1, 6), [](const Point& p) {
+  meshes.push_back(doubled(perforated(bumpy_grid(14, 14, 0.3, 5), 0.1, 6),
+                           [](const Point& p) {
     return Point{{p[0], p[1], p[2] + 0.5}};
   }));
   meshes.push_back(box({{3., 2., 1.}}, {{6, 4, 3}}));
@@ -51,10 +52,12 @@ double distance_between(Geodesics& geodesics, const Indexed_location& source, co
 
 TEST(Exact_geodesics, symmetry)
 {
-  for(const Mesh& mesh : some_meshes()) {
+  for(const Mesh& mesh : some_meshes())
+  {
     Geodesics geodesics(mesh);
     std::mt19937 random(11);
-    for(unsigned i = 0; i < 60; ++i) {
+    for(unsigned i = 0; i < 60; ++i)
+    {
       const Indexed_location a = random_location(mesh, random, i), b = random_location(mesh, random, i / 3);
       const double ab = distance_between(geodesics, a, b), ba = distance_between(geodesics, b, a);
       EXPECT_NEAR(ab, ba, exact * ab);
@@ -64,12 +67,14 @@ TEST(Exact_geodesics, symmetry)
 
 TEST(Exact_geodesics, triangle_inequality_and_lower_bound)
 {
-  for(const Mesh& mesh : some_meshes()) {
+  for(const Mesh& mesh : some_meshes())
+  {
     Geodesics geodesics(mesh);
     std::mt19937 random(12);
     std::vector<std::vector<double>> distances;
     std::vector<Index> sources;
-    for(unsigned i = 0; i < 12; ++i) {
+    for(unsigned i = 0; i < 12; ++i)
+    {
       sources.push_back(Index(random() % mesh.number_of_vertices()));
       geodesics.run(sources.back());
       distances.push_back(geodesics.distances());
@@ -79,7 +84,7 @@ TEST(Exact_geodesics, triangle_inequality_and_lower_bound)
       for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
         EXPECT_LE(distances[i][mesh.source(h)],
                   distances[i][mesh.target(h)] +
-                      (1. + exact) * distance(mesh.points[mesh.source(h)], mesh.points[mesh.target(h)]));
+                    (1. + exact) * distance(mesh.points[mesh.source(h)], mesh.points[mesh.target(h)]));
     }
     for(std::size_t i = 0; i < sources.size(); ++i)
       for(std::size_t j = 0; j < sources.size(); ++j)
@@ -90,11 +95,13 @@ TEST(Exact_geodesics, triangle_inequality_and_lower_bound)
 
 TEST(Exact_geodesics, paths_are_straight_and_as_long_as_the_distance)
 {
-  for(const Mesh& mesh : some_meshes()) {
+  for(const Mesh& mesh : some_meshes())
+  {
     Geodesics geodesics(mesh);
     Path_tracing tracing(geodesics);
     std::mt19937 random(13);
-    for(unsigned i = 0; i < 12; ++i) {
+    for(unsigned i = 0; i < 12; ++i)
+    {
       Options options;
       for(unsigned k = 0; k < 30; ++k)
         options.queries.push_back(random_location(mesh, random, k));
@@ -102,16 +109,18 @@ TEST(Exact_geodesics, paths_are_straight_and_as_long_as_the_distance)
       for(unsigned k = 0; k <= i / 6; ++k)
         sources.push_back(random_location(mesh, random, i + k));
       geodesics.run(sources, options);
-      for(Index v = i % 5; v < mesh.number_of_vertices(); v += 5) {
+      for(Index v = i % 5; v < mesh.number_of_vertices(); v += 5)
+      {
         const std::vector<Indexed_location> path = tracing.path_from_vertex(v);
         EXPECT_EQ(defect_of_path(geodesics, mesh, path, mesh.points[v], geodesics.distance(v)), "") << "vertex " << v;
         EXPECT_LE(distance(point(mesh, path.back()), point(mesh, sources[geodesics.nearest_source(v)])), 1e-12);
       }
-      for(std::size_t q = 0; q < options.queries.size(); ++q) {
+      for(std::size_t q = 0; q < options.queries.size(); ++q)
+      {
         const std::vector<Indexed_location> path = tracing.path_from_query(q);
         EXPECT_EQ(defect_of_path(geodesics, mesh, path, point(mesh, options.queries[q]), geodesics.query_distance(q)),
                   "")
-            << "query " << q;
+          << "query " << q;
       }
     }
   }
@@ -132,46 +141,55 @@ TEST(Exact_geodesics, path_from_the_source_is_one_point)
 
 TEST(Exact_geodesics, first_and_last_steps_of_paths_have_the_directions_told)
 {
-  for(const Mesh& mesh : meshes_without_ties()) {
+  for(const Mesh& mesh : meshes_without_ties())
+  {
     Geodesics geodesics(mesh);
     Path_tracing tracing(geodesics);
     std::mt19937 random(14);
     Options options;
     options.directions = true;
-    for(unsigned i = 0; i < 10; ++i) {
+    for(unsigned i = 0; i < 10; ++i)
+    {
       const Index s = Index(random() % mesh.number_of_vertices());
       geodesics.run(s, options);
       EXPECT_DOUBLE_EQ(geodesics.source_angle(), geodesics.faces().total_angle(s));
       // the angle at a vertex of the step to `to`, of which a face with the vertex is known
-      const auto unrolled = [&](Index v, const Point& to, Index f) {
+      const auto unrolled = [&](Index v, const Point& to, Index f)
+      {
         for(Index h = 3 * f; h < 3 * f + 3; ++h)
-          if(mesh.source(h) == v) {
+          if(mesh.source(h) == v)
+          {
             const Point& p = mesh.points[v];
             return geodesics.faces().angle_around_source(h) + angle(p, mesh.points[mesh.target(h)], to);
           }
         return -1.;
       };
-      const auto difference = [&](Index v, double a, double b) {
+      const auto difference = [&](Index v, double a, double b)
+      {
         const double d = std::fabs(a - b);
         return geodesics.faces().is_border(v) ? d : (std::min)(d, std::fabs(d - geodesics.faces().total_angle(v)));
       };
-      for(Index v = 0; v < mesh.number_of_vertices(); v += 3) {
+      for(Index v = 0; v < mesh.number_of_vertices(); v += 3)
+      {
         if(v == s)
           continue;
         const std::vector<Indexed_location> path = tracing.path_from_vertex(v);
         ASSERT_GE(path.size(), 2u);
-        const auto common = [&](const Indexed_location& a, const Indexed_location& b) {
+        const auto common = [&](const Indexed_location& a, const Indexed_location& b)
+        {
           for(Index f : faces_around(mesh, a))
             if(faces_around(mesh, b).count(f))
               return f;
           return null_index;
         };
         const Indexed_location &second = path[1], &last_but_one = path[path.size() - 2];
-        if(distance(point(mesh, second), mesh.points[v]) > 1e-3) {
+        if(distance(point(mesh, second), mesh.points[v]) > 1e-3)
+        {
           const double a = unrolled(v, point(mesh, second), common(path[0], second));
           EXPECT_LE(difference(v, geodesics.arrival_angle(v), a), 1e-8);
         }
-        if(distance(point(mesh, last_but_one), mesh.points[s]) > 1e-3) {
+        if(distance(point(mesh, last_but_one), mesh.points[s]) > 1e-3)
+        {
           const double a = unrolled(s, point(mesh, last_but_one), common(path.back(), last_but_one));
           EXPECT_LE(difference(s, geodesics.direction_at_source(v), a), 1e-8);
         }
@@ -182,11 +200,13 @@ TEST(Exact_geodesics, first_and_last_steps_of_paths_have_the_directions_told)
 
 TEST(Exact_geodesics, renumbering)
 {
-  for(const Mesh& mesh : some_meshes()) {
+  for(const Mesh& mesh : some_meshes())
+  {
     std::vector<Index> number;
     const Mesh other = renumbered(mesh, 15, number);
     Geodesics geodesics(mesh), others(other);
-    for(Index s = 0; s < mesh.number_of_vertices(); s += 37) {
+    for(Index s = 0; s < mesh.number_of_vertices(); s += 37)
+    {
       geodesics.run(s);
       others.run(number[s]);
       for(Index v = 0; v < mesh.number_of_vertices(); ++v)
@@ -197,14 +217,17 @@ TEST(Exact_geodesics, renumbering)
 
 TEST(Exact_geodesics, flat_subdivision)
 {
-  for(const Mesh& mesh : some_meshes()) {
+  for(const Mesh& mesh : some_meshes())
+  {
     const Mesh fine = subdivided(mesh), uneven = subdivided(mesh, 0.3, 16);
     Geodesics geodesics(mesh), finer(fine), unevenly(uneven);
-    for(Index s = 0; s < mesh.number_of_vertices(); s += 29) {
+    for(Index s = 0; s < mesh.number_of_vertices(); s += 29)
+    {
       geodesics.run(s);
       finer.run(s);
       unevenly.run(s);
-      for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+      for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+      {
         EXPECT_NEAR(geodesics.distance(v), finer.distance(v), exact * geodesics.distance(v));
         EXPECT_NEAR(geodesics.distance(v), unevenly.distance(v), exact * geodesics.distance(v));
       }
@@ -216,15 +239,18 @@ TEST(Exact_geodesics, flat_subdivision)
 
 TEST(Exact_geodesics, rigid_motion_and_scale)
 {
-  for(const Mesh& mesh : some_meshes()) {
+  for(const Mesh& mesh : some_meshes())
+  {
     Mesh moved = mesh;
     const double c = std::cos(0.7), s = std::sin(0.7), scale = 1e-3;
-    for(Point& p : moved.points) {
+    for(Point& p : moved.points)
+    {
       const Point q{{c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]}};
       p = {{scale * (q[0] + 3.), scale * (c * q[1] - s * q[2] - 2.), scale * (s * q[1] + c * q[2] + 1.)}};
     }
     Geodesics geodesics(mesh), others(moved);
-    for(Index source = 0; source < mesh.number_of_vertices(); source += 41) {
+    for(Index source = 0; source < mesh.number_of_vertices(); source += 41)
+    {
       geodesics.run(source);
       others.run(source);
       for(Index v = 0; v < mesh.number_of_vertices(); ++v)
@@ -236,11 +262,13 @@ TEST(Exact_geodesics, rigid_motion_and_scale)
 TEST(Exact_geodesics, several_sources_are_the_nearest_of_each)
 {
   std::size_t number = 0;
-  for(const Mesh& mesh : some_meshes()) {
+  for(const Mesh& mesh : some_meshes())
+  {
     const bool has_directions = number++ < meshes_without_ties().size();
     Geodesics geodesics(mesh);
     std::mt19937 random(17);
-    for(unsigned i = 0; i < 8; ++i) {
+    for(unsigned i = 0; i < 8; ++i)
+    {
       Options options;
       options.directions = true;
       options.all_centroids = true;
@@ -251,13 +279,15 @@ TEST(Exact_geodesics, several_sources_are_the_nearest_of_each)
       sources.push_back(sources[0]);
       sources.back().coordinates = {{0.2, 0.3, 0.5}};
       std::vector<double> nearest(mesh.number_of_vertices(), infinity),
-          nearest_centroid(mesh.number_of_faces(), infinity);
+        nearest_centroid(mesh.number_of_faces(), infinity);
       std::vector<std::vector<double>> single, directions;
-      for(const Indexed_location& source : sources) {
+      for(const Indexed_location& source : sources)
+      {
         geodesics.run({source}, options);
         single.push_back(geodesics.distances());
         directions.emplace_back();
-        for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+        for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+        {
           nearest[v] = (std::min)(nearest[v], geodesics.distance(v));
           directions.back().push_back(geodesics.distance(v) > 0. ? geodesics.direction_at_source(v) : 0.);
         }
@@ -265,12 +295,14 @@ TEST(Exact_geodesics, several_sources_are_the_nearest_of_each)
           nearest_centroid[f] = (std::min)(nearest_centroid[f], geodesics.query_distance(f));
       }
       geodesics.run(sources, options);
-      for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+      for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+      {
         EXPECT_NEAR(geodesics.distance(v), nearest[v], exact * nearest[v]);
         const Index n = geodesics.nearest_source(v);
         ASSERT_LT(n, sources.size());
         EXPECT_NEAR(single[n][v], nearest[v], exact * nearest[v]);
-        if(has_directions && nearest[v] > 0.) {
+        if(has_directions && nearest[v] > 0.)
+        {
           const double turn = std::fabs(geodesics.direction_at_source(v) - directions[n][v]);
           if(turn > 1e-9 && std::fabs(turn - geodesics.source_angle(n)) > 1e-9)
             ADD_FAILURE() << "direction of vertex " << v << " off by " << turn;
@@ -284,25 +316,32 @@ TEST(Exact_geodesics, several_sources_are_the_nearest_of_each)
 
 TEST(Exact_geodesics, maximum_distance)
 {
-  for(const Mesh& mesh : some_meshes()) {
+  for(const Mesh& mesh : some_meshes())
+  {
     Geodesics geodesics(mesh), bounded(mesh);
     Options options;
     options.all_centroids = true;
-    for(Index s = 0; s < mesh.number_of_vertices(); s += 31) {
+    for(Index s = 0; s < mesh.number_of_vertices(); s += 31)
+    {
       geodesics.run(s, options);
       const std::size_t windows = geodesics.number_of_windows();
       Options limit = options;
-      for(const double d : {0.3, 1.7, 5.2}) {
+      for(const double d : {0.3, 1.7, 5.2})
+      {
         limit.maximum_distance = d;
         bounded.run(s, limit);
         for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-          if(std::fabs(geodesics.distance(v) - d) > exact) {
+          if(std::fabs(geodesics.distance(v) - d) > exact)
+          {
             EXPECT_EQ(bounded.distance(v), geodesics.distance(v) < d ? geodesics.distance(v) : infinity);
           }
         for(Index f = 0; f < mesh.number_of_faces(); ++f)
-          if(geodesics.query_distance(f) > d + exact) {
+          if(geodesics.query_distance(f) > d + exact)
+          {
             EXPECT_EQ(bounded.query_distance(f), infinity);
-          } else if(geodesics.query_distance(f) < d - exact) {
+          }
+          else if(geodesics.query_distance(f) < d - exact)
+          {
             EXPECT_NEAR(bounded.query_distance(f), geodesics.query_distance(f), exact);
           }
         EXPECT_LE(bounded.number_of_windows(), windows);
@@ -326,13 +365,15 @@ TEST(Exact_geodesics, other_components_are_not_reached)
   Options options;
   options.all_centroids = true;
   geodesics.run(3, options);
-  for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+  {
     EXPECT_EQ(geodesics.is_reached(v), v < vertices);
     EXPECT_EQ(geodesics.distance(v) < infinity, v < vertices);
     EXPECT_EQ(geodesics.nearest_source(v), v < vertices ? 0 : null_index);
     EXPECT_EQ(Path_tracing(geodesics).path_from_vertex(v).empty(), v >= vertices);
   }
-  for(Index f = 0; f < mesh.number_of_faces(); ++f) {
+  for(Index f = 0; f < mesh.number_of_faces(); ++f)
+  {
     EXPECT_EQ(geodesics.query_distance(f) < infinity, f < faces);
     EXPECT_EQ(Path_tracing(geodesics).path_from_query(f).empty(), f >= faces);
   }
@@ -340,7 +381,8 @@ TEST(Exact_geodesics, other_components_are_not_reached)
 
 TEST(Exact_geodesics, the_same_again)
 {
-  for(const Mesh& mesh : some_meshes()) {
+  for(const Mesh& mesh : some_meshes())
+  {
     Geodesics geodesics(mesh), other(mesh);
     Options options;
     options.directions = true;
@@ -363,7 +405,8 @@ TEST(Exact_geodesics, source_at_a_vertex_is_the_same_in_each_face)
 {
   const Mesh mesh = bumpy_grid(8, 8, 0.5, 3);
   Geodesics geodesics(mesh);
-  for(Index h = 0; h < mesh.number_of_halfedges(); h += 5) {
+  for(Index h = 0; h < mesh.number_of_halfedges(); h += 5)
+  {
     geodesics.run(mesh.source(h));
     const std::vector<double> expected = geodesics.distances();
     Indexed_location location;
@@ -382,11 +425,14 @@ TEST(Exact_geodesics, distance_is_continuous_in_the_source)
 {
   const Mesh mesh = bumpy_grid(9, 9, 0.4, 4);
   Geodesics geodesics(mesh);
-  for(Index f = 0; f < mesh.number_of_faces(); f += 7) {
+  for(Index f = 0; f < mesh.number_of_faces(); f += 7)
+  {
     geodesics.run(mesh.triangles[f][0]);
     const std::vector<double> expected = geodesics.distances();
-    for(double e = 1e-3; e > 1e-17; e *= 0.1) {
-      for(int k = 0; k < 3; ++k) {
+    for(double e = 1e-3; e > 1e-17; e *= 0.1)
+    {
+      for(int k = 0; k < 3; ++k)
+      {
         geodesics.run({location(f, 1. - e, k == 0 ? 0. : k == 1 ? e : 0.5 * e, k == 0 ? e : k == 1 ? 0. : 0.5 * e)});
         for(Index v = 0; v < mesh.number_of_vertices(); ++v)
           ASSERT_NEAR(geodesics.distance(v), expected[v], 4. * e + 1e-12) << "face " << f << ", off by " << e;
@@ -397,9 +443,11 @@ TEST(Exact_geodesics, distance_is_continuous_in_the_source)
 
 TEST(Exact_geodesics, source_on_an_edge_is_a_vertex_of_the_split_edge)
 {
-  for(const Mesh& mesh : some_meshes()) {
+  for(const Mesh& mesh : some_meshes())
+  {
     Geodesics geodesics(mesh);
-    for(Index h = 2; h < mesh.number_of_halfedges(); h += 97) {
+    for(Index h = 2; h < mesh.number_of_halfedges(); h += 97)
+    {
       std::vector<char> is_marked(mesh.number_of_halfedges(), 0);
       is_marked[h] = 1;
       if(!mesh.is_border_edge(h))
@@ -419,10 +467,14 @@ TEST(Exact_geodesics, source_on_an_edge_is_a_vertex_of_the_split_edge)
 
 TEST(Exact_geodesics, bad_input_is_named)
 {
-  const auto message = [](const Mesh& mesh) {
-    try {
+  const auto message = [](const Mesh& mesh)
+  {
+    try
+    {
       Geodesics geodesics(mesh);
-    } catch(const CGAL::Cut_loci::Invalid_input& e) {
+    }
+    catch(const CGAL::Cut_loci::Invalid_input& e)
+    {
       return std::string(e.what());
     }
     return std::string();
@@ -449,7 +501,8 @@ TEST(Exact_geodesics, bad_input_is_named)
   std::vector<Mesh::Triangle> triangles = cubes.triangles;
   for(std::size_t v = 1; v < cubes.points.size(); ++v)
     points.push_back({{-cubes.points[v][0], -cubes.points[v][1], cubes.points[v][2]}});
-  for(const Mesh::Triangle& c : cubes.triangles) {
+  for(const Mesh::Triangle& c : cubes.triangles)
+  {
     Mesh::Triangle copy = c;
     for(Index& v : copy)
       v = v == 0 ? 0 : v + Index(cubes.points.size()) - 1;

@@ -82,7 +82,10 @@ double largest_error(const std::vector<double>& d, const std::function<double(st
   return result;
 }
 
-double great_circle(const Point& p, const Point& q) { return std::atan2(norm(cross(p, q)), dot(p, q)); }
+double great_circle(const Point& p, const Point& q)
+{
+  return std::atan2(norm(cross(p, q)), dot(p, q));
+}
 
 // two flat strips glued along both sides: two edges join each pair of vertices opposite to each other
 Indexed_triangle_mesh two_sided_strip(Index n)
@@ -190,8 +193,10 @@ TEST(Shortest_path_geodesic_solver, is_exact_on_a_convex_piece_of_the_plane_from
                                       location(50, {{0.5, 0., 0.5}}), location(border_face, on_border)})
   {
     const Point p = point_of(mesh, source);
-    EXPECT_LT(largest_error(distances(CGAL::Shortest_path_geodesic_solver(), mesh, source),
-                            [&](std::size_t v) { return norm(mesh.points[v] - p); }, 1.), 1e-7);
+    EXPECT_LT(largest_error(
+                distances(CGAL::Shortest_path_geodesic_solver(), mesh, source),
+                [&](std::size_t v) { return norm(mesh.points[v] - p); }, 1.),
+              1e-7);
   }
 }
 
@@ -203,15 +208,18 @@ TEST(Shortest_path_geodesic_solver, converges_with_order_two_to_great_circles)
     const Mesh_data data = jittered_sphere(n, 0.15, 2);
     const Indexed_triangle_mesh mesh = indexed(data);
     h.push_back(mean_edge_length(data));
-    error.push_back(largest_error(distances(CGAL::Shortest_path_geodesic_solver(), mesh, at_vertex(mesh, 0)),
-                                  [&](std::size_t v) { return great_circle(data.points[0], data.points[v]); }, 1.));
+    error.push_back(largest_error(
+      distances(CGAL::Shortest_path_geodesic_solver(), mesh, at_vertex(mesh, 0)),
+      [&](std::size_t v) { return great_circle(data.points[0], data.points[v]); }, 1.));
   }
   for(std::size_t i = 1; i < h.size(); ++i)
     EXPECT_GT(std::log(error[i - 1] / error[i]) / std::log(h[i - 1] / h[i]), 1.7);
 }
 
 template <typename Solver>
-class Heat_method_test : public ::testing::Test {};
+class Heat_method_test : public ::testing::Test
+{
+};
 using Heat_solvers = ::testing::Types<Direct_heat, Intrinsic_heat>;
 TYPED_TEST_SUITE(Heat_method_test, Heat_solvers);
 
@@ -223,8 +231,9 @@ TYPED_TEST(Heat_method_test, comes_closer_to_great_circles_with_an_error_below_o
     const Mesh_data data = jittered_sphere(n, 0.15, 2);
     const Indexed_triangle_mesh mesh = indexed(data);
     const double h = mean_edge_length(data);
-    const double error = largest_error(distances(TypeParam(), mesh, at_vertex(mesh, 0)),
-                                       [&](std::size_t v) { return great_circle(data.points[0], data.points[v]); }, 1.);
+    const double error = largest_error(
+      distances(TypeParam(), mesh, at_vertex(mesh, 0)),
+      [&](std::size_t v) { return great_circle(data.points[0], data.points[v]); }, 1.);
     this->RecordProperty("error_in_h_" + std::to_string(n), std::to_string(error / h));
     EXPECT_LT(error, h);
     if(previous > 0.) // slower than h: 0.25 h, 0.33 h, 0.54 h
@@ -240,13 +249,15 @@ TYPED_TEST(Heat_method_test, takes_sources_inside_faces_and_on_edges)
   const Mesh_data data = jittered_sphere(12, 0.15, 2);
   const Indexed_triangle_mesh mesh = indexed(data);
   const double h = mean_edge_length(data);
-  for(const Indexed_source& source : {location(7, {{0.3, 0.3, 0.4}}), location(100, {{0.6, 0.4, 0.}}),
-                                      location(500, {{0., 0.5, 0.5}})})
+  for(const Indexed_source& source :
+      {location(7, {{0.3, 0.3, 0.4}}), location(100, {{0.6, 0.4, 0.}}), location(500, {{0., 0.5, 0.5}})})
   {
     const std::vector<double> d = distances(TypeParam(), mesh, source);
     ASSERT_EQ(d.size(), data.points.size());
     const Point p = normalized(point_of(mesh, source));
-    EXPECT_LT(largest_error(d, [&](std::size_t v) { return great_circle(p, data.points[v]); }, h), 1.);
+    EXPECT_LT(largest_error(
+                d, [&](std::size_t v) { return great_circle(p, data.points[v]); }, h),
+              1.);
   }
 }
 
@@ -270,8 +281,8 @@ TEST(Insert_vertex, keeps_the_surface_and_puts_the_vertex_where_it_was_asked_for
   {
     const Indexed_triangle_mesh mesh = indexed(data);
     for(Index f = 0; f < mesh.number_of_faces(); ++f)
-      for(const std::array<double, 3>& c : std::vector<std::array<double, 3> >{
-            {{0.2, 0.3, 0.5}}, {{0., 0.3, 0.7}}, {{0.3, 0., 0.7}}, {{0.3, 0.7, 0.}}})
+      for(const std::array<double, 3>& c :
+          std::vector<std::array<double, 3>>{{{0.2, 0.3, 0.5}}, {{0., 0.3, 0.7}}, {{0.3, 0., 0.7}}, {{0.3, 0.7, 0.}}})
       {
         const Indexed_source source = location(f, c);
         const Indexed_triangle_mesh refined = CGAL::Cut_loci::internal::insert_vertex(mesh, source.location);
@@ -299,8 +310,8 @@ TEST(Insert_vertex, keeps_the_surface_and_puts_the_vertex_where_it_was_asked_for
 
 TEST(Surface_mesh_copy, is_a_valid_mesh_with_the_same_numbering)
 {
-  for(const Mesh_data& data : {jittered_sphere(3, 0.2, 1), square(3, 0.2, 2), cylinder(1., 6, 2, 0.1, 3),
-                               perforated_plate(2, 1, 1, 4)})
+  for(const Mesh_data& data :
+      {jittered_sphere(3, 0.2, 1), square(3, 0.2, 2), cylinder(1., 6, 2, 0.1, 3), perforated_plate(2, 1, 1, 4)})
   {
     const Indexed_triangle_mesh mesh = indexed(data);
     const Mesh copy = CGAL::Cut_loci::internal::surface_mesh_copy(mesh);
@@ -324,8 +335,10 @@ TEST(Surface_mesh_copy, of_a_surface_with_two_edges_between_the_same_vertices_ca
   const Mesh copy = CGAL::Cut_loci::internal::surface_mesh_copy(mesh);
   EXPECT_TRUE(copy.is_valid(false));
   // both strips are flat: the distance is that in the plane
-  EXPECT_LT(largest_error(distances(CGAL::Shortest_path_geodesic_solver(), mesh, at_vertex(mesh, 0)),
-                          [&](std::size_t v) { return norm(mesh.points[v] - mesh.points[0]); }, 1.), 1e-7);
+  EXPECT_LT(largest_error(
+              distances(CGAL::Shortest_path_geodesic_solver(), mesh, at_vertex(mesh, 0)),
+              [&](std::size_t v) { return norm(mesh.points[v] - mesh.points[0]); }, 1.),
+            1e-7);
   const auto cut_locus = CGAL::compute_cut_locus(copy, Mesh::Vertex_index(4));
   EXPECT_EQ(cut_locus.genus(), 0u);
   EXPECT_EQ(cut_locus.number_of_border_loops(), 2u);
@@ -359,8 +372,7 @@ TEST(Geodesic_solver, chooses_the_method_for_its_distances)
     static Method cut_locus_method() { return Method::DIRECTION; }
   };
   const Built built(jittered_sphere(5, 0.2, 1));
-  const auto method_with = [&](const auto& geodesic_solver)
-  {
+  const auto method_with = [&](const auto& geodesic_solver) {
     return CGAL::Surface_mesh_cut_locus<Mesh>(built.mesh, CGAL::parameters::geodesic_solver(geodesic_solver)).method();
   };
   EXPECT_EQ(CGAL::Surface_mesh_cut_locus<Mesh>(built.mesh).method(), Method::DIRECTION);

@@ -86,7 +86,11 @@ Error relative_error(const std::vector<double>& d, const std::vector<double>& re
 std::vector<double> brute_force(const Mesh& mesh, Index source)
 {
   using namespace CGAL::Cut_loci::internal;
-  struct Arc { Index v, w; double length; };
+  struct Arc
+  {
+    Index v, w;
+    double length;
+  };
   std::vector<Arc> arcs;
   for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
   {
@@ -110,8 +114,16 @@ std::vector<double> brute_force(const Mesh& mesh, Index source)
     changed = false;
     for(const Arc& a : arcs)
     {
-      if(d[a.v] + a.length < d[a.w]) { d[a.w] = d[a.v] + a.length; changed = true; }
-      if(d[a.w] + a.length < d[a.v]) { d[a.v] = d[a.w] + a.length; changed = true; }
+      if(d[a.v] + a.length < d[a.w])
+      {
+        d[a.w] = d[a.v] + a.length;
+        changed = true;
+      }
+      if(d[a.w] + a.length < d[a.v])
+      {
+        d[a.v] = d[a.w] + a.length;
+        changed = true;
+      }
     }
   }
   return d;
@@ -168,7 +180,7 @@ TEST(Graph_geodesic_solver, is_exact_along_edges_and_dual_edges)
 TEST(Graph_geodesic_solver, satisfies_the_triangle_inequality)
 {
   const Mesh mesh = bumpy_sphere(12);
-  std::vector<std::vector<double> > d;
+  std::vector<std::vector<double>> d;
   for(Index v = 0; v < mesh.number_of_vertices(); v += 5)
     d.push_back(graph(mesh, at_vertex(mesh, v)));
   for(std::size_t i = 0; i < d.size(); ++i)
@@ -197,7 +209,7 @@ TEST(Graph_geodesic_solver, takes_sources_in_faces_and_on_edges)
       const Error e = relative_error(d, reference);
       EXPECT_GE(e.lowest, -rounding);
       EXPECT_LE(e.mean, 0.06);
-      EXPECT_LE(e.highest, 0.3); // next to the source, where few arcs are to choose from
+      EXPECT_LE(e.highest, 0.3);       // next to the source, where few arcs are to choose from
       for(Index v : mesh.triangles[f]) // straight in the face; around a convex edge may be no shorter
         EXPECT_NEAR(d[v], reference[v], 1e-6);
     }

@@ -35,7 +35,7 @@ using Cut_locus = CGAL::Cut_locus<Mesh, Kernel::Point_3>;
 // ---- the minimum over a graph
 
 // a graph of given points in the plane, with the distances to the origin
-Cut_locus made_of(const std::vector<Kernel::Point_3>& points, const std::vector<std::pair<int, int> >& edges)
+Cut_locus made_of(const std::vector<Kernel::Point_3>& points, const std::vector<std::pair<int, int>>& edges)
 {
   Cut_locus::Graph graph;
   for(const Kernel::Point_3& p : points)
@@ -66,8 +66,8 @@ TEST(Injectivity_radius, Is_reached_at_a_vertex_or_within_an_edge)
 
   EXPECT_DOUBLE_EQ(injectivity_radius(made_of({{3., 4., 0.}}, {})).distance, 5.);
   EXPECT_DOUBLE_EQ(injectivity_radius(made_of({{3., 4., 0.}, {3., 4., 0.}}, {{0, 1}})).distance, 5.); // no length
-  EXPECT_DOUBLE_EQ(CGAL::Cut_loci::compute_statistics(made_of({{-1., 1., 0.}, {3., 1., 0.}}, {{0, 1}}))
-                     .injectivity_radius, 1.);
+  EXPECT_DOUBLE_EQ(
+    CGAL::Cut_loci::compute_statistics(made_of({{-1., 1., 0.}, {3., 1., 0.}}, {{0, 1}})).injectivity_radius, 1.);
   EXPECT_THROW(injectivity_radius(made_of({}, {})), CGAL::Cut_loci::Invalid_input);
 }
 
@@ -127,7 +127,10 @@ const std::vector<Surface>& surfaces()
   return result;
 }
 
-bool is_torus(const Surface& surface) { return surface.name.find("torus") == 0; }
+bool is_torus(const Surface& surface)
+{
+  return surface.name.find("torus") == 0;
+}
 
 struct Estimate
 {
@@ -145,8 +148,9 @@ std::vector<Estimate> estimates(const Surface& surface, Method method, bool is_t
     CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, params::cut_locus_method(method));
     solver.set_source(built.vertices[nearest_vertex(data, surface.source)]);
     const auto radius = injectivity_radius(
-      method == Method::LAPLACIAN ? solver.cut_locus(params::number_of_iterations(is_through_faces ? 4 : 0))
-      : solver.cut_locus(params::cut_locus_curve(is_through_faces ? Curve::THROUGH_FACES : Curve::MESH_EDGES)));
+      method == Method::LAPLACIAN
+        ? solver.cut_locus(params::number_of_iterations(is_through_faces ? 4 : 0))
+        : solver.cut_locus(params::cut_locus_curve(is_through_faces ? Curve::THROUGH_FACES : Curve::MESH_EDGES)));
     result.push_back({std::abs(radius.distance - surface.radius), mean_edge_length(data)});
   }
   return result;

@@ -33,19 +33,40 @@ struct Mesh_data
   std::vector<Triangle> triangles;
 };
 
-inline Point operator+(const Point& a, const Point& b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
-inline Point operator-(const Point& a, const Point& b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
-inline Point operator*(double s, const Point& a) { return {{s * a[0], s * a[1], s * a[2]}}; }
-inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline double norm(const Point& a) { return std::sqrt(dot(a, a)); }
-inline Point normalized(const Point& a) { return (1. / norm(a)) * a; }
+inline Point operator+(const Point& a, const Point& b)
+{
+  return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
+}
+inline Point operator-(const Point& a, const Point& b)
+{
+  return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
+}
+inline Point operator*(double s, const Point& a)
+{
+  return {{s * a[0], s * a[1], s * a[2]}};
+}
+inline double dot(const Point& a, const Point& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline double norm(const Point& a)
+{
+  return std::sqrt(dot(a, a));
+}
+inline Point normalized(const Point& a)
+{
+  return (1. / norm(a)) * a;
+}
 inline Point cross(const Point& a, const Point& b)
 {
   return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
 
 // uniform in [-1, 1]; std::uniform_real_distribution differs between standard libraries
-inline double random_unit(std::mt19937& engine) { return 2. * engine() / 4294967295. - 1.; }
+inline double random_unit(std::mt19937& engine)
+{
+  return 2. * engine() / 4294967295. - 1.;
+}
 
 inline double mean_edge_length(const Mesh_data& m)
 {
@@ -82,13 +103,13 @@ inline Mesh_data icosahedron()
 {
   const double a = (1. + std::sqrt(5.)) / 2.;
   Mesh_data m;
-  m.points = {{{-1, a, 0}}, {{1, a, 0}}, {{-1, -a, 0}}, {{1, -a, 0}}, {{0, -1, a}}, {{0, 1, a}},
-              {{0, -1, -a}}, {{0, 1, -a}}, {{a, 0, -1}}, {{a, 0, 1}}, {{-a, 0, -1}}, {{-a, 0, 1}}};
+  m.points = {{{-1, a, 0}},  {{1, a, 0}},  {{-1, -a, 0}}, {{1, -a, 0}}, {{0, -1, a}},  {{0, 1, a}},
+              {{0, -1, -a}}, {{0, 1, -a}}, {{a, 0, -1}},  {{a, 0, 1}},  {{-a, 0, -1}}, {{-a, 0, 1}}};
   for(Point& p : m.points)
     p = normalized(p);
-  m.triangles = {{{0, 11, 5}}, {{0, 5, 1}}, {{0, 1, 7}}, {{0, 7, 10}}, {{0, 10, 11}}, {{1, 5, 9}}, {{5, 11, 4}},
-                 {{11, 10, 2}}, {{10, 7, 6}}, {{7, 1, 8}}, {{3, 9, 4}}, {{3, 4, 2}}, {{3, 2, 6}}, {{3, 6, 8}},
-                 {{3, 8, 9}}, {{4, 9, 5}}, {{2, 4, 11}}, {{6, 2, 10}}, {{8, 6, 7}}, {{9, 8, 1}}};
+  m.triangles = {{{0, 11, 5}},  {{0, 5, 1}},  {{0, 1, 7}},  {{0, 7, 10}}, {{0, 10, 11}}, {{1, 5, 9}}, {{5, 11, 4}},
+                 {{11, 10, 2}}, {{10, 7, 6}}, {{7, 1, 8}},  {{3, 9, 4}},  {{3, 4, 2}},   {{3, 2, 6}}, {{3, 6, 8}},
+                 {{3, 8, 9}},   {{4, 9, 5}},  {{2, 4, 11}}, {{6, 2, 10}}, {{8, 6, 7}},   {{9, 8, 1}}};
   return m;
 }
 
@@ -224,8 +245,8 @@ Mesh_data surface_of_revolution(std::size_t nu, std::size_t nt, const Profile& p
 // A bumpy sphere whose faces are slim, of all sizes, and crowded at two poles.
 inline Mesh_data irregular_bumpy_sphere(std::size_t n, double height, unsigned seed)
 {
-  const Mesh_data rings = surface_of_revolution(3 * n, n, [](double t)
-  {
+  const Mesh_data rings = surface_of_revolution(3 * n, n,
+                                                [](double t) {
     return std::array<double, 2>{{std::sin(pi * t), -std::cos(pi * t)}};
   });
   return bumpy(jittered(rings, 0.35, seed, [](const Point& p) { return normalized(p); }), height, seed);
@@ -234,8 +255,9 @@ inline Mesh_data irregular_bumpy_sphere(std::size_t n, double height, unsigned s
 // a cylinder of radius 1 from z = -half_length to half_length, closed by hemispheres
 inline Mesh_data capsule(double half_length, std::size_t nu, std::size_t nt)
 {
-  return surface_of_revolution(nu, nt, [=](double t)
-  {
+  return surface_of_revolution(nu, nt,
+                               [=](double t)
+                               {
     const double s = t * (pi + 2. * half_length); // arc length from the lower pole
     if(s < pi / 2.)
       return std::array<double, 2>{{std::sin(s), -half_length - std::cos(s)}};
@@ -385,8 +407,8 @@ inline Mesh_data square(std::size_t n, double amount = 0., unsigned seed = 0)
     for(std::size_t j = 0; j <= n; ++j)
     {
       const double x = amount * random_unit(engine), y = amount * random_unit(engine);
-      m.points.push_back({{(double(i) + (i > 0 && i < n ? x : 0.)) / n,
-                           (double(j) + (j > 0 && j < n ? y : 0.)) / n, 0.}});
+      m.points.push_back(
+        {{(double(i) + (i > 0 && i < n ? x : 0.)) / n, (double(j) + (j > 0 && j < n ? y : 0.)) / n, 0.}});
     }
   for(std::size_t i = 0; i < n; ++i)
     for(std::size_t j = 0; j < n; ++j)
@@ -416,8 +438,8 @@ inline Mesh_data cylinder(double height, std::size_t nu, std::size_t nz, double 
     {
       const double ju = amount * random_unit(engine), jz = amount * random_unit(engine);
       const double phi = 2. * pi * (double(u) + ju) / nu;
-      m.points.push_back({{std::cos(phi), std::sin(phi),
-                           height * (double(k) + (k > 0 && k < nz ? jz : 0.)) / double(nz)}});
+      m.points.push_back(
+        {{std::cos(phi), std::sin(phi), height * (double(k) + (k > 0 && k < nz ? jz : 0.)) / double(nz)}});
     }
   for(std::size_t k = 0; k < nz; ++k)
     for(std::size_t u = 0; u < nu; ++u)
@@ -456,10 +478,9 @@ inline Mesh_data punctured(const Mesh_data& m, const std::vector<Point>& centers
   Mesh_data result = m;
   const auto is_inside = [&](const Triangle& t)
   {
-    return std::any_of(centers.begin(), centers.end(), [&](const Point& c)
-    {
-      return norm((1. / 3.) * (m.points[t[0]] + m.points[t[1]] + m.points[t[2]]) - c) < radius;
-    });
+    return std::any_of(centers.begin(), centers.end(),
+                       [&](const Point& c)
+                       { return norm((1. / 3.) * (m.points[t[0]] + m.points[t[1]] + m.points[t[2]]) - c) < radius; });
   };
   result.triangles.erase(std::remove_if(result.triangles.begin(), result.triangles.end(), is_inside),
                          result.triangles.end());

@@ -41,7 +41,10 @@ using Graph = Cut_locus::Graph;
 using Coordinates = std::array<double, 3>;
 using Segment = std::pair<Coordinates, Coordinates>;
 
-Coordinates coordinates(const Point_3& p) { return {{p.x(), p.y(), p.z()}}; }
+Coordinates coordinates(const Point_3& p)
+{
+  return {{p.x(), p.y(), p.z()}};
+}
 
 Segment segment(Coordinates a, Coordinates b)
 {
@@ -51,7 +54,7 @@ Segment segment(Coordinates a, Coordinates b)
 }
 
 // A cut locus with the given edges, whose coordinates take all digits of a double.
-Cut_locus make_cut_locus(std::size_t number_of_vertices, const std::vector<std::pair<std::size_t, std::size_t> >& edges)
+Cut_locus make_cut_locus(std::size_t number_of_vertices, const std::vector<std::pair<std::size_t, std::size_t>>& edges)
 {
   Graph graph(number_of_vertices);
   for(std::size_t i = 0; i < number_of_vertices; ++i)
@@ -73,12 +76,27 @@ Cut_locus make_cut_locus(std::size_t number_of_vertices, const std::vector<std::
 }
 
 // Three branches of different lengths, one of which ends in a loop.
-Cut_locus branched() { return make_cut_locus(9, {{0, 1}, {2, 1}, {2, 3}, {2, 4}, {4, 5}, {5, 6}, {6, 7}, {7, 8}, {5, 8}}); }
-Cut_locus closed() { return make_cut_locus(4, {{0, 1}, {1, 2}, {2, 3}, {0, 3}}); }
-Cut_locus single() { return make_cut_locus(1, {}); }
-Cut_locus parallel() { return make_cut_locus(4, {{0, 1}, {1, 2}, {0, 3}, {3, 2}, {0, 2}}); }
+Cut_locus branched()
+{
+  return make_cut_locus(9, {{0, 1}, {2, 1}, {2, 3}, {2, 4}, {4, 5}, {5, 6}, {6, 7}, {7, 8}, {5, 8}});
+}
+Cut_locus closed()
+{
+  return make_cut_locus(4, {{0, 1}, {1, 2}, {2, 3}, {0, 3}});
+}
+Cut_locus single()
+{
+  return make_cut_locus(1, {});
+}
+Cut_locus parallel()
+{
+  return make_cut_locus(4, {{0, 1}, {1, 2}, {0, 3}, {3, 2}, {0, 2}});
+}
 
-std::vector<Cut_locus> all_cases() { return {branched(), closed(), single(), parallel()}; }
+std::vector<Cut_locus> all_cases()
+{
+  return {branched(), closed(), single(), parallel()};
+}
 
 std::vector<Segment> segments(const Cut_locus& cut_locus)
 {
@@ -90,7 +108,7 @@ std::vector<Segment> segments(const Cut_locus& cut_locus)
   return result;
 }
 
-std::vector<Segment> segments(const std::vector<std::vector<Coordinates> >& polylines)
+std::vector<Segment> segments(const std::vector<std::vector<Coordinates>>& polylines)
 {
   std::vector<Segment> result;
   for(const auto& polyline : polylines)
@@ -100,9 +118,9 @@ std::vector<Segment> segments(const std::vector<std::vector<Coordinates> >& poly
   return result;
 }
 
-std::vector<std::vector<Coordinates> > read_polylines(const std::string& text)
+std::vector<std::vector<Coordinates>> read_polylines(const std::string& text)
 {
-  std::vector<std::vector<Coordinates> > polylines;
+  std::vector<std::vector<Coordinates>> polylines;
   std::istringstream lines(text);
   for(std::string line; std::getline(lines, line);)
   {
@@ -174,7 +192,7 @@ TEST(Output_formats, OBJ)
     ASSERT_TRUE(CGAL::IO::write_OBJ(os, cut_locus));
     std::istringstream lines(os.str());
     std::vector<Coordinates> points;
-    std::vector<std::vector<Coordinates> > polylines;
+    std::vector<std::vector<Coordinates>> polylines;
     std::size_t isolated = 0;
     for(std::string line; std::getline(lines, line);)
     {
@@ -215,11 +233,17 @@ TEST(Output_formats, PLY)
     std::vector<std::string> header;
     for(std::string line; std::getline(is, line) && line != "end_header";)
       header.push_back(line);
-    const std::vector<std::string> expected = {
-      "ply", "format ascii 1.0", "element vertex " + std::to_string(num_vertices(graph)), "property double x",
-      "property double y", "property double z", "property double distance",
-      "element edge " + std::to_string(num_edges(graph)), "property int vertex1", "property int vertex2",
-      "property double strength"};
+    const std::vector<std::string> expected = {"ply",
+                                               "format ascii 1.0",
+                                               "element vertex " + std::to_string(num_vertices(graph)),
+                                               "property double x",
+                                               "property double y",
+                                               "property double z",
+                                               "property double distance",
+                                               "element edge " + std::to_string(num_edges(graph)),
+                                               "property int vertex1",
+                                               "property int vertex2",
+                                               "property double strength"};
     EXPECT_EQ(header, expected);
     for(auto v : CGAL::make_range(vertices(graph)))
     {
@@ -270,7 +294,7 @@ TEST(Output_formats, VTP)
       EXPECT_EQ(distances[v], graph[v].distance);
     }
 
-    std::map<std::string, std::vector<std::size_t> > lines, verts;
+    std::map<std::string, std::vector<std::size_t>> lines, verts;
     for(const auto& array : piece.get_child("Lines"))
       lines[array.second.get<std::string>("<xmlattr>.Name")] = read_numbers<std::size_t>(array.second.data());
     for(const auto& array : piece.get_child("Verts"))
@@ -314,8 +338,10 @@ TEST(Output_formats, Edges_of_the_mesh)
   ASSERT_TRUE(CGAL::IO::write_edges(os, cut_locus, mesh));
   const auto numbers = read_numbers<std::size_t>(os.str());
   ASSERT_EQ(numbers.size(), 2u);
-  EXPECT_EQ(*std::next(mesh.vertices_begin(), static_cast<std::ptrdiff_t>(numbers[0])), mesh.source(on_mesh.mesh_halfedge));
-  EXPECT_EQ(*std::next(mesh.vertices_begin(), static_cast<std::ptrdiff_t>(numbers[1])), mesh.target(on_mesh.mesh_halfedge));
+  EXPECT_EQ(*std::next(mesh.vertices_begin(), static_cast<std::ptrdiff_t>(numbers[0])),
+            mesh.source(on_mesh.mesh_halfedge));
+  EXPECT_EQ(*std::next(mesh.vertices_begin(), static_cast<std::ptrdiff_t>(numbers[1])),
+            mesh.target(on_mesh.mesh_halfedge));
 }
 
 TEST(Output_formats, The_extension_names_the_format)

@@ -101,8 +101,7 @@ std::string fault_at(const Built& built, const Cut_locus& result, std::size_t so
 class Sphere_with_bump : public ::testing::Test
 {
 protected:
-  Sphere_with_bump()
-    : built(sphere_with_bump(24, {{1., 0., 0.}}, 0.15, 0.08)), solver(built.mesh, the_papers_method)
+  Sphere_with_bump() : built(sphere_with_bump(24, {{1., 0., 0.}}, 0.15, 0.08)), solver(built.mesh, the_papers_method)
   {
     solver.set_source(built.vertices[nearest_vertex(built.data, {{-0.17, 0., 0.98}})]);
   }

@@ -103,8 +103,8 @@ TEST(Straightest_geodesic, is_a_line_in_the_plane)
 TEST(Straightest_geodesic, follows_the_unfolding_of_a_cube)
 {
   // a cube of side 2 whose faces are grids
-  Mesh mesh = star_shape(6, [](const Mesh::Point& p)
-  {
+  Mesh mesh = star_shape(6,
+                         [](const Mesh::Point& p) {
     return 1. / (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   });
   const Mesh_connectivity connectivity(mesh);
@@ -225,7 +225,13 @@ std::vector<Indexed_location> segment(Local_geodesics& geodesics, Indexed_locati
 TEST(Local_geodesics, are_straight_lines_in_the_plane)
 {
   std::mt19937 random(4);
-  for(const Mesh& mesh : {grid(9, 9), [] { Mesh m = grid(9, 9); for(auto& p : m.points) p[1] *= 0.01; return m; }()})
+  for(const Mesh& mesh : {grid(9, 9), []
+                          {
+    Mesh m = grid(9, 9);
+    for(auto& p : m.points)
+      p[1] *= 0.01;
+    return m;
+                          }()})
   {
     const Mesh_connectivity connectivity(mesh);
     Local_geodesics geodesics(mesh, connectivity);
@@ -495,10 +501,7 @@ int crossings(const Mesh& mesh, const Indexed_cut_locus& graph)
       {
         if(s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b)
           continue;
-        const auto side = [](const Piece& x, const std::array<double, 2>& p)
-        {
-          return cross(x.q - x.p, p - x.p);
-        };
+        const auto side = [](const Piece& x, const std::array<double, 2>& p) { return cross(x.q - x.p, p - x.p); };
         if(side(s, t.p) * side(s, t.q) < 0. && side(t, s.p) * side(t, s.q) < 0.)
           ++result;
       }

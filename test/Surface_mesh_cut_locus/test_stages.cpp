@@ -55,9 +55,9 @@ std::vector<double> distances(const Mesh_data& data, std::size_t source)
   return d;
 }
 
-std::vector<std::set<Index> > neighbors(const Mesh_data& data)
+std::vector<std::set<Index>> neighbors(const Mesh_data& data)
 {
-  std::vector<std::set<Index> > result(data.points.size());
+  std::vector<std::set<Index>> result(data.points.size());
   for(const Triangle& t : data.triangles)
     for(int i = 0; i < 3; ++i)
       for(int j = 0; j < 3; ++j)
@@ -110,7 +110,7 @@ float bottleneck_in_tree(const Spanning_tree& tree, const std::vector<float>& ke
 }
 
 // the smallest possible such key: the least bound below which a path from v to the root exists
-float least_bottleneck(const std::vector<std::set<Index> >& neighbor, const std::vector<float>& key, Index v, Index root)
+float least_bottleneck(const std::vector<std::set<Index>>& neighbor, const std::vector<float>& key, Index v, Index root)
 {
   std::vector<float> bounds(key.begin(), key.end());
   bounds.push_back(-2.f);
@@ -140,8 +140,13 @@ float least_bottleneck(const std::vector<std::set<Index> >& neighbor, const std:
 
 std::vector<Mesh_data> closed_meshes()
 {
-  return {icosahedron(), jittered_sphere(5, 0.2, 1), torus(1., 0.4, 14, 9, 0.2, 2), box(3, 2, 1, 2),
-          perforated_plate(2, 1, 2, 3), perforated_plate(3, 1, 1, 4), perforated_plate(4, 3, 1, 5)};
+  return {icosahedron(),
+          jittered_sphere(5, 0.2, 1),
+          torus(1., 0.4, 14, 9, 0.2, 2),
+          box(3, 2, 1, 2),
+          perforated_plate(2, 1, 2, 3),
+          perforated_plate(3, 1, 1, 4),
+          perforated_plate(4, 3, 1, 5)};
 }
 
 std::vector<Mesh_data> meshes_with_border()
@@ -228,7 +233,7 @@ TEST(Region_growing_tree, breaks_ties_by_index)
   const Spanning_tree tree = region_growing_tree(f.connectivity, key, 4);
   // with equal keys the waiting vertex of lowest index goes first: each parent is the first that had the vertex as neighbor
   std::vector<Index> parent(12, null_index);
-  std::priority_queue<Index, std::vector<Index>, std::greater<Index> > queue;
+  std::priority_queue<Index, std::vector<Index>, std::greater<Index>> queue;
   const auto neighbor = neighbors(f.data);
   queue.push(4);
   while(!queue.empty())
@@ -262,7 +267,8 @@ TEST(Region_growing_tree, enters_each_border_loop_once)
         {
           const auto loop = surface.loop_of_vertex.find(v);
           if(loop != surface.loop_of_vertex.end())
-            entered[loop->second] += v == tree->root || !surface.border_edges.count(make_edge(v, tree->parent[v])) ? 1 : 0;
+            entered[loop->second] +=
+              v == tree->root || !surface.border_edges.count(make_edge(v, tree->parent[v])) ? 1 : 0;
         }
         for(const auto& e : entered)
           EXPECT_EQ(e.second, 1) << "loop " << e.first << ", seed " << seed << ", "
@@ -313,8 +319,8 @@ TEST(Thinning, removes_a_leaf_exactly_if_it_has_a_stronger_neighbor_outside_its_
         {
           if(v == full.root || parents.count(v))
             continue;
-          const bool is_weak = std::any_of(neighbor[v].begin(), neighbor[v].end(), [&](Index w)
-          {
+          const bool is_weak = std::any_of(neighbor[v].begin(), neighbor[v].end(),
+                                           [&](Index w) {
             return in_tree.count(w) && w != full.parent[v] && full.parent[w] != full.parent[v] && key[w] < key[v];
           });
           if(is_weak && (worst == null_index || key[v] > key[worst]))
@@ -378,9 +384,7 @@ TEST(Strength_aware_tree, contains_the_strong_parts_and_else_the_highest_ridges)
         return result;
       };
       const auto height = [&](const topology_checker::Edge& e)
-      {
-        return (std::min)(distance[e.first], distance[e.second]);
-      };
+      { return (std::min)(distance[e.first], distance[e.second]); };
       for(Index h = 0; h < f.mesh.number_of_halfedges(); h += 7)
       {
         const auto e = make_edge(f.mesh.source(h), f.mesh.target(h));
@@ -478,8 +482,8 @@ TEST(Gradient_angles, vanish_at_the_source_where_gradients_fan_out_and_are_large
     const std::size_t source = 17 + seed;
     Eigen::VectorXd d(static_cast<Eigen::Index>(data.points.size()));
     for(std::size_t v = 0; v < data.points.size(); ++v)
-      d[static_cast<Eigen::Index>(v)] = std::atan2(norm(cross(data.points[v], data.points[source])),
-                                                   dot(data.points[v], data.points[source]));
+      d[static_cast<Eigen::Index>(v)] =
+        std::atan2(norm(cross(data.points[v], data.points[source])), dot(data.points[v], data.points[source]));
     const std::vector<float> angle = gradient_angles(f.connectivity, tangent, operators.gradient * d);
     EXPECT_NEAR(angle[source], 0., 1e-6);
     const std::size_t antipode = nearest_vertex(data, -1. * data.points[source]);
@@ -587,7 +591,7 @@ struct Filter_case
   std::vector<Index> generators;
   std::vector<float> angle, laplacian;
   Branch_filter filter;
-  std::vector<std::set<Index> > neighbor;
+  std::vector<std::set<Index>> neighbor;
 };
 
 std::vector<Filter_case> filter_cases()
@@ -707,11 +711,15 @@ TEST(Branch_filter, removes_short_branches_where_a_longer_one_continues)
         const std::map<Index, Index> parent = c.joined();
 
         // naive: the path down from each vertex along the child whose branch is longest
-        std::map<Index, std::vector<Index> > children;
+        std::map<Index, std::vector<Index>> children;
         for(Index v : all)
           if(v != root)
             children[parent.at(v)].push_back(v);
-        struct Branch { double length; Index edges; };
+        struct Branch
+        {
+          double length;
+          Index edges;
+        };
         const std::function<Branch(Index)> branch_at = [&](Index v) // the branch that starts with the edge above v
         {
           Branch down = {0., 0};
@@ -746,7 +754,8 @@ TEST(Branch_filter, removes_short_branches_where_a_longer_one_continues)
           for(Index w : children[v])
           {
             const Branch b = branch_at(w);
-            if(always.count(w) || (w == longest && !always.count(v)) || (b.edges >= minimum_edges && b.length >= minimum_length))
+            if(always.count(w) || (w == longest && !always.count(v)) ||
+               (b.edges >= minimum_edges && b.length >= minimum_length))
               visit(w);
           }
         };

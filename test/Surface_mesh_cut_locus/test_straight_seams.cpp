@@ -29,7 +29,10 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
 using Cut_locus = Solver::Result;
 
-Point to_array(const Kernel::Point_3& p) { return {{p.x(), p.y(), p.z()}}; }
+Point to_array(const Kernel::Point_3& p)
+{
+  return {{p.x(), p.y(), p.z()}};
+}
 
 double distance_to_segment(const Point& p, const Point& a, const Point& b)
 {
@@ -61,10 +64,10 @@ void expect_refined(const Mesh& mesh, const Cut_locus& cut_locus, double toleran
   auto face_origin = refined.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:origin").first;
   auto vertex_origin = refined.add_property_map<Mesh::Vertex_index, Mesh::Vertex_index>("v:origin").first;
   auto is_seam = refined.add_property_map<Mesh::Edge_index, bool>("e:seam").first;
-  CGAL::refine_along_cut_locus(mesh, cut_locus, refined,
-                               params::vertex_to_vertex_map(vertex_origin).face_to_face_map(face_origin)
-                                      .snapping_tolerance(tolerance),
-                               params::edge_is_constrained_map(is_seam));
+  CGAL::refine_along_cut_locus(
+    mesh, cut_locus, refined,
+    params::vertex_to_vertex_map(vertex_origin).face_to_face_map(face_origin).snapping_tolerance(tolerance),
+    params::edge_is_constrained_map(is_seam));
   ASSERT_TRUE(CGAL::is_valid_polygon_mesh(refined));
   const disk_checker::Counts before = disk_checker::count(mesh), after = disk_checker::count(refined);
   EXPECT_EQ(before.vertices - before.edges + before.faces, after.vertices - after.edges + after.faces);
@@ -93,16 +96,16 @@ void expect_refined(const Mesh& mesh, const Cut_locus& cut_locus, double toleran
   // Each end of a seam is near the curve: a coordinate is rounded by up to the tolerance, over two edges.
   double longest = 0.;
   for(Mesh::Edge_index e : mesh.edges())
-    longest = (std::max)(longest, norm(to_array(mesh.point(mesh.vertex(e, 0))) -
-                                       to_array(mesh.point(mesh.vertex(e, 1)))));
+    longest =
+      (std::max)(longest, norm(to_array(mesh.point(mesh.vertex(e, 0))) - to_array(mesh.point(mesh.vertex(e, 1)))));
   const auto& graph = cut_locus.graph();
   for(Mesh::Edge_index e : refined.edges())
   {
     if(!is_seam[e])
       continue;
     double nearest = (std::numeric_limits<double>::infinity)();
-    const Point p = 0.5 * (to_array(refined.point(refined.vertex(e, 0))) +
-                           to_array(refined.point(refined.vertex(e, 1))));
+    const Point p =
+      0.5 * (to_array(refined.point(refined.vertex(e, 0))) + to_array(refined.point(refined.vertex(e, 1))));
     for(auto g : CGAL::make_range(edges(graph)))
       nearest = (std::min)(nearest, distance_to_segment(p, to_array(graph[source(g, graph)].point),
                                                         to_array(graph[target(g, graph)].point)));
@@ -114,8 +117,9 @@ void expect_disk(const Mesh& mesh, const Cut_locus& cut_locus, double tolerance)
 {
   Mesh disk;
   std::map<Mesh::Face_index, Mesh::Face_index> face_origin;
-  CGAL::cut_along_curve(mesh, cut_locus, disk, params::snapping_tolerance(tolerance)
-                          .face_to_face_map(boost::make_assoc_property_map(face_origin)));
+  CGAL::cut_along_curve(
+    mesh, cut_locus, disk,
+    params::snapping_tolerance(tolerance).face_to_face_map(boost::make_assoc_property_map(face_origin)));
   EXPECT_EQ(disk_checker::fault(disk), "");
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(disk));
   EXPECT_EQ(face_origin.size(), disk.number_of_faces());
@@ -164,9 +168,9 @@ TEST(Straight_seams, Closed_surfaces_of_any_genus)
 
 TEST(Straight_seams, Surfaces_with_boundary)
 {
-  for(const Mesh_data& data : {square(8, 0.2, 1), cylinder(2., 16, 8, 0.2, 2),
-                               punctured(jittered_sphere(8, 0.2, 3), {{{1., 0., 0.}}}, 0.35),
-                               punctured(torus(1., 0.4, 24, 14, 0.2, 4), {{{-1.4, 0., 0.}}, {{0., 1.4, 0.}}}, 0.3)})
+  for(const Mesh_data& data :
+      {square(8, 0.2, 1), cylinder(2., 16, 8, 0.2, 2), punctured(jittered_sphere(8, 0.2, 3), {{{1., 0., 0.}}}, 0.35),
+       punctured(torus(1., 0.4, 24, 14, 0.2, 4), {{{-1.4, 0., 0.}}, {{0., 1.4, 0.}}}, 0.3)})
     expect_straight_seams(data, {0, data.points.size() / 2});
 }
 

@@ -11,10 +11,10 @@
 // The checker must see what is wrong: each fault is made on purpose.
 
 using topology_checker::Cut;
-using topology_checker::Surface;
 using topology_checker::fault;
 using topology_checker::fault_at_source;
 using topology_checker::make_edge;
+using topology_checker::Surface;
 
 namespace {
 

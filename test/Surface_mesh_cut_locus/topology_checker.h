@@ -26,7 +26,10 @@ using test_meshes::Triangle;
 using Edge = std::pair<std::size_t, std::size_t>; // the smaller vertex first
 using Edges = std::set<Edge>;
 
-inline Edge make_edge(std::size_t a, std::size_t b) { return {(std::min)(a, b), (std::max)(a, b)}; }
+inline Edge make_edge(std::size_t a, std::size_t b)
+{
+  return {(std::min)(a, b), (std::max)(a, b)};
+}
 
 class Union_find
 {
@@ -45,6 +48,7 @@ public:
     parent_[a] = b;
     return a != b;
   }
+
 private:
   std::vector<std::size_t> parent_;
 };
@@ -58,7 +62,7 @@ public:
   // the edge-connected component of face `seed`
   Surface(const std::vector<Triangle>& triangles, std::size_t seed)
   {
-    std::map<Edge, std::vector<std::size_t> > faces_at;
+    std::map<Edge, std::vector<std::size_t>> faces_at;
     for(std::size_t f = 0; f < triangles.size(); ++f)
       for(int i = 0; i < 3; ++i)
         faces_at[make_edge(triangles[f][i], triangles[f][(i + 1) % 3])].push_back(f);
@@ -70,7 +74,7 @@ public:
       if(components.find(f) == components.find(seed))
         faces.push_back(triangles[f]);
 
-    std::map<Edge, std::vector<std::size_t> > halfedges_at;
+    std::map<Edge, std::vector<std::size_t>> halfedges_at;
     for(std::size_t h = 0; h < 3 * faces.size(); ++h)
       halfedges_at[edge(h)].push_back(h);
     opposite.assign(3 * faces.size(), std::size_t(none));
@@ -151,7 +155,7 @@ inline std::string fault(const Surface& surface, const Cut& cut)
   for(const auto& v : surface.loop_of_vertex)
     node_of(v.first);
   node_of(cut.root);
-  std::vector<std::pair<std::size_t, std::size_t> > arcs;
+  std::vector<std::pair<std::size_t, std::size_t>> arcs;
   for(const Edge& e : cut.edges)
     if(!surface.border_edges.count(e))
       arcs.emplace_back(node_of(e.first), node_of(e.second));
@@ -173,9 +177,7 @@ inline std::string fault(const Surface& surface, const Cut& cut)
 
   // The surface cut open: corners of faces are the same vertex if an edge that is not cut joins them.
   const auto is_open = [&](std::size_t h)
-  {
-    return surface.opposite[h] == Surface::none || cut.edges.count(surface.edge(h)) != 0;
-  };
+  { return surface.opposite[h] == Surface::none || cut.edges.count(surface.edge(h)) != 0; };
   const auto next = [](std::size_t h) { return h % 3 == 2 ? h - 2 : h + 1; };
   const std::size_t nh = surface.opposite.size();
   Union_find corners(nh), faces(surface.faces.size());

@@ -22,8 +22,7 @@ namespace Cut_loci {
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// how a threshold on the strength of the vertices selects a part of the tree
-enum class Filter_policy
-{
+enum class Filter_policy {
   PRUNING, ///< leaves below the threshold are removed again and again: a branch stays up to its last strong vertex
   GROWING  ///< the tree is followed from its root as long as the vertices are above the threshold
 };
@@ -35,11 +34,11 @@ enum class Filter_policy
  */
 struct Branch_thresholds
 {
-  double gradient_angle = 0.;          ///< in radians
+  double gradient_angle = 0.;                                    ///< in radians
   double laplacian = -(std::numeric_limits<double>::infinity)(); ///< for minus the Laplacian times the mean edge length
   Filter_policy policy = Filter_policy::PRUNING;
-  Index minimum_edges = 0;             ///< branches of fewer edges are removed
-  double minimum_length = 0.;          ///< branches that are shorter are removed
+  Index minimum_edges = 0;    ///< branches of fewer edges are removed
+  double minimum_length = 0.; ///< branches that are shorter are removed
 };
 
 /*!
@@ -98,8 +97,8 @@ public:
       for(Index c = child_begin_[result.vertices[i]]; c < child_begin_[result.vertices[i] + 1]; ++c)
       {
         const Index w = children_[c].vertex;
-        if(!is_kept_[w] && !(strength[w].gradient_angle >= thresholds.gradient_angle &&
-                             strength[w].laplacian >= thresholds.laplacian))
+        if(!is_kept_[w] &&
+           !(strength[w].gradient_angle >= thresholds.gradient_angle && strength[w].laplacian >= thresholds.laplacian))
           continue;
         result.vertices.push_back(w);
         result.edges.push_back({w, result.vertices[i], children_[c].halfedge, below_[w].gradient_angle});
@@ -263,8 +262,8 @@ private:
     };
     const std::size_t n = result.vertices.size();
     std::vector<Height> height(n);
-    std::vector<Height> branch(n);              // from a vertex' parent on
-    std::vector<double> longest(n, -1.);        // among the branches that meet at a vertex
+    std::vector<Height> branch(n);               // from a vertex' parent on
+    std::vector<double> longest(n, -1.);         // among the branches that meet at a vertex
     std::vector<Index> continued(n, null_index); // the position of that branch's first vertex
     std::vector<bool> hangs_on_kept(n, false);   // read now: the vertices are moved below
     for(std::size_t i = n; i-- > 1;)
@@ -303,8 +302,8 @@ private:
 
   Index root_ = null_index;
   std::vector<Index> generators_;
-  std::vector<bool> is_kept_;     // part of the homology, at any threshold
-  std::vector<bool> only_joins_;  // border vertices; empty if there are none
+  std::vector<bool> is_kept_;    // part of the homology, at any threshold
+  std::vector<bool> only_joins_; // border vertices; empty if there are none
   std::vector<Index> child_begin_;
   std::vector<Child> children_;
   std::vector<Strength> below_; // the largest strength in the subtree of each vertex

@@ -12,8 +12,7 @@ namespace Cut_loci {
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// the stages of the computation
-enum class Stage
-{
+enum class Stage {
   PREPROCESSING, ///< connectivity and differential operators, once per mesh
   DISTANCE,      ///< the geodesic solver, with its own preprocessing at the first source
   STRENGTH,      ///< gradient and Laplacian of the distance, and the strengths they give

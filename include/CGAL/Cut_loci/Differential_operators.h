@@ -23,8 +23,7 @@ namespace Cut_loci {
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// the discretization of the Laplace-Beltrami operator
-enum class Laplacian_operator
-{
+enum class Laplacian_operator {
   QUADRATIC_FIT, ///< from a quadric fitted to the extended neighborhood of each vertex \cgalCite{cgal:wylc-redsm-13}
   COTANGENT      ///< the cotangent formula \cgalCite{cgal:pp-cdmsc-93} over a third of the area of the faces around
 };
@@ -87,7 +86,7 @@ struct Differential_operators
 
     Matrix result(nv, nv);
     result.reserve(connectivity.ring_vertex.size() + nv);
-    std::vector<std::pair<Index, double> > row;
+    std::vector<std::pair<Index, double>> row;
     for(Index v = 0; v < nv; ++v)
     {
       row.clear();

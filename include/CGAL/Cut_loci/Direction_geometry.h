@@ -36,8 +36,8 @@ struct Direction_geometry
   std::vector<float> deficit;   ///< 2 pi minus the sum of the angles at each vertex; 0 on the border
   std::vector<float> curvature; ///< the Gaussian curvature at each vertex, averaged over its 2-ring
   double mean_edge_length = 0.;
-  double deficit_noise = 0.;    ///< a robust standard deviation of what the deficits differ by from their surroundings
-  double noise_share = 0.;      ///< the part of it that is noise of the vertices and not shape, from 0 to 1
+  double deficit_noise = 0.; ///< a robust standard deviation of what the deficits differ by from their surroundings
+  double noise_share = 0.;   ///< the part of it that is noise of the vertices and not shape, from 0 to 1
 
   Direction_geometry(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity)
     : mean_edge_length(connectivity.mean_edge_length)

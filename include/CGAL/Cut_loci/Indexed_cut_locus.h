@@ -34,13 +34,13 @@ struct Indexed_cut_locus
   };
   struct Edge
   {
-    Index source, target;      ///< nodes
+    Index source, target;        ///< nodes
     Index halfedge = null_index; ///< the edge of the mesh it is, if any
-    float strength = 0.f;      ///< of the branch
-    Index origin = null_index; ///< the edge of the graph of mesh edges that it replaces, or is
+    float strength = 0.f;        ///< of the branch
+    Index origin = null_index;   ///< the edge of the graph of mesh edges that it replaces, or is
   };
 
-  std::vector<Node> nodes;     ///< the root first
+  std::vector<Node> nodes; ///< the root first
   std::vector<Edge> edges;
 };
 
@@ -62,7 +62,7 @@ inline Indexed_cut_locus mesh_edge_graph(const Mesh_connectivity& connectivity, 
   Indexed_cut_locus result;
   result.nodes.resize(filtered.vertices.size());
   // The vertices of the result are few: a search in a sorted copy costs no table over the mesh.
-  std::vector<std::pair<Index, Index> > position(filtered.vertices.size());
+  std::vector<std::pair<Index, Index>> position(filtered.vertices.size());
   for(Index i = 0; i < filtered.vertices.size(); ++i)
   {
     const Index v = filtered.vertices[i];
@@ -71,13 +71,11 @@ inline Indexed_cut_locus mesh_edge_graph(const Mesh_connectivity& connectivity, 
   }
   std::sort(position.begin(), position.end());
   const auto node = [&](Index v)
-  {
-    return std::lower_bound(position.begin(), position.end(), std::make_pair(v, Index(0)))->second;
-  };
+  { return std::lower_bound(position.begin(), position.end(), std::make_pair(v, Index(0)))->second; };
   result.edges.reserve(filtered.edges.size());
   for(const Branch_filter::Edge& e : filtered.edges)
-    result.edges.push_back({node(e.vertex), node(e.parent), e.halfedge, e.strength,
-                            static_cast<Index>(result.edges.size())});
+    result.edges.push_back(
+      {node(e.vertex), node(e.parent), e.halfedge, e.strength, static_cast<Index>(result.edges.size())});
   return result;
 }
 

@@ -36,7 +36,8 @@ class Local_geodesics
 public:
   Local_geodesics(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity)
     : mesh_(mesh), connectivity_(connectivity), reached_(mesh.number_of_faces(), 0), from_(mesh.number_of_faces())
-  {}
+  {
+  }
 
   /*!
    * appends to `path` the points at which a geodesic from `a` to `b` crosses edges, and `b`. Two points in a row lie
@@ -70,8 +71,9 @@ public:
   template <typename Function>
   void for_each_common_face(const Indexed_location& a, const Indexed_location& b, const Function& f) const
   {
-    for_each_face(a, [&](Index face)
-    {
+    for_each_face(a,
+                  [&](Index face)
+                  {
       if(is_in_face(b, face))
         f(face);
     });
@@ -217,8 +219,7 @@ private:
     // the first face: its halfedge 0 on the x-axis
     Index base = 3 * first_face_;
     Planar origin = {{0., 0.}}, axis = {{1., 0.}};
-    const auto placed = [&](const Planar& p)
-    {
+    const auto placed = [&](const Planar& p) {
       return Planar{{origin[0] + p[0] * axis[0] - p[1] * axis[1], origin[1] + p[0] * axis[1] + p[1] * axis[0]}};
     };
     begin_ = placed(flat_position(mesh_, base, in_face(a, first_face_).coordinates));

@@ -123,8 +123,7 @@ private:
           ring_vertex[entry] = mesh.source(incoming);
           ring_halfedge[entry++] = incoming;
         }
-      }
-      while(h != null_index && h != start[v] && entry < end);
+      } while(h != null_index && h != start[v] && entry < end);
       if(entry != end || (h != null_index && h != start[v]))
       {
         first_non_manifold.push_back(v);
@@ -165,8 +164,7 @@ private:
       {
         border_loop[v] = number_of_border_loops;
         v = ring_vertex[ring_begin[v]]; // the ring of a border vertex starts along the border
-      }
-      while(border_loop[v] == null_index);
+      } while(border_loop[v] == null_index);
       ++number_of_border_loops;
     }
   }

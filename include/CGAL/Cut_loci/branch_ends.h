@@ -41,13 +41,14 @@ public:
               const Direction_geometry& geometry, const Direction_field& field)
     : mesh_(mesh), connectivity_(connectivity), geometry_(geometry), field_(field),
       fronts_(mesh, connectivity, geometry, field), cusp_(mesh, connectivity, geometry, field)
-  {}
+  {
+  }
 
   /// the vertices nearest to the continuations, each list from the end of the branch on
-  std::vector<std::vector<Index> > operator()(const std::vector<Direction_branches::Edge>& branches,
-                                              Sub_edge_curve& curve) const
+  std::vector<std::vector<Index>> operator()(const std::vector<Direction_branches::Edge>& branches,
+                                             Sub_edge_curve& curve) const
   {
-    std::vector<std::vector<Index> > result;
+    std::vector<std::vector<Index>> result;
     std::vector<Index> faces; // with a part of the curve in them
     for(const Direction_branches::Edge& e : branches)
       faces.insert(faces.end(), {e.outer, e.inner});
@@ -69,7 +70,7 @@ private:
 
   void move_end(const std::vector<Direction_branches::Edge>& branches, Index node, Index f,
                 const std::vector<Index>& faces, Sub_edge_curve& curve, std::vector<unsigned char>& is_removed,
-                std::vector<std::vector<Index> >& continuations) const
+                std::vector<std::vector<Index>>& continuations) const
   {
     using namespace internal;
     const Index h = connectivity_.halfedge_of_edge[branches[node].edge];
@@ -118,7 +119,7 @@ private:
   // walks straight across the faces
   void continue_branch(Index node, Index f, Fronts::Point_2 p, Fronts::Point_2 way, Index snapped, float strength,
                        double end_distance, const std::vector<Index>& faces, Sub_edge_curve& curve,
-                       std::vector<unsigned char>& is_removed, std::vector<std::vector<Index> >& continuations) const
+                       std::vector<unsigned char>& is_removed, std::vector<std::vector<Index>>& continuations) const
   {
     std::vector<Index> vertices(1, snapped);
     double start_distance = curve.graph.nodes[node].distance;

@@ -35,7 +35,7 @@ inline void set_origins(const Indexed_triangle_mesh& mesh, const Mesh_connectivi
 {
   if(mesh_edges.edges.empty())
     return;
-  std::vector<std::pair<Index, Index> > by_edge;
+  std::vector<std::pair<Index, Index>> by_edge;
   for(Index i = 0; i < mesh_edges.edges.size(); ++i)
     by_edge.push_back({connectivity.edge_of_halfedge[mesh_edges.edges[i].halfedge], i});
   std::sort(by_edge.begin(), by_edge.end());

@@ -39,10 +39,10 @@ namespace Cut_loci {
  */
 struct Refined_mesh
 {
-  Indexed_triangle_mesh mesh;  ///< its first vertices are those of the mesh before, with the same indices
-  std::vector<Index> faces;    ///< for each face the one that it is a part of
-  std::vector<Index> nodes;    ///< for each node of the curve its vertex
-  Seams seams;                 ///< the edges that the curve consists of
+  Indexed_triangle_mesh mesh; ///< its first vertices are those of the mesh before, with the same indices
+  std::vector<Index> faces;   ///< for each face the one that it is a part of
+  std::vector<Index> nodes;   ///< for each node of the curve its vertex
+  Seams seams;                ///< the edges that the curve consists of
 };
 
 namespace internal {
@@ -136,7 +136,7 @@ private:
     c[first % 3] = n_ - part;
     c[(first % 3 + 1) % 3] = part;
     const Index v = new_vertex(first / 3, {edge, null_index, c}, {mesh_.number_of_faces() + edge, c});
-    std::vector<std::pair<int, Index> >& on_edge = on_edge_[edge];
+    std::vector<std::pair<int, Index>>& on_edge = on_edge_[edge];
     const auto at = std::lower_bound(on_edge.begin(), on_edge.end(), std::make_pair(part, v));
     if(at == on_edge.end() || *at != std::make_pair(part, v))
       on_edge.insert(at, {part, v});
@@ -243,10 +243,11 @@ private:
 
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
-  using Face_base = CGAL::Triangulation_face_base_with_info_2<Index, Kernel,
-                                                              CGAL::Constrained_triangulation_face_base_2<Kernel> >;
-  using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>, CGAL::Exact_predicates_tag>;
+  using Face_base =
+    CGAL::Triangulation_face_base_with_info_2<Index, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+  using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>,
+                                               CGAL::Exact_predicates_tag>;
 
   void split_faces()
   {
@@ -402,12 +403,12 @@ private:
   const Mesh_connectivity& connectivity_;
   const int n_;
   Refined_mesh result_;
-  std::vector<Place> places_; // of each new vertex
-  std::map<std::pair<Index, Coordinates>, Index> vertex_at_; // by face, or number of faces + edge
-  std::map<Index, std::vector<std::pair<int, Index> > > on_edge_; // the vertices on an edge, by place
-  std::map<Index, std::vector<Index> > in_face_;
-  std::map<Index, std::vector<Segment> > segments_; // of a face
-  std::vector<Half_glued> first_parts_; // of each edge of the mesh
+  std::vector<Place> places_;                                   // of each new vertex
+  std::map<std::pair<Index, Coordinates>, Index> vertex_at_;    // by face, or number of faces + edge
+  std::map<Index, std::vector<std::pair<int, Index>>> on_edge_; // the vertices on an edge, by place
+  std::map<Index, std::vector<Index>> in_face_;
+  std::map<Index, std::vector<Segment>> segments_; // of a face
+  std::vector<Half_glued> first_parts_;            // of each edge of the mesh
   std::map<std::pair<Index, int>, Half_glued> other_parts_;
 };
 

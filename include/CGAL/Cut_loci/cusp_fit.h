@@ -46,10 +46,11 @@ public:
     double residual = 0.; ///< of the fit, in mean edge lengths
   };
 
-  Cusp_fit(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-           const Direction_geometry& geometry, const Direction_field& field)
+  Cusp_fit(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Direction_geometry& geometry,
+           const Direction_field& field)
     : mesh_(mesh), connectivity_(connectivity), geometry_(geometry), field_(field)
-  {}
+  {
+  }
 
   /*!
    * @param vertex one near the end
@@ -66,7 +67,7 @@ public:
     constexpr double radius = 4.;
     const double h = geometry_.mean_edge_length;
     std::vector<Index> vertices(1, vertex);
-    std::vector<std::array<double, 3> > samples; // across, distance, direction
+    std::vector<std::array<double, 3>> samples; // across, distance, direction
     for(std::size_t i = 0; i < vertices.size() && vertices.size() < 1000; ++i)
     {
       const Index v = vertices[i];
@@ -121,7 +122,7 @@ private:
     return result;
   }
 
-  std::optional<Cusp> fit(const std::vector<std::array<double, 3> >& samples, double radius, double distance) const
+  std::optional<Cusp> fit(const std::vector<std::array<double, 3>>& samples, double radius, double distance) const
   {
     const Eigen::Index n = static_cast<Eigen::Index>(samples.size());
     if(n < 2 * number_of_terms)

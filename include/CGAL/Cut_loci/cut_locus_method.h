@@ -12,8 +12,7 @@ namespace Cut_loci {
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// how the cut locus is found
-enum class Method
-{
+enum class Method {
   LAPLACIAN, ///< where the Laplacian of the distance is low and gradients turn: takes any distance, also smoothed ones.
              ///< Branches are chosen by `gradient_angle_threshold`, `laplacian_threshold` and `filter_policy`
   DIRECTION, ///< where the direction at the source of the shortest paths jumps: nothing to tune, but the distances
@@ -41,8 +40,7 @@ inline const char* name_of(Method method)
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// the curve that represents the cut locus
-enum class Curve
-{
+enum class Curve {
   MESH_EDGES,   ///< edges of the mesh
   THROUGH_FACES ///< segments in the faces, between points that shortest paths reach from both sides
 };

@@ -249,8 +249,7 @@ inline void complete_seams(const Indexed_triangle_mesh& mesh, const Mesh_connect
   for(Index step = 1; step < n; ++step)
   {
     const Index i = (first + step) % n, apart = step < n - step ? step : n - step;
-    if(apart > best && is_free(i) &&
-       connectivity.ring_vertex[begin + i] != connectivity.ring_vertex[begin + first])
+    if(apart > best && is_free(i) && connectivity.ring_vertex[begin + i] != connectivity.ring_vertex[begin + first])
     {
       best = apart;
       second = i;

@@ -75,7 +75,8 @@ public:
                      const Direction_geometry& geometry, Direction_field& field)
     : mesh_(mesh), connectivity_(connectivity), geometry_(geometry), field_(field),
       is_known_(mesh.number_of_vertices(), 0)
-  {}
+  {
+  }
 
   bool is_known(Index v) const { return is_known_[v] != 0; }
 
@@ -108,9 +109,7 @@ public:
     }
     const double foot = field_.vertices[v].distance - rest;
     const auto spread = [&](const Direction_field::Vertex& u)
-    {
-      return u.spread + u.spread_rate * (foot - u.distance);
-    };
+    { return u.spread + u.spread_rate * (foot - u.distance); };
     const double s = 1. / (wa + wb);
     step(v, s * ((wa > 0. ? wa * spread(va) : 0.) + (wb > 0. ? wb * spread(vb) : 0.)),
          s * (wa * va.spread_rate + wb * vb.spread_rate), rest);
@@ -145,8 +144,8 @@ private:
       if(!is_known(u))
         continue;
       const Direction_field::Vertex& vu = field_.vertices[u];
-      const double gap = std::fabs(field_.turn(vu.direction, field_.vertices[v].direction)) *
-                         (std::min)(double(vu.spread), vu.distance);
+      const double gap =
+        std::fabs(field_.turn(vu.direction, field_.vertices[v].direction)) * (std::min)(double(vu.spread), vu.distance);
       if(gap < least)
       {
         least = gap;
@@ -216,8 +215,8 @@ Direction_field direction_field(const Indexed_triangle_mesh& mesh, const Mesh_co
     }
     vertex.direction = static_cast<float>(solver.direction_at_source(v));
     const auto arrival_direction = solver.arrival_direction(v);
-    vertex.arrival = static_cast<float>(geometry.polar[arrival_direction.halfedge] +
-                                        geometry.scale[v] * arrival_direction.angle);
+    vertex.arrival =
+      static_cast<float>(geometry.polar[arrival_direction.halfedge] + geometry.scale[v] * arrival_direction.angle);
 
     const auto& arrival = solver.arrival(v);
     const Index h = arrival.halfedge, a = mesh.source(h), b = mesh.target(h);
@@ -235,8 +234,9 @@ Direction_field direction_field(const Indexed_triangle_mesh& mesh, const Mesh_co
       continue;
     }
     const auto& face = solver.faces();
-    const auto end = a == v ? decltype(face.apex(h)){0., 0.} : b == v ? decltype(face.apex(h)){face.length(h), 0.}
-                                                                      : face.apex(h);
+    const auto end = a == v   ? decltype(face.apex(h)){0., 0.}
+                     : b == v ? decltype(face.apex(h)){face.length(h), 0.}
+                              : face.apex(h);
     const double dx = end.x - arrival.x, dy = end.y - arrival.y;
     const double part = dy > 0. ? (std::min)((std::max)(-arrival.y / dy, 0.), 1.) : 0.; // before the crossing
     const double l = geometry.length[h];

@@ -152,8 +152,8 @@ inline Direction_jumps direction_jumps(const Indexed_triangle_mesh& mesh, const 
     edge.strength = strength(edge);
     const double limit = Direction_jumps::smooth_limit();
     const double excess = (std::max)(0., gap - limit * l / reach) + (std::max)(0., angle - limit * expected);
-    edge.weight = static_cast<float>(1000. * excess +
-                                     (std::min)((std::max)(double(edge.direction), double(edge.arrival)), limit));
+    edge.weight =
+      static_cast<float>(1000. * excess + (std::min)((std::max)(double(edge.direction), double(edge.arrival)), limit));
   }
   for(Index h : internal::source_star(mesh, connectivity, field.source))
     result.edges[connectivity.edge_of_halfedge[h]] = Direction_jumps::Edge();

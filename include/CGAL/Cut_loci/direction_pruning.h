@@ -39,9 +39,9 @@ class Direction_branches
 public:
   struct Edge
   {
-    Index edge;          ///< of the mesh
-    Index outer, inner;  ///< nodes of `Direction_graph`: the outer one is farther from the root
-    float strength;      ///< the largest threshold that keeps it
+    Index edge;         ///< of the mesh
+    Index outer, inner; ///< nodes of `Direction_graph`: the outer one is farther from the root
+    float strength;     ///< the largest threshold that keeps it
   };
 
   /// the least threshold: below it there is the noise of a smooth field
@@ -204,10 +204,7 @@ private:
     const float least = static_cast<float>(std::log(least_threshold()));
     const Index n = graph.number_of_nodes;
     std::vector<float> value(n);
-    const auto log_strength = [&](Index e)
-    {
-      return std::log((std::max)(jumps.edges[e].strength, 1e-3f));
-    };
+    const auto log_strength = [&](Index e) { return std::log((std::max)(jumps.edges[e].strength, 1e-3f)); };
     const auto length = [&](Index e) { return geometry.length[connectivity.halfedge_of_edge[e]]; };
     const auto accumulate = [&](const Peeling& p)
     {
@@ -341,8 +338,8 @@ private:
 
   Index root_ = null_index;
   std::size_t number_of_core_edges_ = 0;
-  std::vector<Edge> edges_;            // the cycles first, then from the inside out
-  std::vector<Index> first_branches_;  // those at the cycles, or at the root
+  std::vector<Edge> edges_;           // the cycles first, then from the inside out
+  std::vector<Index> first_branches_; // those at the cycles, or at the root
   std::vector<Index> child_begin_, children_;
 };
 

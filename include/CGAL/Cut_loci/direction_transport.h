@@ -30,8 +30,7 @@ public:
   Direction_transport(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                       const Direction_geometry& geometry, const Indexed_source& source,
                       const std::vector<double>& distance)
-    : mesh_(mesh), connectivity_(connectivity), geometry_(geometry),
-      integration_(mesh, connectivity, geometry, field_)
+    : mesh_(mesh), connectivity_(connectivity), geometry_(geometry), integration_(mesh, connectivity, geometry, field_)
   {
     field_.source = source;
     field_.vertices.resize(mesh.number_of_vertices());
@@ -97,8 +96,8 @@ private:
   void start_in_face(Index h, double second, double third, double turn)
   {
     const double l = geometry_.length[h], r = geometry_.length[Indexed_triangle_mesh::previous(h)];
-    const std::array<std::array<double, 2>, 3> p =
-      {{{{0., 0.}}, {{l, 0.}}, {{r * std::cos(geometry_.corner[h]), r * std::sin(geometry_.corner[h])}}}};
+    const std::array<std::array<double, 2>, 3> p = {
+      {{{0., 0.}}, {{l, 0.}}, {{r * std::cos(geometry_.corner[h]), r * std::sin(geometry_.corner[h])}}}};
     const double x = second * l + third * p[2][0], y = third * p[2][1];
     Index g = h;
     for(int i = 0; i < 3; ++i, g = Indexed_triangle_mesh::next(g))
@@ -192,9 +191,7 @@ private:
     best.part = (std::min)((std::max)(t, 0.), 1.);
     best.rest = (1. - part) * predicted;
     const auto angle_between = [](double ux, double uy, double wx, double wy)
-    {
-      return std::atan2(ux * wy - uy * wx, ux * wx + uy * wy);
-    };
+    { return std::atan2(ux * wy - uy * wx, ux * wx + uy * wy); };
     const double whole = angle_between(l - x, y, -x, y), first = angle_between(dx, dy, -x, y);
     const double fraction = whole > 1e-9 ? (std::min)((std::max)(first / whole, 0.), 1.) : best.part;
     best.direction = va.direction + fraction * field_.turn(va.direction, vb.direction);

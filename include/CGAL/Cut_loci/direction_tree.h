@@ -31,8 +31,8 @@ namespace Cut_loci {
  */
 struct Direction_graph
 {
-  std::vector<Index> edges;       ///< of the mesh
-  Index number_of_nodes = 0;      ///< the faces, then the border loops
+  std::vector<Index> edges;  ///< of the mesh
+  Index number_of_nodes = 0; ///< the faces, then the border loops
   Index number_of_faces = 0;
 
   /// the two nodes that edge `e` of the mesh joins

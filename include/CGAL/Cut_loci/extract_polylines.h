@@ -22,9 +22,9 @@ namespace Cut_loci {
  * its first point; a cut locus that is a single point gives one polyline with that one point.
  */
 template <typename TriangleMesh, typename Point_3>
-std::vector<std::vector<Point_3> > extract_polylines(const Cut_locus<TriangleMesh, Point_3>& cut_locus)
+std::vector<std::vector<Point_3>> extract_polylines(const Cut_locus<TriangleMesh, Point_3>& cut_locus)
 {
-  std::vector<std::vector<Point_3> > polylines;
+  std::vector<std::vector<Point_3>> polylines;
   for(const auto& chain : internal::maximal_chains(cut_locus.graph()))
   {
     polylines.emplace_back();

@@ -36,9 +36,7 @@ inline Spanning_tree strength_aware_tree(const Indexed_triangle_mesh& mesh, cons
 {
   // the edges of `tree` between strong vertices, as lists of children
   const auto is_strong_edge = [&](Index v)
-  {
-    return strength[v] >= threshold && strength[tree.parent[v]] >= threshold;
-  };
+  { return strength[v] >= threshold && strength[tree.parent[v]] >= threshold; };
   std::vector<Index> first_child(tree.parent.size(), null_index), next_sibling(tree.parent.size(), null_index);
   for(Index v : tree.order)
     if(v != tree.root && is_strong_edge(v))

@@ -67,18 +67,18 @@ public:
           kept.push_back(children_[c]);
 
     // A leaf that is no end of a branch is a step aside.
-    std::vector<std::pair<Index, Index> > stays; // outer nodes, with the number of their children
+    std::vector<std::pair<Index, Index>> stays; // outer nodes, with the number of their children
     std::vector<Index> position_of_parent(kept.size(), null_index);
     for(Index i : kept)
       stays.push_back({edges_[i].outer, 0});
-    std::vector<std::pair<Index, Index> > by_outer;
+    std::vector<std::pair<Index, Index>> by_outer;
     for(std::size_t i = 0; i < kept.size(); ++i)
       by_outer.push_back({edges_[kept[i]].outer, static_cast<Index>(i)});
     std::sort(by_outer.begin(), by_outer.end());
     for(std::size_t i = 0; i < kept.size(); ++i)
     {
-      const auto found = std::lower_bound(by_outer.begin(), by_outer.end(),
-                                          std::make_pair(edges_[kept[i]].inner, Index(0)));
+      const auto found =
+        std::lower_bound(by_outer.begin(), by_outer.end(), std::make_pair(edges_[kept[i]].inner, Index(0)));
       if(found != by_outer.end() && found->first == edges_[kept[i]].inner)
       {
         position_of_parent[i] = found->second;
@@ -137,7 +137,7 @@ private:
   {
     Index outer, inner; // groups: vertices of the graph, and one for each border loop
     Index halfedge;
-    float strength;     // the largest behind it
+    float strength; // the largest behind it
   };
 
   static std::vector<Snap> snap(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
@@ -146,7 +146,7 @@ private:
   {
     const internal::Geodesic_fronts fronts(mesh, connectivity, geometry, field);
     std::vector<Snap> result;
-    std::vector<std::pair<Index, Index> > by_outer;
+    std::vector<std::pair<Index, Index>> by_outer;
     for(const Direction_branches::Edge& e : branches.edges())
     {
       const internal::Geodesic_fronts::Crossing c = fronts.crossing(e.edge);
@@ -172,7 +172,7 @@ private:
   static std::vector<Piece> join(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                                  const Direction_branches& branches, const std::vector<Snap>& snaps)
   {
-    std::vector<std::pair<Index, Index> > by_face;
+    std::vector<std::pair<Index, Index>> by_face;
     for(std::size_t i = 0; i < snaps.size(); ++i)
       for(Index f : {branches.edges()[i].outer, branches.edges()[i].inner})
         if(f < mesh.number_of_faces())
@@ -214,10 +214,12 @@ private:
       }
       i = end;
     }
-    std::sort(result.begin(), result.end(), [](const Piece& a, const Piece& b)
+    std::sort(result.begin(), result.end(),
+              [](const Piece& a, const Piece& b)
               { return a.edge != b.edge ? a.edge < b.edge : a.strength > b.strength; });
-    result.erase(std::unique(result.begin(), result.end(),
-                             [](const Piece& a, const Piece& b) { return a.edge == b.edge; }), result.end());
+    result.erase(
+      std::unique(result.begin(), result.end(), [](const Piece& a, const Piece& b) { return a.edge == b.edge; }),
+      result.end());
     return result;
   }
 
@@ -247,7 +249,8 @@ private:
     for(Index e = 0; e < connectivity.number_of_edges(); ++e)
       if(!is_piece[e])
         unite(connectivity.halfedge_of_edge[e]);
-    std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b)
+    std::sort(pieces.begin(), pieces.end(),
+              [](const Piece& a, const Piece& b)
               { return a.strength != b.strength ? a.strength < b.strength : a.edge < b.edge; });
     pieces.erase(std::remove_if(pieces.begin(), pieces.end(), [&](const Piece& p) { return unite(p.halfedge); }),
                  pieces.end());
@@ -292,11 +295,11 @@ private:
   {
     const Index n = static_cast<Index>(vertices_.size()) + connectivity.number_of_border_loops;
     std::vector<Index> degree(n, 0), exclusive_or(n, 0);
-    std::vector<std::array<Index, 2> > ends(pieces.size());
+    std::vector<std::array<Index, 2>> ends(pieces.size());
     for(Index i = 0; i < pieces.size(); ++i)
     {
-      ends[i] = {{group(connectivity, mesh.source(pieces[i].halfedge)),
-                  group(connectivity, mesh.target(pieces[i].halfedge))}};
+      ends[i] = {
+        {group(connectivity, mesh.source(pieces[i].halfedge)), group(connectivity, mesh.target(pieces[i].halfedge))}};
       for(Index g : ends[i])
       {
         ++degree[g];
@@ -367,7 +370,7 @@ private:
   // whether a branch ends there at this threshold
   bool is_end(Index g, double threshold) const
   {
-    for(auto it = std::lower_bound(ends_.begin(), ends_.end(), g, [](const End& e, Index i) { return e.group < i; });
+    for(auto it = std::lower_bound(ends_.begin(), ends_.end(), g, [](const End&e, Index i) { return e.group < i; });
         it != ends_.end() && it->group == g; ++it)
       if(it->next_strength < threshold && it->strength >= threshold)
         return true;
@@ -378,7 +381,7 @@ private:
                           const Direction_field& field, const std::vector<Index>& selected) const
   {
     Indexed_cut_locus result;
-    std::vector<std::array<Index, 2> > ends;
+    std::vector<std::array<Index, 2>> ends;
     std::vector<Index> vertices;
     for(Index i : selected)
     {
@@ -393,14 +396,12 @@ private:
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     // the root first
     std::rotate(vertices.begin(), std::lower_bound(vertices.begin(), vertices.end(), root), vertices.end());
-    std::vector<std::pair<Index, Index> > position;
+    std::vector<std::pair<Index, Index>> position;
     for(Index i = 0; i < vertices.size(); ++i)
       position.push_back({vertices[i], i});
     std::sort(position.begin(), position.end());
     const auto node = [&](Index v)
-    {
-      return std::lower_bound(position.begin(), position.end(), std::make_pair(v, Index(0)))->second;
-    };
+    { return std::lower_bound(position.begin(), position.end(), std::make_pair(v, Index(0)))->second; };
     for(Index v : vertices)
       result.nodes.push_back({internal::location_of_vertex(connectivity, v), v, field.vertices[v].distance});
     for(std::size_t i = 0; i < selected.size(); ++i)
@@ -416,8 +417,8 @@ private:
   };
 
   Index lone_vertex_ = null_index;
-  std::vector<Index> vertices_;        // sorted
-  std::vector<Edge> edges_;            // the cycles first, then from the inside out
+  std::vector<Index> vertices_; // sorted
+  std::vector<Edge> edges_;     // the cycles first, then from the inside out
   Index number_of_core_edges_ = 0;
   std::vector<Index> first_branches_, child_begin_, children_;
   std::vector<End> ends_;
@@ -456,8 +457,8 @@ inline void continue_mesh_edges(const Mesh_connectivity& connectivity, const Dir
       if(e.source == node || e.target == node)
         strength = strength == 0.f ? e.strength : (std::min)(strength, e.strength);
     graph.nodes.push_back({internal::location_of_vertex(connectivity, v), v, field.vertices[v].distance});
-    graph.edges.push_back({node, next, connectivity.ring_halfedge[entry], strength,
-                           static_cast<Index>(graph.edges.size())});
+    graph.edges.push_back(
+      {node, next, connectivity.ring_halfedge[entry], strength, static_cast<Index>(graph.edges.size())});
     node = next;
   }
 }

@@ -25,19 +25,18 @@ namespace Cut_loci {
 namespace internal {
 
 template <typename T, typename Tag, typename Base = internal_np::No_property>
-struct Chained_named_parameters
-  : public Named_function_parameters<T, Tag, Base>
+struct Chained_named_parameters : public Named_function_parameters<T, Tag, Base>
 {
   using Pack = Named_function_parameters<T, Tag, Base>;
 
   Chained_named_parameters(const T& value) : Pack(value) {}
   Chained_named_parameters(const T& value, const Base& rest) : Pack(value, rest) {}
 
-#define CGAL_add_named_parameter(X, Y, Z)                                           \
-  template <typename K>                                                             \
-  Chained_named_parameters<K, internal_np::X, Pack> Z(const K& k) const             \
-  {                                                                                 \
-    return Chained_named_parameters<K, internal_np::X, Pack>(k, *this);             \
+#define CGAL_add_named_parameter(X, Y, Z)                                                                              \
+  template <typename K>                                                                                                \
+  Chained_named_parameters<K, internal_np::X, Pack> Z(const K& k) const                                                \
+  {                                                                                                                    \
+    return Chained_named_parameters<K, internal_np::X, Pack>(k, *this);                                                \
   }
 #include <CGAL/Cut_loci/internal/named_parameters_list.h>
 #undef CGAL_add_named_parameter
@@ -47,11 +46,11 @@ struct Chained_named_parameters
 } // namespace Cut_loci
 
 namespace parameters {
-#define CGAL_add_named_parameter(X, Y, Z)                                           \
-  template <typename K>                                                             \
-  Cut_loci::internal::Chained_named_parameters<K, internal_np::X> Z(const K& k)     \
-  {                                                                                 \
-    return Cut_loci::internal::Chained_named_parameters<K, internal_np::X>(k);      \
+#define CGAL_add_named_parameter(X, Y, Z)                                                                              \
+  template <typename K>                                                                                                \
+  Cut_loci::internal::Chained_named_parameters<K, internal_np::X> Z(const K& k)                                        \
+  {                                                                                                                    \
+    return Cut_loci::internal::Chained_named_parameters<K, internal_np::X>(k);                                         \
   }
 #include <CGAL/Cut_loci/internal/named_parameters_list.h>
 #undef CGAL_add_named_parameter

@@ -39,7 +39,8 @@ public:
   Polyhedral_cut_locus(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                        internal::Exact_geodesic_propagation& propagation)
     : mesh_(mesh), connectivity_(connectivity), propagation_(propagation)
-  {}
+  {
+  }
 
   /// whether all vertices have a total angle of at most 2 pi, and there is no border
   static bool is_applicable(const Indexed_triangle_mesh& mesh, const internal::Geodesic_faces& faces)
@@ -131,8 +132,8 @@ private:
 
   void find_images(const Indexed_source& source)
   {
-    std::vector<std::pair<Index, Point_2> > queries;
-    std::vector<std::vector<Point_2> > asked(mesh_.number_of_faces());
+    std::vector<std::pair<Index, Point_2>> queries;
+    std::vector<std::vector<Point_2>> asked(mesh_.number_of_faces());
     const auto ask = [&](Index f, const Point_2& at)
     {
       // A little inside: the path to a corner itself may come from any face around it.
@@ -367,8 +368,9 @@ private:
       }
       keys.push_back(key);
     }
-    std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b)
-    {
+    std::sort(keys.begin(), keys.end(),
+              [](const Key& a, const Key& b)
+              {
       return a.dimension != b.dimension ? a.dimension < b.dimension
              : a.element != b.element   ? a.element < b.element
              : a.s != b.s               ? a.s < b.s
@@ -420,8 +422,8 @@ private:
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   internal::Exact_geodesic_propagation& propagation_;
-  std::vector<std::vector<Point_2> > images_; // of the source, in each face
-  std::vector<std::vector<Cell> > cells_;
+  std::vector<std::vector<Point_2>> images_; // of the source, in each face
+  std::vector<std::vector<Cell>> cells_;
 };
 
 } // namespace Cut_loci

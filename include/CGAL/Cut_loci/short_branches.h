@@ -119,9 +119,8 @@ private:
  * Linear time.
  */
 inline std::vector<unsigned char> short_branches(const Indexed_triangle_mesh& mesh,
-                                                 const Mesh_connectivity& connectivity,
-                                                 const Indexed_cut_locus& graph, Index minimum_edges,
-                                                 double minimum_length)
+                                                 const Mesh_connectivity& connectivity, const Indexed_cut_locus& graph,
+                                                 Index minimum_edges, double minimum_length)
 {
   std::vector<unsigned char> result(graph.edges.size(), 0);
   const internal::Hanging_trees trees(mesh, connectivity, graph, 0);
@@ -170,9 +169,7 @@ inline std::vector<unsigned char> corresponding_branches(const Indexed_triangle_
   for(const auto& t : branches.twigs())
     is_branch[t.edge] = 1;
   const auto is_kept = [&](const Indexed_cut_locus::Edge& e)
-  {
-    return e.origin != null_index && is_branch[e.origin] && !is_removed[e.origin];
-  };
+  { return e.origin != null_index && is_branch[e.origin] && !is_removed[e.origin]; };
   const auto first = std::find_if(curve.edges.begin(), curve.edges.end(), is_kept);
   const internal::Hanging_trees trees(mesh, connectivity, curve, first == curve.edges.end() ? 0 : first->source);
   const auto& twigs = trees.twigs();
@@ -211,11 +208,10 @@ inline void remove_edges(const Indexed_triangle_mesh& mesh, const Mesh_connectiv
     }
   if(edges.empty())
   {
-    const auto on_border = std::find_if(graph.nodes.begin(), graph.nodes.end(), [&](const Indexed_cut_locus::Node& node)
-                                        {
-                                          return internal::Hanging_trees::border_loop(mesh, connectivity, node) !=
-                                                 null_index;
-                                        });
+    const auto on_border = std::find_if(graph.nodes.begin(), graph.nodes.end(),
+                                        [&](const Indexed_cut_locus::Node& node) {
+      return internal::Hanging_trees::border_loop(mesh, connectivity, node) != null_index;
+    });
     new_node[on_border == graph.nodes.end() ? 0 : static_cast<std::size_t>(on_border - graph.nodes.begin())] = 0;
   }
   Index size = 0;

@@ -44,8 +44,8 @@ class Cut_locus_smoother
 public:
   Cut_locus_smoother(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                      const std::vector<double>& distance, const Indexed_cut_locus& input)
-    : mesh_(mesh), connectivity_(connectivity), distance_(distance), input_(input),
-      network_(mesh, connectivity, input), sides_(mesh, connectivity, distance)
+    : mesh_(mesh), connectivity_(connectivity), distance_(distance), input_(input), network_(mesh, connectivity, input),
+      sides_(mesh, connectivity, distance)
   {
     for(const Indexed_cut_locus::Node& node : input.nodes)
     {
@@ -230,11 +230,12 @@ private:
   // whether one chain joins two nodes that are not the same
   bool is_only_one(Index a, Index b) const
   {
-    return a != b && 1 == std::count_if(network_.chains.begin(), network_.chains.end(), [&](const Chain& chain)
-    {
+    return a != b && 1 == std::count_if(network_.chains.begin(), network_.chains.end(),
+                                        [&](const Chain& chain)
+                                        {
       const Index s = chain.nodes.front(), t = chain.nodes.back();
       return (s == a && t == b) || (s == b && t == a);
-    });
+                     });
   }
 
   // Ends of a chain that have moved to the same point go back to their vertices.
@@ -370,10 +371,10 @@ private:
   const Indexed_cut_locus& input_;
   Curve_network network_;
   One_sided_distances sides_;
-  std::vector<Indexed_location> location_;   // of each node
+  std::vector<Indexed_location> location_; // of each node
   std::vector<Vector> position_, displacement_;
-  std::vector<std::vector<Index> > current_; // the places of each chain that have not been dropped
-  std::vector<Span> spans_;                  // of each edge of the result
+  std::vector<std::vector<Index>> current_; // the places of each chain that have not been dropped
+  std::vector<Span> spans_;                 // of each edge of the result
 };
 
 } // namespace internal

@@ -27,7 +27,8 @@ class Geodesic_walk
 public:
   Geodesic_walk(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity)
     : mesh_(mesh), connectivity_(connectivity)
-  {}
+  {
+  }
 
   Indexed_location operator()(Indexed_location start, const Vector& direction, double length)
   {

@@ -50,7 +50,7 @@ inline Sub_edge_curve place_sub_edges(const Indexed_triangle_mesh& mesh, const M
   Sub_edge_curve curve;
   Indexed_cut_locus& result = curve.graph;
   std::vector<Fronts::Crossing> crossings;
-  std::vector<std::pair<Index, Index> > by_node;
+  std::vector<std::pair<Index, Index>> by_node;
   for(const Direction_branches::Edge& e : branches)
   {
     for(Index f : {e.outer, e.inner})
@@ -68,8 +68,8 @@ inline Sub_edge_curve place_sub_edges(const Indexed_triangle_mesh& mesh, const M
       ++end;
     const auto strength = [&](std::size_t k) { return branches[by_node[k].second].strength; };
     if(end - i == 2)
-      result.edges.push_back({by_node[i].second, by_node[i + 1].second, null_index,
-                              (std::min)(strength(i), strength(i + 1)), null_index});
+      result.edges.push_back(
+        {by_node[i].second, by_node[i + 1].second, null_index, (std::min)(strength(i), strength(i + 1)), null_index});
     else if(end - i == 3)
     {
       const Fronts::Face_points points = fronts.layout(f);

@@ -44,8 +44,8 @@ void thin(Spanning_tree& tree, const Mesh_connectivity& connectivity, const Key&
     leaves.pop();
     const auto begin = connectivity.ring_vertex.begin() + connectivity.ring_begin[v],
                end = connectivity.ring_vertex.begin() + connectivity.ring_begin[v + 1];
-    const bool is_next_to_stronger_branch = std::any_of(begin, end, [&](Index w)
-    {
+    const bool is_next_to_stronger_branch = std::any_of(begin, end,
+                                                        [&](Index w) {
       return key[w] < key[v] && w != parent && tree.contains(w) && !removed[w] && tree.parent[w] != parent;
     });
     if(!is_next_to_stronger_branch)

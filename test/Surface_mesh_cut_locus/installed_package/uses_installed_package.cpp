@@ -11,7 +11,8 @@ int main()
 {
   Mesh mesh;
   CGAL::make_icosahedron(mesh, Point(0, 0, 0), 1.);
-  const auto cut_locus = CGAL::compute_cut_locus(mesh, *vertices(mesh).begin(),
-    CGAL::parameters::vertex_point_map(get(CGAL::vertex_point, mesh)).minimum_branch_edges(1));
+  const auto cut_locus =
+    CGAL::compute_cut_locus(mesh, *vertices(mesh).begin(),
+                            CGAL::parameters::vertex_point_map(get(CGAL::vertex_point, mesh)).minimum_branch_edges(1));
   return num_vertices(cut_locus.graph()) > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

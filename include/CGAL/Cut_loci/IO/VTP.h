@@ -53,9 +53,7 @@ bool write_VTP(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_loc
       isolated.push_back(v);
 
   const auto start_array = [&](const char* type, const char* name)
-  {
-    os << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" format=\"ascii\">\n";
-  };
+  { os << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" format=\"ascii\">\n"; };
   const auto end_array = [&]() { os << "</DataArray>\n"; };
   const auto write_offsets = [&](std::size_t number_of_cells, std::size_t size_of_cell)
   {

@@ -37,11 +37,10 @@ class Component_solver
 public:
   // once per mesh
   Component_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type)
-    : mesh_(mesh), connectivity_(mesh),
-      tangent_(checked(mesh, connectivity_), connectivity_),
-      operators_(mesh, connectivity_, type),
-      genus_(connectivity_.genus(mesh))
-  {}
+    : mesh_(mesh), connectivity_(mesh), tangent_(checked(mesh, connectivity_), connectivity_),
+      operators_(mesh, connectivity_, type), genus_(connectivity_.genus(mesh))
+  {
+  }
 
   // once per source, in three parts
   void set_distance(const Indexed_source& source, std::vector<double> distance)
@@ -80,11 +79,9 @@ public:
   // What the homology demands is found once per source, whatever the thresholds.
   void close_cycles()
   {
-    const Spanning_tree spanning_tree =
-      strength_aware_tree(mesh_, connectivity_, tree_, angle_, reliable_angle(), distance_,
-                          Source_element(connectivity_, source_));
-    const std::vector<Index> generators =
-      homology_generators(mesh_, connectivity_, spanning_tree, distance_, source_);
+    const Spanning_tree spanning_tree = strength_aware_tree(mesh_, connectivity_, tree_, angle_, reliable_angle(),
+                                                            distance_, Source_element(connectivity_, source_));
+    const std::vector<Index> generators = homology_generators(mesh_, connectivity_, spanning_tree, distance_, source_);
     filter_ = Branch_filter(mesh_, connectivity_, tree_, spanning_tree, generators, angle_, laplacian_);
   }
 
@@ -154,8 +151,14 @@ private:
 
 public:
   // thrown with the component's index, for the caller to name the element of the input
-  struct Face_without_area { Index face; };
-  struct Non_manifold_vertex { Index vertex; };
+  struct Face_without_area
+  {
+    Index face;
+  };
+  struct Non_manifold_vertex
+  {
+    Index vertex;
+  };
 
 private:
   const Indexed_triangle_mesh& mesh_;

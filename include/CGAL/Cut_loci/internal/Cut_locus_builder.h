@@ -42,7 +42,8 @@ public:
   Cut_locus_builder(const TriangleMesh& tm, const VertexPointMap& vpm, const std::shared_ptr<const Read>& read,
                     const Surface_component& component)
     : tm_(tm), vpm_(vpm), read_(read), component_(component)
-  {}
+  {
+  }
 
   Result operator()(const Indexed_cut_locus& cut_locus, const Indexed_source& source,
                     const std::shared_ptr<const Source_result>& shared) const

@@ -51,7 +51,8 @@ public:
   explicit Direction_solver(const Indexed_triangle_mesh& mesh, bool is_polyhedral = false)
     : mesh_(mesh), connectivity_(mesh), is_polyhedral_(is_polyhedral),
       geometry_(Component_solver::checked(mesh, connectivity_), connectivity_)
-  {}
+  {
+  }
 
   // once per source, in four parts; the first is one of these two
   void compute_distance(const Indexed_source& source)
@@ -110,7 +111,7 @@ public:
     const std::vector<Direction_branches::Edge> kept = branches_(thresholds.strength);
     Sub_edge_curve result = place_sub_edges(mesh_, connectivity_, geometry_, field_, kept);
     const Branch_ends ends(mesh_, connectivity_, geometry_, field_);
-    const std::vector<std::vector<Index> > continuations = ends(kept, result);
+    const std::vector<std::vector<Index>> continuations = ends(kept, result);
     edges = mesh_edges_(mesh_, connectivity_, field_, thresholds.strength);
     for(const std::vector<Index>& c : continuations)
       continue_mesh_edges(connectivity_, field_, c, edges);

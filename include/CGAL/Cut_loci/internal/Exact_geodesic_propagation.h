@@ -41,17 +41,17 @@ namespace internal {
  * The mesh geometry is read by the constructor. All memory is reused from one run to the next. Queries after a run
  * are const.
  */
-class Exact_geodesic_propagation
-  : public Geodesic_results
+class Exact_geodesic_propagation : public Geodesic_results
 {
 public:
   /// \throws Invalid_input see `Geodesic_faces`
   ///
   /// `positions` are the numbers by which messages name the vertices, if not by their index.
   explicit Exact_geodesic_propagation(const Indexed_triangle_mesh& mesh, const std::vector<Index>* positions = nullptr)
-    : Geodesic_results(mesh, positions)
-    , batches_(faces_.number_of_halfedges(), faces_.number_of_vertices(), 0.5 * faces_.mean_edge_length())
-  {}
+    : Geodesic_results(mesh, positions),
+      batches_(faces_.number_of_halfedges(), faces_.number_of_vertices(), 0.5 * faces_.mean_edge_length())
+  {
+  }
 
   /// \throws Invalid_input if there is no source, or a location is none on the mesh
   void run(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options = {})
@@ -72,10 +72,7 @@ public:
   }
 
   /// with a vertex as the only source
-  void run(Index source, const Exact_geodesic_options& options = {})
-  {
-    run({vertex_location(source)}, options);
-  }
+  void run(Index source, const Exact_geodesic_options& options = {}) { run({vertex_location(source)}, options); }
 
   /// the number of windows that have been propagated across a face in the last run
   std::size_t number_of_windows() const { return number_of_windows_; }
@@ -92,7 +89,8 @@ private:
       else
         start_in_face<columns>(i);
     Index item;
-    while(batches_.pop(item)) {
+    while(batches_.pop(item))
+    {
       prefetch(batches_.peek(6), batches_.peek(3));
       if(item < faces_.number_of_halfedges())
         cross_face<columns>(item);
@@ -121,7 +119,8 @@ private:
     const Index first = faces_.first_halfedge(v);
     double angle = 0.;
     Index h = first;
-    do {
+    do
+    {
       emit<columns>(h, 0., faces_.angle(h), 0., is_approximate() ? 0. : angle, static_cast<Index>(number));
       angle += faces_.angle(h);
       h = faces_.next_around_source(h);
@@ -134,7 +133,8 @@ private:
   {
     const Source& source = sources_[number];
     const Index f = source.location.face;
-    if(source.halfedge == null_index) {
+    if(source.halfedge == null_index)
+    {
       start_in_face<columns>(number, 3 * f, faces_.in_frame(3 * f, source.location.coordinates), 0., null_index);
       return;
     }
@@ -158,11 +158,13 @@ private:
     const std::array<Plane_point, 3> corner = {{{0., 0.}, {faces_.length(h), 0.}, faces_.apex(h)}};
     double rotation = 0.;
     Index g = h;
-    for(std::size_t i = 0; i < 3; ++i) {
+    for(std::size_t i = 0; i < 3; ++i)
+    {
       const Plane_point &from = corner[i], &to = corner[(i + 1) % 3];
       reach(faces_.source(g), std::hypot(from.x - p.x, from.y - p.y), arrival);
       const Index o = faces_.opposite(g);
-      if(g != skipped && o != null_index) {
+      if(g != skipped && o != null_index)
+      {
         // the frame of the opposite halfedge starts at `to`
         const double length = faces_.length(g);
         const double ux = (from.x - to.x) / length, uy = (from.y - to.y) / length;
@@ -234,7 +236,8 @@ private:
     const double last = is_border ? infinity : faces_.total_angle(v) - geodesic_pi + margin;
     double angle = -in.angle;
     Index h = in.halfedge;
-    do {
+    do
+    {
       const double width = faces_.angle(h);
       if(angle + width > first && angle < last)
         emit<columns>(h, first - angle, (std::min)(last - angle, width), sigma, turn, source);
@@ -245,7 +248,8 @@ private:
       return;
     angle = faces_.angle(in.halfedge) - in.angle;
     h = in.halfedge;
-    while(h != null_index) {
+    while(h != null_index)
+    {
       const double width = faces_.angle(h);
       angle -= width;
       if(angle < -first)
@@ -265,7 +269,8 @@ private:
 
   void prefetch(Index far, Index near) const
   {
-    if(far < faces_.number_of_halfedges()) {
+    if(far < faces_.number_of_halfedges())
+    {
       batches_.prefetch_lists(far);
 #if defined(__GNUC__)
       const char* face = reinterpret_cast<const char*>(&faces_.face_of(far));
@@ -273,7 +278,8 @@ private:
       __builtin_prefetch(face + 64);
 #endif
     }
-    if(near < faces_.number_of_halfedges()) {
+    if(near < faces_.number_of_halfedges())
+    {
       batches_.prefetch_windows(near);
 #if defined(__GNUC__)
       const Geodesic_face& face = faces_.face_of(near);
@@ -289,7 +295,8 @@ private:
   void cross_face(Index h)
   {
     Geodesic_window_list* list = batches_.collect<columns>(h, faces_.length(h));
-    if(list->empty()) {
+    if(list->empty())
+    {
       batches_.release(list);
       return;
     }
@@ -322,54 +329,67 @@ private:
       sides_.resize(2 * (last - first));
     std::size_t winner = end, first_right = last, behind_left = first;
     double shortest = infinity;
-    for(std::size_t w = first; w < last; ++w) {
+    for(std::size_t w = first; w < last; ++w)
+    {
       const Geodesic_side side = side_of_rays(a[w], b[w], x[w], y[w], apex, tolerance);
       sides_[w - first] = static_cast<unsigned char>(side);
-      if(side == covers) {
+      if(side == covers)
+      {
         const double dx = apex.x - x[w], dy = apex.y - y[w];
         const double d = list->column(4)[w] + std::sqrt(dx * dx + dy * dy);
-        if(d < shortest) {
+        if(d < shortest)
+        {
           shortest = d;
           winner = w;
         }
-      } else if(side == passes_left)
+      }
+      else if(side == passes_left)
         behind_left = w + 1;
       else if(first_right == last)
         first_right = w;
     }
     const Index vertex_a = face.vertex[i], vertex_b = face.vertex[j], vertex_c = face.vertex[k];
-    if(winner != end && shortest < distance_[vertex_c]) {
+    if(winner != end && shortest < distance_[vertex_c])
+    {
       const Geodesic_window w = list->get<columns>(winner);
       Geodesic_arrival arrival{w.x, w.y, w.sigma, w.turn, h, static_cast<Index>(w.nearest), true};
       reach(vertex_c, shortest, arrival);
     }
     const double distance_a = distance_[vertex_a], distance_b = distance_[vertex_b];
     const double distance_c =
-        (std::min)(distance_[vertex_c], (std::min)(distance_a + length_left, distance_b + length_right));
+      (std::min)(distance_[vertex_c], (std::min)(distance_a + length_left, distance_b + length_right));
 
     // the windows that cover the apex go to their side of the winner only
     const bool is_sorted = first == last || (behind_left <= winner && winner < first_right);
     std::size_t number_left, number_right;
-    if(first == last) {
+    if(first == last)
+    {
       number_left = first - begin;
       number_right = end - last;
-    } else if(is_sorted) {
+    }
+    else if(is_sorted)
+    {
       number_left = winner + 1 - begin;
       number_right = end - winner;
-    } else {
+    }
+    else
+    {
       number_left = first - begin;
       number_right = end - last;
-      for(std::size_t w = first; w < last; ++w) {
+      for(std::size_t w = first; w < last; ++w)
+      {
         number_left += goes_left(w, first, winner);
         number_right += goes_right(w, first, winner);
       }
     }
-    if(face.opposite[k] != null_index && number_left > 0) {
+    if(face.opposite[k] != null_index && number_left > 0)
+    {
       Geodesic_window_list* out = batches_.allocate<columns>(number_left);
       const Geodesic_step step{length, length_left, corner_a.cosine, corner_a.sine, turns ? corner_a.angle : 0.};
       if(is_sorted)
         step_left<columns>(*list, begin, number_left, *out, step);
-      else {
+      else
+      {
         step_left<columns>(*list, begin, first - begin, *out, step);
         for(std::size_t w = first; w < last; ++w)
           if(goes_left(w, first, winner))
@@ -381,12 +401,14 @@ private:
       filter_end(*out, distance_c, length_left, distance_b, b_in_frame);
       batches_.store<columns>(face.opposite[k], 0, out, length_left, (std::min)(distance_a, distance_c));
     }
-    if(face.opposite[j] != null_index && number_right > 0) {
+    if(face.opposite[j] != null_index && number_right > 0)
+    {
       Geodesic_window_list* out = batches_.allocate<columns>(number_right);
       const Geodesic_step step{length, length_right, corner_b.cosine, corner_b.sine, turns ? -corner_b.angle : 0.};
       if(is_sorted)
         step_right<columns>(*list, end - number_right, number_right, *out, step);
-      else {
+      else
+      {
         for(std::size_t w = first; w < last; ++w)
           if(goes_right(w, first, winner))
             step_right<columns>(*list, w, 1, *out, step);

@@ -33,15 +33,15 @@ class Geodesic_batches
 public:
   /// `width` is the difference of the distance from which on order matters
   Geodesic_batches(Index number_of_halfedges, Index number_of_vertices, double width)
-    : queue_(width)
-    , lists_(3 * std::size_t(number_of_halfedges), nullptr)
-    , is_queued_(number_of_vertices, 0)
-    , number_of_halfedges_(number_of_halfedges)
-  {}
+    : queue_(width), lists_(3 * std::size_t(number_of_halfedges), nullptr), is_queued_(number_of_vertices, 0),
+      number_of_halfedges_(number_of_halfedges)
+  {
+  }
 
   void prepare(double maximum_distance)
   {
-    if(!is_clean_) {
+    if(!is_clean_)
+    {
       // an exception has ended the last run
       std::fill(lists_.begin(), lists_.end(), nullptr);
       std::fill(is_queued_.begin(), is_queued_.end(), static_cast<unsigned char>(0));
@@ -67,13 +67,16 @@ public:
   {
     if(maximum_distance_ < infinity)
       filter_distance<columns>(*list, maximum_distance_);
-    if(list->empty()) {
+    if(list->empty())
+    {
       pool_.release(list);
       return;
     }
     Geodesic_window_list** lists = &lists_[3 * std::size_t(h)];
-    if(lists[0] == nullptr && lists[1] == nullptr && lists[2] == nullptr) {
-      if(key == infinity) {
+    if(lists[0] == nullptr && lists[1] == nullptr && lists[2] == nullptr)
+    {
+      if(key == infinity)
+      {
         const Geodesic_window w = list->get<columns>(list->begin);
         key = w.distance(w.a);
       }
@@ -81,7 +84,8 @@ public:
     }
     if(lists[side] == nullptr)
       lists[side] = list;
-    else {
+    else
+    {
       // a second batch from the same side
       Geodesic_window_list* envelope = pool_.allocate<columns>(4 * std::size_t(list->size() + lists[side]->size()));
       Geodesic_envelope<columns>()(*lists[side], *list, *envelope, length);
@@ -115,24 +119,28 @@ public:
     Geodesic_window_list** lists = &lists_[3 * std::size_t(h)];
     std::size_t size = 0, number = 0, present = 0;
     for(std::size_t k = 0; k < 3; ++k)
-      if(lists[k] != nullptr) {
+      if(lists[k] != nullptr)
+      {
         size += lists[k]->size();
         ++number;
         present = k;
       }
     Geodesic_window_list* all = lists[present];
-    if(number > 1) {
+    if(number > 1)
+    {
       const bool apart = !has_inner_source_.empty() && has_inner_source_[h] && lists[1] != nullptr;
       all = pool_.allocate<columns>(size);
       for(std::size_t k = 0; k < 3; ++k)
-        if(lists[k] != nullptr && !(apart && k == 1)) {
+        if(lists[k] != nullptr && !(apart && k == 1))
+        {
           const std::size_t junction = all->end;
           all->append<columns>(*lists[k]);
           pool_.release(lists[k]);
           if(junction > 0)
             Geodesic_trimming<columns>(*all, length, false).join(junction);
         }
-      if(apart) {
+      if(apart)
+      {
         // the windows of a source inside of the face are not in order with those that enter it
         Geodesic_window_list* envelope = pool_.allocate<columns>(4 * size);
         Geodesic_envelope<columns>()(*lists[1], *all, *envelope, length);
@@ -157,7 +165,8 @@ public:
   /// takes the next halfedge or, behind the number of the halfedges, vertex; returns `false` if nothing waits
   bool pop(Index& item)
   {
-    if(!queue_.pop(item)) {
+    if(!queue_.pop(item))
+    {
       is_clean_ = true;
       return false;
     }

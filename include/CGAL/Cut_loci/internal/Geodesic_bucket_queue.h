@@ -42,7 +42,8 @@ public:
     if(i >= buckets_.size())
       buckets_.resize(i + 1);
     std::vector<Index>& bucket = buckets_[i];
-    if(bucket.capacity() == 0 && !spare_.empty()) {
+    if(bucket.capacity() == 0 && !spare_.empty())
+    {
       bucket.swap(spare_.back());
       spare_.pop_back();
     }
@@ -52,8 +53,10 @@ public:
   /// moves to the next item; returns `false` if there is none
   bool pop(Index& item)
   {
-    while(current_ < buckets_.size()) {
-      if(position_ < buckets_[current_].size()) {
+    while(current_ < buckets_.size())
+    {
+      if(position_ < buckets_[current_].size())
+      {
         item = buckets_[current_][position_++];
         return true;
       }

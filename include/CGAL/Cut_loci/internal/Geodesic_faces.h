@@ -38,10 +38,10 @@ inline double twice_arc_tangent(double y, double x)
   constexpr double tangent_of_eighth = 0.41421356237309503; // of pi / 8; beyond, the angle is measured from pi / 4
   const double is_large = y > tangent_of_eighth * x ? 1. : 0.;
   const double t = (y - is_large * x) / (x + is_large * y), u = t * t;
-  constexpr std::array<double, 12> c = {
-      {1.0, -0.3333333333333312, 0.19999999999940893, -0.14285714279250245, 0.11111110744919658, -0.09090896809064027,
-       0.07692045330902225, -0.06662951813629191, 0.05846878297330872, -0.05035102456601552, 0.03796525745386593,
-       -0.017805397205419446}};
+  constexpr std::array<double, 12> c = {{1.0, -0.3333333333333312, 0.19999999999940893, -0.14285714279250245,
+                                         0.11111110744919658, -0.09090896809064027, 0.07692045330902225,
+                                         -0.06662951813629191, 0.05846878297330872, -0.05035102456601552,
+                                         0.03796525745386593, -0.017805397205419446}};
   double sum = c[11];
   for(std::size_t i = 11; i-- > 0;)
     sum = sum * u + c[i];
@@ -74,10 +74,8 @@ public:
 
   /// \throws Invalid_input if a coordinate is not finite, a face has no area, or a vertex has more than one fan
   explicit Geodesic_faces(const Mesh& mesh, const std::vector<Index>* positions = nullptr)
-    : faces_(mesh.number_of_faces())
-    , total_angle_(mesh.number_of_vertices(), 0.)
-    , first_(mesh.number_of_vertices(), null_index)
-    , kind_(mesh.number_of_vertices(), 0)
+    : faces_(mesh.number_of_faces()), total_angle_(mesh.number_of_vertices(), 0.),
+      first_(mesh.number_of_vertices(), null_index), kind_(mesh.number_of_vertices(), 0)
   {
     read_faces(mesh, positions);
     read_vertices(positions);
@@ -138,7 +136,8 @@ public:
   {
     const Index first = first_[source(h)];
     double sum = 0.;
-    while(h != first) {
+    while(h != first)
+    {
       h = previous_around_source(h);
       sum += angle(h);
     }
@@ -146,22 +145,20 @@ public:
   }
 
 private:
-  enum : unsigned char
-  {
-    border = 1,
-    bends = 2
-  };
+  enum : unsigned char { border = 1, bends = 2 };
 
   static double norm(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
 
   void read_faces(const Mesh& mesh, const std::vector<Index>* positions)
   {
     double sum = 0.;
-    for(Index f = 0; f < mesh.number_of_faces(); ++f) {
+    for(Index f = 0; f < mesh.number_of_faces(); ++f)
+    {
       Geodesic_face& face = faces_[f];
       std::array<Mesh::Point, 3> edge;
       std::array<double, 3> length, dots;
-      for(std::size_t i = 0; i < 3; ++i) {
+      for(std::size_t i = 0; i < 3; ++i)
+      {
         const std::size_t j = i == 2 ? 0 : i + 1;
         const Mesh::Point& p = mesh.points[mesh.triangles[f][i]];
         const Mesh::Point& q = mesh.points[mesh.triangles[f][j]];
@@ -171,13 +168,14 @@ private:
         face.opposite[i] = mesh.opposite[3 * f + i];
       }
       const double twice_area =
-          norm(edge[0][1] * edge[1][2] - edge[0][2] * edge[1][1], edge[0][2] * edge[1][0] - edge[0][0] * edge[1][2],
-               edge[0][0] * edge[1][1] - edge[0][1] * edge[1][0]);
+        norm(edge[0][1] * edge[1][2] - edge[0][2] * edge[1][1], edge[0][2] * edge[1][0] - edge[0][0] * edge[1][2],
+             edge[0][0] * edge[1][1] - edge[0][1] * edge[1][0]);
       const double longest = (std::max)((std::max)(length[0], length[1]), length[2]);
       // below this height the rounding of the coordinates decides the shape; the test also fails on NaN and infinity
       if(!(twice_area > 1e-13 * longest * longest) || !(twice_area < (std::numeric_limits<double>::max)()))
         throw Invalid_input(describe_bad_face(mesh, f, positions));
-      for(std::size_t i = 0; i < 3; ++i) {
+      for(std::size_t i = 0; i < 3; ++i)
+      {
         const std::size_t k = i == 0 ? 2 : i - 1;
         const double dot = -(edge[i][0] * edge[k][0] + edge[i][1] * edge[k][1] + edge[i][2] * edge[k][2]);
         const double scale = 1. / (length[i] * length[k]);
@@ -216,21 +214,26 @@ private:
   {
     std::vector<Index> valence(number_of_vertices(), 0);
     for(Index f = 0; f < number_of_faces(); ++f)
-      for(Index i = 0; i < 3; ++i) {
+      for(Index i = 0; i < 3; ++i)
+      {
         const Index v = faces_[f].vertex[i];
         ++valence[v];
         total_angle_[v] += faces_[f].corner[i].angle;
-        if(faces_[f].opposite[i] == null_index) {
+        if(faces_[f].opposite[i] == null_index)
+        {
           if(kind_[v] != 0)
             throw Invalid_input(describe_bad_vertex(v, positions));
           kind_[v] = border;
           first_[v] = 3 * f + i;
-        } else if(first_[v] == null_index)
+        }
+        else if(first_[v] == null_index)
           first_[v] = 3 * f + i;
       }
-    for(Index v = 0; v < number_of_vertices(); ++v) {
+    for(Index v = 0; v < number_of_vertices(); ++v)
+    {
       Index h = first_[v], count = 0;
-      while(h != null_index && count <= valence[v]) {
+      while(h != null_index && count <= valence[v])
+      {
         ++count;
         h = next_around_source(h);
         if(h == first_[v])

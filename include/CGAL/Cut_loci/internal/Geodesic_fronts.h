@@ -58,7 +58,8 @@ public:
   Geodesic_fronts(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                   const Direction_geometry& geometry, const Direction_field& field)
     : mesh_(mesh), connectivity_(connectivity), geometry_(geometry), field_(field)
-  {}
+  {
+  }
 
   // where the fronts of the two ends of an edge meet
   Crossing crossing(Index e) const
@@ -140,9 +141,7 @@ public:
   static std::array<double, 3> coordinates(const Face_points& t, const Point_2& p)
   {
     const auto cross = [](const Point_2& a, const Point_2& b, const Point_2& c)
-    {
-      return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    };
+    { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); };
     const double area = cross(t[0], t[1], t[2]);
     return {{cross(p, t[1], t[2]) / area, cross(t[0], p, t[2]) / area, cross(t[0], t[1], p) / area}};
   }

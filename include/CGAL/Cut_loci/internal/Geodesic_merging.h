@@ -34,21 +34,22 @@ class Geodesic_merging
 {
 public:
   Geodesic_merging(Geodesic_window_list& list, double length, double tolerance)
-    : list_(list)
-    , narrow_(geodesic_narrow * length)
-    , tolerance_(tolerance)
-  {}
+    : list_(list), narrow_(geodesic_narrow * length), tolerance_(tolerance)
+  {
+  }
 
   void operator()()
   {
     const double *a = list_.column(0), *b = list_.column(1), *nearest = list_.column(columns - 1);
-    const auto is_run = [&](std::size_t i) {
-      return a[i] - b[i - 1] <= narrow_ && (columns < 7 || nearest[i] == nearest[i - 1]);
-    };
+    const auto is_run = [&](std::size_t i)
+    { return a[i] - b[i - 1] <= narrow_ && (columns < 7 || nearest[i] == nearest[i - 1]); };
     const std::size_t end = list_.end;
     top_ = list_.begin;
-    for(std::size_t first = list_.begin, last; first < end; first = last) {
-      for(last = first + 1; last < end && is_run(last); ++last) {}
+    for(std::size_t first = list_.begin, last; first < end; first = last)
+    {
+      for(last = first + 1; last < end && is_run(last); ++last)
+      {
+      }
       merge(first, last);
     }
     list_.end = static_cast<std::uint32_t>(top_);
@@ -63,7 +64,8 @@ private:
       list_.template set<columns>(top_++, list_.template get<columns>(first));
     else if(find(first, last, w))
       list_.template set<columns>(top_++, w);
-    else {
+    else
+    {
       const std::size_t middle = first + (last - first) / 2;
       merge(first, middle);
       merge(middle, last);
@@ -91,7 +93,8 @@ private:
       reach = (std::min)(reach, 0.5 * free / bend_right + rise);
     const double least = 0.5 * (width + rise); // the image is on the halfedge
     // nearer images have shorter distances between the ends; a few steps are tried, of which the first one mostly does
-    for(int i = 0; i < 4; ++i, reach = 0.5 * (reach + least)) {
+    for(int i = 0; i < 4; ++i, reach = 0.5 * (reach + least))
+    {
       w = left;
       w.b = right.b;
       w.sigma = at_left - reach;
@@ -109,19 +112,15 @@ private:
     return false;
   }
 
-  enum Fit
-  {
-    good,
-    too_long,
-    too_short
-  };
+  enum Fit { good, too_long, too_short };
 
   /// compares the distances of `w` with those of `[first, last)`, and finds its error
   Fit check(std::size_t first, std::size_t last, Geodesic_window& w) const
   {
     double error = 0., old_error = 0.;
     const double nearest = w.sigma - w.y; // no distance is shorter
-    for(std::size_t i = first; i < last; ++i) {
+    for(std::size_t i = first; i < last; ++i)
+    {
       const Geodesic_window old = list_.template get<columns>(i);
       old_error = (std::max)(old_error, old.turn);
       const double slack = 1e-15 * (nearest + w.b); // for rounding
@@ -129,7 +128,8 @@ private:
       const double extremum = (w.x * old.y - old.x * w.y) / (old.y - w.y);
       const double places[3] = {old.a, old.b, extremum};
       for(int k = 0; k < 3; ++k)
-        if(k < 2 || (extremum > old.a && extremum < old.b)) {
+        if(k < 2 || (extremum > old.a && extremum < old.b))
+        {
           const double gain = old.distance(places[k]) - w.distance(places[k]);
           if(gain < -slack)
             return too_long;

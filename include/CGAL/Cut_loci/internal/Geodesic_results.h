@@ -38,11 +38,11 @@ struct Exact_geodesic_options
 /// is the end of a shortest path: its last straight piece, in the frame of a halfedge of the face in which it ends.
 struct Geodesic_arrival
 {
-  double x = 0., y = 0.;           // the image of the (pseudo-)source
-  double sigma = 0., turn = 0.;    // as in `Geodesic_window`, or the error if one is allowed
-  Index halfedge = null_index;     // of the frame
-  Index source = null_index;       // the number of the true source, if there are several
-  bool crosses_halfedge = false;   // else the image lies in the face itself
+  double x = 0., y = 0.;         // the image of the (pseudo-)source
+  double sigma = 0., turn = 0.;  // as in `Geodesic_window`, or the error if one is allowed
+  Index halfedge = null_index;   // of the frame
+  Index source = null_index;     // the number of the true source, if there are several
+  bool crosses_halfedge = false; // else the image lies in the face itself
 };
 
 /// is the direction of a shortest path at its end: an angle from a halfedge that leaves the end, counterclockwise.
@@ -80,7 +80,8 @@ public:
       throw Invalid_input("a location is in face " + std::to_string(location.face) + ", which does not exist");
     double sum = 0.;
     bool is_inside = true;
-    for(double c : location.coordinates) {
+    for(double c : location.coordinates)
+    {
       is_inside = is_inside && c >= -1e-9; // what point location by projection may get wrong
       sum += c;
     }
@@ -119,13 +120,16 @@ public:
     Plane_point along;
     if(h == arrival.halfedge)
       along = {1., 0.};
-    else {
+    else
+    {
       const Geodesic_face& face = faces_.face_of(h);
       const Index i = arrival.halfedge % 3;
-      if(h == Indexed_triangle_mesh::next(arrival.halfedge)) {
+      if(h == Indexed_triangle_mesh::next(arrival.halfedge))
+      {
         const Geodesic_face::Corner& corner = face.corner[h % 3];
         along = {-corner.cosine, corner.sine};
-      } else
+      }
+      else
         along = {-face.corner[i].cosine, -face.corner[i].sine};
     }
     const double dx = arrival.x - end.x, dy = arrival.y - end.y;
@@ -199,15 +203,18 @@ public:
   {
     const Source& source = sources_[i];
     const Index f = h / 3;
-    if(source.vertex != null_index) {
+    if(source.vertex != null_index)
+    {
       for(Index v : faces_.face(f).vertex)
-        if(v == source.vertex) {
+        if(v == source.vertex)
+        {
           p = vertex_in_frame(h, v);
           return true;
         }
       return false;
     }
-    if(source.location.face == f) {
+    if(source.location.face == f)
+    {
       p = faces_.in_frame(h, source.location.coordinates);
       return true;
     }
@@ -242,9 +249,7 @@ protected:
     Geodesic_arrival arrival;
   };
 
-  Geodesic_results(const Indexed_triangle_mesh& mesh, const std::vector<Index>* positions)
-    : faces_(mesh, positions)
-  {}
+  Geodesic_results(const Indexed_triangle_mesh& mesh, const std::vector<Index>* positions) : faces_(mesh, positions) {}
 
   /// \throws Invalid_input if a location is none on the mesh
   void prepare(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options)
@@ -302,14 +307,17 @@ protected:
   {
     const double tolerance = geodesic_cover * faces_.length(h);
     const double *a = list.column(0), *b = list.column(1), *x = list.column(2), *y = list.column(3);
-    for(Index q = query_first_[h / 3]; q < query_first_[h / 3 + std::size_t(1)]; ++q) {
+    for(Index q = query_first_[h / 3]; q < query_first_[h / 3 + std::size_t(1)]; ++q)
+    {
       Query& query = queries_[query_index_[q]];
       const Plane_point p = faces_.in_frame(h, query.location.coordinates);
-      for(std::size_t i = list.begin; i < list.end; ++i) {
+      for(std::size_t i = list.begin; i < list.end; ++i)
+      {
         if(side_of_rays(a[i], b[i], x[i], y[i], p, tolerance) != covers)
           continue;
         const double d = list.column(4)[i] + std::sqrt((p.x - x[i]) * (p.x - x[i]) + (p.y - y[i]) * (p.y - y[i]));
-        if(d < query.distance) {
+        if(d < query.distance)
+        {
           const Geodesic_window w = list.get<columns>(i);
           query.distance = d;
           query.arrival = Geodesic_arrival{w.x, w.y, w.sigma, w.turn, h, static_cast<Index>(w.nearest), true};
@@ -321,9 +329,11 @@ protected:
   /// considers the paths to query locations that come from a vertex of the face, or a source in it
   void finish_queries()
   {
-    for(Query& query : queries_) {
+    for(Query& query : queries_)
+    {
       const Index f = query.location.face;
-      for(Index h = 3 * f; h < 3 * f + 3; ++h) {
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      {
         const Index v = faces_.source(h);
         const Plane_point p = faces_.in_frame(h, query.location.coordinates);
         const double d = distance_[v] + std::sqrt(p.x * p.x + p.y * p.y);
@@ -342,11 +352,13 @@ protected:
           query.arrival.turn = direction_at_source(v);
       }
     }
-    for(std::size_t i = 0; i < sources_.size() && !queries_.empty(); ++i) {
+    for(std::size_t i = 0; i < sources_.size() && !queries_.empty(); ++i)
+    {
       const Source& source = sources_[i];
       if(source.vertex != null_index)
         continue;
-      if(source.halfedge == null_index) {
+      if(source.halfedge == null_index)
+      {
         const Index h = 3 * source.location.face;
         finish_queries(i, h, faces_.in_frame(h, source.location.coordinates), 0.);
         continue;
@@ -367,15 +379,14 @@ protected:
     const Source& source = sources_[arrival.source];
     const double angle = arrival.turn + std::atan2(end.y - arrival.y, end.x - arrival.x);
     // rounding may lead out of the range; at a source on the border that is no full turn
-    const bool is_border = source.vertex != null_index ? faces_.is_border(source.vertex)
-                                                       : source.total_angle < 1.5 * geodesic_pi;
+    const bool is_border =
+      source.vertex != null_index ? faces_.is_border(source.vertex) : source.total_angle < 1.5 * geodesic_pi;
     if(is_border)
       return (std::min)((std::max)(angle, 0.), source.total_angle);
     if(angle < 0.)
       return angle + source.total_angle;
     return angle >= source.total_angle ? angle - source.total_angle : angle;
   }
-
 
 private:
   Source classify(Indexed_location location) const
@@ -384,22 +395,27 @@ private:
     // a point nearer than this to an edge is on it: no coordinate of a mesh is known any better
     constexpr double snap = 1e-13;
     double sum = 0.;
-    for(double& c : location.coordinates) {
+    for(double& c : location.coordinates)
+    {
       c = c < snap ? 0. : c;
       sum += c;
     }
     std::size_t zeros = 0;
-    for(double& c : location.coordinates) {
+    for(double& c : location.coordinates)
+    {
       c /= sum;
       zeros += c == 0.;
     }
     Source source{location, null_index, null_index, 2. * geodesic_pi};
     const Index h = 3 * location.face;
     for(Index i = 0; i < 3; ++i)
-      if(zeros == 2 && location.coordinates[i] != 0.) {
+      if(zeros == 2 && location.coordinates[i] != 0.)
+      {
         source.vertex = faces_.face(location.face).vertex[i];
         source.total_angle = faces_.total_angle(source.vertex);
-      } else if(zeros == 1 && location.coordinates[i] == 0.) {
+      }
+      else if(zeros == 1 && location.coordinates[i] == 0.)
+      {
         source.halfedge = Mesh::next(h + i);
         if(faces_.opposite(source.halfedge) == null_index)
           source.total_angle = geodesic_pi;
@@ -412,12 +428,14 @@ private:
     queries_.clear();
     query_first_.clear();
     query_index_.clear();
-    for(const Indexed_location& location : options.queries) {
+    for(const Indexed_location& location : options.queries)
+    {
       check(location);
       queries_.push_back({location, infinity, Geodesic_arrival()});
     }
     if(options.all_centroids)
-      for(Index f = 0; f < faces_.number_of_faces(); ++f) {
+      for(Index f = 0; f < faces_.number_of_faces(); ++f)
+      {
         Indexed_location location;
         location.face = f;
         location.coordinates = {{1. / 3., 1. / 3., 1. / 3.}};
@@ -438,11 +456,13 @@ private:
 
   void finish_queries(std::size_t number, Index h, const Plane_point& source, double turn)
   {
-    for(Index q = query_first_[h / 3]; q < query_first_[h / 3 + std::size_t(1)]; ++q) {
+    for(Index q = query_first_[h / 3]; q < query_first_[h / 3 + std::size_t(1)]; ++q)
+    {
       Query& query = queries_[query_index_[q]];
       const Plane_point p = faces_.in_frame(h, query.location.coordinates);
       const double d = std::hypot(p.x - source.x, p.y - source.y);
-      if(d < query.distance) {
+      if(d < query.distance)
+      {
         query.distance = d;
         query.arrival = Geodesic_arrival{source.x, source.y, 0., turn, h, static_cast<Index>(number), false};
       }

@@ -27,7 +27,8 @@ public:
   explicit Geodesic_solver_handle(const Solver& solver)
     : model_(new Model<Solver>(solver)), gradient_angle_threshold_(own_threshold<Solver>(0)),
       method_(own_method<Solver>(0))
-  {}
+  {
+  }
 
   bool empty() const { return !model_; }
 
@@ -79,7 +80,10 @@ private:
     return Solver::gradient_angle_threshold();
   }
   template <typename Solver>
-  static double own_threshold(long) { return 0.; }
+  static double own_threshold(long)
+  {
+    return 0.;
+  }
 
   template <typename Solver>
   static auto own_method(int) -> decltype(Method(Solver::cut_locus_method())) // if it has that
@@ -87,7 +91,10 @@ private:
     return Solver::cut_locus_method();
   }
   template <typename Solver>
-  static Method own_method(long) { return Method::LAPLACIAN; } // takes any distances
+  static Method own_method(long)
+  {
+    return Method::LAPLACIAN;
+  } // takes any distances
 
   std::unique_ptr<Concept> model_;
   double gradient_angle_threshold_ = 0.;

@@ -79,7 +79,10 @@ struct Geodesic_window_list
   }
 
   template <int columns>
-  void append(const Geodesic_window& w) { set<columns>(end++, w); }
+  void append(const Geodesic_window& w)
+  {
+    set<columns>(end++, w);
+  }
 
   template <int columns>
   void append(const Geodesic_window_list& other)
@@ -122,10 +125,12 @@ public:
       free_.resize(size_class + 1);
     std::vector<Geodesic_window_list*>& free_lists = free_[size_class];
     void* place;
-    if(!free_lists.empty()) {
+    if(!free_lists.empty())
+    {
       place = free_lists.back();
       free_lists.pop_back();
-    } else
+    }
+    else
       place = new_lines(lines);
     return new(place) Geodesic_window_list{0, 0, static_cast<std::uint32_t>(capacity), size_class};
   }
@@ -167,11 +172,13 @@ private:
 
   Line* new_lines(std::size_t n)
   {
-    while(current_ < chunks_.size() && next_ + n > chunks_[current_].size) {
+    while(current_ < chunks_.size() && next_ + n > chunks_[current_].size)
+    {
       ++current_;
       next_ = 0;
     }
-    if(current_ == chunks_.size()) {
+    if(current_ == chunks_.size())
+    {
       const std::size_t size = n > chunk_size ? n : chunk_size;
       // zeros, for the windows behind the last one that loops by pairs compute in vain
       chunks_.push_back(Chunk{std::unique_ptr<Line[]>(new Line[size]()), size});

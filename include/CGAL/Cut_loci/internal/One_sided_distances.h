@@ -33,14 +33,14 @@ public:
 
   struct Quadric
   {
-    double value = 0., error = 0.;           // at the point; the most that residuals as large can amount to there
+    double value = 0., error = 0.; // at the point; the most that residuals as large can amount to there
     std::array<double, 2> gradient = {{0., 0.}};
   };
 
   struct Candidate
   {
     Index vertex;
-    int side;        // 0 left, 1 right
+    int side; // 0 left, 1 right
     unsigned char depth;
     double u, v, weight, distance;
   };
@@ -49,7 +49,8 @@ public:
                       const std::vector<double>& distance)
     : mesh_(mesh), connectivity_(connectivity), distance_(distance), visit_of_(mesh.number_of_vertices(), 0),
       slot_(mesh.number_of_vertices(), 0)
-  {}
+  {
+  }
 
   // Collects the vertices around the curve: `seeds[0]` are next to it on the left, `seeds[1]` on the right, `on_curve`
   // tells the vertices that no ring may cross. What both sides reach at once is left out.
@@ -84,8 +85,9 @@ public:
       for(Index entry = connectivity_.ring_begin[c.vertex]; entry < connectivity_.ring_begin[c.vertex + 1]; ++entry)
         reach(connectivity_.ring_vertex[entry], c.side, static_cast<unsigned char>(c.depth + 1));
     }
-    candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(),
-                                     [](const Candidate& c) { return c.side == neither; }), candidates_.end());
+    candidates_.erase(
+      std::remove_if(candidates_.begin(), candidates_.end(), [](const Candidate& c) { return c.side == neither; }),
+      candidates_.end());
   }
 
   // Fits both sides around `center`, in the plane spanned by the orthonormal `e1` and `e2`; false if a side has too
@@ -163,7 +165,7 @@ private:
       return false;
     // far below the weight of any vertex: only decides what the vertices leave open
     a.diagonal().array() += 1e-10 * a.trace();
-    const Eigen::LDLT<Eigen::Matrix<double, 6, 6> > factored(a);
+    const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> factored(a);
     const Row x = factored.solve(b);
     if(!x.allFinite())
       return false;

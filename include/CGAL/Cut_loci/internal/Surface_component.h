@@ -73,9 +73,7 @@ struct Surface_component
     if(is_whole())
       return source;
     const auto position = [](const std::vector<Index>& sorted, Index global)
-    {
-      return static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), global) - sorted.begin());
-    };
+    { return static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), global) - sorted.begin()); };
     source.location.face = position(part.faces, source.location.face);
     if(source.vertex != null_index)
       source.vertex = position(part.vertices, source.vertex);
@@ -115,12 +113,13 @@ struct Surface_component
       for(Index v : whole.triangles[f])
         name += " " + std::to_string(positions[v]);
       throw Invalid_input(name + ") has no area, or in this unit of length one that is not a normal number: it must be "
-                          "removed or repaired first "
-                          "(CGAL::Polygon_mesh_processing::remove_degenerate_faces() does)");
+                                 "removed or repaired first "
+                                 "(CGAL::Polygon_mesh_processing::remove_degenerate_faces() does)");
     }
     catch(const Component_solver::Non_manifold_vertex& error)
     {
-      throw Invalid_input(vertex_name(positions[vertex(error.vertex)]) + " is not manifold: its faces form several "
+      throw Invalid_input(vertex_name(positions[vertex(error.vertex)]) +
+                          " is not manifold: its faces form several "
                           "fans (CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() splits it)");
     }
   }

@@ -23,15 +23,17 @@ public:
 
   template <typename Visitor>
   explicit Visitor_handle(Visitor visitor)
-    : visit_([visitor](Stage stage, bool starts) mutable
-             {
-               auto& v = unwrapped(visitor);
-               if(starts)
-                 v.start_stage(stage);
-               else
-                 v.end_stage(stage);
-             })
-  {}
+    : visit_(
+        [visitor](Stage stage, bool starts) mutable
+        {
+    auto& v = unwrapped(visitor);
+    if(starts)
+      v.start_stage(stage);
+    else
+      v.end_stage(stage);
+      })
+  {
+  }
 
   // A stage lasts as long as its scope.
   class Scope
@@ -49,9 +51,15 @@ public:
 
 private:
   template <typename T>
-  static T& unwrapped(T& t) { return t; }
+  static T& unwrapped(T& t)
+  {
+    return t;
+  }
   template <typename T>
-  static T& unwrapped(std::reference_wrapper<T>& t) { return t.get(); }
+  static T& unwrapped(std::reference_wrapper<T>& t)
+  {
+    return t.get();
+  }
 
   std::function<void(Stage, bool)> visit_;
 };

@@ -31,16 +31,15 @@ inline std::vector<Index> crossing_edges(const Local_geodesics& geodesics, const
   {
     const Indexed_location &a = graph.nodes[graph.edges[e].source].location,
                            &b = graph.nodes[graph.edges[e].target].location;
-    geodesics.for_each_common_face(a, b, [&](Index f)
-    {
+    geodesics.for_each_common_face(a, b,
+                                   [&](Index f)
+                                   {
       const auto p = geodesics.in_face(a, f).coordinates, q = geodesics.in_face(b, f).coordinates;
       pieces.push_back({f, e, {{p[0], p[1]}}, {{q[0], q[1]}}});
     });
   }
-  std::sort(pieces.begin(), pieces.end(), [](const Piece& s, const Piece& t)
-  {
-    return s.face != t.face ? s.face < t.face : s.edge < t.edge;
-  });
+  std::sort(pieces.begin(), pieces.end(),
+            [](const Piece& s, const Piece& t) { return s.face != t.face ? s.face < t.face : s.edge < t.edge; });
 
   const auto are_apart = [](const Piece& s, const Piece& t) // both ends of `t` on one side of `s`, or on its line
   {

@@ -21,12 +21,30 @@ namespace internal {
 
 using Planar_vector = std::array<double, 2>;
 
-inline Planar_vector operator+(const Planar_vector& a, const Planar_vector& b) { return {{a[0] + b[0], a[1] + b[1]}}; }
-inline Planar_vector operator-(const Planar_vector& a, const Planar_vector& b) { return {{a[0] - b[0], a[1] - b[1]}}; }
-inline Planar_vector operator*(double s, const Planar_vector& a) { return {{s * a[0], s * a[1]}}; }
-inline double dot(const Planar_vector& a, const Planar_vector& b) { return a[0] * b[0] + a[1] * b[1]; }
-inline double cross(const Planar_vector& a, const Planar_vector& b) { return a[0] * b[1] - a[1] * b[0]; }
-inline double norm(const Planar_vector& a) { return std::sqrt(dot(a, a)); }
+inline Planar_vector operator+(const Planar_vector& a, const Planar_vector& b)
+{
+  return {{a[0] + b[0], a[1] + b[1]}};
+}
+inline Planar_vector operator-(const Planar_vector& a, const Planar_vector& b)
+{
+  return {{a[0] - b[0], a[1] - b[1]}};
+}
+inline Planar_vector operator*(double s, const Planar_vector& a)
+{
+  return {{s * a[0], s * a[1]}};
+}
+inline double dot(const Planar_vector& a, const Planar_vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1];
+}
+inline double cross(const Planar_vector& a, const Planar_vector& b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
+inline double norm(const Planar_vector& a)
+{
+  return std::sqrt(dot(a, a));
+}
 
 inline double edge_length(const Indexed_triangle_mesh& mesh, Index h)
 {

@@ -27,9 +27,9 @@ class Geodesic_path_tracing
 {
 public:
   explicit Geodesic_path_tracing(const Exact_geodesic_propagation& geodesics)
-    : geodesics_(geodesics)
-    , faces_(geodesics.faces())
-  {}
+    : geodesics_(geodesics), faces_(geodesics.faces())
+  {
+  }
 
   /// the shortest path from the vertex `v` to its source, empty if `v` is not reached
   std::vector<Indexed_location> path_from_vertex(Index v)
@@ -100,7 +100,8 @@ private:
   {
     const std::array<double, 3>& c = location.coordinates;
     for(Index i = 0; i < 3; ++i)
-      if(c[i] < geodesic_cover) {
+      if(c[i] < geodesic_cover)
+      {
         const Index h = Mesh::next(3 * location.face + i);
         const Place place = on_halfedge(h, c[Mesh::next(h) % 3]);
         if(place.vertex != null_index)
@@ -134,7 +135,8 @@ private:
 
   void trace_from_vertex(Index v)
   {
-    while(v != null_index && geodesics_.distance(v) > 0.) {
+    while(v != null_index && geodesics_.distance(v) > 0.)
+    {
       const Geodesic_arrival& arrival = geodesics_.arrival(v);
       distance_ = geodesics_.distance(v);
       v = trace_piece(arrival, geodesics_.end_in_frame(arrival, v));
@@ -150,7 +152,8 @@ private:
     if(!arrival.crosses_halfedge)
       look_for_root(arrival, h, image);
     // a shortest path meets each face at most once
-    for(Index step = 0; arrival.crosses_halfedge && step <= faces_.number_of_faces(); ++step) {
+    for(Index step = 0; arrival.crosses_halfedge && step <= faces_.number_of_faces(); ++step)
+    {
       const double length = faces_.length(h);
       const double t = image.y < p.y ? p.x + (image.x - p.x) * p.y / (p.y - image.y) : image.x;
       add(on_halfedge(h, t / length));
@@ -165,12 +168,15 @@ private:
         break;
       const Plane_point apex = faces_.apex(g);
       const bool apex_is_left = (image.x - p.x) * (apex.y - p.y) > (image.y - p.y) * (apex.x - p.x);
-      if(apex_is_left) {
+      if(apex_is_left)
+      {
         h = Mesh::next(g);
         const Plane_point corner{length, 0.};
         p = change_frame(p, corner, apex, faces_.length(h));
         image = change_frame(image, corner, apex, faces_.length(h));
-      } else {
+      }
+      else
+      {
         h = Mesh::previous(g);
         const Plane_point corner{0., 0.};
         p = change_frame(p, apex, corner, faces_.length(h));
@@ -180,7 +186,8 @@ private:
         break; // the image is in the face
     }
     path_.resize(root_.length);
-    if(root_.vertex != null_index && arrival.sigma > 0.) {
+    if(root_.vertex != null_index && arrival.sigma > 0.)
+    {
       add(at_vertex(root_.vertex));
       return root_.vertex;
     }
@@ -210,13 +217,15 @@ private:
   bool look_for_root(const Geodesic_arrival& arrival, Index h, const Plane_point& image)
   {
     const double scale = faces_.length(h) + faces_.length(Mesh::next(h));
-    if(arrival.sigma == 0.) {
+    if(arrival.sigma == 0.)
+    {
       Plane_point p;
       if(!geodesics_.source_in_frame(arrival.source, h, p))
         return false;
       return consider(p, image, null_index, scale);
     }
-    for(Index i = 0; i < 3; ++i) {
+    for(Index i = 0; i < 3; ++i)
+    {
       const Index g = 3 * (h / 3) + i, v = faces_.source(g);
       if(std::fabs(geodesics_.distance(v) - arrival.sigma) > 1e-9 * arrival.sigma)
         continue;

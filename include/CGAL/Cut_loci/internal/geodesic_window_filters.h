@@ -37,7 +37,8 @@ inline double distance_on_axis(const Plane_point& v, double t)
 
 inline void filter_begin(Geodesic_window_list& list, double distance_source)
 {
-  for(; !list.empty(); ++list.begin) {
+  for(; !list.empty(); ++list.begin)
+  {
     const double t = list.column(1)[list.begin];
     if(!is_shorter(distance_source + t, list, list.begin, t))
       return;
@@ -46,7 +47,8 @@ inline void filter_begin(Geodesic_window_list& list, double distance_source)
 
 inline void filter_begin(Geodesic_window_list& list, double distance_source, double distance_v, const Plane_point& v)
 {
-  for(; !list.empty(); ++list.begin) {
+  for(; !list.empty(); ++list.begin)
+  {
     const double t = list.column(1)[list.begin];
     const double d = (std::min)(distance_source + t, distance_v + distance_on_axis(v, t));
     if(!is_shorter(d, list, list.begin, t))
@@ -56,7 +58,8 @@ inline void filter_begin(Geodesic_window_list& list, double distance_source, dou
 
 inline void filter_end(Geodesic_window_list& list, double distance_target, double length)
 {
-  for(; !list.empty(); --list.end) {
+  for(; !list.empty(); --list.end)
+  {
     const double t = list.column(0)[list.end - 1];
     if(!is_shorter(distance_target + length - t, list, list.end - 1, t))
       return;
@@ -66,7 +69,8 @@ inline void filter_end(Geodesic_window_list& list, double distance_target, doubl
 inline void filter_end(Geodesic_window_list& list, double distance_target, double length, double distance_v,
                        const Plane_point& v)
 {
-  for(; !list.empty(); --list.end) {
+  for(; !list.empty(); --list.end)
+  {
     const double t = list.column(0)[list.end - 1];
     const double d = (std::min)(distance_target + length - t, distance_v + distance_on_axis(v, t));
     if(!is_shorter(d, list, list.end - 1, t))
@@ -79,7 +83,8 @@ template <int columns>
 void filter_distance(Geodesic_window_list& list, double maximum_distance)
 {
   std::uint32_t to = list.begin;
-  for(std::uint32_t i = list.begin; i < list.end; ++i) {
+  for(std::uint32_t i = list.begin; i < list.end; ++i)
+  {
     const Geodesic_window w = list.get<columns>(i);
     if(w.distance((std::min)((std::max)(w.x, w.a), w.b)) <= maximum_distance)
       list.move<columns>(i, to++);

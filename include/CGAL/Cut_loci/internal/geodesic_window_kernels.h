@@ -14,11 +14,11 @@
 
 // tells the compiler that the columns of a window list do not overlap, so that it vectorises the loop
 #if defined(__clang__)
-#  define CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS _Pragma("clang loop vectorize(enable)")
+#define CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS _Pragma("clang loop vectorize(enable)")
 #elif defined(__GNUC__)
-#  define CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS _Pragma("GCC ivdep")
+#define CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS _Pragma("GCC ivdep")
 #else
-#  define CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
+#define CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
 #endif
 
 namespace CGAL {
@@ -49,7 +49,8 @@ inline void step_left(const Geodesic_window_list& in, std::size_t first, std::si
   double* q = out.column(0) + out.end;
   const double length = step.length, c = step.cosine, s = step.sine;
   CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
-  for(std::size_t i = 0; i < 2 * pairs; ++i) {
+  for(std::size_t i = 0; i < 2 * pairs; ++i)
+  {
     const double a = p[i], b = p[i + ci], x = p[i + 2 * ci], y = p[i + 3 * ci];
     const double yc = y * c;
     const double da = (a - x) * s + yc, db = (b - x) * s + yc;
@@ -63,10 +64,12 @@ inline void step_left(const Geodesic_window_list& in, std::size_t first, std::si
     q[i + 3 * co] = depth < 0. ? depth : 0.;
     q[i + 4 * co] = p[i + 4 * ci];
   }
-  if(columns > 5) {
+  if(columns > 5)
+  {
     const double turn = step.turn;
     CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
-    for(std::size_t i = 0; i < 2 * pairs; ++i) {
+    for(std::size_t i = 0; i < 2 * pairs; ++i)
+    {
       const double add = p[i + 4 * ci] > 0. ? 0. : turn;
       q[i + 5 * co] = p[i + 5 * ci] + add;
     }
@@ -88,7 +91,8 @@ inline void step_right(const Geodesic_window_list& in, std::size_t first, std::s
   double* q = out.column(0) + out.end;
   const double base = step.base, length = step.length, c = step.cosine, s = step.sine;
   CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
-  for(std::size_t i = 0; i < 2 * pairs; ++i) {
+  for(std::size_t i = 0; i < 2 * pairs; ++i)
+  {
     const double a = p[i], b = p[i + ci], x = p[i + 2 * ci], y = p[i + 3 * ci];
     const double yc = y * c, from_target = base - x;
     const double da = (x - a) * s + yc, db = (x - b) * s + yc;
@@ -101,10 +105,12 @@ inline void step_right(const Geodesic_window_list& in, std::size_t first, std::s
     q[i + 3 * co] = depth < 0. ? depth : 0.;
     q[i + 4 * co] = p[i + 4 * ci];
   }
-  if(columns > 5) {
+  if(columns > 5)
+  {
     const double turn = step.turn;
     CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
-    for(std::size_t i = 0; i < 2 * pairs; ++i) {
+    for(std::size_t i = 0; i < 2 * pairs; ++i)
+    {
       const double add = p[i + 4 * ci] > 0. ? 0. : turn;
       q[i + 5 * co] = p[i + 5 * ci] + add;
     }
@@ -115,9 +121,8 @@ inline void step_right(const Geodesic_window_list& in, std::size_t first, std::s
   out.end += static_cast<std::uint32_t>(n);
 }
 
-enum Geodesic_side
-{
-  passes_left,  // all rays of the window leave the point on their right
+enum Geodesic_side {
+  passes_left, // all rays of the window leave the point on their right
   covers,
   passes_right
 };

@@ -40,10 +40,11 @@ inline bool is_alive(const Geodesic_window& w, double narrow)
 inline double find_tie(const Geodesic_window& left, const Geodesic_window& right, double low, double high,
                        double at_low, double at_high)
 {
-  if(left.sigma == right.sigma) {
+  if(left.sigma == right.sigma)
+  {
     // the bisector of two points
-    const double t = ((right.x - left.x) * (right.x + left.x) + (right.y - left.y) * (right.y + left.y)) /
-                     (2. * (right.x - left.x));
+    const double t =
+      ((right.x - left.x) * (right.x + left.x) + (right.y - left.y) * (right.y + left.y)) / (2. * (right.x - left.x));
     if(t >= low && t <= high)
       return t;
   }
@@ -52,7 +53,8 @@ inline double find_tie(const Geodesic_window& left, const Geodesic_window& right
   if(!(t > low && t < high))
     t = 0.5 * (low + high);
   double last_step = high - low;
-  for(int i = 0; i < 100 && high - low > accuracy; ++i) {
+  for(int i = 0; i < 100 && high - low > accuracy; ++i)
+  {
     const double dl = std::sqrt((t - left.x) * (t - left.x) + left.y * left.y);
     const double dr = std::sqrt((t - right.x) * (t - right.x) + right.y * right.y);
     const double difference = (left.sigma - right.sigma) + (dl - dr);
@@ -78,7 +80,8 @@ inline double find_tie(const Geodesic_window& left, const Geodesic_window& right
 inline void resolve_overlap(Geodesic_window& left, Geodesic_window& right)
 {
   const double low = (std::max)(left.a, right.a), high = (std::min)(left.b, right.b);
-  if(low < high) {
+  if(low < high)
+  {
     const double at_low = left.distance(low) - right.distance(low),
                  at_high = left.distance(high) - right.distance(high);
     if(at_low >= 0.)
@@ -121,10 +124,9 @@ class Geodesic_trimming
 public:
   /// `strictly`: without any overlap
   Geodesic_trimming(Geodesic_window_list& list, double length, bool strictly)
-    : list_(list)
-    , length_(length)
-    , strictly_(strictly)
-  {}
+    : list_(list), length_(length), strictly_(strictly)
+  {
+  }
 
   /// the windows before `first` are known to be in order
   void operator()(std::size_t first)
@@ -132,13 +134,16 @@ public:
     const double* a = list_.column(0);
     const double* b = list_.column(1);
     top_ = first;
-    for(std::size_t i = first, end = list_.end; i < end; ++i) {
+    for(std::size_t i = first, end = list_.end; i < end; ++i)
+    {
       if(top_ > list_.begin && is_in_order(a[top_ - 1], b[top_ - 1], a[i], b[i]) &&
-         b[i] - a[i] > geodesic_narrow * length_) {
+         b[i] - a[i] > geodesic_narrow * length_)
+      {
         if(top_ != i)
           list_.template move<columns>(i, top_);
         ++top_;
-      } else
+      }
+      else
         push(list_.template get<columns>(i), false);
     }
     list_.end = static_cast<std::uint32_t>(top_);
@@ -150,10 +155,12 @@ public:
     const double* a = list_.column(0);
     const double* b = list_.column(1);
     top_ = first;
-    for(std::size_t i = first, end = list_.end; i < end; ++i) {
+    for(std::size_t i = first, end = list_.end; i < end; ++i)
+    {
       const Geodesic_window w = list_.template get<columns>(i);
       push(w, i == first);
-      if(top_ > list_.begin && a[top_ - 1] == w.a && b[top_ - 1] == w.b) {
+      if(top_ > list_.begin && a[top_ - 1] == w.a && b[top_ - 1] == w.b)
+      {
         // it has its place, and so have those that follow it
         if(top_ == i + 1)
           return;
@@ -173,14 +180,17 @@ private:
   void push(Geodesic_window w, bool merge)
   {
     const double narrow = geodesic_narrow * length_;
-    while(is_alive(w, narrow)) {
-      if(top_ == list_.begin) {
+    while(is_alive(w, narrow))
+    {
+      if(top_ == list_.begin)
+      {
         list_.template set<columns>(top_++, w);
         return;
       }
       Geodesic_window top = list_.template get<columns>(top_ - 1);
       const bool in_order = is_in_order(top.a, top.b, w.a, w.b);
-      if((merge || !in_order) && are_mergeable(top, w, length_)) {
+      if((merge || !in_order) && are_mergeable(top, w, length_))
+      {
         top.a = (std::min)(top.a, w.a);
         top.b = (std::max)(top.b, w.b);
         top.turn = (std::max)(top.turn, w.turn); // the same direction, or the error
@@ -188,13 +198,15 @@ private:
         push(top, false);
         return;
       }
-      if(in_order) {
+      if(in_order)
+      {
         list_.template set<columns>(top_++, w);
         return;
       }
       const double b = top.b;
       resolve_overlap(top, w);
-      if(top.b != b) {
+      if(top.b != b)
+      {
         // a shorter window may now end before one that precedes it
         --top_;
         push(top, false);
@@ -242,8 +254,10 @@ public:
     narrow_ = geodesic_narrow * length;
     std::size_t i = first.begin, j = second.begin;
     double position = 0.;
-    while(i < first.end || j < second.end) {
-      if(i == first.end || j == second.end) {
+    while(i < first.end || j < second.end)
+    {
+      if(i == first.end || j == second.end)
+      {
         const Geodesic_window w = i < first.end ? first.template get<columns>(i++) : second.template get<columns>(j++);
         emit(w, (std::max)(position, w.a), w.b);
         continue;
@@ -255,10 +269,12 @@ public:
         emit(v, v_start, (std::min)(v.b, w_start));
       else if(w_start < v_start)
         emit(w, w_start, (std::min)(w.b, v_start));
-      if(start < stop) {
+      if(start < stop)
+      {
         split(v, w, start, stop);
         position = stop;
-      } else
+      }
+      else
         position = (std::min)(v.b <= w.b ? v.b : w.b, start);
       if(v.b <= position)
         ++i;
@@ -273,10 +289,12 @@ private:
   {
     const double depth_v = -v.y, depth_w = -w.y;
     const double extremum = (v.x * depth_w - w.x * depth_v) / (depth_w - depth_v);
-    if(extremum > start && extremum < stop) {
+    if(extremum > start && extremum < stop)
+    {
       split_monotone(v, w, start, extremum);
       split_monotone(v, w, extremum, stop);
-    } else
+    }
+    else
       split_monotone(v, w, start, stop);
   }
 
@@ -284,12 +302,13 @@ private:
   {
     const double at_start = v.distance(start) - w.distance(start), at_stop = v.distance(stop) - w.distance(stop);
     const bool v_first = at_start <= 0., v_last = at_stop <= 0.;
-    if(v_first == v_last) {
+    if(v_first == v_last)
+    {
       emit(v_first ? v : w, start, stop);
       return;
     }
-    const double t = v_first ? find_tie(v, w, start, stop, at_start, at_stop)
-                             : find_tie(w, v, start, stop, -at_start, -at_stop);
+    const double t =
+      v_first ? find_tie(v, w, start, stop, at_start, at_stop) : find_tie(w, v, start, stop, -at_start, -at_stop);
     emit(v_first ? v : w, start, t);
     emit(v_first ? w : v, t, stop);
   }
@@ -300,10 +319,12 @@ private:
       return;
     w.a = start;
     w.b = stop;
-    if(!result_->empty()) {
+    if(!result_->empty())
+    {
       Geodesic_window last = result_->template get<columns>(result_->end - 1);
       if(last.x == w.x && last.y == w.y && last.sigma == w.sigma && last.nearest == w.nearest &&
-         start - last.b <= narrow_) {
+         start - last.b <= narrow_)
+      {
         last.b = stop;
         last.turn = (std::max)(last.turn, w.turn);
         result_->template set<columns>(result_->end - 1, last);

@@ -23,19 +23,19 @@ struct Chain
 {
   // the first one again at the end if the chain is closed
   std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> vertices;
-  std::vector<typename boost::graph_traits<Graph>::edge_descriptor> edges;      // one less than vertices
+  std::vector<typename boost::graph_traits<Graph>::edge_descriptor> edges; // one less than vertices
 };
 
 // The chains between vertices of degree other than 2, each edge in one of them; isolated vertices are chains without
 // edges, and loops without such a vertex start at the first of theirs.
 // The edges of an adjacency_list have no index: the address of their property tells them apart, parallel ones too.
 template <typename Graph>
-std::vector<Chain<Graph> > maximal_chains(const Graph& graph)
+std::vector<Chain<Graph>> maximal_chains(const Graph& graph)
 {
   using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;
   using edge_descriptor = typename boost::graph_traits<Graph>::edge_descriptor;
 
-  std::vector<Chain<Graph> > chains;
+  std::vector<Chain<Graph>> chains;
   std::unordered_set<const void*> visited;
   const auto visit = [&](edge_descriptor e) { return visited.insert(&graph[e]).second; };
 

@@ -28,7 +28,10 @@ namespace internal {
 // The named parameters that depend on the method: which of them it takes, and their values.
 
 template <typename NamedParameters, typename Tag>
-constexpr bool is_given() { return !parameters::is_default_parameter<NamedParameters, Tag>::value; }
+constexpr bool is_given()
+{
+  return !parameters::is_default_parameter<NamedParameters, Tag>::value;
+}
 
 inline void refuse_parameter(const std::string& name, Method method, const std::string& remedy)
 {

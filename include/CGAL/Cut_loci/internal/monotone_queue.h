@@ -90,7 +90,9 @@ private:
     while(buckets_[i].empty())
       ++i;
     last_ = bits(std::min_element(buckets_[i].begin(), buckets_[i].end(),
-                                  [](const Item& a, const Item& b) { return a.key < b.key; })->key);
+                                  [](const Item& a, const Item& b) {
+      return a.key < b.key;
+                 })->key);
     for(const Item& item : buckets_[i])
       buckets_[bucket(bits(item.key))].push_back(item);
     buckets_[i].clear();

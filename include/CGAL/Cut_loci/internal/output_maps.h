@@ -38,7 +38,7 @@ auto output_pairs(internal_np::Param_not_found, Map map)
       put(map, output, input);
     else
       CGAL_USE(input), CGAL_USE(output);
-  };
+    };
 }
 
 template <typename OutputIterator, typename Map>
@@ -67,10 +67,10 @@ Built_face_graph<OutputMesh> output_mesh(const TriangleMesh& tm, const Read_tria
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  const auto input_vpm = choose_parameter(get_parameter(np_in, internal_np::vertex_point),
-                                          get_const_property_map(vertex_point, tm));
-  auto output_vpm = choose_parameter(get_parameter(np_out, internal_np::vertex_point),
-                                     get_property_map(vertex_point, output));
+  const auto input_vpm =
+    choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
+  auto output_vpm =
+    choose_parameter(get_parameter(np_out, internal_np::vertex_point), get_property_map(vertex_point, output));
   using Output_point = typename boost::property_traits<decltype(output_vpm)>::value_type;
 
   const Built_face_graph<OutputMesh> built = build_face_graph(mesh, output);
@@ -98,7 +98,8 @@ Built_face_graph<OutputMesh> output_mesh(const TriangleMesh& tm, const Read_tria
 template <typename OutputMesh>
 void output_seams(const Indexed_triangle_mesh&, const Seams&, const Built_face_graph<OutputMesh>&, const OutputMesh&,
                   internal_np::Param_not_found)
-{}
+{
+}
 
 template <typename OutputMesh, typename EdgeMap>
 void output_seams(const Indexed_triangle_mesh& mesh, const Seams& seams, const Built_face_graph<OutputMesh>& built,

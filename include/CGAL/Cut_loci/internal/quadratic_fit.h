@@ -41,7 +41,8 @@ public:
 
   Quadratic_fit(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity)
     : mesh_(mesh), connectivity_(connectivity)
-  {}
+  {
+  }
 
   void fit(Index v)
   {

@@ -35,20 +35,25 @@ struct Read_triangle_mesh
   using halfedge_descriptor = typename Traits::halfedge_descriptor;
   using face_descriptor = typename Traits::face_descriptor;
   using Vertex_index_map =
-    typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<Index> >::const_type;
-  using Face_index_map =
-    typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Index> >::const_type;
+    typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<Index>>::const_type;
+  using Face_index_map = typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Index>>::const_type;
 
   Indexed_triangle_mesh mesh;
-  std::vector<vertex_descriptor> vertices;     // the vertex of each index
-  std::vector<Index> positions;                // its position in the range vertices(mesh), for messages and output
-  std::vector<halfedge_descriptor> halfedges;  // halfedge `3 * f + i` of the dense mesh
-  Vertex_index_map index_of_vertex;            // dense index, or null_index for isolated vertices
+  std::vector<vertex_descriptor> vertices;    // the vertex of each index
+  std::vector<Index> positions;               // its position in the range vertices(mesh), for messages and output
+  std::vector<halfedge_descriptor> halfedges; // halfedge `3 * f + i` of the dense mesh
+  Vertex_index_map index_of_vertex;           // dense index, or null_index for isolated vertices
   Face_index_map index_of_face;
 };
 
-inline std::string vertex_name(Index position) { return "vertex #" + std::to_string(position); }
-inline std::string face_name(Index position) { return "face #" + std::to_string(position); }
+inline std::string vertex_name(Index position)
+{
+  return "vertex #" + std::to_string(position);
+}
+inline std::string face_name(Index position)
+{
+  return "face #" + std::to_string(position);
+}
 
 // This is the one place that touches the mesh: everything after it runs on dense indices.
 template <typename TriangleMesh, typename VertexPointMap>
@@ -84,7 +89,8 @@ Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, Vert
       std::size_t sides = 1;
       for(halfedge_descriptor h = h1; h != h0; h = next(h, tm))
         ++sides;
-      throw Invalid_input(face_name(nf) + " has " + std::to_string(sides) + " sides: all faces must be triangles "
+      throw Invalid_input(face_name(nf) + " has " + std::to_string(sides) +
+                          " sides: all faces must be triangles "
                           "(CGAL::Polygon_mesh_processing::triangulate_faces() makes them so)");
     }
     put(result.index_of_face, f, nf);
@@ -108,8 +114,8 @@ Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, Vert
     if(get(result.index_of_vertex, v) != null_index)
     {
       const auto& p = get(vpm, v);
-      const Indexed_triangle_mesh::Point point = {{CGAL::to_double(p.x()), CGAL::to_double(p.y()),
-                                                   CGAL::to_double(p.z())}};
+      const Indexed_triangle_mesh::Point point = {
+        {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
       if(!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
         throw Invalid_input(vertex_name(position) + " has a coordinate that is not finite");
       put(result.index_of_vertex, v, result.mesh.number_of_vertices());

@@ -24,8 +24,7 @@ class Stream_format
 {
 public:
   template <typename NamedParameters>
-  Stream_format(std::ostream& os, const NamedParameters& np)
-    : os_(os), flags_(os.flags()), precision_(os.precision())
+  Stream_format(std::ostream& os, const NamedParameters& np) : os_(os), flags_(os.flags()), precision_(os.precision())
   {
     os.flags(std::ios_base::dec);
     // 17 digits give every double back as it was

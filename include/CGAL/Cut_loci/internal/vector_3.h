@@ -16,11 +16,26 @@ namespace internal {
 
 using Vector = std::array<double, 3>;
 
-inline Vector operator+(const Vector& a, const Vector& b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
-inline Vector operator-(const Vector& a, const Vector& b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
-inline Vector operator*(double s, const Vector& a) { return {{s * a[0], s * a[1], s * a[2]}}; }
-inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
+inline Vector operator+(const Vector& a, const Vector& b)
+{
+  return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
+}
+inline Vector operator-(const Vector& a, const Vector& b)
+{
+  return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
+}
+inline Vector operator*(double s, const Vector& a)
+{
+  return {{s * a[0], s * a[1], s * a[2]}};
+}
+inline double dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline double norm(const Vector& a)
+{
+  return std::sqrt(dot(a, a));
+}
 
 inline Vector cross(const Vector& a, const Vector& b)
 {

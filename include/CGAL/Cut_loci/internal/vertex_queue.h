@@ -30,7 +30,7 @@ struct Comes_later
   }
 };
 
-using Vertex_queue = boost::heap::d_ary_heap<Queue_item, boost::heap::arity<4>, boost::heap::compare<Comes_later> >;
+using Vertex_queue = boost::heap::d_ary_heap<Queue_item, boost::heap::arity<4>, boost::heap::compare<Comes_later>>;
 
 } // namespace internal
 } // namespace Cut_loci
