@@ -69,9 +69,11 @@ public:
     // A leaf that is no end of a branch is a step aside.
     std::vector<std::pair<Index, Index>> stays; // outer nodes, with the number of their children
     std::vector<Index> position_of_parent(kept.size(), null_index);
+    stays.reserve(kept.size());
     for(Index i : kept)
       stays.push_back({edges_[i].outer, 0});
     std::vector<std::pair<Index, Index>> by_outer;
+    by_outer.reserve(kept.size());
     for(std::size_t i = 0; i < kept.size(); ++i)
       by_outer.push_back({edges_[kept[i]].outer, static_cast<Index>(i)});
     std::sort(by_outer.begin(), by_outer.end());

@@ -73,7 +73,7 @@ Built_face_graph<OutputMesh> output_mesh(const TriangleMesh& tm, const Read_tria
     choose_parameter(get_parameter(np_out, internal_np::vertex_point), get_property_map(vertex_point, output));
   using Output_point = typename boost::property_traits<decltype(output_vpm)>::value_type;
 
-  const Built_face_graph<OutputMesh> built = build_face_graph(mesh, output);
+  Built_face_graph<OutputMesh> built = build_face_graph(mesh, output);
   auto vertex_pairs = output_pairs(get_parameter(np_in, internal_np::vertex_to_vertex_output_iterator),
                                    get_parameter(np_in, internal_np::vertex_to_vertex_map));
   auto face_pairs = output_pairs(get_parameter(np_in, internal_np::face_to_face_output_iterator),
