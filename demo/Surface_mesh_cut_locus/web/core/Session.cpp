@@ -52,7 +52,8 @@ void Session::load(Mesh mesh)
     {
       const double c = mesh_->point(v)[i];
       if(!std::isfinite(c))
-        throw std::runtime_error("vertex #" + std::to_string(v.idx()) + " has a coordinate that is not a finite number");
+        throw std::runtime_error("vertex #" + std::to_string(v.idx()) +
+                                 " has a coordinate that is not a finite number");
       low[i] = (std::min)(low[i], c);
       high[i] = (std::max)(high[i], c);
     }

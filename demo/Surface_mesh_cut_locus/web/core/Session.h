@@ -44,7 +44,8 @@ public:
   std::vector<std::uint32_t> triangles; // in the order of barycentric coordinates
   std::vector<float> distance, laplacian, gradient;
   std::vector<double> mesh_numbers;    // center (3), radius
-  std::vector<double> source_numbers;  // source (3), farthest vertex (3), its distance, default angle, border loops, genus
+  // source (3), farthest vertex (3), its distance, default angle, border loops, genus
+  std::vector<double> source_numbers;
   Curve curves[2];
   Atlas atlas;
 
