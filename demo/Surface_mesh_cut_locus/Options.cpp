@@ -5,6 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "Options.h"
+#include "atlas.h"
 #include "output.h"
 #include "solvers.h"
 
@@ -105,6 +106,11 @@ po::options_description visible_options()
      "pictures look from this direction only (default: two that show most)")
     ("edges", po::value<std::string>()->value_name("FILE"),
      "write its edges as pairs of vertices of the mesh, counted from 0")
+    ("uv", po::value<std::string>()->value_name("FILE.obj"),
+     "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a texture")
+    ("parameterization", po::value<std::string>()->value_name("NAME")->default_value("arap"),
+     "how --uv flattens:\n  arap: as rigidly as possible\n  lscm: least squares conformal map\n"
+     "  convex: mean value coordinates in a circle, without flipped triangles")
     ("report", po::value<std::string>()->value_name("FILE"), "write figures and times as JSON")
     ("quiet", po::bool_switch(), "no progress on stderr")
     ("help,h", po::bool_switch(), "print this text");
@@ -217,6 +223,17 @@ Options parse_command_line(int argc, char* argv[])
   }
   if(given.count("edges"))
     check_output_path(options.edges = text("edges"), "--edges");
+  if(given.count("uv"))
+  {
+    check_output_path(options.uv = text("uv"), "--uv");
+    if(std::filesystem::path(options.uv).extension() != ".obj")
+      throw Usage_error("--uv: the extension of '" + options.uv + "' must be .obj");
+  }
+  else if(!given["parameterization"].defaulted())
+    throw Usage_error("--parameterization is for --uv");
+  options.parameterization = text("parameterization");
+  if(!is_parameterization_name(options.parameterization))
+    throw Usage_error("--parameterization takes arap, lscm or convex, not '" + options.parameterization + "'");
   if(given.count("report"))
     check_output_path(options.report = text("report"), "--report");
   return options;

@@ -35,6 +35,8 @@ struct Options
   std::vector<std::string> outputs;
   std::optional<std::array<double, 3> > view; // the direction from which pictures look
   std::string edges;
+  std::string uv;
+  std::string parameterization;
   std::string report;
   bool is_quiet = false;
   bool help = false;

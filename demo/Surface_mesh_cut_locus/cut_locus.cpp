@@ -9,6 +9,7 @@
 #include "Mesh.h"
 #include "Options.h"
 #include "Progress.h"
+#include "atlas.h"
 #include "output.h"
 #include "report.h"
 #include "solvers.h"
@@ -19,6 +20,7 @@
 #include <limits>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 
 namespace {
@@ -78,8 +80,15 @@ void run(const Options& options)
     if(!options.edges.empty())
       write_edges(options.edges, mesh_edges, mesh);
   });
+  std::optional<Atlas> atlas;
+  if(!options.uv.empty())
+    progress.run("flatten", [&]()
+    {
+      atlas = make_atlas(mesh, cut_locus, options.parameterization);
+      write_atlas(options.uv, *atlas);
+    });
   if(!options.report.empty())
-    write_report(options, mesh, cut_locus, progress);
+    write_report(options, mesh, cut_locus, atlas, progress);
   if(!options.is_quiet)
     std::cerr << summary(mesh, cut_locus) << std::endl;
 }

@@ -40,7 +40,8 @@ double mean_edge_length(const Mesh& mesh)
 
 } // namespace
 
-void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut_locus, const Progress& progress)
+void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut_locus,
+                  const std::optional<Atlas>& atlas, const Progress& progress)
 {
   const CGAL::Cut_loci::Cut_locus_statistics statistics = CGAL::Cut_loci::compute_statistics(cut_locus);
   const Cut_locus::Vertex& source = cut_locus.source();
@@ -68,6 +69,18 @@ void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut
   report["branchings"] = statistics.branchings;
   report["length"] = statistics.length;
   report["injectivity_radius"] = statistics.injectivity_radius;
+
+  if(atlas)
+  {
+    Json& uv = report["uv"];
+    uv["parameterization"] = atlas->parameterization;
+    uv["faces"] = atlas->texture_corners.size();
+    uv["flipped_faces"] = atlas->flipped_faces;
+    uv["area_distortion"] = atlas->area_distortion;
+    uv["angle_distortion"] = atlas->angle_distortion;
+    uv["seam_distance"] = atlas->seam_distance;
+    uv["short_cut_graph_distance"] = to_json(distance_to_short_cut_graph(mesh, cut_locus));
+  }
 
   report["solver"] = options.solver;
   report["method"] = options.method_name;

@@ -10,11 +10,14 @@
 #include "Mesh.h"
 #include "Options.h"
 #include "Progress.h"
+#include "atlas.h"
 
+#include <optional>
 #include <string>
 
 // Writes figures and times as JSON. Throws `std::runtime_error` if the file can not be written.
-void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut_locus, const Progress& progress);
+void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut_locus,
+                  const std::optional<Atlas>& atlas, const Progress& progress);
 
 // One line for people.
 std::string summary(const Mesh& mesh, const Cut_locus& cut_locus);

@@ -58,7 +58,8 @@ namespace CGAL {
  *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as value type}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_to_face_map}
- *     \cgalParamDescription{tells for each face of `output` the face of `tm`. Their halfedges start at the same vertex.}
+ *     \cgalParamDescription{tells for each face of `output` the face of `tm`. Their halfedges start at the same
+ *                           vertex.}
  *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor` as
  *                    key type and `boost::graph_traits<TriangleMesh>::%face_descriptor` as value type}
  *   \cgalParamNEnd

@@ -155,7 +155,8 @@ TEST_F(Program, Help)
   const Outcome outcome = run("--help");
   EXPECT_EQ(outcome.status, 0);
   for(const char* option : {"--source ", "--source-point", "--solver", "--angle", "--laplacian", "--policy",
-                            "--min-branch-edges", "--min-branch-length", "--output", "--edges", "--report", "--quiet"})
+                            "--min-branch-edges", "--min-branch-length", "--output", "--edges", "--uv", "--parameterization",
+                            "--report", "--quiet"})
     EXPECT_NE(outcome.messages.find(option), std::string::npos) << option;
 }
 
@@ -268,8 +269,129 @@ TEST_F(Program, Sources_and_thresholds)
   EXPECT_EQ(read_file(path("along.txt")), read_file(path("smooth.txt")));
 }
 
+// The faces of the OBJ file are those of the mesh, with the vertices of the mesh; by the corners of the texture they
+// form one disk in the unit square.
+TEST_F(Program, Textured_mesh)
+{
+  for(const char* method : {"", "--method direction", "--smooth 4", "--method direction --smooth 1"})
+    for(const char* parameterization : {"arap", "lscm", "convex"})
+    {
+      SCOPED_TRACE(std::string(method) + " " + parameterization);
+      const Outcome outcome = run_on_torus(std::string("--quiet ") + method + " --parameterization " +
+                                           parameterization + " --uv " + quoted(path("uv.obj")) + " --report " +
+                                           quoted(path("uv.json")));
+      ASSERT_EQ(outcome.status, 0) << outcome.messages;
+      std::map<std::string, int> lines;
+      std::vector<std::array<double, 2> > uv;
+      std::vector<std::array<int, 3> > faces, texture_faces;
+      std::istringstream obj(read_file(path("uv.obj")));
+      std::string material;
+      for(std::string line; std::getline(obj, line);)
+      {
+        std::istringstream words(line);
+        std::string key;
+        words >> key;
+        ++lines[key];
+        if(key == "mtllib")
+          words >> material;
+        else if(key == "vt")
+        {
+          uv.emplace_back();
+          words >> uv.back()[0] >> uv.back()[1];
+        }
+        else if(key == "f")
+        {
+          faces.emplace_back();
+          texture_faces.emplace_back();
+          for(int i = 0; i < 3; ++i)
+          {
+            char slash = ' ';
+            words >> faces.back()[i] >> slash >> texture_faces.back()[i];
+            ASSERT_EQ(slash, '/');
+            ASSERT_TRUE(texture_faces.back()[i] >= 1 && texture_faces.back()[i] <= int(uv.size()));
+          }
+        }
+        EXPECT_FALSE(words.fail()) << line;
+      }
+      if(std::string(method).find("smooth") == std::string::npos)
+      {
+        EXPECT_EQ(lines["v"], number_of_vertices_);
+        std::multiset<std::set<int> > given, found;
+        for(const Triangle& t : triangles_)
+          given.insert({t[0] + 1, t[1] + 1, t[2] + 1});
+        for(const auto& f : faces)
+          found.insert({f[0], f[1], f[2]});
+        EXPECT_EQ(given, found);
+      }
+      else
+        EXPECT_GT(faces.size(), triangles_.size());
+
+      // the surface is closed, and its texture one disk
+      const auto edges_of = [](const std::vector<std::array<int, 3> >& all)
+      {
+        std::map<std::pair<int, int>, int> edges;
+        for(const auto& f : all)
+          for(int i = 0; i < 3; ++i)
+            ++edges[std::minmax(f[i], f[(i + 1) % 3])];
+        return edges;
+      };
+      for(const auto& e : edges_of(faces))
+        EXPECT_EQ(e.second, 2);
+      const auto edges = edges_of(texture_faces);
+      EXPECT_EQ(int(uv.size()) - int(edges.size()) + int(faces.size()), 1);
+      std::map<int, std::vector<int> > border;
+      for(const auto& e : edges)
+        if(e.second == 1)
+        {
+          border[e.first.first].push_back(e.first.second);
+          border[e.first.second].push_back(e.first.first);
+        }
+      Union_find loops(uv.size() + 1);
+      std::size_t number_of_loops = border.size();
+      for(const auto& b : border)
+      {
+        EXPECT_EQ(b.second.size(), 2u);
+        for(int w : b.second)
+          number_of_loops -= loops.join(b.first, w);
+      }
+      EXPECT_EQ(number_of_loops, 1u);
+
+      int flipped = 0;
+      for(const auto& f : texture_faces)
+      {
+        const auto &a = uv[f[0] - 1], &b = uv[f[1] - 1], &c = uv[f[2] - 1];
+        flipped += !((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0.);
+      }
+      for(const auto& t : uv)
+        EXPECT_TRUE(t[0] >= 0. && t[0] <= 1. && t[1] >= 0. && t[1] <= 1.);
+
+      const auto report = nlohmann::json::parse(read_file(path("uv.json"))).at("uv");
+      EXPECT_EQ(report.at("parameterization"), parameterization);
+      EXPECT_EQ(report.at("faces"), faces.size());
+      EXPECT_NEAR(report.at("flipped_faces").get<int>(), flipped, 1); // of no area, up to rounding
+      if(std::string(parameterization) == "convex") // the other two do not promise it
+      {
+        EXPECT_EQ(flipped, 0);
+      }
+      EXPECT_GE(report.at("area_distortion").get<double>(), 1.);
+      EXPECT_GE(report.at("angle_distortion").get<double>(), 1.);
+      EXPECT_GT(report.at("seam_distance").get<double>(), 0.5);
+      EXPECT_GT(report.at("short_cut_graph_distance").get<double>(), 0.);
+
+      const std::string mtl = read_file(path(material));
+      const std::size_t map = mtl.find("map_Kd ");
+      ASSERT_NE(map, std::string::npos) << mtl;
+      const std::string texture = mtl.substr(map + 7, mtl.find('\n', map) - map - 7);
+      EXPECT_EQ(read_file(path(texture)).compare(0, 4, "\x89PNG"), 0) << texture;
+    }
+}
+
 TEST_F(Program, Wrong_command_lines)
 {
+  expect_failure(run_on_torus("--uv " + quoted(path("a.png"))), "must be .obj");
+  expect_failure(run_on_torus("--uv " + quoted(path("a.obj")) + " --parameterization flat"),
+                 "--parameterization takes");
+  expect_failure(run_on_torus("--parameterization lscm"), "--parameterization is for --uv");
   expect_failure(run(""), "there is no mesh");
   expect_failure(run("a.off b.off"), "one mesh at a time");
   expect_failure(run_on_torus("--no-such-option"), "no-such-option");

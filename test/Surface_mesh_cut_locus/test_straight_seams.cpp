@@ -93,14 +93,16 @@ void expect_refined(const Mesh& mesh, const Cut_locus& cut_locus, double toleran
   // Each end of a seam is near the curve: a coordinate is rounded by up to the tolerance, over two edges.
   double longest = 0.;
   for(Mesh::Edge_index e : mesh.edges())
-    longest = (std::max)(longest, norm(to_array(mesh.point(mesh.vertex(e, 0))) - to_array(mesh.point(mesh.vertex(e, 1)))));
+    longest = (std::max)(longest, norm(to_array(mesh.point(mesh.vertex(e, 0))) -
+                                       to_array(mesh.point(mesh.vertex(e, 1)))));
   const auto& graph = cut_locus.graph();
   for(Mesh::Edge_index e : refined.edges())
   {
     if(!is_seam[e])
       continue;
     double nearest = (std::numeric_limits<double>::infinity)();
-    const Point p = 0.5 * (to_array(refined.point(refined.vertex(e, 0))) + to_array(refined.point(refined.vertex(e, 1))));
+    const Point p = 0.5 * (to_array(refined.point(refined.vertex(e, 0))) +
+                           to_array(refined.point(refined.vertex(e, 1))));
     for(auto g : CGAL::make_range(edges(graph)))
       nearest = (std::min)(nearest, distance_to_segment(p, to_array(graph[source(g, graph)].point),
                                                         to_array(graph[target(g, graph)].point)));

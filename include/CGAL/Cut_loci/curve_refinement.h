@@ -416,7 +416,8 @@ private:
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * splits the faces that a curve runs through, so that it consists of edges. Each edge of the curve must lie in one face.
+ * splits the faces that a curve runs through, so that it consists of edges. Each edge of the curve must lie in one
+ * face.
  *
  * The nodes of the curve are first rounded to barycentric coordinates that are multiples of 1 / `resolution`, from 2 to
  * 2^20. So nodes that are very near a vertex or an edge come to lie on it, those that are very near each other become
@@ -424,8 +425,8 @@ private:
  * cross each other are split where they do. Parts of the curve that come to touch each other may enclose faces; see
  * `repair_seams()`.
  *
- * The parts of a face are those of the constrained Delaunay triangulation of its barycentric coordinates. Time is linear
- * in the size of the mesh and O(k log k) for a curve of k edges.
+ * The parts of a face are those of the constrained Delaunay triangulation of its barycentric coordinates. Time is
+ * linear in the size of the mesh and O(k log k) for a curve of k edges.
  *
  * @throws Invalid_input if an edge of the curve is in no face
  */

@@ -123,9 +123,8 @@ inline bool is_disk(const Indexed_triangle_mesh& mesh)
  * adds and removes seams until they leave one open disk of a connected mesh; seams that do so already stay as they are.
  *
  * Seams with different pieces of the complement on their sides are removed. What is then missing is added along edges:
- * a spanning tree of the complement's faces that runs where the seams are far leaves the shortest ways between them, in
- * number of edges; of these, dead ends are dropped. Without border, one of the seams or their surroundings must be
- * there: `start` is a vertex to begin at if there are none. Time is O(n log n).
+ * a spanning tree of the complement's faces that runs where the seams are far leaves short ways between them, and dead
+ * ends are dropped. `start` is a vertex to begin at if there are neither seams nor a border. Time is O(n log n).
  */
 inline void repair_seams(const Indexed_triangle_mesh& mesh, Index start, Seams& seams)
 {

@@ -54,9 +54,10 @@ struct Injectivity_radius
  * such parts join. It is at most l^2 / (4 (a + b)) below the ends.
  *
  * A cut locus of edges of the mesh is off the true one by a part of an edge, and so is the radius. Where that matters,
- * use `Cut_loci::Curve::THROUGH_FACES` or smoothing: the error then falls with the square of the length of the edges.
- * A threshold that removes a branch removes its end, too, where the smallest distance may be. Take a slightly smaller
- * radius where injectivity must be certain.
+ * use `Cut_loci::Curve::THROUGH_FACES`: where the radius is reached inside of a curve, the error then falls with the
+ * square of the length of the edges. Ends of branches, where it is reached as often, remain off by a part of an edge,
+ * and a threshold that shortens a branch removes them: `Cut_loci::Method::DIRECTION` finds them best. Take a slightly
+ * smaller radius where injectivity must be certain.
  *
  * @throws Invalid_input if the cut locus has no vertices
  */
@@ -84,8 +85,9 @@ Injectivity_radius<TriangleMesh, Point_3> injectivity_radius(const Cut_locus<Tri
     const double difference = (a - b) * (a + b);
     if(!(std::abs(difference) < squared_length))
       continue; // the perpendicular meets the line outside of the edge
+    if(!((a + b) * (a + b) > squared_length))
+      continue; // such distances, which are not exact, do not exist in a plane
     const double position = 0.5 * (1. + difference / squared_length);
-    // distances that are not exact may be shorter than a plane allows
     const double distance = std::sqrt((std::max)(0., a * a - position * position * squared_length));
     if(!(distance < result.distance))
       continue;

@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/cut_open.h>
+#include <CGAL/Cut_loci/internal/connected_components.h>
 #include <CGAL/Cut_loci/internal/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/internal/surface_location.h>
 #include <CGAL/Cut_locus.h>
@@ -24,6 +25,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {

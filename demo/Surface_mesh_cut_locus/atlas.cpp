@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "atlas.h"
+#include "arap.h"
+
+#include <CGAL/cut_along_cut_locus.h>
+#include <CGAL/refine_along_cut_locus.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace {
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+using Point_2 = Kernel::Point_2;
+using UV_map = Mesh::Property_map<Mesh::Vertex_index, Point_2>;
+
+SMP::Error_code parameterize(Mesh& disk, const std::string& name, UV_map uv)
+{
+  const Mesh::Halfedge_index border = CGAL::Polygon_mesh_processing::longest_border(disk).first;
+  if(name == "convex")
+    return SMP::parameterize(disk, SMP::Mean_value_coordinates_parameterizer_3<Mesh>(), border, uv);
+  return SMP::parameterize(disk, SMP::LSCM_parameterizer_3<Mesh>(), border, uv); // arap starts from it, too
+}
+
+// The singular values of the map from a face to its image.
+std::array<double, 2> stretches(const std::array<Kernel::Point_3, 3>& p, const std::array<Point_2, 3>& q, double& area,
+                                double& signed_area)
+{
+  const Kernel::Vector_3 u = p[1] - p[0], v = p[2] - p[0];
+  const double length = std::sqrt(u.squared_length());
+  const double x = (u * v) / length, y = std::sqrt((std::max)(0., v.squared_length() - x * x));
+  area = 0.5 * length * y;
+  // the columns of the Jacobian, in a frame of the face with the first axis along u
+  const Kernel::Vector_2 a = (q[1] - q[0]) / length, b = ((q[2] - q[0]) - x * a) / y;
+  const double determinant = a.x() * b.y() - a.y() * b.x();
+  signed_area = area * determinant;
+  const double sum = a.squared_length() + b.squared_length();
+  const double difference = std::sqrt((std::max)(0., sum * sum - 4. * determinant * determinant));
+  return {{std::sqrt(0.5 * (sum + difference)), std::sqrt((std::max)(0., 0.5 * (sum - difference)))}};
+}
+
+bool make_rigid(const Mesh& disk, UV_map uv)
+{
+  std::vector<std::array<double, 3> > points;
+  std::vector<std::array<double, 2> > plane;
+  std::vector<std::array<std::size_t, 3> > faces;
+  for(Mesh::Vertex_index v : disk.vertices())
+  {
+    const Kernel::Point_3& p = disk.point(v);
+    points.push_back({{p.x(), p.y(), p.z()}});
+    plane.push_back({{uv[v].x(), uv[v].y()}});
+  }
+  for(Mesh::Face_index f : disk.faces())
+  {
+    const Mesh::Halfedge_index h = disk.halfedge(f);
+    faces.push_back({{disk.source(h), disk.target(h), disk.target(disk.next(h))}});
+  }
+  if(!flatten_as_rigidly_as_possible(points, faces, plane))
+    return false;
+  for(Mesh::Vertex_index v : disk.vertices())
+    uv[v] = Point_2(plane[v][0], plane[v][1]);
+  return true;
+}
+
+void measure(Atlas& atlas)
+{
+  double area_3 = 0., area_2 = 0.;
+  std::vector<std::array<double, 4> > faces; // area, signed area in the plane, stretches
+  for(std::size_t f = 0; f < atlas.texture_corners.size(); ++f)
+  {
+    std::array<Kernel::Point_3, 3> p;
+    std::array<Point_2, 3> q;
+    for(int i = 0; i < 3; ++i)
+    {
+      const auto& t = atlas.texture_coordinates[atlas.texture_corners[f][i]];
+      p[i] = atlas.points[atlas.faces[f][i]];
+      q[i] = Point_2(t[0], t[1]);
+    }
+    double area, signed_area;
+    const std::array<double, 2> s = stretches(p, q, area, signed_area);
+    faces.push_back({{area, signed_area, s[0], s[1]}});
+    area_3 += area;
+    area_2 += std::abs(signed_area);
+    atlas.flipped_faces += !(signed_area > 0.);
+  }
+  const double scale = area_3 / area_2; // of areas
+  for(const auto& f : faces)
+  {
+    const double areas = scale * f[2] * f[3], angles = f[2] / f[3];
+    atlas.area_distortion += f[0] / area_3 * 0.5 * (areas + 1. / areas);
+    atlas.angle_distortion += f[0] / area_3 * 0.5 * (angles + 1. / angles);
+  }
+}
+
+// Into the unit square, with a margin, and counterclockwise.
+void normalize(std::vector<std::array<double, 2> >& points, bool is_reversed)
+{
+  constexpr double margin = 0.02;
+  std::array<double, 2> low = {{1e300, 1e300}}, high = {{-1e300, -1e300}};
+  for(auto& p : points)
+    for(int i = 0; i < 2; ++i)
+    {
+      if(i == 0 && is_reversed)
+        p[0] = -p[0];
+      low[i] = (std::min)(low[i], p[i]);
+      high[i] = (std::max)(high[i], p[i]);
+    }
+  const double size = (std::max)(high[0] - low[0], high[1] - low[1]);
+  for(auto& p : points)
+    for(int i = 0; i < 2; ++i)
+      p[i] = 0.5 + (1. - 2. * margin) * (p[i] - 0.5 * (low[i] + high[i])) / size;
+}
+
+} // namespace
+
+bool is_parameterization_name(const std::string& name)
+{
+  return name == "arap" || name == "lscm" || name == "convex";
+}
+
+Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string& parameterization)
+{
+  Mesh disk;
+  const auto origin = disk.add_property_map<Mesh::Vertex_index, Mesh::Vertex_index>("v:origin").first;
+  const auto face_origin = disk.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:origin").first;
+  const auto maps = CGAL::parameters::vertex_to_vertex_map(origin).face_to_face_map(face_origin);
+  const auto& graph = cut_locus.graph();
+  bool is_of_mesh_edges = true;
+  for(auto v : CGAL::make_range(vertices(graph)))
+    is_of_mesh_edges = is_of_mesh_edges && graph[v].mesh_vertex != Mesh::null_vertex();
+  for(auto e : CGAL::make_range(edges(graph)))
+    is_of_mesh_edges = is_of_mesh_edges && graph[e].mesh_halfedge != Mesh::null_halfedge();
+  if(is_of_mesh_edges)
+    CGAL::cut_along_cut_locus(mesh, cut_locus, disk, maps);
+  else
+    CGAL::cut_along_curve(mesh, cut_locus, disk, maps);
+
+  const UV_map uv = disk.add_property_map<Mesh::Vertex_index, Point_2>("v:uv", Point_2(0., 0.)).first;
+  const SMP::Error_code error = parameterize(disk, parameterization, uv);
+  if(error != SMP::OK)
+    throw std::runtime_error(std::string("the surface can not be flattened: ") + SMP::get_error_message(error));
+  if(parameterization == "arap" && !make_rigid(disk, uv))
+    throw std::runtime_error("the surface can not be flattened: the linear system can not be solved");
+
+  Atlas atlas;
+  atlas.parameterization = parameterization;
+  for(Mesh::Vertex_index v : mesh.vertices())
+    atlas.points.push_back(mesh.point(v));
+  // The copies of a vertex that was added have the same coordinates.
+  std::map<Kernel::Point_3, std::size_t> added;
+  std::vector<std::size_t> vertex(disk.number_of_vertices());
+  for(Mesh::Vertex_index v : disk.vertices())
+  {
+    if(!std::isfinite(uv[v].x()) || !std::isfinite(uv[v].y()))
+      throw std::runtime_error("the surface can not be flattened: the solver fails");
+    atlas.texture_coordinates.push_back({{uv[v].x(), uv[v].y()}});
+    if(origin[v] != Mesh::null_vertex())
+    {
+      vertex[v] = origin[v];
+      continue;
+    }
+    const auto inserted = added.insert({disk.point(v), atlas.points.size()});
+    if(inserted.second)
+      atlas.points.push_back(disk.point(v));
+    vertex[v] = inserted.first->second;
+  }
+  double signed_area = 0.;
+  std::vector<bool> is_flattened(mesh.number_of_faces(), false);
+  for(Mesh::Face_index f : disk.faces())
+  {
+    is_flattened[face_origin[f]] = true;
+    const Mesh::Halfedge_index h = disk.halfedge(f);
+    const std::array<Mesh::Vertex_index, 3> v = {{disk.source(h), disk.target(h), disk.target(disk.next(h))}};
+    atlas.faces.push_back({{vertex[v[0]], vertex[v[1]], vertex[v[2]]}});
+    atlas.texture_corners.push_back({{std::size_t(v[0]), std::size_t(v[1]), std::size_t(v[2])}});
+    signed_area += CGAL::determinant(uv[v[1]] - uv[v[0]], uv[v[2]] - uv[v[0]]);
+  }
+  for(Mesh::Face_index f : mesh.faces()) // other components
+    if(!is_flattened[f])
+    {
+      const Mesh::Halfedge_index h = mesh.halfedge(f);
+      atlas.faces.push_back({{mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))}});
+    }
+  normalize(atlas.texture_coordinates, signed_area < 0.);
+  measure(atlas);
+
+  atlas.seam_distance = (std::numeric_limits<double>::infinity)();
+  for(auto v : CGAL::make_range(vertices(graph)))
+    atlas.seam_distance = (std::min)(atlas.seam_distance, graph[v].distance);
+  return atlas;
+}

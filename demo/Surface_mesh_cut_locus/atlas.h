@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_DEMO_ATLAS_H
+#define SURFACE_MESH_CUT_LOCUS_DEMO_ATLAS_H
+
+#include "Mesh.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+// A surface cut open along its cut locus and flattened.
+struct Atlas
+{
+  std::string parameterization;
+  std::vector<Kernel::Point_3> points;                      // the vertices of the mesh, then those that were added
+  std::vector<std::array<double, 2> > texture_coordinates;  // in the unit square
+  std::vector<std::array<std::size_t, 3> > faces;           // corners in `points`
+  std::vector<std::array<std::size_t, 3> > texture_corners; // in `texture_coordinates`, for the first faces
+
+  std::size_t flipped_faces = 0;
+  // Means over the area of (s + 1/s) / 2, where s is the ratio of the areas, or of the largest and the least stretch:
+  // 1 if there is no distortion.
+  double area_distortion = 0., angle_distortion = 0.;
+  double seam_distance = 0.; // of the seams to the source
+};
+
+bool is_parameterization_name(const std::string& name);
+
+// Throws `std::runtime_error` if the surface can not be flattened.
+Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string& parameterization);
+
+// Writes the OBJ file, and a material and a texture beside it. Throws `std::runtime_error` if that fails.
+void write_atlas(const std::string& filename, const Atlas& atlas);
+
+// The distance of the source to the cut graph that is short: the shortest system of loops over edges from a vertex, the
+// best of several vertices [Erickson, Whittlesey: Greedy optimal homotopy and homology generators, 2005]. Nothing if
+// the surface is a sphere or has a border.
+std::optional<double> distance_to_short_cut_graph(const Mesh& mesh, const Cut_locus& cut_locus);
+
+#endif // SURFACE_MESH_CUT_LOCUS_DEMO_ATLAS_H
