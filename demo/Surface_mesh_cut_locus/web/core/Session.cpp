@@ -31,8 +31,8 @@ std::vector<double> statistics_of(const Cut_locus& cut_locus)
 {
   const CGAL::Cut_loci::Cut_locus_statistics s = CGAL::Cut_loci::compute_statistics(cut_locus);
   const auto nearest = CGAL::Cut_loci::injectivity_radius(cut_locus);
-  return {double(s.edges), double(s.cycles), double(s.leaves), double(s.branchings), s.length, nearest.distance,
-          nearest.point.x(), nearest.point.y(), nearest.point.z()};
+  return {double(s.edges),  double(s.cycles),  double(s.leaves),  double(s.branchings), s.length,
+          nearest.distance, nearest.point.x(), nearest.point.y(), nearest.point.z()};
 }
 
 } // namespace
@@ -52,7 +52,8 @@ void Session::load(Mesh mesh)
     {
       const double c = mesh_->point(v)[i];
       if(!std::isfinite(c))
-        throw std::runtime_error("vertex #" + std::to_string(v.idx()) + " has a coordinate that is not a finite number");
+        throw std::runtime_error("vertex #" + std::to_string(v.idx()) +
+                                 " has a coordinate that is not a finite number");
       low[i] = (std::min)(low[i], c);
       high[i] = (std::max)(high[i], c);
     }
@@ -96,8 +97,8 @@ void Session::prepare(const std::string& solver, const std::string& method)
   else if(solver == "graph")
     solver_ = make_graph_solver(*mesh_);
   else
-    solver_ = make_exact_solver(*mesh_, is_direction ? CGAL::Cut_loci::Method::DIRECTION
-                                                     : CGAL::Cut_loci::Method::LAPLACIAN);
+    solver_ =
+      make_exact_solver(*mesh_, is_direction ? CGAL::Cut_loci::Method::DIRECTION : CGAL::Cut_loci::Method::LAPLACIAN);
   solver_name_ = solver;
   method_name_ = method;
 }
@@ -148,8 +149,15 @@ void Session::compute_curve(Curve_index index, const Thresholds& thresholds)
   const Kernel::Point_3& s = cut_locus.source().point;
   const Mesh::Vertex_index farthest = cut_locus.farthest_vertex();
   const Kernel::Point_3& f = mesh_->point(farthest);
-  source_numbers = {s.x(), s.y(), s.z(), f.x(), f.y(), f.z(), cut_locus.distance(farthest),
-                    solver_->gradient_angle_threshold(), double(cut_locus.number_of_border_loops()),
+  source_numbers = {s.x(),
+                    s.y(),
+                    s.z(),
+                    f.x(),
+                    f.y(),
+                    f.z(),
+                    cut_locus.distance(farthest),
+                    solver_->gradient_angle_threshold(),
+                    double(cut_locus.number_of_border_loops()),
                     double(cut_locus.genus())};
 }
 

@@ -40,11 +40,12 @@ public:
   void cut_open(const Thresholds& thresholds);
   std::string write_curve(Curve_index index, const std::string& format) const;
 
-  std::vector<float> positions;        // of the vertices, moved and scaled to fill the unit ball
+  std::vector<float> positions;         // of the vertices, moved and scaled to fill the unit ball
   std::vector<std::uint32_t> triangles; // in the order of barycentric coordinates
   std::vector<float> distance, laplacian, gradient;
-  std::vector<double> mesh_numbers;    // center (3), radius
-  std::vector<double> source_numbers;  // source (3), farthest vertex (3), its distance, default angle, border loops, genus
+  std::vector<double> mesh_numbers; // center (3), radius
+  // source (3), farthest vertex (3), its distance, default angle, border loops, genus
+  std::vector<double> source_numbers;
   Curve curves[2];
   Atlas atlas;
 

@@ -127,7 +127,7 @@ std::size_t number_of_flips(const Triangles& triangles, const Points_2& plane)
 double area_change(const Mesh& disk, const Triangles& triangles, const Points_2& plane)
 {
   double flat_area = 0., area = 0.;
-  std::vector<std::array<double, 2> > areas;
+  std::vector<std::array<double, 2>> areas;
   for(const auto& t : triangles)
   {
     const auto p = [&](int i) { return disk.point(Mesh::Vertex_index(t[i])); };

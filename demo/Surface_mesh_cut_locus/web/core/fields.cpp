@@ -20,7 +20,8 @@ struct Fields::Operators
     : number_of_vertices(mesh.number_of_vertices()),
       read(CGAL::Cut_loci::internal::read_triangle_mesh(mesh, mesh.points())), connectivity(read.mesh),
       differential(read.mesh, connectivity)
-  {}
+  {
+  }
 
   Eigen::VectorXd dense(const std::vector<double>& function) const
   {

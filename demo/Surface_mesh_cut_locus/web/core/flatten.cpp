@@ -55,7 +55,7 @@ bool flatten_as_rigidly_as_possible(const Points_3& points, const Triangles& tri
 {
   const int n = static_cast<int>(points.size());
   std::vector<Flat_triangle> flat;
-  std::vector<Eigen::Triplet<double> > entries;
+  std::vector<Eigen::Triplet<double>> entries;
   flat.reserve(triangles.size());
   entries.reserve(12 * triangles.size() + 1);
   for(const auto& t : triangles)
@@ -76,8 +76,8 @@ bool flatten_as_rigidly_as_possible(const Points_3& points, const Triangles& tri
   entries.emplace_back(0, 0, 1.); // the right hand sides sum up to zero: this puts vertex 0 at the origin, no more
   Eigen::SparseMatrix<double> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  std::vector<Eigen::Triplet<double> >().swap(entries);
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > solver(matrix);
+  std::vector<Eigen::Triplet<double>>().swap(entries);
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
   if(solver.info() != Eigen::Success)
     return false;
 

@@ -11,9 +11,9 @@
 #include <cstdint>
 #include <vector>
 
-using Points_2 = std::vector<std::array<double, 2> >;
-using Points_3 = std::vector<std::array<double, 3> >;
-using Triangles = std::vector<std::array<std::uint32_t, 3> >;
+using Points_2 = std::vector<std::array<double, 2>>;
+using Points_3 = std::vector<std::array<double, 3>>;
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 // Lays a disk out in the plane as rigidly as possible, from a first layout `plane`, by the local/global iteration of
 // Liu, Zhang, Xu, Gotsman and Gortler, "A Local/Global Approach to Mesh Parameterization" (2008). False if the linear

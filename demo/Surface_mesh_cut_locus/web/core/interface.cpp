@@ -61,26 +61,46 @@ Array array(int id)
 {
   switch(id)
   {
-  case 0: return array(session.positions);
-  case 1: return array(session.triangles);
-  case 2: return array(session.mesh_numbers);
-  case 3: return array(session.distance);
-  case 4: return array(session.source_numbers);
-  case 5: return array(session.laplacian);
-  case 6: return array(session.gradient);
-  case 7: return array(session.curves[0].segments);
-  case 8: return array(session.curves[0].strength);
-  case 9: return array(session.curves[0].numbers);
-  case 10: return array(session.curves[1].segments);
-  case 11: return array(session.curves[1].strength);
-  case 12: return array(session.curves[1].numbers);
-  case 13: return {text.data(), text.size()};
-  case 14: return array(session.atlas.origin);
-  case 15: return array(session.atlas.triangles);
-  case 16: return array(session.atlas.border);
-  case 17: return array(session.atlas.uv);
-  case 18: return array(session.atlas.numbers);
-  default: return {nullptr, 0};
+  case 0:
+    return array(session.positions);
+  case 1:
+    return array(session.triangles);
+  case 2:
+    return array(session.mesh_numbers);
+  case 3:
+    return array(session.distance);
+  case 4:
+    return array(session.source_numbers);
+  case 5:
+    return array(session.laplacian);
+  case 6:
+    return array(session.gradient);
+  case 7:
+    return array(session.curves[0].segments);
+  case 8:
+    return array(session.curves[0].strength);
+  case 9:
+    return array(session.curves[0].numbers);
+  case 10:
+    return array(session.curves[1].segments);
+  case 11:
+    return array(session.curves[1].strength);
+  case 12:
+    return array(session.curves[1].numbers);
+  case 13:
+    return {text.data(), text.size()};
+  case 14:
+    return array(session.atlas.origin);
+  case 15:
+    return array(session.atlas.triangles);
+  case 16:
+    return array(session.atlas.border);
+  case 17:
+    return array(session.atlas.uv);
+  case 18:
+    return array(session.atlas.numbers);
+  default:
+    return {nullptr, 0};
   }
 }
 
@@ -88,16 +108,34 @@ Array array(int id)
 
 EM_JS(void, report_stage_to_page, (int stage, int starts), { Module['onStage'](stage, starts); });
 
-void report_stage(int stage, bool starts) { report_stage_to_page(stage, starts); }
+void report_stage(int stage, bool starts)
+{
+  report_stage_to_page(stage, starts);
+}
 
-void Stage_reporter::start_stage(CGAL::Cut_loci::Stage stage) const { report_stage(static_cast<int>(stage), true); }
-void Stage_reporter::end_stage(CGAL::Cut_loci::Stage stage) const { report_stage(static_cast<int>(stage), false); }
+void Stage_reporter::start_stage(CGAL::Cut_loci::Stage stage) const
+{
+  report_stage(static_cast<int>(stage), true);
+}
+void Stage_reporter::end_stage(CGAL::Cut_loci::Stage stage) const
+{
+  report_stage(static_cast<int>(stage), false);
+}
 
 extern "C" {
 
-EMSCRIPTEN_KEEPALIVE const char* last_error() { return error.c_str(); }
-EMSCRIPTEN_KEEPALIVE const void* array_data(int id) { return array(id).data; }
-EMSCRIPTEN_KEEPALIVE std::size_t array_size(int id) { return array(id).size; }
+EMSCRIPTEN_KEEPALIVE const char* last_error()
+{
+  return error.c_str();
+}
+EMSCRIPTEN_KEEPALIVE const void* array_data(int id)
+{
+  return array(id).data;
+}
+EMSCRIPTEN_KEEPALIVE std::size_t array_size(int id)
+{
+  return array(id).size;
+}
 
 EMSCRIPTEN_KEEPALIVE int load_file(const char* filename)
 {
@@ -123,8 +161,8 @@ EMSCRIPTEN_KEEPALIVE int set_source(unsigned int face, double b0, double b1, dou
 EMSCRIPTEN_KEEPALIVE void set_thresholds(double strength, double angle, double laplacian, double minimum_edges,
                                          double minimum_length, int grows, int smoothing)
 {
-  thresholds = {strength, angle, laplacian, minimum_edges, minimum_length, grows != 0,
-                static_cast<unsigned int>(smoothing)};
+  thresholds = {
+    strength, angle, laplacian, minimum_edges, minimum_length, grows != 0, static_cast<unsigned int>(smoothing)};
 }
 
 EMSCRIPTEN_KEEPALIVE int compute_curve(int index)

@@ -20,9 +20,7 @@ using namespace test_meshes;
 Mesh_data generate(const std::string& name, double number_of_faces)
 {
   const auto size = [&](double faces_per_square)
-  {
-    return (std::max)(3, static_cast<int>(std::lround(std::sqrt(number_of_faces / faces_per_square))));
-  };
+  { return (std::max)(3, static_cast<int>(std::lround(std::sqrt(number_of_faces / faces_per_square)))); };
   if(name == "torus")
   {
     const int n = size(5.);

@@ -30,8 +30,8 @@ std::unique_ptr<Solver> make_heat_solver(const Mesh& mesh);
 // The thresholds of both methods: each takes its own. What is not a number stands for the default of the library.
 struct Thresholds
 {
-  double strength;       // of the method `DIRECTION`
-  double angle;          // and these of the method `LAPLACIAN`
+  double strength; // of the method `DIRECTION`
+  double angle;    // and these of the method `LAPLACIAN`
   double laplacian;
   double minimum_edges;
   double minimum_length;

@@ -2,7 +2,7 @@
 // `start`: at the side, so that most of the cut locus is seen.
 export const samples = [
   { name: 'torus', label: 'Torus', start: [1, 0, 0] },
-  { name: 'bumpy-sphere', label: 'Bumpy sphere', start: [1, -0.4, 0.2] },
+  { name: 'bumpy-sphere', label: 'Bumpy sphere', start: [1, 0.1, -0.4] },
   { name: 'genus-3', label: 'Genus 3', start: [-1, -0.1, 0] },
   { name: 'capsule', label: 'Capsule', start: [1, 0.7, 0.01] },
 ];
