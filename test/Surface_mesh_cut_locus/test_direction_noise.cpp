@@ -179,7 +179,9 @@ TEST(Direction_noise, rough_shape_is_no_noise)
     const Direction_geometry noise(mesh, Mesh_connectivity(mesh));
     EXPECT_GT(noise.noise_share, 0.9) << amplitude;
     if(amplitude == 0.03)
+    {
       EXPECT_GT(shape.deficit_noise, noise.deficit_noise) << "the shape is rougher than the noise";
+    }
   }
 }
 

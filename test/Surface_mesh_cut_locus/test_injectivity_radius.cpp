@@ -166,7 +166,9 @@ TEST(Injectivity_radius, Is_within_half_an_edge_by_the_method_of_directions)
       for(const Estimate& estimate : e)
         EXPECT_LT(estimate.error, 0.5 * estimate.h);
       if(is_through_faces)
+      {
         EXPECT_LT(e[2].error, 0.6 * e[0].error);
+      }
     }
 }
 

@@ -73,8 +73,7 @@ class Spread_integration
 public:
   Spread_integration(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                      const Direction_geometry& geometry, Direction_field& field)
-    : mesh_(mesh), connectivity_(connectivity), geometry_(geometry), field_(field),
-      is_known_(mesh.number_of_vertices(), 0)
+    : connectivity_(connectivity), geometry_(geometry), field_(field), is_known_(mesh.number_of_vertices(), 0)
   {
   }
 
@@ -170,7 +169,6 @@ private:
     is_known_[v] = 1;
   }
 
-  const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   const Direction_geometry& geometry_;
   Direction_field& field_;
