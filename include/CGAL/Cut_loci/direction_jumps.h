@@ -116,7 +116,7 @@ inline Direction_jumps direction_jumps(const Indexed_triangle_mesh& mesh, const 
                                        const Direction_geometry& geometry, const Direction_field& field)
 {
   constexpr double two_pi = 6.28318530717958647693;
-  const float noise = static_cast<float>(geometry.deficit_noise);
+  const float noise = static_cast<float>(geometry.noise_share * geometry.deficit_noise);
   const internal::Jump_strength strength(geometry, field);
   const Index ne = connectivity.number_of_edges();
   Direction_jumps result;
