@@ -175,11 +175,12 @@ private:
    * is rough, or sampled coarsely, the signs are independent or agree. The mean of the product of the sign at a vertex
    * and that of the sum over its neighbors is -0.39 to -0.48 for noise along the normals of 3 to 20 % of the edges on
    * tori and ellipsoids, of any resolution; 1 without noise; and between -0.05 and 0.8 for scans and sculptures. Down to
-   * -0.1 it can be chance, on a hundred vertices with independent signs.
+   * -0.1 it can be chance, on a hundred vertices with independent signs; halfway from there to noise alone, where noise
+   * and shape mix, the noise decides.
    */
   void measure_noise_share(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity)
   {
-    constexpr double no_noise = -0.1, all_noise = -0.4;
+    constexpr double no_noise = -0.1, all_noise = -0.25;
     double sum = 0., count = 0.;
     for(Index v = 0; v < mesh.number_of_vertices(); ++v)
     {
