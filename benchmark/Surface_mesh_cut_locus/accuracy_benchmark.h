@@ -13,7 +13,11 @@
 
 #include <CGAL/Surface_mesh/IO/OFF.h>
 
+#include <boost/program_options.hpp>
+
+#include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <string>
 
 // What the benchmarks of accuracy have in common.
@@ -43,6 +47,28 @@ Mesh cached_mesh(const Surface& surface, const std::string& name, double length,
   if(!file.empty())
     CGAL::IO::write_OFF(file, mesh, CGAL::parameters::stream_precision(17));
   return mesh;
+}
+
+// Reads the command line. If the program has nothing to do, because of an error or for `--help`, it ends here.
+inline void read_options(int argc, char** argv, const boost::program_options::options_description& options)
+{
+  namespace po = boost::program_options;
+  po::variables_map values;
+  try
+  {
+    po::store(po::parse_command_line(argc, argv, options), values);
+    po::notify(values);
+  }
+  catch(const po::error& error)
+  {
+    std::cerr << error.what() << "\n";
+    std::exit(EXIT_FAILURE);
+  }
+  if(values.count("help"))
+  {
+    std::cout << options;
+    std::exit(EXIT_SUCCESS);
+  }
 }
 
 } // namespace analytic

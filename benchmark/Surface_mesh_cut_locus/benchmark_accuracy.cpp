@@ -92,22 +92,7 @@ int main(int argc, char** argv)
     "exact, cgal-exact, heat, heat-direct, graph")("smoothing",
                                                    po::value(&smoothing)->multitoken()->default_value({0, 4}, "0 4"),
                                                    "numbers of smoothing iterations (0: edges of the mesh)");
-  po::variables_map values;
-  try
-  {
-    po::store(po::parse_command_line(argc, argv, options), values);
-    po::notify(values);
-  }
-  catch(const po::error& error)
-  {
-    std::cerr << error.what() << "\n";
-    return EXIT_FAILURE;
-  }
-  if(values.count("help"))
-  {
-    std::cout << options;
-    return EXIT_SUCCESS;
-  }
+  analytic::read_options(argc, argv, options);
 
   const Torus torus;
   const std::vector<Case> cases = {

@@ -276,22 +276,7 @@ int main(int argc, char** argv)
     po::value(&variants)->multitoken()->default_value(
       {"isotropic", "jittered", "anisotropic", "noise_0.03", "noise_0.1", "noise_0.2"}, "all"),
     "isotropic, jittered, anisotropic, noise_<amplitude>");
-  po::variables_map values;
-  try
-  {
-    po::store(po::parse_command_line(argc, argv, options), values);
-    po::notify(values);
-  }
-  catch(const po::error& error)
-  {
-    std::cerr << error.what() << "\n";
-    return EXIT_FAILURE;
-  }
-  if(values.count("help"))
-  {
-    std::cout << options;
-    return EXIT_SUCCESS;
-  }
+  analytic::read_options(argc, argv, options);
 
   Table table(csv);
   Orders orders;

@@ -11,6 +11,7 @@
 // relative error of the distances to those of the exact solver (mean, max), and distances between curves in mean edge
 // lengths: from the estimate to the truth (mean, max), and back.
 
+#include "accuracy_benchmark.h"
 #include "analytic_surfaces.h"
 #include "curve_distance.h"
 #include "remeshed_surface.h"
@@ -117,22 +118,7 @@ int main(int argc, char** argv)
   options.add_options()("help", "print this")("cache", po::value(&cache), "folder that keeps the generated meshes")(
     "length", po::value(&lengths)->multitoken()->default_value({0.064, 0.032, 0.022}, "0.064 0.032 0.022"),
     "edge lengths; the torus has radii 1 and 0.4");
-  po::variables_map values;
-  try
-  {
-    po::store(po::parse_command_line(argc, argv, options), values);
-    po::notify(values);
-  }
-  catch(const po::error& error)
-  {
-    std::cerr << error.what() << "\n";
-    return EXIT_FAILURE;
-  }
-  if(values.count("help"))
-  {
-    std::cout << options;
-    return EXIT_SUCCESS;
-  }
+  analytic::read_options(argc, argv, options);
 
   const Torus torus;
   const std::vector<Case> cases = {
