@@ -41,18 +41,18 @@ Flat_face flat(const std::array<double, 3>& a, const std::array<double, 3>& b, c
 
 } // namespace
 
-bool flatten_as_rigidly_as_possible(const std::vector<std::array<double, 3>>& points,
-                                    const std::vector<std::array<std::size_t, 3>>& faces,
-                                    std::vector<std::array<double, 2>>& plane)
+bool flatten_as_rigidly_as_possible(const Points_3& points, const Triangles& triangles, Points_2& plane,
+                                    double tolerance)
 {
   constexpr int max_iterations = 500;
-  constexpr double tolerance = 1e-6; // of the energy, in an iteration
 
   std::vector<Flat_face> rest;
   std::vector<Eigen::Triplet<double>> entries;
+  rest.reserve(triangles.size());
+  entries.reserve(12 * triangles.size() + 1);
   double area = 0., area_in_plane = 0.;
   const auto at = [&](std::size_t v) { return Complex(plane[v][0], plane[v][1]); };
-  for(const auto& f : faces)
+  for(const auto& f : triangles)
   {
     rest.push_back(flat(points[f[0]], points[f[1]], points[f[2]]));
     area += std::abs((std::conj(rest.back().corners[1]) * rest.back().corners[2]).imag());
@@ -61,6 +61,8 @@ bool flatten_as_rigidly_as_possible(const std::vector<std::array<double, 3>>& po
     {
       const int v = static_cast<int>(f[i]), w = static_cast<int>(f[(i + 1) % 3]);
       const double cotangent = rest.back().cotangents[i];
+      if(!std::isfinite(cotangent))
+        return false;
       entries.emplace_back(v, v, cotangent);
       entries.emplace_back(w, w, cotangent);
       entries.emplace_back(v, w, -cotangent);
@@ -71,6 +73,7 @@ bool flatten_as_rigidly_as_possible(const std::vector<std::array<double, 3>>& po
   const int n = static_cast<int>(points.size());
   Eigen::SparseMatrix<double> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
+  std::vector<Eigen::Triplet<double>>().swap(entries);
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
   if(solver.info() != Eigen::Success || !(std::abs(area_in_plane) > 0.))
     return false;
@@ -80,23 +83,24 @@ bool flatten_as_rigidly_as_possible(const std::vector<std::array<double, 3>>& po
   for(auto& p : plane)
     p = {{scale * p[0], area_in_plane < 0. ? -scale * p[1] : scale * p[1]}};
 
+  Eigen::MatrixX2d right(n, 2);
   double last_energy = 0.;
   for(int iteration = 0; iteration < max_iterations; ++iteration)
   {
-    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, 2);
+    right.setZero();
     right.row(0) << plane[0][0], plane[0][1];
     double energy = 0.;
-    for(std::size_t k = 0; k < faces.size(); ++k)
+    for(std::size_t k = 0; k < triangles.size(); ++k)
     {
       const Flat_face& face = rest[k];
       Complex sum(0., 0.);
       for(int i = 0; i < 3; ++i)
-        sum += face.cotangents[i] * (at(faces[k][(i + 1) % 3]) - at(faces[k][i])) *
+        sum += face.cotangents[i] * (at(triangles[k][(i + 1) % 3]) - at(triangles[k][i])) *
                std::conj(face.corners[(i + 1) % 3] - face.corners[i]);
       const Complex rotation = std::abs(sum) > 0. ? sum / std::abs(sum) : Complex(1., 0.);
       for(int i = 0; i < 3; ++i)
       {
-        const std::size_t v = faces[k][i], w = faces[k][(i + 1) % 3];
+        const std::size_t v = triangles[k][i], w = triangles[k][(i + 1) % 3];
         const Complex edge = rotation * (face.corners[(i + 1) % 3] - face.corners[i]);
         energy += face.cotangents[i] * std::norm(at(w) - at(v) - edge);
         const Complex part = face.cotangents[i] * edge;
@@ -109,7 +113,7 @@ bool flatten_as_rigidly_as_possible(const std::vector<std::array<double, 3>>& po
     if(iteration > 0 && std::abs(last_energy - energy) <= tolerance * std::abs(energy))
       return true;
     last_energy = energy;
-    const Eigen::MatrixXd solution = solver.solve(right);
+    const Eigen::MatrixX2d solution = solver.solve(right);
     if(!solution.allFinite())
       return false;
     for(int v = 0; v < n; ++v)

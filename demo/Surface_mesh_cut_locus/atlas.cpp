@@ -20,6 +20,7 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace {
 
@@ -54,9 +55,10 @@ std::array<double, 2> stretches(const std::array<Kernel::Point_3, 3>& p, const s
 
 bool make_rigid(const Mesh& disk, UV_map uv)
 {
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::array<double, 2>> plane;
-  std::vector<std::array<std::size_t, 3>> faces;
+  constexpr double tolerance = 1e-6; // as CGAL's
+  Points_3 points;
+  Points_2 plane;
+  Triangles faces;
   for(Mesh::Vertex_index v : disk.vertices())
   {
     const Kernel::Point_3& p = disk.point(v);
@@ -68,7 +70,7 @@ bool make_rigid(const Mesh& disk, UV_map uv)
     const Mesh::Halfedge_index h = disk.halfedge(f);
     faces.push_back({{disk.source(h), disk.target(h), disk.target(disk.next(h))}});
   }
-  if(!flatten_as_rigidly_as_possible(points, faces, plane))
+  if(!flatten_as_rigidly_as_possible(points, faces, plane, tolerance))
     return false;
   for(Mesh::Vertex_index v : disk.vertices())
     uv[v] = Point_2(plane[v][0], plane[v][1]);
@@ -103,6 +105,35 @@ void measure(Atlas& atlas)
     atlas.area_distortion += f[0] / area_3 * 0.5 * (areas + 1. / areas);
     atlas.angle_distortion += f[0] / area_3 * 0.5 * (angles + 1. / angles);
   }
+}
+
+// The part of the covered texels, by their centers, that several faces cover.
+double overlap(const Atlas& atlas)
+{
+  constexpr int size = 1024;
+  std::vector<unsigned char> count(size * size, 0);
+  for(const auto& corners : atlas.texture_corners)
+  {
+    std::array<std::array<double, 2>, 3> p;
+    for(int i = 0; i < 3; ++i)
+      for(int k = 0; k < 2; ++k)
+        p[i][k] = size * atlas.texture_coordinates[corners[i]][k] - 0.5; // texel (x, y) has its center at (x, y)
+    const auto side = [](const auto& a, const auto& b, double x, double y)
+    { return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]); };
+    if(side(p[0], p[1], p[2][0], p[2][1]) < 0.)
+      std::swap(p[1], p[2]);
+    const auto x = std::minmax({p[0][0], p[1][0], p[2][0]}), y = std::minmax({p[0][1], p[1][1], p[2][1]});
+    for(int j = static_cast<int>(std::ceil(y.first)); j <= y.second; ++j)
+      for(int i = static_cast<int>(std::ceil(x.first)); i <= x.second; ++i)
+        // a center on an edge belongs to no face rather than to two
+        if(side(p[0], p[1], i, j) > 0. && side(p[1], p[2], i, j) > 0. && side(p[2], p[0], i, j) > 0.)
+        {
+          unsigned char& c = count[j * size + i];
+          c = (std::min)(c + 1, 2);
+        }
+  }
+  const auto covered = count.size() - std::count(count.begin(), count.end(), 0);
+  return covered == 0 ? 0. : double(std::count(count.begin(), count.end(), 2)) / double(covered);
 }
 
 // Into the unit square, with a margin, and counterclockwise.
@@ -150,6 +181,8 @@ Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string
 
   const UV_map uv = disk.add_property_map<Mesh::Vertex_index, Point_2>("v:uv", Point_2(0., 0.)).first;
   const SMP::Error_code error = parameterize(disk, parameterization, uv);
+  if(error == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM) // CGAL 5.5 and 6.1 give it the message of another error
+    throw std::runtime_error("the surface can not be flattened: the linear system can not be solved");
   if(error != SMP::OK)
     throw std::runtime_error(std::string("the surface can not be flattened: ") + SMP::get_error_message(error));
   if(parameterization == "arap" && !make_rigid(disk, uv))
@@ -196,6 +229,7 @@ Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string
     }
   normalize(atlas.texture_coordinates, signed_area < 0.);
   measure(atlas);
+  atlas.overlap = overlap(atlas);
 
   atlas.seam_distance = (std::numeric_limits<double>::infinity)();
   for(auto v : CGAL::make_range(vertices(graph)))

@@ -28,6 +28,7 @@ struct Atlas
   // Means over the area of (s + 1/s) / 2, where s is the ratio of the areas, or of the largest and the least stretch:
   // 1 if there is no distortion.
   double area_distortion = 0., angle_distortion = 0.;
+  double overlap = 0.;       // the part of the texels in use, of 1024 x 1024, that several faces take
   double seam_distance = 0.; // of the seams to the source
 };
 

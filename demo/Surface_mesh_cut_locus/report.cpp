@@ -78,6 +78,7 @@ void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut
     uv["flipped_faces"] = atlas->flipped_faces;
     uv["area_distortion"] = atlas->area_distortion;
     uv["angle_distortion"] = atlas->angle_distortion;
+    uv["overlap"] = atlas->overlap;
     uv["seam_distance"] = atlas->seam_distance;
     uv["short_cut_graph_distance"] = to_json(distance_to_short_cut_graph(mesh, cut_locus));
   }

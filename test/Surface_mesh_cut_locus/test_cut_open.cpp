@@ -15,6 +15,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <gtest/gtest.h>
 

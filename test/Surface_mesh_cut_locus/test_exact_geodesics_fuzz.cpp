@@ -45,9 +45,10 @@ void expect_agreement(const Mesh& mesh, std::size_t number_of_sources, unsigned 
     std::array<double, 3> sorted = {{0., 0., 0.}};
     for(std::size_t i = 0; i < 3; ++i)
     {
-      if(mesh.triangles[l.face][i] == surface.source(h))
+      const Surface_mesh::Vertex_index v(mesh.triangles[l.face][i]);
+      if(v == surface.source(h))
         sorted[0] = l.coordinates[i];
-      else if(mesh.triangles[l.face][i] == surface.target(h))
+      else if(v == surface.target(h))
         sorted[1] = l.coordinates[i];
       else
         sorted[2] = l.coordinates[i];

@@ -451,13 +451,14 @@ TEST(Gradient_angles, given_gradients_on_both_sides_of_a_fold_make_their_angle)
         gradient[2 * v] = dot(g, operators.frames[v].e1);
         gradient[2 * v + 1] = dot(g, operators.frames[v].e2);
       }
+      const auto neighbor = neighbors(data);
       const std::vector<float> angle = gradient_angles(f.connectivity, tangent, gradient);
       for(Index v = 0; v < data.points.size(); ++v)
       {
         if(f.connectivity.is_border(v))
           continue;
         bool above = false, below = false;
-        for(Index w : neighbors(data)[v])
+        for(Index w : neighbor[v])
           (data.points[w][1] > 0.5 + 1e-9 ? above : below) = true;
         if(above && below && converge)
         {

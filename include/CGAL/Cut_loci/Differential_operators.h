@@ -24,7 +24,7 @@ namespace Cut_loci {
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// the discretization of the Laplace-Beltrami operator
 enum class Laplacian_operator {
-  QUADRATIC_FIT, ///< from a quadric fitted to the extended neighborhood of each vertex \cgalCite{cgal:wylc-redsm-13}
+  QUADRATIC_FIT, ///< from a quadric fitted to the extended neighborhood of each vertex \cgalCite{cgal:wylc-dlbod-13}
   COTANGENT      ///< the cotangent formula \cgalCite{cgal:pp-cdmsc-93} over a third of the area of the faces around
 };
 

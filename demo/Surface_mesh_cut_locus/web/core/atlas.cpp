@@ -6,7 +6,7 @@
 
 #include "atlas.h"
 
-#include "flatten.h"
+#include "../../arap.h"
 
 #include <CGAL/Surface_mesh_exact_geodesics.h>
 #include <CGAL/cut_along_cut_locus.h>
@@ -161,7 +161,8 @@ Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::functi
   }
   const Points_2 polar = exponential_map(mesh, cut_locus.source().location, disk, origin);
   Points_2 plane = polar;
-  if(!flatten_as_rigidly_as_possible(points, triangles, plane))
+  constexpr double tolerance = 1e-3; // what comes after it is not seen
+  if(!flatten_as_rigidly_as_possible(points, triangles, plane, tolerance))
     throw std::runtime_error("the cut surface cannot be flattened: it has faces that are too thin");
   // A surface that closes around a short cut does not lie flat without being stretched, and rather folds.
   const bool is_rigid = number_of_flips(triangles, plane) <= number_of_flips(triangles, polar);

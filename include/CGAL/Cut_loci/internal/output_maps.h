@@ -37,7 +37,7 @@ auto output_pairs(internal_np::Param_not_found, Map map)
     if constexpr(!std::is_same<Map, internal_np::Param_not_found>::value)
       put(map, output, input);
     else
-      CGAL_USE(input), CGAL_USE(output);
+      CGAL_USE(map), CGAL_USE(input), CGAL_USE(output);
     };
 }
 
