@@ -98,8 +98,11 @@ void run(const Options& options)
     });
   if(!options.report.empty())
     write_report(options, mesh, cut_locus, atlas, progress);
-  if(!options.is_quiet)
-    std::cerr << summary(mesh, cut_locus) << std::endl;
+  if(options.is_quiet)
+    return;
+  std::cerr << summary(mesh, cut_locus) << std::endl;
+  if(atlas)
+    std::cerr << summary(*atlas) << std::endl;
 }
 
 int fail(const std::string& cause, int status)

@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
@@ -118,5 +119,15 @@ std::string summary(const Mesh& mesh, const Cut_locus& cut_locus)
   text << mesh.number_of_faces() << " faces, genus " << cut_locus.genus() << "; cut locus: " << statistics.edges
        << " edges, " << statistics.cycles << " cycles, " << statistics.leaves << " leaves, injectivity radius "
        << statistics.injectivity_radius;
+  return text.str();
+}
+
+std::string summary(const Atlas& atlas)
+{
+  std::ostringstream text;
+  text << std::setprecision(4) << "atlas: " << atlas.flipped_faces << " faces flipped, overlap " << 100. * atlas.overlap
+       << " %, distortion of areas " << atlas.area_distortion << ", of angles " << atlas.angle_distortion;
+  if((atlas.flipped_faces > 0 || atlas.overlap > 0.) && atlas.parameterization != "convex")
+    text << "; --parameterization convex neither flips nor overlaps";
   return text.str();
 }

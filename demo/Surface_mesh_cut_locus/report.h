@@ -21,5 +21,6 @@ void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut
 
 // One line for people.
 std::string summary(const Mesh& mesh, const Cut_locus& cut_locus);
+std::string summary(const Atlas& atlas);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_REPORT_H

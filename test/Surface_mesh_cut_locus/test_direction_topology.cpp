@@ -8,6 +8,8 @@
 
 #include "direction_meshes.h"
 
+#include <CGAL/Cut_loci/internal/geodesic_path_tracing.h>
+
 namespace {
 
 using namespace direction_test;
@@ -100,6 +102,73 @@ TEST(Direction_topology, boundary)
   check_all_kinds_of_sources(revolution(20, {{{0., 0.}}, {{0.6, 0.}}, {{1., 0.}}, {{1.4, 0.}}}), "flat disk");
   expect_invariants(indexed({{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}}, {{{0, 1, 2}}}), in_face(0, 0.3, 0.3, 0.4),
                     "one triangle");
+}
+
+// The number of vertices that lie on the other side of the cycles than their shortest path, up to crossings within three
+// edges of the vertex.
+int paths_across_cycles(const Indexed_triangle_mesh& mesh, const CGAL::Cut_loci::Indexed_source& source)
+{
+  using namespace CGAL::Cut_loci::internal;
+  const Solved solved(mesh, source);
+  const Indexed_cut_locus cycles = solved.mesh_edges(1e30);
+  std::set<std::pair<Index, Index>> cut;
+  for(const auto& e : cycles.edges)
+    cut.insert(std::minmax(cycles.nodes[e.source].vertex, cycles.nodes[e.target].vertex));
+  Exact_geodesic_propagation geodesics(mesh);
+  geodesics.run({source.location}, Exact_geodesic_options());
+  Geodesic_path_tracing paths(geodesics);
+  int result = 0;
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+  {
+    bool is_across = false;
+    double length = 0.;
+    std::array<double, 3> last = mesh.points[v];
+    for(const auto& place : paths.path_from_vertex(v))
+    {
+      const std::array<double, 3> point = point_at(mesh, place);
+      length += norm(point - last);
+      last = point;
+      const auto is_zero = [](double x) { return x < 1e-6; };
+      const auto& t = place.coordinates;
+      if(std::count_if(t.begin(), t.end(), is_zero) != 1)
+        continue;
+      const std::size_t i = std::find_if(t.begin(), t.end(), is_zero) - t.begin();
+      const auto& corners = mesh.triangles[place.face];
+      if(length > 3. * solved.solver->connectivity().mean_edge_length &&
+         cut.count(std::minmax(corners[(i + 1) % 3], corners[(i + 2) % 3])) != 0)
+        is_across = !is_across;
+    }
+    result += is_across;
+  }
+  return result;
+}
+
+TEST(Direction_topology, shortest_paths_do_not_cross_the_cycles)
+{
+  // Behind a hole, the paths around it bend at the same corners, so that their directions at the source hardly differ.
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> random(-0.2, 0.2);
+  for(int spacing : {2, 3})
+    for(int n : {1, 2, 3})
+    {
+      std::set<std::array<int, 3>> cells;
+      for(int i = 0; i < 9; ++i)
+        for(int j = 0; j < 9; ++j)
+          if(i % spacing != 1 || j % spacing != 1)
+            cells.insert({{i, j, 0}});
+      Indexed_triangle_mesh plate = cubes(cells, n);
+      for(auto& p : plate.points)
+        for(double& x : p)
+          x += random(generator) / n; // no ties
+      const Index step = plate.number_of_vertices() / 8;
+      int across = 0, all = 0;
+      for(Index v = 0; v < plate.number_of_vertices(); v += step)
+      {
+        across += paths_across_cycles(plate, at_vertex(plate, v));
+        all += static_cast<int>(plate.number_of_vertices());
+      }
+      EXPECT_LT(across, 0.05 * all) << spacing << ", " << n; // not zero: edges of the mesh zigzag around the cycles
+    }
 }
 
 TEST(Direction_topology, sphere_is_cut_at_a_point)

@@ -105,6 +105,67 @@ private:
   float noise_factor_, wide_angle_;
 };
 
+/*
+ * Makes the spanning tree follow the shortest paths wherever no jump speaks against it, since no shortest path crosses
+ * the cut locus.
+ *
+ * Where jumps are small on both sides of a handle - it is as small as an edge, or all paths bend at the same saddle
+ * before it - they do not tell which edges cross the cut locus. The paths do: they are homotopic to those of the tree.
+ */
+class Edges_of_paths
+{
+public:
+  Edges_of_paths(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                 const Direction_geometry& geometry, const Direction_field& field)
+    : mesh_(mesh), connectivity_(connectivity), geometry_(geometry), field_(field)
+  {
+  }
+
+  void operator()(Direction_jumps& jumps) const
+  {
+    std::vector<Index> chosen(mesh_.number_of_vertices()); // all by the weights as they were
+    for(Index v = 0; v < chosen.size(); ++v)
+    {
+      const std::array<Index, 2> e = beside_path(v);
+      chosen[v] = e[cost(jumps, v, e[1]) < cost(jumps, v, e[0]) ? 1 : 0];
+    }
+    for(Index e : chosen)
+      if(jumps.edges[e].weight <= Direction_jumps::smooth_limit())
+        jumps.edges[e].weight = 0.f;
+  }
+
+private:
+  // The edges at `v` that the shortest path to it arrives between, or along one of them.
+  std::array<Index, 2> beside_path(Index v) const
+  {
+    constexpr float two_pi = 6.2831853f;
+    const Index begin = connectivity_.ring_begin[v], end = connectivity_.ring_begin[v + 1];
+    float arrival = field_.vertices[v].arrival;
+    Index last = end - 1;
+    if(connectivity_.is_border(v))
+      --last; // no face follows the last edge
+    else
+      arrival -= two_pi * std::floor(arrival / two_pi);
+    Index entry = begin;
+    while(entry < last && geometry_.polar[connectivity_.ring_halfedge[entry + 1]] <= arrival)
+      ++entry;
+    return {{connectivity_.ring_edge(entry), connectivity_.ring_edge(entry + 1 < end ? entry + 1 : begin)}};
+  }
+
+  // Least where there is no jump, then where the edge leads back, then where the figures are small.
+  float cost(const Direction_jumps& jumps, Index v, Index e) const
+  {
+    const Index h = connectivity_.halfedge_of_edge[e], s = mesh_.source(h), u = s == v ? mesh_.target(h) : s;
+    const bool leads_back = field_.vertices[u].distance < field_.vertices[v].distance;
+    return jumps.edges[e].weight + (leads_back ? 0.f : Direction_jumps::smooth_limit());
+  }
+
+  const Indexed_triangle_mesh& mesh_;
+  const Mesh_connectivity& connectivity_;
+  const Direction_geometry& geometry_;
+  const Direction_field& field_;
+};
+
 } // namespace internal
 
 /*!
@@ -155,6 +216,7 @@ inline Direction_jumps direction_jumps(const Indexed_triangle_mesh& mesh, const 
     edge.weight =
       static_cast<float>(1000. * excess + (std::min)((std::max)(double(edge.direction), double(edge.arrival)), limit));
   }
+  internal::Edges_of_paths(mesh, connectivity, geometry, field)(result);
   for(Index h : internal::source_star(mesh, connectivity, field.source))
     result.edges[connectivity.edge_of_halfedge[h]] = Direction_jumps::Edge();
   return result;
