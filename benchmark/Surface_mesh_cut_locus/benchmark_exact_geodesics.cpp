@@ -15,6 +15,8 @@
 //   --error e allows distances to be too long by e times their length: no directions then
 //   --cpu measures processor time instead of elapsed time, for machines with other work to do
 
+#include "jittered_torus.h"
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_exact_geodesics.h>
@@ -30,7 +32,6 @@
 #include <ctime>
 #include <fstream>
 #include <limits>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -155,31 +156,11 @@ void compare(const std::string& file, int trials, int cgal_trials)
   std::printf("  largest relative difference of the distances %.2g\n", difference);
 }
 
-Mesh jittered_torus(std::size_t faces)
+Mesh torus(std::size_t faces)
 {
-  const double pi = 3.14159265358979323846;
   // quadrilaterals of about the same width both ways
   const std::size_t n = static_cast<std::size_t>(std::sqrt(0.5 * faces * 2.)), m = faces / 2 / n;
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> jitter(-0.2, 0.2);
-  Mesh mesh;
-  mesh.reserve(Mesh::size_type(n * m), Mesh::size_type(3 * n * m), Mesh::size_type(2 * n * m));
-  for(std::size_t i = 0; i < n; ++i)
-    for(std::size_t j = 0; j < m; ++j)
-    {
-      const double u = 2. * pi * (double(i) + jitter(random)) / double(n);
-      const double w = 2. * pi * (double(j) + jitter(random)) / double(m);
-      const double r = 1. + 0.4 * std::cos(w);
-      mesh.add_vertex(Point(r * std::cos(u), r * std::sin(u), 0.4 * std::sin(w)));
-    }
-  const auto vertex = [&](std::size_t i, std::size_t j) { return Vertex(Mesh::size_type((i % n) * m + j % m)); };
-  for(std::size_t i = 0; i < n; ++i)
-    for(std::size_t j = 0; j < m; ++j)
-    {
-      mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
-      mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
-    }
-  return mesh;
+  return jittered_torus<Mesh>(n, m);
 }
 
 /// the slope of a line fitted to the logarithms
@@ -226,7 +207,7 @@ void growth(std::size_t largest, std::FILE* csv)
     if(child == 0)
     {
       double result[6];
-      const Mesh mesh = jittered_torus(faces);
+      const Mesh mesh = torus(faces);
       result[4] = peak_memory();
       std::vector<double> distances(num_vertices(mesh));
       std::size_t windows = 0;

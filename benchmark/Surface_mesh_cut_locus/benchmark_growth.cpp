@@ -14,6 +14,8 @@
 // object for the mesh at hand; what is done once per mesh is the column `mesh_s`, its memory and all other the peak
 // less what the mesh itself takes.
 
+#include "jittered_torus.h"
+
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>
@@ -34,7 +36,6 @@
 #include <functional>
 #include <iostream>
 #include <map>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,6 @@ namespace {
 
 namespace params = CGAL::parameters;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Vertex = Mesh::Vertex_index;
 using CGAL::Cut_loci::Method;
 using CGAL::Cut_loci::Stage;
 
@@ -79,28 +79,8 @@ double peak_memory()
 // A torus of radii 1 and 0.4 whose faces are about as long as wide, and irregular.
 Mesh torus(std::size_t faces)
 {
-  const double pi = 3.14159265358979323846;
   const std::size_t n = static_cast<std::size_t>(std::sqrt(faces * 0.5 / 0.4)), m = faces / 2 / n;
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> jitter(-0.2, 0.2);
-  Mesh mesh;
-  mesh.reserve(Mesh::size_type(n * m), Mesh::size_type(3 * n * m), Mesh::size_type(2 * n * m));
-  for(std::size_t i = 0; i < n; ++i)
-    for(std::size_t j = 0; j < m; ++j)
-    {
-      const double u = 2. * pi * (double(i) + jitter(random)) / double(n);
-      const double w = 2. * pi * (double(j) + jitter(random)) / double(m);
-      const double r = 1. + 0.4 * std::cos(w);
-      mesh.add_vertex(Mesh::Point(r * std::cos(u), r * std::sin(u), 0.4 * std::sin(w)));
-    }
-  const auto vertex = [&](std::size_t i, std::size_t j) { return Vertex(Mesh::size_type((i % n) * m + j % m)); };
-  for(std::size_t i = 0; i < n; ++i)
-    for(std::size_t j = 0; j < m; ++j)
-    {
-      mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
-      mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
-    }
-  return mesh;
+  return jittered_torus<Mesh>(n, m);
 }
 
 // Adds up the processor time of each stage since the last reset.

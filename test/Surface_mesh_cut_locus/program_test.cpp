@@ -417,6 +417,35 @@ TEST_F(Program, Textured_mesh)
     }
 }
 
+// A ramp of one turn and a half: laid flat, half of a ring is covered twice.
+TEST_F(Program, Overlapping_atlas)
+{
+  constexpr int columns = 90, rows = 3;
+  std::ostringstream off;
+  off << "OFF\n" << (columns + 1) * (rows + 1) << ' ' << 2 * columns * rows << " 0\n";
+  for(int i = 0; i <= columns; ++i)
+    for(int j = 0; j <= rows; ++j)
+    {
+      const double angle = 3. * std::acos(-1.) * i / columns, radius = 1. + 0.15 * j;
+      off << radius * std::cos(angle) << ' ' << radius * std::sin(angle) << ' ' << 0.02 * angle << '\n';
+    }
+  for(int i = 0; i < columns; ++i)
+    for(int j = 0; j < rows; ++j)
+    {
+      const int a = i * (rows + 1) + j, b = a + rows + 1;
+      off << "3 " << a << ' ' << a + 1 << ' ' << b + 1 << "\n3 " << a << ' ' << b + 1 << ' ' << b << '\n';
+    }
+  write("ramp.off", off.str());
+  for(const auto& [parameterization, overlap] : std::map<std::string, double>{{"arap", 0.5}, {"convex", 0.}})
+  {
+    const Outcome outcome = run(quoted(path("ramp.off")) + " --quiet --parameterization " + parameterization +
+                                " --uv " + quoted(path("uv.obj")) + " --report " + quoted(path("uv.json")));
+    ASSERT_EQ(outcome.status, 0) << outcome.messages;
+    const auto report = nlohmann::json::parse(read_file(path("uv.json"))).at("uv");
+    EXPECT_NEAR(report.at("overlap").get<double>(), overlap, 0.02) << parameterization;
+  }
+}
+
 TEST_F(Program, Wrong_command_lines)
 {
   expect_failure(run_on_torus("--uv " + quoted(path("a.png"))), "must be .obj");

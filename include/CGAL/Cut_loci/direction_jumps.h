@@ -34,7 +34,7 @@ struct Direction_jumps
     float direction = 0.f; ///< the gap of the directions at the source, over what the spread explains
     float arrival = 0.f;   ///< the angle between the arrival directions, over what the bend of the front explains
     float angle = 0.f;     ///< that angle, in radians
-    float weight = 0.f;    ///< for the spanning tree
+    float weight = 0.f;    ///< for the spanning tree: zero along shortest paths, so that it follows them
     float strength = 0.f;  ///< of the cut locus where it crosses the edge
   };
   std::vector<Edge> edges;
