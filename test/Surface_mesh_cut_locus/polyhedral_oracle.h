@@ -37,8 +37,9 @@ struct Arrival
   // In which direction the path leads back, counterclockwise around the location, in the angles of its faces. Zero is
   // the direction of the first edge of the face; at a vertex, that of the first edge of its fan.
   double direction = 0.;
-  Index root = null_index;   // the last vertex at which the path bends, or null for the source
-  double root_distance = 0.; // of that vertex
+  Index root = null_index;    // the last vertex at which the path bends, or null for the source
+  double root_distance = 0.;  // of that vertex
+  double root_direction = 0.; // in which the path leaves it
 };
 
 struct Plane_point
@@ -182,6 +183,26 @@ public:
       result += angle(h);
       h = mesh_.opposite[Mesh::previous(h)];
     } while(h != null_index && h != first_halfedge_[v]);
+    return result;
+  }
+
+  // the direction at corner `i` of a laid face towards the origin, in the angles around that vertex
+  double direction_at_corner(const Laid_face& f, int i) const
+  {
+    const Index v = mesh_.triangles[f.face][i];
+    double result = 0.;
+    Index h = first_halfedge_[v];
+    for(; h / 3 != f.face; h = mesh_.opposite[Mesh::previous(h)])
+      result += angle(h);
+    const Plane_point from = f.corner[(i + 1) % 3] - f.corner[i], to = -1. * f.corner[i];
+    return result + std::atan2(cross(from, to), from.x * to.x + from.y * to.y);
+  }
+
+  Indexed_location location_of_vertex(Index v) const
+  {
+    Indexed_location result;
+    result.face = first_halfedge_[v] / 3;
+    result.coordinates[first_halfedge_[v] % 3] = 1.;
     return result;
   }
 
@@ -329,7 +350,9 @@ public:
     return is_on_edge && unfolding_.around(location).size() == 1 ? infinity : 2. * pi;
   }
 
-  // the shortest paths to the location, up to `tolerance` times the size of the mesh, that arrive in different directions
+  // The shortest paths to the location that arrive in different directions, sorted by length: those that exceed the
+  // least by up to `tolerance` times the size of the mesh. Where two paths meet at an angle, a location that is less than
+  // about the tolerance divided by this angle away from the cut locus counts as on it.
   std::vector<Arrival> shortest_arrivals(const Indexed_location& location, double tolerance = 1e-10) const
   {
     const double slack = tolerance * scale_;
@@ -345,7 +368,7 @@ public:
         const double d = std::fabs(a.direction - b.direction);
         return (std::min)(d, std::fabs(turn - d)) < least_angle;
       });
-      if(a.distance <= found.front().distance + slack && is_new)
+      if(a.distance <= found.front().distance + slack && is_new && is_straight_at_root(a, tolerance))
         result.push_back(a);
     }
     return result;
@@ -355,8 +378,24 @@ private:
   using Cone = Unfolding::Cone;
   using Laid_face = Unfolding::Laid_face;
 
-  // paths whose directions differ less are taken for one, found through faces on both sides of a vertex
-  static constexpr double least_angle = 1e-7;
+  // Paths whose directions differ less are taken for one: rounding finds some of them on both sides of a vertex.
+  static constexpr double least_angle = 4e-6;
+
+  // A way around a vertex that could be shortened is longer than the shortest by the square of what it bends only, which
+  // can be less than any tolerance: it must have an angle of pi on both sides, or beside the border.
+  bool is_straight_at_root(const Arrival& a, double tolerance) const
+  {
+    if(a.root == null_index)
+      return true;
+    const Indexed_location root = unfolding_.location_of_vertex(a.root);
+    const std::vector<Arrival> to_root = shortest_arrivals(root, tolerance);
+    return std::any_of(to_root.begin(), to_root.end(),
+                       [&](const Arrival& b)
+                       {
+      const double d = std::fabs(a.root_direction - b.direction);
+      return (std::min)(d, full_turn(root) - d) >= pi - 0.25 * least_angle;
+    });
+  }
 
   struct Entry
   {
@@ -457,27 +496,24 @@ private:
   {
     std::vector<Arrival> result;
     double best = infinity;
-    const auto found = [&](double d, const Plane_point& direction, double turn, Index root, double root_distance)
+    const auto found = [&](double rest, const Plane_point& p, double turn, Index root, double root_direction)
     {
+      const double d = rest + length(p);
       if(!(d <= best + slack))
         return;
       best = (std::min)(best, d);
-      double angle = std::atan2(direction.y, direction.x) + turn;
+      double angle = length(p) == 0. ? 0. : std::atan2(p.y, p.x) + turn;
       if(angle < 0. && angle > -1e-12)
         angle = 0.;
-      result.push_back({d, angle < 0. ? angle + 2. * pi : angle, root, root_distance});
+      result.push_back({d, angle < 0. ? angle + 2. * pi : angle, root, rest, root_direction});
     };
-    const auto see_vertex = [&](Index v, const Plane_point& p, double turn)
+    const auto see_corner = [&](const Laid_face& f, int i, double turn)
     {
-      if(length(p) == 0.)
-      {
-        if(v == source_vertex_)
-          found(0., {1., 0.}, 0., null_index, 0.);
-      }
-      else if(v == source_vertex_)
-        found(length(p), p, turn, null_index, 0.);
-      else if(bends_[v])
-        found(length(p) + distance_[v], p, turn, v, distance_[v]);
+      const Index v = mesh_.triangles[f.face][i];
+      if(v == source_vertex_)
+        found(0., f.corner[i], turn, null_index, 0.);
+      else if(bends_[v] && length(f.corner[i]) > 0.)
+        found(distance_[v], f.corner[i], turn, v, unfolding_.direction_at_corner(f, i));
     };
     const auto see_source = [&](const Laid_face& f, const Cone* cone, double turn)
     {
@@ -487,7 +523,7 @@ private:
         for(int i = 0; i < 3; ++i)
           p = p + s.coordinates[i] * f.corner[i];
         if(s.face == f.face && (cone == nullptr || Unfolding::is_in(*cone, p)))
-          found(length(p), p, turn, null_index, 0.);
+          found(0., p, turn, null_index, 0.);
       }
     };
     std::priority_queue<Entry> queue;
@@ -506,7 +542,7 @@ private:
     {
       const double turn = v != null_index ? unfolding_.turn(v, k) : 0.;
       for(int i = 0; i < 3; ++i)
-        see_vertex(mesh_.triangles[faces[k].face][i], faces[k].corner[i], turn);
+        see_corner(faces[k], i, turn);
       see_source(faces[k], nullptr, turn);
       for(const Cone& c : unfolding_.leave(faces[k]))
         push(c, turn);
@@ -522,7 +558,7 @@ private:
       f.corner[Mesh::next(h) % 3] = e.cone.target;
       f.corner[Mesh::previous(h) % 3] = unfolding_.apex(e.cone);
       if(Unfolding::is_in(e.cone, f.corner[Mesh::previous(h) % 3]))
-        see_vertex(mesh_.source(Mesh::previous(h)), f.corner[Mesh::previous(h) % 3], e.turn);
+        see_corner(f, Mesh::previous(h) % 3, e.turn);
       see_source(f, &e.cone, e.turn);
       unfolding_.cross_face(e.cone, [&](const Cone& c) { push(c, e.turn); });
     }
@@ -539,17 +575,46 @@ private:
   double scale_ = 0.;
 };
 
-inline Indexed_location location_of_vertex(const Mesh& mesh, Index v)
+// A `CGAL::Surface_mesh` without garbage, with the same numbers of vertices and faces, and the same coordinates in them.
+template <typename Surface_mesh>
+Mesh indexed_mesh(const Surface_mesh& tm)
+{
+  Mesh mesh;
+  for(const auto v : tm.vertices())
+    mesh.points.push_back({{tm.point(v).x(), tm.point(v).y(), tm.point(v).z()}});
+  std::vector<Index> number(tm.number_of_halfedges(), null_index);
+  for(const auto f : tm.faces())
+  {
+    Mesh::Triangle t;
+    auto h = tm.halfedge(f);
+    for(Index i = 0; i < 3; ++i, h = tm.next(h))
+    {
+      t[i] = static_cast<Index>(tm.source(h));
+      number[h] = 3 * mesh.number_of_faces() + i;
+    }
+    mesh.triangles.push_back(t);
+  }
+  mesh.opposite.resize(mesh.number_of_halfedges());
+  for(const auto h : tm.halfedges())
+    if(number[h] != null_index)
+      mesh.opposite[number[h]] = number[tm.opposite(h)];
+  return mesh;
+}
+
+// a face location of a `CGAL::Surface_mesh`, as those of `Cut_locus`
+template <typename Face_location>
+Indexed_location indexed_location(const Face_location& location)
 {
   Indexed_location result;
-  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-    if(mesh.source(h) == v)
-    {
-      result.face = h / 3;
-      result.coordinates[h % 3] = 1.;
-      break;
-    }
+  result.face = static_cast<Index>(location.first);
+  for(std::size_t i = 0; i < 3; ++i)
+    result.coordinates[i] = location.second[i];
   return result;
+}
+
+inline Indexed_location location_of_vertex(const Mesh& mesh, Index v)
+{
+  return Unfolding(mesh).location_of_vertex(v);
 }
 
 // For a single query; a `Polyhedral_oracle` answers many.

@@ -10,10 +10,13 @@
 #include "polyhedral_oracle.h"
 
 #include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -152,8 +155,7 @@ TEST(Polyhedral_oracle, paths_bend_at_a_border)
       ASSERT_NE(a.root, null_index);
       EXPECT_EQ(mesh.points[a.root][1], 2.);
     }
-    expect_arrivals(oracle, locate(mesh, {{1.6, 2.75, 0.}}, up), 1,
-                    std::hypot(0.5, 0.75) + 1. + std::hypot(0.4, 0.75));
+    expect_arrivals(oracle, locate(mesh, {{1.6, 2.75, 0.}}, up), 1, std::hypot(0.5, 0.75) + 1. + std::hypot(0.4, 0.75));
     expect_arrivals(oracle, locate(mesh, {{1.5, 2., 0.}}, up), 2, std::hypot(0.5, 0.75) + 1.5); // on the hole
   }
 }
@@ -174,6 +176,29 @@ TEST(Polyhedral_oracle, open_prism)
   {
     expect_arrivals(oracle, on_edge(4, z), 2, std::hypot(4. * side, z - 0.3));
     expect_arrivals(oracle, on_edge(3, z), 1, std::hypot(3. * side, z - 0.3));
+  }
+}
+
+TEST(Polyhedral_oracle, surface_mesh)
+{
+  using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
+  CGAL::Surface_mesh<Point_3> tm;
+  const Mesh_data data = test_meshes::square_with_holes(1, 2);
+  for(const Point& p : data.points)
+    tm.add_vertex(Point_3(p[0], p[1], p[2]));
+  for(const test_meshes::Triangle& t : data.triangles)
+    tm.add_face(CGAL::SM_Vertex_index(t[0]), CGAL::SM_Vertex_index(t[1]), CGAL::SM_Vertex_index(t[2]));
+  const Mesh mesh = indexed_mesh(tm), same = indexed(data);
+  ASSERT_EQ(mesh.triangles.size(), same.triangles.size());
+  const std::array<double, 3> c = {{0.2, 0.3, 0.5}};
+  const auto location = [&](unsigned f) { return indexed_location(std::make_pair(CGAL::SM_Face_index(f), c)); };
+  for(unsigned f = 1; f < mesh.number_of_faces(); ++f)
+  {
+    const auto h = tm.halfedge(CGAL::SM_Face_index(f));
+    EXPECT_EQ(mesh.triangles[f][0], Index(tm.source(h)));
+    const auto arrivals = shortest_arrivals(mesh, location(0), location(f));
+    ASSERT_FALSE(arrivals.empty());
+    EXPECT_GT(arrivals[0].distance, 0.);
   }
 }
 
