@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -79,6 +80,36 @@ void expect_arrivals(const Polyhedral_oracle& oracle, const Indexed_location& lo
 }
 
 const Point up = {{0., 0., 1.}}, down = {{0., 0., -1.}};
+
+long euler_characteristic(const Mesh& mesh)
+{
+  long halves = 0; // of edges
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    halves += mesh.is_border_edge(h) ? 2 : 1;
+  return long(mesh.number_of_vertices()) - halves / 2 + long(mesh.number_of_faces());
+}
+
+TEST(Polyhedra, are_what_their_names_say)
+{
+  using namespace test_meshes;
+  const Mesh_data hull = random_convex_polyhedron(500, 3, {{1., 0.8, 0.3}});
+  EXPECT_EQ(hull.triangles.size(), 996u);
+  EXPECT_EQ(random_convex_polyhedron(500, 3, {{1., 0.8, 0.3}}).triangles, hull.triangles);
+  EXPECT_EQ(euler_characteristic(indexed(hull)), 2);
+  EXPECT_EQ(cube(2).triangles.size(), 48u);
+  EXPECT_EQ(euler_characteristic(indexed(cuboid({{3., 2., 1.}}, 2))), 2);
+  EXPECT_EQ(euler_characteristic(indexed(l_shape(1))), 2);
+  EXPECT_EQ(euler_characteristic(indexed(plate_with_holes(7, 8, 1))), 2 - 2 * 56);
+  EXPECT_EQ(plate_with_holes(7, 8, 1).triangles.size(), 1372u);
+  EXPECT_EQ(euler_characteristic(indexed(square_with_holes(2, 2))), 1 - 4);
+  EXPECT_EQ(euler_characteristic(indexed(saddle(4, 0.3))), 1);
+  EXPECT_EQ(euler_characteristic(indexed(annulus(0.3, 1., 12, 2))), 0);
+  EXPECT_EQ(euler_characteristic(indexed(doubly_covered(square(4)))), 2);
+  EXPECT_THROW(doubly_covered(square(5)), std::invalid_argument);
+  const Mesh_data split = split_in_plane(cube(1));
+  EXPECT_EQ(split.triangles.size(), 48u);
+  EXPECT_EQ(euler_characteristic(indexed(split)), 2);
+}
 
 // From the middle of the floor, four ways lead up the walls: the diagonals of the ceiling and the vertical edges are
 // where two of them are equal.
