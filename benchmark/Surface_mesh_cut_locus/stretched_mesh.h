@@ -19,6 +19,7 @@
 #include <cmath>
 #include <fstream>
 #include <random>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -92,6 +93,11 @@ void unfold(const Surface& surface, Mesh& mesh)
     if(best != mesh.null_halfedge())
       CGAL::Euler::flip_edge(best, mesh);
   }
+}
+
+template <typename Surface>
+void check_orientation(const Surface& surface, const Mesh& mesh)
+{
   for(Mesh::Face_index f : mesh.faces())
     if(alignment(surface, mesh, f) <= 0.)
       throw std::runtime_error("a triangle is folded");
@@ -126,8 +132,17 @@ Mesh stretched_mesh(const Surface& surface, double aspect, std::size_t faces, co
   mesh.remove_property_map(is_fixed);
   for(const Point& p : fixed)
     mesh.point(nearest_vertex(mesh, p)) = p; // without the rounding of the projection
-  unfold(surface, mesh);
+  for(int i = 0; i < 3; ++i)
+    unfold(surface, mesh);
+  check_orientation(surface, mesh);
   return mesh;
+}
+
+inline std::string number_in_name(double x)
+{
+  std::ostringstream out;
+  out << x;
+  return out.str();
 }
 
 // the same from the folder `cache` if it was made before
@@ -136,8 +151,7 @@ Mesh stretched_mesh(const Surface& surface, const std::string& name, double aspe
                     const std::vector<Point>& fixed, const std::string& cache)
 {
   const std::string file =
-    cache.empty() ? ""
-                  : cache + "/" + name + "_" + std::to_string(int(aspect)) + "to1_" + std::to_string(faces) + ".off";
+    cache.empty() ? "" : cache + "/" + name + "_" + number_in_name(aspect) + "_" + std::to_string(faces) + ".off";
   Mesh mesh;
   if(!file.empty() && std::ifstream(file).good() && CGAL::IO::read_OFF(file, mesh))
     return mesh;
