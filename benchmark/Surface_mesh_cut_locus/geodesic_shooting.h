@@ -81,24 +81,46 @@ public:
     return std::nullopt;
   }
 
+  // the arrivals at the multiples of `step` up to `limit`
+  std::vector<Arrival> samples(double direction, double step, double limit) const
+  {
+    boost::numeric::odeint::runge_kutta4<State> stepper;
+    const auto system = [this](const State& x, State& dx, double) { derive(x, dx); };
+    std::vector<Arrival> result;
+    State s = start(direction);
+    for(int i = 1; i * step <= limit; ++i)
+    {
+      stepper.do_step(system, s, 0., step);
+      result.push_back(arrival(s));
+    }
+    return result;
+  }
+
   // The ends of the cut locus are first conjugate points where the conjugate distance has a local minimum, if a
   // shortest path leads there.
-  std::vector<Arrival> cusps(double limit) const
+  std::vector<double> cusp_directions(double limit) const
   {
     const int n = 720;
     std::vector<double> c(n);
     for(int i = 0; i < n; ++i)
       c[i] = conjugate_distance(2. * pi * i / n, limit).value_or(10. * limit);
-    std::vector<Arrival> result;
+    std::vector<double> result;
     for(int i = 0; i < n; ++i)
     {
       const double left = c[(i + n - 1) % n], right = c[(i + 1) % n];
       if(!(c[i] <= left && c[i] < right && (std::max)(left, right) < limit))
         continue;
       const double offset = 0.5 * (left - right) / (left - 2. * c[i] + right);
-      const double direction = 2. * pi * (i + offset) / n;
-      result.push_back((*this)(direction, *conjugate_distance(direction, limit)));
+      result.push_back(2. * pi * (i + offset) / n);
     }
+    return result;
+  }
+
+  std::vector<Arrival> cusps(double limit) const
+  {
+    std::vector<Arrival> result;
+    for(double direction : cusp_directions(limit))
+      result.push_back((*this)(direction, *conjugate_distance(direction, limit)));
     return result;
   }
 
