@@ -42,7 +42,7 @@ double mean_edge_length(const Mesh& mesh)
 } // namespace
 
 void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut_locus,
-                  const std::optional<Atlas>& atlas, const Progress& progress)
+                  const std::optional<Atlas>& atlas, const std::optional<Check>& check, const Progress& progress)
 {
   const CGAL::Cut_loci::Cut_locus_statistics statistics = CGAL::Cut_loci::compute_statistics(cut_locus);
   const Cut_locus::Vertex& source = cut_locus.source();
@@ -70,6 +70,17 @@ void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut
   report["branchings"] = statistics.branchings;
   report["length"] = statistics.length;
   report["injectivity_radius"] = statistics.injectivity_radius;
+
+  if(check)
+  {
+    report["topology"] = check->topology_fault.empty() ? "right" : check->topology_fault;
+    const auto figure = [&](double x) { return check->failed.empty() ? Json(x) : Json(nullptr); };
+    report["detour_mean"] = figure(check->detour_mean);
+    report["detour_p99"] = figure(check->detour_p99);
+    report["detour_max"] = figure(check->detour_max);
+    if(!check->failed.empty())
+      report["detour_failed"] = check->failed;
+  }
 
   if(atlas)
   {
