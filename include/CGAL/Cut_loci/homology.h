@@ -112,10 +112,13 @@ inline Spanning_tree strength_aware_tree(const Indexed_triangle_mesh& mesh, cons
  * where the two fronts of the cotree meet. The union of `tree` and the generators cuts the surface into one open
  * disk. Each border loop, which `tree` takes as one node, counts as part of that union. The source is in the cotree,
  * not on a generator, whatever the distances. O(n log n).
+ *
+ * @param crossed edges that are in the cotree first, as `edges_crossed_by_descents()` gives them: none of `tree`
  */
 inline std::vector<Index> homology_generators(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                                               const Spanning_tree& tree, const std::vector<double>& distance,
-                                              const Indexed_source& source)
+                                              const Indexed_source& source,
+                                              const std::vector<unsigned char>& crossed = {})
 {
   std::vector<bool> covered(connectivity.number_of_edges(), false);
   for(Index v : tree.order)
@@ -123,10 +126,12 @@ inline std::vector<Index> homology_generators(const Indexed_triangle_mesh& mesh,
       covered[connectivity.ring_edge(tree.parent_entry[v])] = true;
 
   std::vector<bool> reached(mesh.number_of_faces(), false);
+  std::vector<Index> faces; // in the order in which they are reached
   internal::Vertex_queue queue;
   const auto push = [&](Index f)
   {
     reached[f] = true;
+    faces.push_back(f);
     const Indexed_triangle_mesh::Triangle& t = mesh.triangles[f];
     queue.push({distance[t[0]] + distance[t[1]] + distance[t[2]], f});
   };
@@ -161,6 +166,10 @@ inline std::vector<Index> homology_generators(const Indexed_triangle_mesh& mesh,
   if(element.edge != null_index)
     for(Index h = 3 * source.location.face; h < 3 * source.location.face + 3; ++h)
       if(connectivity.edge_of_halfedge[h] == element.edge)
+        cross(h);
+  for(std::size_t i = 0; !crossed.empty() && i < faces.size(); ++i)
+    for(Index h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h)
+      if(crossed[connectivity.edge_of_halfedge[h]])
         cross(h);
   while(!queue.empty())
   {

@@ -14,6 +14,7 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/Tangent_directions.h>
+#include <CGAL/Cut_loci/descent_forest.h>
 #include <CGAL/Cut_loci/gradient_angles.h>
 #include <CGAL/Cut_loci/homology.h>
 #include <CGAL/Cut_loci/internal/vector_3.h>
@@ -72,17 +73,19 @@ public:
 
   void grow_tree()
   {
-    tree_ = region_growing_tree(connectivity_, laplacian_, choose_root(), Source_element(connectivity_, source_));
+    crossed_ = edges_crossed_by_descents(mesh_, connectivity_, distance_, source_);
+    spanning_tree_ =
+      region_growing_tree(connectivity_, laplacian_, choose_root(), Source_element(connectivity_, source_), crossed_);
+    tree_ = spanning_tree_;
     thin(tree_, connectivity_, laplacian_);
   }
 
   // What the homology demands is found once per source, whatever the thresholds.
   void close_cycles()
   {
-    const Spanning_tree spanning_tree = strength_aware_tree(mesh_, connectivity_, tree_, angle_, reliable_angle(),
-                                                            distance_, Source_element(connectivity_, source_));
-    const std::vector<Index> generators = homology_generators(mesh_, connectivity_, spanning_tree, distance_, source_);
-    filter_ = Branch_filter(mesh_, connectivity_, tree_, spanning_tree, generators, angle_, laplacian_);
+    const std::vector<Index> generators =
+      homology_generators(mesh_, connectivity_, spanning_tree_, distance_, source_, crossed_);
+    filter_ = Branch_filter(mesh_, connectivity_, tree_, spanning_tree_, generators, angle_, laplacian_);
   }
 
   // In radians. Around the end of a branch, gradients are focused before they cross: a few edges beyond the end they
@@ -171,7 +174,9 @@ private:
   std::vector<double> distance_;
   Index farthest_ = null_index;
   std::vector<float> angle_, laplacian_;
-  Spanning_tree tree_;
+  std::vector<unsigned char> crossed_; // edges, by descents of the distance
+  Spanning_tree spanning_tree_;
+  Spanning_tree tree_; // the same, thinned
   Branch_filter filter_;
 };
 
