@@ -5,7 +5,8 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 // How good the cut locus is on the mesh files of a folder, with all methods and solvers, as comma-separated values on
-// standard output: topology, detour (see detour.h) in mean edge lengths, completeness, and time. A table that sums up
+// standard output: topology, detour (see detour.h) in mean edge lengths, and time; how much of the trusted curve is
+// near the curve, and how much of the curve is near the trusted one. A table that sums up
 // the detours follows on standard error.
 //
 // No truth is needed, so any meshes will do. A run that is refused is a line with the cause.
@@ -101,7 +102,7 @@ public:
   explicit Benchmark(const Settings& settings) : settings_(settings)
   {
     std::printf("mesh,source,method,solver,curve,angle,faces,genus,borders,edges,topology,detour_mean,detour_p99,"
-                "detour_max,worst,completeness,seconds,error\n");
+                "detour_max,worst,completeness,precision,seconds,error\n");
   }
 
   void operator()(const std::filesystem::path& file)
@@ -209,7 +210,7 @@ private:
   void refused(const std::string& source, const std::string& method, const std::string& solver,
                const std::string& cause) const
   {
-    std::printf("%s,%s,%s,%s,,,,,,,,,,,,,,%s\n", quoted(name_).c_str(), source.c_str(), method.c_str(), solver.c_str(),
+    std::printf("%s,%s,%s,%s,,,,,,,,,,,,,,,%s\n", quoted(name_).c_str(), source.c_str(), method.c_str(), solver.c_str(),
                 quoted(cause).c_str());
     std::fflush(stdout);
   }
@@ -240,8 +241,13 @@ private:
       ++kind.not_measured;
     }
     if(trusted != nullptr)
-      std::printf("%.3f", curve_measures::completeness(*trusted, settings_.trusted_strength, result,
-                                                       2. * mean_edge_length(mesh)));
+    {
+      const double reach = 2. * mean_edge_length(mesh);
+      std::printf("%.3f,%.3f", curve_measures::completeness(*trusted, settings_.trusted_strength, result, reach),
+                  curve_measures::completeness(result, -1., *trusted, reach));
+    }
+    else
+      std::printf(",");
     std::printf(",%.4f,%s\n", seconds, quoted(m.measuring_failed).c_str());
     std::fflush(stdout);
   }

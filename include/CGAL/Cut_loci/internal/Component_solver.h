@@ -41,6 +41,7 @@ public:
     : mesh_(mesh), connectivity_(mesh), tangent_(checked(mesh, connectivity_), connectivity_),
       operators_(mesh, connectivity_, type), genus_(connectivity_.genus(mesh))
   {
+    tangent_.align(mesh, connectivity_, operators_.frames);
   }
 
   // once per source, in three parts
