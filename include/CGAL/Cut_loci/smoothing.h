@@ -194,15 +194,25 @@ private:
   {
     for(Index node = 0; node < location_.size(); ++node)
     {
+      if(is_on_border(node))
+        continue;
       const Vector normal = normal_at(mesh_, connectivity_, location_[node]);
       const Vector d = tangential(displacement_[node], normal);
       const double length = norm(d);
       if(!(length > 0.))
         continue;
-      location_[node] = straightest_geodesic(mesh_, connectivity_, location_[node], d, length);
-      position_[node] = position(mesh_, location_[node]);
+      const Indexed_location moved = straightest_geodesic(mesh_, connectivity_, location_[node], d, length);
+      // The smooth curve passes the edges at each vertex: what leads farther away is an error of the fit.
+      const Vector p = position(mesh_, moved);
+      if(norm(p - mesh_.points[input_.nodes[node].vertex]) > network_.edge_length(node))
+        continue;
+      location_[node] = moved;
+      position_[node] = p;
     }
   }
+
+  // A branch that ends at the border stays there, or the border would not be joined to the graph any more.
+  bool is_on_border(Index node) const { return connectivity_.is_border(input_.nodes[node].vertex); }
 
   // A node at which the curve turns back by more than a right angle has overtaken a neighbor.
   void drop_fold_backs()
@@ -216,7 +226,8 @@ private:
       for(std::size_t i = 1; i + 1 < kept.size() && kept.size() > least;)
       {
         const Vector& p = position_[nodes[kept[i]]];
-        if(dot(p - position_[nodes[kept[i - 1]]], position_[nodes[kept[i + 1]]] - p) > 0.)
+        if(is_on_border(nodes[kept[i]]) ||
+           dot(p - position_[nodes[kept[i - 1]]], position_[nodes[kept[i + 1]]] - p) > 0.)
         {
           ++i;
           continue;
