@@ -58,7 +58,13 @@ public:
   void compute_strengths()
   {
     const Eigen::Map<const Eigen::VectorXd> d(distance_.data(), static_cast<Eigen::Index>(distance_.size()));
-    angle_ = gradient_angles(connectivity_, tangent_, operators_.gradient * d);
+    Eigen::VectorXd gradient = operators_.gradient * d;
+    for(Index v : vertices_that_see_the_source())
+      gradient[2 * v] = gradient[2 * v + 1] = 0.;
+    angle_ = gradient_angles(connectivity_, tangent_, gradient);
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
+      if(angle_[v] * distance_[v] < longest_edge(v))
+        angle_[v] = 0.f;
     const Eigen::VectorXd laplacian = operators_.laplacian * d;
     laplacian_.resize(distance_.size());
     const double h = connectivity_.mean_edge_length; // makes the Laplacian free of the unit of length
@@ -140,6 +146,38 @@ public:
   }
 
 private:
+  // Around the source the distance is that to a point: the gradient turns by l / d along an edge of length l at the
+  // distance d, and its estimate has errors of that order. A smaller angle is no evidence of anything else.
+  double longest_edge(Index v) const
+  {
+    double result = 0.;
+    for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
+      result = (std::max)(result, norm(mesh_.points[connectivity_.ring_vertex[k]] - mesh_.points[v]));
+    return result;
+  }
+
+  // The vertices to whose neighborhood quadrics are fitted across the source, where the distance has a tip: no gradient
+  // comes of that. They are its neighbors, and those on the other side of the edges between neighbors.
+  std::vector<Index> vertices_that_see_the_source() const
+  {
+    std::vector<Index> result;
+    const auto add_across = [&](Index h)
+    {
+      result.push_back(mesh_.source(h));
+      result.push_back(mesh_.target(h));
+      if(!mesh_.is_border_edge(h))
+        result.push_back(mesh_.source(mesh_.previous(mesh_.opposite[h])));
+    };
+    if(source_.vertex == null_index)
+      for(Index i = 0; i < 3; ++i)
+        add_across(3 * source_.location.face + i);
+    else
+      for(Index k = connectivity_.ring_begin[source_.vertex]; k < connectivity_.ring_begin[source_.vertex + 1]; ++k)
+        if(mesh_.source(connectivity_.ring_halfedge[k]) == source_.vertex)
+          add_across(Indexed_triangle_mesh::next(connectivity_.ring_halfedge[k]));
+    return result;
+  }
+
   // The farthest vertex is on the cut locus of a closed surface. A border vertex may be farthest without being on it:
   // then the lowest Laplacian is the best guess.
   Index choose_root() const
