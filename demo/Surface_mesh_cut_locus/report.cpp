@@ -63,6 +63,7 @@ void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut
   report["farthest_distance"] = cut_locus.distance(farthest);
   report["root"] = root == Mesh::null_vertex() ? Json(nullptr) : Json(root.idx());
 
+  report["note"] = CGAL::Cut_loci::description(statistics.status);
   report["edges"] = statistics.edges;
   report["cycles"] = statistics.cycles;
   report["components"] = statistics.components;
@@ -130,6 +131,9 @@ std::string summary(const Mesh& mesh, const Cut_locus& cut_locus)
   text << mesh.number_of_faces() << " faces, genus " << cut_locus.genus() << "; cut locus: " << statistics.edges
        << " edges, " << statistics.cycles << " cycles, " << statistics.leaves << " leaves, injectivity radius "
        << statistics.injectivity_radius;
+  const std::string doubt = CGAL::Cut_loci::description(statistics.status);
+  if(!doubt.empty())
+    text << "\nnote: " << doubt;
   return text.str();
 }
 

@@ -360,8 +360,8 @@ private:
     {
       const Span& span = spans_[e];
       const std::vector<Index>& nodes = network_.chains[span.chain].nodes;
-      bool is_safe = is_around_own_vertex(geodesics, nodes[span.from]) &&
-                     is_around_own_vertex(geodesics, nodes[span.to]);
+      bool is_safe =
+        is_around_own_vertex(geodesics, nodes[span.from]) && is_around_own_vertex(geodesics, nodes[span.to]);
       for(Index place = span.from; place < span.to; ++place)
         is_safe = is_safe && has_disk_around(vertex_of_node(nodes[place]), vertex_of_node(nodes[place + 1]));
       bool is_near = false;

@@ -84,7 +84,7 @@ public:
     spanning_tree_ =
       region_growing_tree(connectivity_, laplacian_, choose_root(), Source_element(connectivity_, source_), crossed_);
     tree_ = spanning_tree_;
-    thin(tree_, connectivity_, laplacian_);
+    thin(tree_, connectivity_, laplacian_, 2);
   }
 
   // What the homology demands is found once per source, whatever the thresholds.
