@@ -111,15 +111,6 @@ void add_with_border_loop(Spanning_tree& tree, const Mesh_connectivity& connecti
     add_border_loop(tree, connectivity, w, reached);
 }
 
-// Does so for all neighbors of `v`.
-template <typename Function>
-void add_neighbors(Spanning_tree& tree, const Mesh_connectivity& connectivity, Index v, const Source_element& source,
-                   const Function& reached)
-{
-  for(Index entry = connectivity.ring_begin[v]; entry < connectivity.ring_begin[v + 1]; ++entry)
-    add_with_border_loop(tree, connectivity, entry, v, source, reached);
-}
-
 // Adds the source as a leaf, at the first neighbor in its ring, when all other vertices are in the tree.
 inline void add_source(Spanning_tree& tree, const Mesh_connectivity& connectivity, const Source_element& source)
 {

@@ -121,11 +121,6 @@ public:
   Index root() const { return tree_.root; }
   Index farthest() const { return farthest_; }
 
-  // In radians. The gradient turns by about h / R from a vertex to the next where the wavefront has the radius R: on
-  // meshes that resolve the surface, angles below this one say nothing about the cut locus, and ridges of the
-  // distance are a better guide than the Laplacian.
-  static double reliable_angle() { return 0.1; }
-
   // Faces without area have no tangent plane. Coordinates of the size of a face resolve 2^-53 of it: at 100 times that,
   // the direction of its normal is noise.
   static const Indexed_triangle_mesh& checked(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity)
