@@ -118,6 +118,10 @@ po::options_description visible_options()
     "how --uv flattens:\n  arap: as rigidly as possible\n  lscm: least squares conformal map\n"
     "  convex: mean value coordinates in a circle, without flipped triangles")(
     "report", po::value<std::string>()->value_name("FILE"), "write figures and times as JSON")(
+    "check", po::bool_switch(),
+    "check the topology of the result, and by how much cutting along it lengthens shortest paths, in mean edge "
+    "lengths; "
+    "costs two exact computations of distances more. The program fails if the topology is wrong")(
     "quiet", po::bool_switch(), "no progress on stderr")("help,h", po::bool_switch(), "print this text");
   return description;
 }
@@ -202,6 +206,7 @@ Options parse_command_line(int argc, char* argv[])
   if(options.help)
     return options;
   options.is_quiet = given["quiet"].as<bool>();
+  options.check = given["check"].as<bool>();
 
   const auto text = [&](const char* name) { return given[name].as<std::string>(); };
   if(!given.count("mesh"))

@@ -38,6 +38,7 @@ struct Options
   std::string uv;
   std::string parameterization;
   std::string report;
+  bool check = false; // the topology and the detour of the result
   bool is_quiet = false;
   bool help = false;
 };

@@ -10,6 +10,7 @@
 #include "Options.h"
 #include "Progress.h"
 #include "atlas.h"
+#include "check.h"
 #include "output.h"
 #include "report.h"
 #include "solvers.h"
@@ -72,7 +73,8 @@ Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solve
       .number_of_iterations(smoothing));
 }
 
-void run(const Options& options)
+// whether the result is right, as far as it is checked
+bool run(const Options& options)
 {
   Progress progress(options.is_quiet);
   const Mesh mesh = progress.run("read", [&]() { return read_mesh(options.mesh); });
@@ -96,13 +98,21 @@ void run(const Options& options)
       atlas = make_atlas(mesh, cut_locus, options.parameterization);
       write_atlas(options.uv, *atlas);
     });
+  std::optional<Check> checked;
+  if(options.check)
+    progress.run("check", [&]() { checked = check(mesh, cut_locus); });
   if(!options.report.empty())
-    write_report(options, mesh, cut_locus, atlas, progress);
-  if(options.is_quiet)
-    return;
-  std::cerr << summary(mesh, cut_locus) << std::endl;
-  if(atlas)
-    std::cerr << summary(*atlas) << std::endl;
+    write_report(options, mesh, cut_locus, atlas, checked, progress);
+  const bool is_right = !checked || checked->topology_fault.empty();
+  if(!options.is_quiet)
+  {
+    std::cerr << summary(mesh, cut_locus) << std::endl;
+    if(atlas)
+      std::cerr << summary(*atlas) << std::endl;
+  }
+  if(checked && (!options.is_quiet || !is_right))
+    std::cerr << summary(*checked) << std::endl;
+  return is_right;
 }
 
 int fail(const std::string& cause, int status)
@@ -124,8 +134,7 @@ int main(int argc, char* argv[])
       std::cout << usage();
       return EXIT_SUCCESS;
     }
-    run(options);
-    return EXIT_SUCCESS;
+    return run(options) ? EXIT_SUCCESS : EXIT_FAILURE;
   }
   catch(const Usage_error& error)
   {

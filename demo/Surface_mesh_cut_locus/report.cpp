@@ -42,7 +42,7 @@ double mean_edge_length(const Mesh& mesh)
 } // namespace
 
 void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut_locus,
-                  const std::optional<Atlas>& atlas, const Progress& progress)
+                  const std::optional<Atlas>& atlas, const std::optional<Check>& check, const Progress& progress)
 {
   const CGAL::Cut_loci::Cut_locus_statistics statistics = CGAL::Cut_loci::compute_statistics(cut_locus);
   const Cut_locus::Vertex& source = cut_locus.source();
@@ -63,6 +63,7 @@ void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut
   report["farthest_distance"] = cut_locus.distance(farthest);
   report["root"] = root == Mesh::null_vertex() ? Json(nullptr) : Json(root.idx());
 
+  report["note"] = CGAL::Cut_loci::description(statistics.status);
   report["edges"] = statistics.edges;
   report["cycles"] = statistics.cycles;
   report["components"] = statistics.components;
@@ -70,6 +71,17 @@ void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut
   report["branchings"] = statistics.branchings;
   report["length"] = statistics.length;
   report["injectivity_radius"] = statistics.injectivity_radius;
+
+  if(check)
+  {
+    report["topology"] = check->topology_fault.empty() ? "right" : check->topology_fault;
+    const auto figure = [&](double x) { return check->failed.empty() ? Json(x) : Json(nullptr); };
+    report["detour_mean"] = figure(check->detour_mean);
+    report["detour_p99"] = figure(check->detour_p99);
+    report["detour_max"] = figure(check->detour_max);
+    if(!check->failed.empty())
+      report["detour_failed"] = check->failed;
+  }
 
   if(atlas)
   {
@@ -119,6 +131,9 @@ std::string summary(const Mesh& mesh, const Cut_locus& cut_locus)
   text << mesh.number_of_faces() << " faces, genus " << cut_locus.genus() << "; cut locus: " << statistics.edges
        << " edges, " << statistics.cycles << " cycles, " << statistics.leaves << " leaves, injectivity radius "
        << statistics.injectivity_radius;
+  const std::string doubt = CGAL::Cut_loci::description(statistics.status);
+  if(!doubt.empty())
+    text << "\nnote: " << doubt;
   return text.str();
 }
 

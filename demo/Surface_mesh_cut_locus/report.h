@@ -11,13 +11,14 @@
 #include "Options.h"
 #include "Progress.h"
 #include "atlas.h"
+#include "check.h"
 
 #include <optional>
 #include <string>
 
 // Writes figures and times as JSON. Throws `std::runtime_error` if the file can not be written.
 void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut_locus,
-                  const std::optional<Atlas>& atlas, const Progress& progress);
+                  const std::optional<Atlas>& atlas, const std::optional<Check>& check, const Progress& progress);
 
 // One line for people.
 std::string summary(const Mesh& mesh, const Cut_locus& cut_locus);

@@ -159,7 +159,7 @@ TEST_F(Program, Help)
   EXPECT_EQ(outcome.status, 0);
   for(const char* option : {"--source ", "--source-point", "--solver", "--method", "--strength", "--angle",
                             "--laplacian", "--policy", "--min-branch-edges", "--min-branch-length", "--output",
-                            "--edges", "--uv", "--parameterization", "--report", "--quiet"})
+                            "--edges", "--uv", "--parameterization", "--report", "--check", "--quiet"})
     EXPECT_NE(outcome.messages.find(option), std::string::npos) << option;
 }
 
@@ -217,6 +217,23 @@ TEST_F(Program, Report_and_edges)
         disks -= faces.join(e.second[0], e.second[1]);
     EXPECT_EQ(components, 1u);
     EXPECT_EQ(disks, 1u);
+  }
+}
+
+TEST_F(Program, Check)
+{
+  for(const char* smooth : {"0", "4"})
+  {
+    SCOPED_TRACE(smooth);
+    const Outcome outcome =
+      run_on_torus(std::string("--source 5 --check --smooth ") + smooth + " --report " + quoted(path("report.json")));
+    ASSERT_EQ(outcome.status, 0) << outcome.messages;
+    EXPECT_NE(outcome.messages.find("check: topology right; detour mean 0.0"), std::string::npos) << outcome.messages;
+    const auto report = nlohmann::json::parse(read_file(path("report.json")));
+    EXPECT_EQ(report.at("topology"), "right");
+    EXPECT_LE(report.at("detour_mean").get<double>(), report.at("detour_max").get<double>());
+    EXPECT_LE(report.at("detour_p99").get<double>(), report.at("detour_max").get<double>());
+    EXPECT_LT(report.at("detour_max").get<double>(), 1.);
   }
 }
 

@@ -387,12 +387,15 @@ TEST(Statistics, Count_what_the_graph_consists_of)
   EXPECT_EQ(s.leaves, 2u);
   EXPECT_EQ(s.branchings, 2u);
   EXPECT_EQ(s.injectivity_radius, 5.);
+  EXPECT_EQ(CGAL::Cut_loci::description(s.status), "");
 
   const auto point = CGAL::Cut_loci::compute_statistics(single());
   EXPECT_EQ(point.components, 1u);
   EXPECT_EQ(point.cycles, 0u);
   EXPECT_EQ(point.leaves, 0u);
   EXPECT_EQ(point.length, 0.);
+  EXPECT_EQ(point.status, CGAL::Cut_loci::Cut_locus_status::ONE_POINT);
+  EXPECT_NE(CGAL::Cut_loci::description(point.status), "");
 
   EXPECT_EQ(CGAL::Cut_loci::compute_statistics(parallel()).cycles, 2u);
 }

@@ -169,20 +169,17 @@ Indexed_source source_at(const Fixture& f, std::size_t v)
 // the library's order of the stages on one key
 struct Trees
 {
-  Spanning_tree full, thinned, extended;
-  std::vector<float> strength;
+  Spanning_tree full, thinned;
+  Spanning_tree extended; // another one with the same root
 };
-constexpr double strong = 0.3; // about a third of random strengths in [-1, 1] are
 
-Trees grow(const Fixture& f, const std::vector<float>& key, const std::vector<double>& distance, Index root,
-           const Source_element& source = Source_element())
+Trees grow(const Fixture& f, const std::vector<float>& key, Index root, const Source_element& source = Source_element())
 {
   Trees t;
   t.full = region_growing_tree(f.connectivity, key, root, source);
   t.thinned = t.full;
   thin(t.thinned, f.connectivity, key);
-  t.strength = random_keys(key.size(), 1000);
-  t.extended = strength_aware_tree(f.mesh, f.connectivity, t.thinned, t.strength, strong, distance, source);
+  t.extended = region_growing_tree(f.connectivity, random_keys(key.size(), 1000), root, source);
   return t;
 }
 
@@ -258,7 +255,7 @@ TEST(Region_growing_tree, enters_each_border_loop_once)
       const Fixture f(data);
       const topology_checker::Surface surface(data.triangles, 0);
       const std::vector<double> distance = distances(data, seed % data.points.size());
-      const Trees trees = grow(f, random_keys(data.points.size(), seed), distance, farthest(distance));
+      const Trees trees = grow(f, random_keys(data.points.size(), seed), farthest(distance));
       for(const Spanning_tree* tree : {&trees.full, &trees.extended})
       {
         ASSERT_EQ(tree->order.size(), data.points.size());
@@ -285,7 +282,7 @@ TEST(Thinning, leaves_a_tree_and_removes_whole_branches_from_their_tips)
       {
         const Fixture f(data);
         const std::vector<double> distance = distances(data, 0);
-        const Trees trees = grow(f, random_keys(data.points.size(), seed), distance, farthest(distance));
+        const Trees trees = grow(f, random_keys(data.points.size(), seed), farthest(distance));
         expect_tree(f, trees.thinned);
         EXPECT_LT(trees.thinned.order.size(), trees.full.order.size());
         for(Index v : trees.thinned.order)
@@ -345,8 +342,8 @@ TEST(Homology_generators, are_two_per_handle_and_cut_the_surface_into_a_disk_tog
         const Index source = static_cast<Index>(11 * seed % data.points.size());
         const std::vector<double> distance = distances(data, source);
         const Indexed_source at = source_at(f, source);
-        const Trees trees = grow(f, random_keys(data.points.size(), seed), distance, farthest(distance),
-                                 Source_element(f.connectivity, at));
+        const Trees trees =
+          grow(f, random_keys(data.points.size(), seed), farthest(distance), Source_element(f.connectivity, at));
         const std::vector<Index> generators = homology_generators(f.mesh, f.connectivity, trees.extended, distance, at);
         EXPECT_EQ(long(generators.size()), 2 * surface.genus());
         EXPECT_EQ(long(f.connectivity.genus(f.mesh)), surface.genus());
@@ -356,48 +353,6 @@ TEST(Homology_generators, are_two_per_handle_and_cut_the_surface_into_a_disk_tog
           EXPECT_TRUE(cut.edges.insert(make_edge(f.mesh.source(h), f.mesh.target(h))).second);
         EXPECT_EQ(topology_checker::fault(surface, cut), "") << data.points.size() << " vertices, seed " << seed;
       }
-}
-
-TEST(Strength_aware_tree, contains_the_strong_parts_and_else_the_highest_ridges)
-{
-  for(const Mesh_data& data : closed_meshes())
-    for(unsigned seed = 0; seed < 3; ++seed)
-    {
-      const Fixture f(data);
-      const std::vector<double> distance = distances(data, seed);
-      const Trees trees = grow(f, random_keys(data.points.size(), seed), distance, farthest(distance));
-      expect_tree(f, trees.extended);
-      EXPECT_EQ(trees.extended.order.size(), data.points.size());
-      const auto edges = edges_of(trees.extended);
-      std::set<topology_checker::Edge> strong_edges;
-      for(Index v : trees.thinned.order)
-        if(v != trees.thinned.root && trees.strength[v] >= strong && trees.strength[trees.thinned.parent[v]] >= strong)
-          strong_edges.insert(make_edge(v, trees.thinned.parent[v]));
-      EXPECT_TRUE(std::includes(edges.begin(), edges.end(), strong_edges.begin(), strong_edges.end()));
-
-      // An edge left out would not raise the lowest point of the weak part of the path that joins its ends.
-      const auto path = [&](Index v)
-      {
-        std::set<topology_checker::Edge> result;
-        for(; v != trees.extended.root; v = trees.extended.parent[v])
-          result.insert(make_edge(v, trees.extended.parent[v]));
-        return result;
-      };
-      const auto height = [&](const topology_checker::Edge& e)
-      { return (std::min)(distance[e.first], distance[e.second]); };
-      for(Index h = 0; h < f.mesh.number_of_halfedges(); h += 7)
-      {
-        const auto e = make_edge(f.mesh.source(h), f.mesh.target(h));
-        const auto a = path(f.mesh.source(h)), b = path(f.mesh.target(h));
-        std::vector<topology_checker::Edge> between;
-        std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(between));
-        for(const auto& t : between)
-          if(!strong_edges.count(t))
-          {
-            EXPECT_GE(height(t), height(e));
-          }
-      }
-    }
 }
 
 TEST(Gradient_angles, a_fold_of_the_plane_has_the_angle_of_its_two_gradients)
@@ -502,7 +457,7 @@ struct Filter_case
     const std::size_t n = data.points.size();
     const std::vector<double> distance = distances(data, seed % n);
     const Indexed_source source = source_at(f, seed % n);
-    trees = grow(f, random_keys(n, seed), distance, farthest(distance), Source_element(f.connectivity, source));
+    trees = grow(f, random_keys(n, seed), farthest(distance), Source_element(f.connectivity, source));
     generators = homology_generators(f.mesh, f.connectivity, trees.extended, distance, source);
     angle = random_keys(n, seed + 100);
     for(float& a : angle)

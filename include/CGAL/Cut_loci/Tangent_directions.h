@@ -58,6 +58,30 @@ struct Tangent_directions
     }
   }
 
+  /// rotates the directions at each vertex to where the edges lie, on the mean, in the plane of its frame. Angles in the
+  /// plane are not those on the surface: with the first edge as zero in both, the result would depend on which is first
+  template <typename Frame>
+  void align(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const std::vector<Frame>& frames)
+  {
+    using namespace internal;
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+    {
+      const Index begin = connectivity.ring_begin[v], end = connectivity.ring_begin[v + 1];
+      std::complex<double> sum = 0.;
+      for(Index entry = begin; entry < end; ++entry)
+      {
+        const Vector edge = mesh.points[connectivity.ring_vertex[entry]] - mesh.points[v];
+        sum += std::complex<double>(dot(edge, frames[v].e1), dot(edge, frames[v].e2)) *
+               std::conj(std::complex<double>(direction[entry])) / norm(edge);
+      }
+      if(!(std::abs(sum) > 0.))
+        continue;
+      const Direction rotation(sum / std::abs(sum));
+      for(Index entry = begin; entry < end; ++entry)
+        direction[entry] *= rotation;
+    }
+  }
+
   /// rotates directions at the neighbor of entry `entry` into the tangent plane of the vertex whose ring it is in
   Direction transport(const Mesh_connectivity& connectivity, Index entry) const
   {

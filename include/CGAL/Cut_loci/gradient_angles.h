@@ -29,7 +29,8 @@ namespace Cut_loci {
  * Only pairs of gradients that converge count, that is, that point towards each other as seen from the vertex. At the
  * source, which is a singularity of the distance as well, all pairs diverge, and the strength is 0.
  *
- * @param gradient the coordinates of the gradients in the frames of `Differential_operators`
+ * @param gradient the coordinates of the gradients in the frames of `Differential_operators`; those that are zero have no
+ *        direction, and do not count
  */
 inline std::vector<float> gradient_angles(const Mesh_connectivity& connectivity, const Tangent_directions& tangent,
                                           const Eigen::VectorXd& gradient)
@@ -58,6 +59,8 @@ inline std::vector<float> gradient_angles(const Mesh_connectivity& connectivity,
       for(Index j = i + 1; j < k; ++j)
       {
         const Direction a = transported[i], b = transported[j];
+        if(a == Direction() || b == Direction())
+          continue;
         const float cosine = a.real() * b.real() + a.imag() * b.imag();
         if(cosine >= smallest)
           continue;

@@ -111,15 +111,6 @@ void add_with_border_loop(Spanning_tree& tree, const Mesh_connectivity& connecti
     add_border_loop(tree, connectivity, w, reached);
 }
 
-// Does so for all neighbors of `v`.
-template <typename Function>
-void add_neighbors(Spanning_tree& tree, const Mesh_connectivity& connectivity, Index v, const Source_element& source,
-                   const Function& reached)
-{
-  for(Index entry = connectivity.ring_begin[v]; entry < connectivity.ring_begin[v + 1]; ++entry)
-    add_with_border_loop(tree, connectivity, entry, v, source, reached);
-}
-
 // Adds the source as a leaf, at the first neighbor in its ring, when all other vertices are in the tree.
 inline void add_source(Spanning_tree& tree, const Mesh_connectivity& connectivity, const Source_element& source)
 {
@@ -151,10 +142,13 @@ inline Spanning_tree rooted_tree(const Mesh_connectivity& connectivity, Index ro
  * floods the mesh by ordered region growing: of all vertices next to the tree, the one of lowest `key` joins its
  * neighborhood first. With the Laplacian of the distance as key, the tree follows the valleys that mark the cut locus.
  * Ties are broken by index. The root is not the source. O(n log n).
+ *
+ * @param crossed the edges that are not taken, as `edges_crossed_by_descents()` gives them; none if it is empty
  */
 template <typename Key>
 Spanning_tree region_growing_tree(const Mesh_connectivity& connectivity, const Key& key, Index root,
-                                  const Source_element& source = Source_element())
+                                  const Source_element& source = Source_element(),
+                                  const std::vector<unsigned char>& crossed = {})
 {
   Spanning_tree tree = internal::rooted_tree(connectivity, root);
   internal::Vertex_queue queue;
@@ -167,7 +161,9 @@ Spanning_tree region_growing_tree(const Mesh_connectivity& connectivity, const K
   {
     const Index v = queue.top().vertex;
     queue.pop();
-    internal::add_neighbors(tree, connectivity, v, source, push);
+    for(Index entry = connectivity.ring_begin[v]; entry < connectivity.ring_begin[v + 1]; ++entry)
+      if(crossed.empty() || !crossed[connectivity.ring_edge(entry)])
+        internal::add_with_border_loop(tree, connectivity, entry, v, source, push);
   }
   internal::add_source(tree, connectivity, source);
   return tree;

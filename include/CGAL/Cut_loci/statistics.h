@@ -19,15 +19,44 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Cut_loci {
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
+/// whether a cut locus is what one expects
+enum class Cut_locus_status {
+  BRANCHES,     ///< it has edges
+  ONE_POINT,    ///< it is one point. On a sphere without bumps that is right; else no branch passes the thresholds
+  ONLY_A_BORDER ///< it is one point on a surface with one border loop, which shortest paths may not need to meet in: the
+                ///< surface may have no cut locus, as a flat disk, or no branch passes the thresholds
+};
+
+/// \ingroup PkgSurfaceMeshCutLocusRef
+/// says it in words, or nothing if all is as one expects.
+inline std::string description(Cut_locus_status status)
+{
+  switch(status)
+  {
+  case Cut_locus_status::ONE_POINT:
+    return "the cut locus is one point: either all shortest paths meet there, as on a sphere, or no branch passes the "
+           "thresholds; with smaller ones there may be some";
+  case Cut_locus_status::ONLY_A_BORDER:
+    return "the cut locus has no branches: either all shortest paths end at the border, as in a flat disk, or no "
+           "branch "
+           "passes the thresholds; with smaller ones there may be some";
+  default:
+    return std::string();
+  }
+}
+
+/// \ingroup PkgSurfaceMeshCutLocusRef
 /// describes the graph of a cut locus by a few numbers.
 struct Cut_locus_statistics
 {
+  Cut_locus_status status = Cut_locus_status::BRANCHES;
   std::size_t vertices = 0;
   std::size_t edges = 0;
   std::size_t components = 0; ///< connected components of the graph
@@ -51,6 +80,9 @@ Cut_locus_statistics compute_statistics(const Cut_locus<TriangleMesh, Point_3>& 
   Cut_locus_statistics result;
   result.vertices = num_vertices(graph);
   result.edges = num_edges(graph);
+  if(result.edges == 0)
+    result.status =
+      cut_locus.number_of_border_loops() > 0 ? Cut_locus_status::ONLY_A_BORDER : Cut_locus_status::ONE_POINT;
   std::vector<std::size_t> component(result.vertices);
   if(!component.empty())
     result.components = boost::connected_components(graph, component.data());

@@ -17,15 +17,43 @@
 namespace CGAL {
 namespace Cut_loci {
 
+namespace internal {
+
+// Whether the way in `tree` between two vertices has at most `most` edges.
+inline bool are_near_in_tree(const Spanning_tree& tree, Index v, Index w, Index most)
+{
+  for(Index up = 0; up <= most; ++up)
+  {
+    Index x = w;
+    for(Index down = 0; up + down <= most; ++down)
+    {
+      if(x == v)
+        return true;
+      if(x == tree.root)
+        break;
+      x = tree.parent[x];
+    }
+    if(v == tree.root)
+      return false;
+    v = tree.parent[v];
+  }
+  return false;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
  * removes from the leaves of `tree`, those of highest `key` first, the vertices next to a stronger branch: those with a
  * neighbor of lower key in the tree that is neither their parent nor a child of their parent. Parallel branches that
  * flood a band of the surface shrink to one; the tree stays connected. O(n log n).
+ *
+ * With `reach` 2, a branch of lower key that is two edges away counts as well: that far are strengths seen to either
+ * side. It is another one than the leaf's own if the way there in the tree is longer than twice as far.
  */
 template <typename Key>
-void thin(Spanning_tree& tree, const Mesh_connectivity& connectivity, const Key& key)
+void thin(Spanning_tree& tree, const Mesh_connectivity& connectivity, const Key& key, Index reach = 1)
 {
   std::vector<Index> children(tree.parent.size(), 0);
   for(Index v : tree.order)
@@ -48,7 +76,14 @@ void thin(Spanning_tree& tree, const Mesh_connectivity& connectivity, const Key&
                                                         [&](Index w) {
       return key[w] < key[v] && w != parent && tree.contains(w) && !removed[w] && tree.parent[w] != parent;
     });
-    if(!is_next_to_stronger_branch)
+    const auto is_other_branch = [&](Index w)
+    { return key[w] < key[v] && tree.contains(w) && !removed[w] && !internal::are_near_in_tree(tree, v, w, 4); };
+    const auto is_near_other_branch = [&](Index x)
+    {
+      return std::any_of(connectivity.ring_vertex.begin() + connectivity.ring_begin[x],
+                         connectivity.ring_vertex.begin() + connectivity.ring_begin[x + 1], is_other_branch);
+    };
+    if(!is_next_to_stronger_branch && (reach == 1 || std::none_of(begin, end, is_near_other_branch)))
       continue;
     removed[v] = true;
     if(--children[parent] == 0 && parent != tree.root)

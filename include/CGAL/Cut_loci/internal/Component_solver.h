@@ -14,6 +14,7 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/Tangent_directions.h>
+#include <CGAL/Cut_loci/descent_forest.h>
 #include <CGAL/Cut_loci/gradient_angles.h>
 #include <CGAL/Cut_loci/homology.h>
 #include <CGAL/Cut_loci/internal/vector_3.h>
@@ -40,6 +41,7 @@ public:
     : mesh_(mesh), connectivity_(mesh), tangent_(checked(mesh, connectivity_), connectivity_),
       operators_(mesh, connectivity_, type), genus_(connectivity_.genus(mesh))
   {
+    tangent_.align(mesh, connectivity_, operators_.frames);
   }
 
   // once per source, in three parts
@@ -56,7 +58,13 @@ public:
   void compute_strengths()
   {
     const Eigen::Map<const Eigen::VectorXd> d(distance_.data(), static_cast<Eigen::Index>(distance_.size()));
-    angle_ = gradient_angles(connectivity_, tangent_, operators_.gradient * d);
+    Eigen::VectorXd gradient = operators_.gradient * d;
+    for(Index v : vertices_that_see_the_source())
+      gradient[2 * v] = gradient[2 * v + 1] = 0.;
+    angle_ = gradient_angles(connectivity_, tangent_, gradient);
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
+      if(angle_[v] * distance_[v] < longest_edge(v))
+        angle_[v] = 0.f;
     const Eigen::VectorXd laplacian = operators_.laplacian * d;
     laplacian_.resize(distance_.size());
     const double h = connectivity_.mean_edge_length; // makes the Laplacian free of the unit of length
@@ -72,17 +80,19 @@ public:
 
   void grow_tree()
   {
-    tree_ = region_growing_tree(connectivity_, laplacian_, choose_root(), Source_element(connectivity_, source_));
-    thin(tree_, connectivity_, laplacian_);
+    crossed_ = edges_crossed_by_descents(mesh_, connectivity_, distance_, source_);
+    spanning_tree_ =
+      region_growing_tree(connectivity_, laplacian_, choose_root(), Source_element(connectivity_, source_), crossed_);
+    tree_ = spanning_tree_;
+    thin(tree_, connectivity_, laplacian_, 2);
   }
 
   // What the homology demands is found once per source, whatever the thresholds.
   void close_cycles()
   {
-    const Spanning_tree spanning_tree = strength_aware_tree(mesh_, connectivity_, tree_, angle_, reliable_angle(),
-                                                            distance_, Source_element(connectivity_, source_));
-    const std::vector<Index> generators = homology_generators(mesh_, connectivity_, spanning_tree, distance_, source_);
-    filter_ = Branch_filter(mesh_, connectivity_, tree_, spanning_tree, generators, angle_, laplacian_);
+    const std::vector<Index> generators =
+      homology_generators(mesh_, connectivity_, spanning_tree_, distance_, source_, crossed_);
+    filter_ = Branch_filter(mesh_, connectivity_, tree_, spanning_tree_, generators, angle_, laplacian_);
   }
 
   // In radians. Around the end of a branch, gradients are focused before they cross: a few edges beyond the end they
@@ -111,11 +121,6 @@ public:
   Index root() const { return tree_.root; }
   Index farthest() const { return farthest_; }
 
-  // In radians. The gradient turns by about h / R from a vertex to the next where the wavefront has the radius R: on
-  // meshes that resolve the surface, angles below this one say nothing about the cut locus, and ridges of the
-  // distance are a better guide than the Laplacian.
-  static double reliable_angle() { return 0.1; }
-
   // Faces without area have no tangent plane. Coordinates of the size of a face resolve 2^-53 of it: at 100 times that,
   // the direction of its normal is noise.
   static const Indexed_triangle_mesh& checked(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity)
@@ -136,6 +141,38 @@ public:
   }
 
 private:
+  // Around the source the distance is that to a point: the gradient turns by l / d along an edge of length l at the
+  // distance d, and its estimate has errors of that order. A smaller angle is no evidence of anything else.
+  double longest_edge(Index v) const
+  {
+    double result = 0.;
+    for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
+      result = (std::max)(result, norm(mesh_.points[connectivity_.ring_vertex[k]] - mesh_.points[v]));
+    return result;
+  }
+
+  // The vertices to whose neighborhood quadrics are fitted across the source, where the distance has a tip: no gradient
+  // comes of that. They are its neighbors, and those on the other side of the edges between neighbors.
+  std::vector<Index> vertices_that_see_the_source() const
+  {
+    std::vector<Index> result;
+    const auto add_across = [&](Index h)
+    {
+      result.push_back(mesh_.source(h));
+      result.push_back(mesh_.target(h));
+      if(!mesh_.is_border_edge(h))
+        result.push_back(mesh_.source(mesh_.previous(mesh_.opposite[h])));
+    };
+    if(source_.vertex == null_index)
+      for(Index i = 0; i < 3; ++i)
+        add_across(3 * source_.location.face + i);
+    else
+      for(Index k = connectivity_.ring_begin[source_.vertex]; k < connectivity_.ring_begin[source_.vertex + 1]; ++k)
+        if(mesh_.source(connectivity_.ring_halfedge[k]) == source_.vertex)
+          add_across(Indexed_triangle_mesh::next(connectivity_.ring_halfedge[k]));
+    return result;
+  }
+
   // The farthest vertex is on the cut locus of a closed surface. A border vertex may be farthest without being on it:
   // then the lowest Laplacian is the best guess.
   Index choose_root() const
@@ -171,7 +208,9 @@ private:
   std::vector<double> distance_;
   Index farthest_ = null_index;
   std::vector<float> angle_, laplacian_;
-  Spanning_tree tree_;
+  std::vector<unsigned char> crossed_; // edges, by descents of the distance
+  Spanning_tree spanning_tree_;
+  Spanning_tree tree_; // the same, thinned
   Branch_filter filter_;
 };
 

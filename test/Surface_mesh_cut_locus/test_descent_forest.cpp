@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// The descents of a distance, good or bad, leave room for a tree of all vertices and 2g edges more.
+
+#include "indexed_meshes.h"
+
+#include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/descent_forest.h>
+#include <CGAL/Cut_loci/homology.h>
+#include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/region_growing_tree.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <numeric>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Cut_loci;
+using indexed_meshes::Mesh;
+
+class Parts
+{
+public:
+  explicit Parts(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index(0)); }
+  bool unite(Index a, Index b)
+  {
+    a = find(a);
+    b = find(b);
+    parent_[a] = b;
+    return a != b;
+  }
+
+private:
+  Index find(Index i)
+  {
+    while(parent_[i] != i)
+      i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  std::vector<Index> parent_;
+};
+
+void expect_room(const Mesh& mesh, const std::vector<double>& distance, const Indexed_source& source)
+{
+  const Mesh_connectivity connectivity(mesh);
+  const std::vector<unsigned char> crossed = edges_crossed_by_descents(mesh, connectivity, distance, source);
+  Parts faces(mesh.number_of_faces());
+  for(Index e = 0; e < crossed.size(); ++e)
+    if(crossed[e])
+    {
+      const Index h = connectivity.halfedge_of_edge[e];
+      ASSERT_FALSE(mesh.is_border_edge(h));
+      EXPECT_TRUE(faces.unite(h / 3, mesh.opposite[h] / 3)) << "the faces and crossings are a forest";
+    }
+
+  std::vector<float> key(mesh.number_of_vertices());
+  std::mt19937 engine(1);
+  for(float& k : key)
+    k = static_cast<float>(engine() / 4294967296.);
+  const Source_element element(connectivity, source);
+  Index root = 0;
+  while(root == source.vertex)
+    ++root;
+  const Spanning_tree tree = region_growing_tree(connectivity, key, root, element, crossed);
+  EXPECT_EQ(tree.order.size(), mesh.number_of_vertices());
+  for(Index v : tree.order)
+    if(v != tree.root)
+    {
+      const Index e = connectivity.ring_edge(tree.parent_entry[v]);
+      EXPECT_FALSE(crossed[e]);
+    }
+  const std::vector<Index> generators = homology_generators(mesh, connectivity, tree, distance, source, crossed);
+  EXPECT_EQ(generators.size(), 2u * connectivity.genus(mesh));
+  for(Index h : generators)
+    EXPECT_FALSE(crossed[connectivity.edge_of_halfedge[h]]);
+}
+
+TEST(Descent_forest, leaves_a_tree_and_generators)
+{
+  std::mt19937 engine(7);
+  for(const Mesh& mesh : {indexed_meshes::sphere(6), indexed_meshes::bumpy_sphere(10), indexed_meshes::torus(24, 10),
+                          indexed_meshes::grid(9, 7), indexed_meshes::needles(6)})
+    for(int i = 0; i < 6; ++i)
+    {
+      Indexed_source source;
+      source.location.face = static_cast<Index>(engine() % mesh.number_of_faces());
+      if(i % 3 == 0) // a vertex
+      {
+        source.location.coordinates = {{1., 0., 0.}};
+        source.vertex = mesh.triangles[source.location.face][0];
+      }
+      else if(i % 3 == 1) // an edge
+        source.location.coordinates = {{0.3, 0.7, 0.}};
+      else
+        source.location.coordinates = {{0.2, 0.3, 0.5}};
+      SCOPED_TRACE(i);
+      internal::Exact_geodesic_propagation exact(mesh);
+      exact.run({source.location});
+      std::vector<double> distance = exact.distances();
+      expect_room(mesh, distance, source);
+      for(double& d : distance) // with pits all over
+        d += 0.5 * (engine() / 4294967296.);
+      expect_room(mesh, distance, source);
+      for(double& d : distance) // and with plateaus
+        d = static_cast<double>(engine() % 3);
+      expect_room(mesh, distance, source);
+    }
+}
+
+} // namespace

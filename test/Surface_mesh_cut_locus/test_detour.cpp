@@ -1,0 +1,355 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// The measures themselves, on curves whose detour is known.
+
+#include "built_mesh.h"
+#include "completeness.h"
+#include "detour.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_cut_locus.h>
+#include <CGAL/exact_geodesic_distances.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace test_meshes;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Cut_locus = CGAL::Cut_locus<Mesh, CGAL::Simple_cartesian<double>::Point_3>;
+using Vertex = Mesh::Vertex_index;
+using CGAL::Cut_loci::Method;
+using curve_measures::Measures;
+namespace params = CGAL::parameters;
+
+// unit squares, n in a row; vertex (n + 1) j + i at (i, j)
+Mesh_data square(std::size_t n)
+{
+  Mesh_data m;
+  for(std::size_t j = 0; j <= n; ++j)
+    for(std::size_t i = 0; i <= n; ++i)
+      m.points.push_back({{double(i), double(j), 0.}});
+  for(std::size_t j = 0; j < n; ++j)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t a = (n + 1) * j + i, b = a + 1, c = b + n + 1, d = a + n + 1;
+      m.triangles.push_back({{a, b, c}});
+      m.triangles.push_back({{a, c, d}});
+    }
+  return m;
+}
+
+// A curve along the points (x, j) of the square, j = first, ..., last.
+Cut_locus wall(const Built_mesh<Mesh>& built, std::size_t n, double x, std::size_t first, std::size_t last,
+               std::size_t source)
+{
+  const Mesh& mesh = built.mesh;
+  const auto at_vertex = [&](std::size_t v)
+  {
+    Cut_locus::Vertex result;
+    const auto h = halfedge(built.vertices[v], mesh); // its target is the vertex
+    const auto face = mesh.is_border(h) ? mesh.face(mesh.opposite(h)) : mesh.face(h);
+    result.location.first = face;
+    auto k = mesh.halfedge(face);
+    for(int i = 0; i < 3; ++i, k = mesh.next(k))
+      result.location.second[i] = mesh.source(k) == built.vertices[v] ? 1. : 0.;
+    result.mesh_vertex = built.vertices[v];
+    result.point = mesh.point(built.vertices[v]);
+    return result;
+  };
+  Cut_locus::Graph graph;
+  const std::size_t column = static_cast<std::size_t>(x);
+  for(std::size_t j = first; j <= last; ++j)
+  {
+    Cut_locus::Vertex node = at_vertex((n + 1) * j + column);
+    if(x > double(column)) // on the horizontal edge, a side of the face above or, at the top, below
+    {
+      const std::size_t a = (n + 1) * j + column, f = j < n ? 2 * (n * j + column) : 2 * (n * (j - 1) + column) + 1;
+      const double t = x - double(column);
+      node.location = built.location<double>(f, j < n ? std::array<double, 3>{{1. - t, t, 0.}}
+                                                      : std::array<double, 3>{{0., t, 1. - t}});
+      node.mesh_vertex = Mesh::null_vertex();
+      node.point = CGAL::ORIGIN + ((1. - t) * (mesh.point(built.vertices[a]) - CGAL::ORIGIN) +
+                                   t * (mesh.point(built.vertices[a + 1]) - CGAL::ORIGIN));
+    }
+    // On the diagonal of the square below, before the next horizontal edge.
+    if(x > double(column) && j > first)
+    {
+      const std::size_t f = 2 * (n * (j - 1) + column);
+      const double t = x - double(column);
+      Cut_locus::Vertex between = node;
+      between.location = built.location<double>(f, {{1. - t, 0., t}});
+      between.point = CGAL::Simple_cartesian<double>::Point_3(x, double(j - 1) + t, 0.);
+      add_vertex(between, graph);
+      add_edge(num_vertices(graph) - 2, num_vertices(graph) - 1, {}, graph);
+    }
+    add_vertex(node, graph);
+    if(j > first)
+    {
+      Cut_locus::Edge edge;
+      if(x == double(column))
+        edge.mesh_halfedge = mesh.halfedge(graph[num_vertices(graph) - 2].mesh_vertex, node.mesh_vertex);
+      add_edge(num_vertices(graph) - 2, num_vertices(graph) - 1, edge, graph);
+    }
+  }
+  auto result = std::make_shared<CGAL::Cut_loci::internal::Source_result>();
+  return Cut_locus(graph, at_vertex(source), built.vertices[0], result, [](Vertex) { return 0.; });
+}
+
+double mean_length(const Mesh& mesh)
+{
+  double sum = 0.;
+  for(const auto e : mesh.edges())
+    sum += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  return sum / double(mesh.number_of_edges());
+}
+
+TEST(Detour, Around_the_end_of_a_wall)
+{
+  // The wall stands on the lower side up to (x, 5), the source is the lower left corner: the way to what it hides leads
+  // over its end.
+  const std::size_t n = 10;
+  const Built_mesh<Mesh> built(square(n));
+  for(double x : {5., 5.5, 5. + 1e-4, 5. + 1e-7, 6. - 1e-9})
+  {
+    SCOPED_TRACE(x);
+    const Measures m = curve_measures::measure(built.mesh, wall(built, n, x, 0, 5, 0));
+    EXPECT_EQ(m.topology_fault, "");
+    EXPECT_EQ(m.measuring_failed, "");
+    double longest = 0.;
+    for(std::size_t i = 0; i <= n; ++i)
+      for(std::size_t j = 0; j <= n; ++j)
+        if(double(i) > x + 1e-5 && double(j) * x < 5. * double(i)) // nearer vertices are on the wall, after rounding
+          longest = (std::max)(longest, std::hypot(x, 5.) + std::hypot(double(i) - x, 5. - double(j)) -
+                                          std::hypot(double(i), double(j)));
+    EXPECT_NEAR(m.max * mean_length(built.mesh), longest, 1e-3);
+    EXPECT_GT(m.mean, 0.);
+    EXPECT_LE(m.p99, m.max);
+  }
+}
+
+TEST(Detour, Wrong_topology_is_named)
+{
+  const std::size_t n = 10;
+  const Built_mesh<Mesh> built(square(n));
+  // apart from the border
+  EXPECT_NE(curve_measures::measure(built.mesh, wall(built, n, 5., 2, 5, 0)).topology_fault.find("2 components"),
+            std::string::npos);
+  // from side to side: what it cuts off would have no distance
+  for(double x : {5., 5.5})
+  {
+    const Measures m = curve_measures::measure(built.mesh, wall(built, n, x, 0, n, 0));
+    EXPECT_NE(m.topology_fault.find("1 independent cycles"), std::string::npos) << m.topology_fault;
+    EXPECT_EQ(m.measuring_failed, "");
+    EXPECT_TRUE(std::isfinite(m.max));
+  }
+}
+
+TEST(Detour, Vanishes_on_the_cut_locus_and_only_there)
+{
+  const Built_mesh<Mesh> built(torus(1., 0.4, 60, 24, 0.2, 3));
+  const Mesh& mesh = built.mesh;
+  const Vertex source = built.vertices[0], other = built.vertices[30 * 24 + 12];
+  CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(mesh);
+  cut_loci.set_source(source);
+  const auto right = cut_loci.cut_locus();
+  const auto through_faces = cut_loci.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+  std::vector<double> exact;
+  for(const auto* curve : {&right, &through_faces})
+  {
+    const Measures m = curve_measures::measure(mesh, *curve, exact);
+    EXPECT_EQ(m.topology_fault, "");
+    EXPECT_EQ(m.measuring_failed, "");
+    EXPECT_LT(m.max, 1.);
+    EXPECT_LT(m.mean, 0.01);
+  }
+  // the curve of another source, which its distances find
+  Mesh copy = mesh;
+  auto map = copy.add_property_map<Vertex, double>("v:distance", 0.).first;
+  CGAL::exact_geodesic_distances(copy, other, map);
+  CGAL::Surface_mesh_cut_locus<Mesh> misled(copy);
+  misled.set_source(source, params::vertex_distance_map(map));
+  const Measures m = curve_measures::measure(copy, misled.cut_locus());
+  EXPECT_EQ(m.measuring_failed, "");
+  EXPECT_GT(m.max, 5.);
+
+  EXPECT_DOUBLE_EQ(curve_measures::completeness(right, 0., right, 0.1), 1.);
+  EXPECT_LT(curve_measures::completeness(right, 0., misled.cut_locus(), 0.1), 0.7);
+}
+
+TEST(Detour, Source_in_a_face)
+{
+  const Built_mesh<Mesh> built(torus(1., 0.4, 40, 16, 0.2, 3));
+  CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(built.mesh);
+  cut_loci.set_source(built.location<double>(100, {{0.2, 0.3, 0.5}}));
+  for(const auto curve : {CGAL::Cut_loci::Curve::MESH_EDGES, CGAL::Cut_loci::Curve::THROUGH_FACES})
+  {
+    const Measures m = curve_measures::measure(built.mesh, cut_loci.cut_locus(params::cut_locus_curve(curve)));
+    EXPECT_EQ(m.topology_fault, "");
+    EXPECT_EQ(m.measuring_failed, "");
+    EXPECT_LT(m.max, 1.5);
+  }
+}
+
+// ---- the paper's method: nothing that it joins lies across shortest paths
+
+Measures worst_of_thresholds(const Mesh_data& data, std::size_t source, CGAL::Cut_loci::Filter_policy policy,
+                             bool through_faces = false)
+{
+  const Built_mesh<Mesh> built(data);
+  CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
+  cut_loci.set_source(built.vertices[source]);
+  std::vector<double> exact;
+  Measures worst;
+  for(double angle : {0., 0.3, 0.7, 1.5})
+  {
+    const auto thresholds = params::gradient_angle_threshold(angle).filter_policy(policy);
+    const Measures m = curve_measures::measure(
+      built.mesh,
+      cut_loci.cut_locus(thresholds.cut_locus_curve(through_faces ? CGAL::Cut_loci::Curve::THROUGH_FACES
+                                                                  : CGAL::Cut_loci::Curve::MESH_EDGES)),
+      exact);
+    EXPECT_EQ(m.topology_fault, "") << angle;
+    EXPECT_EQ(m.measuring_failed, "") << angle;
+    worst.mean = (std::max)(worst.mean, m.mean);
+    worst.max = (std::max)(worst.max, m.max);
+  }
+  return worst;
+}
+
+class Laplacian_detour : public ::testing::TestWithParam<CGAL::Cut_loci::Filter_policy>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Policies, Laplacian_detour,
+                         ::testing::Values(CGAL::Cut_loci::Filter_policy::PRUNING,
+                                           CGAL::Cut_loci::Filter_policy::GROWING));
+
+TEST_P(Laplacian_detour, Bumpy_and_noisy_surfaces)
+{
+  for(const Mesh_data& data :
+      {bumpy_sphere(24, 1.2, 1), bumpy_sphere(24, 1.2, 2), rough(bumpy_sphere(24, 0.8, 3), 0.1, 4),
+       irregular_bumpy_sphere(30, 0.8, 5), perforated_plate(3, 2, 4, 6), torus(1., 0.4, 60, 24, 0.3, 7)})
+    for(std::size_t source : {std::size_t(0), data.points.size() / 3, data.points.size() / 2})
+    {
+      SCOPED_TRACE(std::to_string(data.points.size()) + " vertices, source " + std::to_string(source));
+      const Measures m = worst_of_thresholds(data, source, GetParam());
+      EXPECT_LT(m.mean, 0.1);
+      EXPECT_LT(m.max, 3.);
+    }
+}
+
+// the square without the vertices that `is_removed` names, and their faces; `source` becomes its new index
+template <typename Is_removed>
+Mesh_data without(const Mesh_data& data, const Is_removed& is_removed, std::size_t& source)
+{
+  Mesh_data result;
+  std::vector<std::size_t> index(data.points.size(), 0);
+  std::vector<bool> is_used(data.points.size(), false);
+  for(const Triangle& t : data.triangles)
+    if(!is_removed(data.points[t[0]]) && !is_removed(data.points[t[1]]) && !is_removed(data.points[t[2]]))
+    {
+      result.triangles.push_back(t);
+      for(std::size_t v : t)
+        is_used[v] = true;
+    }
+  for(std::size_t v = 0; v < index.size(); ++v)
+    if(is_used[v])
+    {
+      index[v] = result.points.size();
+      result.points.push_back(data.points[v]);
+    }
+  for(Triangle& t : result.triangles)
+    for(std::size_t& v : t)
+      v = index[v];
+  source = index[source];
+  return result;
+}
+
+// From a source on the border, in a corner, and inside: behind a hole, paths around both of its sides meet.
+TEST_P(Laplacian_detour, Square_with_holes)
+{
+  const std::size_t n = 40;
+  const auto is_in_hole = [](const Point& p)
+  {
+    const auto is_near = [&](double x, double y, double r) { return std::hypot(p[0] - x, p[1] - y) < r; };
+    return is_near(20.3, 20.2, 6.) || is_near(31., 9., 3.) || is_near(9., 30., 4.);
+  };
+  for(std::size_t source : {std::size_t(0), 20 * (n + 1), 5 * (n + 1) + 12})
+  {
+    SCOPED_TRACE(source);
+    std::size_t v = source;
+    const Mesh_data data = without(square(n), is_in_hole, v);
+    const Measures m = worst_of_thresholds(data, v, GetParam());
+    EXPECT_LT(m.mean, 0.05);
+    EXPECT_LT(m.max, 2.);
+    EXPECT_LT(worst_of_thresholds(data, v, GetParam(), true).max, 2.);
+  }
+}
+
+// An annulus, an open cylinder and a hemisphere have the half line opposite to the source, or nothing.
+TEST(Laplacian_with_border, Closed_forms)
+{
+  const std::size_t n = 48, m = 12;
+  const auto make = [&](const auto& point)
+  {
+    Mesh_data data;
+    for(std::size_t j = 0; j <= m; ++j)
+      for(std::size_t i = 0; i < n; ++i)
+        data.points.push_back(point(2. * pi * (double(i) + 0.5 * double(j % 2)) / n, double(j) / m));
+    for(std::size_t j = 0; j < m; ++j)
+      for(std::size_t i = 0; i < n; ++i)
+      {
+        const std::size_t k = (i + 1) % n, a = j * n + i, b = j * n + k, c = a + n, d = b + n;
+        if(j % 2 == 0)
+        {
+          data.triangles.push_back({{a, b, c}});
+          data.triangles.push_back({{b, d, c}});
+        }
+        else
+        {
+          data.triangles.push_back({{a, d, c}});
+          data.triangles.push_back({{a, b, d}});
+        }
+      }
+    return data;
+  };
+  const Mesh_data annulus = make(
+    [](double u, double t) {
+    return Point{{(1. + 2. * t) * std::cos(u), (1. + 2. * t) * std::sin(u), 0.}};
+  });
+  const Mesh_data cylinder = make([](double u, double t) { return Point{{std::cos(u), std::sin(u), 1.5 * t}}; });
+  for(const Mesh_data& data : {annulus, cylinder})
+    for(std::size_t row : {std::size_t(0), m / 2, m}) // on either border, and between: at the angle 0
+    {
+      SCOPED_TRACE(row);
+      const Built_mesh<Mesh> built(data);
+      CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
+      cut_loci.set_source(built.vertices[row * n]);
+      const Cut_locus result = cut_loci.cut_locus();
+      const Measures measures = curve_measures::measure(built.mesh, result);
+      EXPECT_EQ(measures.topology_fault, "");
+      EXPECT_LT(measures.max, 1.);
+      for(auto v : CGAL::make_range(vertices(result.graph())))
+      {
+        const auto p = result.graph()[v].point;
+        const double off = pi - std::abs(std::atan2(p.y(), p.x()));
+        EXPECT_LE(off * std::hypot(p.x(), p.y()), 2. * mean_length(built.mesh)) << p;
+      }
+    }
+}
+
+} // namespace
