@@ -28,6 +28,15 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
+/// does not look at the windows.
+struct No_window_observer
+{
+  static constexpr bool is_active = false;
+  void advance(double) {}
+  bool take(Index, Geodesic_window_list&) { return false; }
+  void take_on_border(Index, Geodesic_window_list*) {}
+};
+
 /*!
  * computes exact geodesic distances on a triangle mesh by propagating windows.
  *
@@ -56,20 +65,37 @@ public:
   /// \throws Invalid_input if there is no source, or a location is none on the mesh
   void run(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options = {})
   {
-    if(sources.empty())
-      throw Invalid_input("no source");
-    prepare(sources, options);
-    batches_.prepare(options.maximum_distance);
-    maximum_distance_ = options.maximum_distance;
-    tolerance_ = options.maximum_relative_error;
-    number_of_windows_ = 0;
-    if(sources.size() > 1)
-      propagate<7>();
-    else if(options.directions || is_approximate())
-      propagate<6>();
+    start(sources, options);
+    No_window_observer observer;
+    if(has_directions_ || sources.size() > 1)
+      propagate<7>(observer);
+    else if(is_approximate())
+      propagate<6>(observer);
     else
-      propagate<5>();
+      propagate<5>(observer);
   }
+
+  /// the same with directions, and shows the windows to an observer
+  ///
+  /// `observer.take(h, list)` gets the windows of the halfedge `h`, in order, when they cross its face. It may keep the
+  /// list, which it then says by returning `true`, until it hands it back to `release()`. `observer.take_on_border(h, list)`
+  /// gets, to keep, windows that reach the border halfedge `h` from its face, in the frame of the opposite that it has
+  /// not. `observer.advance(d)` is told that the windows up to the distance `d` have been shown, up to some that come
+  /// late.
+  template <typename Observer>
+  void run(const std::vector<Indexed_location>& sources, Exact_geodesic_options options, Observer& observer)
+  {
+    options.directions = true;
+    start(sources, options);
+    propagate<7>(observer);
+  }
+
+  /// hands back a list that an observer has kept
+  void release(Geodesic_window_list* list) { batches_.release(list); }
+  /// a list with room for `n` windows with directions
+  Geodesic_window_list* allocate(std::size_t n) { return batches_.allocate<7>(n); }
+  /// whether windows wait to cross the face of `h`
+  bool waits(Index h) const { return batches_.waits(h); }
 
   /// with a vertex as the only source
   void run(Index source, const Exact_geodesic_options& options = {}) { run({vertex_location(source)}, options); }
@@ -80,22 +106,37 @@ public:
 private:
   using Mesh = Indexed_triangle_mesh;
 
-  template <int columns>
-  void propagate()
+  void start(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options)
+  {
+    if(sources.empty())
+      throw Invalid_input("no source");
+    prepare(sources, options);
+    batches_.prepare(options.maximum_distance);
+    maximum_distance_ = options.maximum_distance;
+    tolerance_ = options.maximum_relative_error;
+    number_of_windows_ = 0;
+  }
+
+  template <int columns, typename Observer>
+  void propagate(Observer& observer)
   {
     for(std::size_t i = 0; i < sources_.size(); ++i)
       if(sources_[i].vertex != null_index)
-        start_at_vertex<columns>(i);
+        start_at_vertex<columns>(i, observer);
       else
-        start_in_face<columns>(i);
+        start_in_face<columns>(i, observer);
     Index item;
     while(batches_.pop(item))
     {
       prefetch(batches_.peek(6), batches_.peek(3));
       if(item < faces_.number_of_halfedges())
-        cross_face<columns>(item);
+      {
+        if(Observer::is_active)
+          observer.advance(batches_.key());
+        cross_face<columns>(item, observer);
+      }
       else
-        bend<columns>(item - faces_.number_of_halfedges());
+        bend<columns>(item - faces_.number_of_halfedges(), observer);
     }
     finish_queries();
     if(maximum_distance_ < infinity)
@@ -106,8 +147,8 @@ private:
 
   // -- sources -------------------------------------------------------------------------------------------------------
 
-  template <int columns>
-  void start_at_vertex(std::size_t number)
+  template <int columns, typename Observer>
+  void start_at_vertex(std::size_t number, Observer& observer)
   {
     const Index v = sources_[number].vertex;
     if(distance_[v] == 0.)
@@ -115,46 +156,47 @@ private:
     distance_[v] = 0.;
     arrival_[v] = Geodesic_arrival();
     arrival_[v].halfedge = faces_.first_halfedge(v);
-    arrival_[v].source = static_cast<Index>(number);
+    arrival_[v].origin = static_cast<Index>(number);
     const Index first = faces_.first_halfedge(v);
     double angle = 0.;
     Index h = first;
     do
     {
-      emit<columns>(h, 0., faces_.angle(h), 0., is_approximate() ? 0. : angle, static_cast<Index>(number));
+      emit<columns>(h, 0., faces_.angle(h), 0., is_approximate() ? 0. : angle, static_cast<Index>(number), observer);
       angle += faces_.angle(h);
       h = faces_.next_around_source(h);
     } while(h != null_index && h != first);
   }
 
   /// for sources on edges and in faces
-  template <int columns>
-  void start_in_face(std::size_t number)
+  template <int columns, typename Observer>
+  void start_in_face(std::size_t number, Observer& observer)
   {
     const Source& source = sources_[number];
     const Index f = source.location.face;
     if(source.halfedge == null_index)
     {
-      start_in_face<columns>(number, 3 * f, faces_.in_frame(3 * f, source.location.coordinates), 0., null_index);
+      start_in_face<columns>(number, 3 * f, faces_.in_frame(3 * f, source.location.coordinates), 0., null_index,
+                             observer);
       return;
     }
     const Index h = source.halfedge, o = faces_.opposite(h);
     const double t = source.location.coordinates[Mesh::next(h) % 3] * faces_.length(h);
-    start_in_face<columns>(number, h, {t, 0.}, 0., h);
+    start_in_face<columns>(number, h, {t, 0.}, 0., h, observer);
     if(o != null_index)
-      start_in_face<columns>(number, o, {faces_.length(h) - t, 0.}, geodesic_pi, o);
+      start_in_face<columns>(number, o, {faces_.length(h) - t, 0.}, geodesic_pi, o, observer);
   }
 
   /// starts across all halfedges but `skipped` of the face of `h`, in whose frame the source is given
-  template <int columns>
-  void start_in_face(std::size_t number, Index h, const Plane_point& p, double turn, Index skipped)
+  template <int columns, typename Observer>
+  void start_in_face(std::size_t number, Index h, const Plane_point& p, double turn, Index skipped, Observer& observer)
   {
     Geodesic_arrival arrival;
     arrival.x = p.x;
     arrival.y = p.y;
     arrival.turn = is_approximate() ? 0. : turn;
     arrival.halfedge = h;
-    arrival.source = static_cast<Index>(number);
+    arrival.origin = static_cast<Index>(number);
     const std::array<Plane_point, 3> corner = {{{0., 0.}, {faces_.length(h), 0.}, faces_.apex(h)}};
     double rotation = 0.;
     Index g = h;
@@ -163,7 +205,7 @@ private:
       const Plane_point &from = corner[i], &to = corner[(i + 1) % 3];
       reach(faces_.source(g), std::hypot(from.x - p.x, from.y - p.y), arrival);
       const Index o = faces_.opposite(g);
-      if(g != skipped && o != null_index)
+      if(g != skipped && (o != null_index || Observer::is_active))
       {
         // the frame of the opposite halfedge starts at `to`
         const double length = faces_.length(g);
@@ -173,9 +215,9 @@ private:
         Geodesic_window w{0., length, dx * ux + dy * uy, (std::min)(depth, 0.), 0., 0., double(number)};
         if(!is_approximate())
           w.turn = turn + rotation - geodesic_pi;
-        if(sources_.size() > 1)
+        if(sources_.size() > 1 && o != null_index)
           batches_.mark_inner_source(o);
-        batches_.insert<columns>(o, w, faces_.length(o));
+        send<columns>(g, w, observer);
       }
       rotation += geodesic_pi - faces_.angle(Mesh::next(g));
       g = Mesh::next(g);
@@ -183,8 +225,8 @@ private:
   }
 
   /// sends the paths through the corner at the source of `h` with angles in `[from, to]` into the next face
-  template <int columns>
-  void emit(Index h, double from, double to, double sigma, double turn, Index source)
+  template <int columns, typename Observer>
+  void emit(Index h, double from, double to, double sigma, double turn, Index origin, Observer& observer)
   {
     const Geodesic_face& face = faces_.face_of(h);
     const Index next = Mesh::next(h), v = faces_.source(h);
@@ -195,14 +237,13 @@ private:
     arrival.sigma = sigma;
     arrival.turn = turn;
     arrival.halfedge = h;
-    arrival.source = source;
+    arrival.origin = origin;
     const bool starts_at_edge = from <= 0., ends_at_edge = to >= here.angle;
     if(starts_at_edge)
       reach(faces_.target(h), distance_[v] + here.length, arrival);
     if(ends_at_edge)
       reach(faces_.source(Mesh::previous(h)), distance_[v] + left.length, arrival);
-    const Index o = faces_.opposite(next);
-    if(o == null_index)
+    if(faces_.opposite(next) == null_index && !Observer::is_active)
       return;
     Geodesic_window w;
     w.a = ends_at_edge ? 0. : right.length - here.length * std::sin(to) / std::sin(to + right.angle);
@@ -214,21 +255,50 @@ private:
     w.x = left.length * left.cosine;
     w.y = -left.length * left.sine;
     w.sigma = sigma;
-    w.turn = sigma > 0. || is_approximate() ? turn : turn - right.angle;
-    w.nearest = source == null_index ? 0. : double(source);
-    batches_.insert<columns>(o, w, faces_.length(o));
+    w.turn = is_approximate() ? turn : turn - right.angle;
+    w.origin = double(origin);
+    send<columns>(next, w, observer);
+  }
+
+  /// hands a window that leaves the face of `g` to the opposite of `g`, in whose frame it is given
+  template <int columns, typename Observer>
+  void send(Index g, const Geodesic_window& w, Observer& observer)
+  {
+    const Index o = faces_.opposite(g);
+    if(o != null_index)
+    {
+      batches_.insert<columns>(o, w, faces_.length(o));
+      return;
+    }
+    Geodesic_window_list* list = batches_.allocate<columns>(1);
+    list->append<columns>(w);
+    observer.take_on_border(g, list);
+  }
+
+  /// the same for a list of windows; `side` and `key` as for `Geodesic_batches::store()`
+  template <int columns, typename Observer>
+  void send(Index g, std::size_t side, Geodesic_window_list* list, double key, Observer& observer)
+  {
+    if(faces_.opposite(g) != null_index)
+      batches_.store<columns>(faces_.opposite(g), side, list, faces_.length(g), key);
+    else if(list->empty())
+      batches_.release(list);
+    else
+      observer.take_on_border(g, list);
   }
 
   /// continues the shortest path to `v`, at which it may bend, into its shadow
-  template <int columns>
-  void bend(Index v)
+  template <int columns, typename Observer>
+  void bend(Index v, Observer& observer)
   {
     const double sigma = distance_[v];
     if(sigma == 0. || sigma > maximum_distance_)
       return;
     const Geodesic_arrival_direction in = arrival_direction(v);
-    const Index source = arrival_[v].source;
-    const double turn = is_approximate() ? arrival_[v].turn : columns > 5 ? direction_at_source(v) : 0.;
+    const bool has_error = is_approximate();
+    const Index origin = has_error ? arrival_[v].origin : origin_of_vertex(v);
+    if(columns > 5 && !has_error)
+      bends_[v] = {direction_at_source(v), source_of(arrival_[v])};
     // a shadow that is wider by the accuracy of the angle only adds a few paths that are not the shortest
     constexpr double margin = 1e-9;
     const bool is_border = faces_.is_border(v);
@@ -240,7 +310,8 @@ private:
     {
       const double width = faces_.angle(h);
       if(angle + width > first && angle < last)
-        emit<columns>(h, first - angle, (std::min)(last - angle, width), sigma, turn, source);
+        emit<columns>(h, first - angle, (std::min)(last - angle, width), sigma, has_error ? arrival_[v].turn : angle,
+                      origin, observer);
       angle += width;
       h = faces_.next_around_source(h);
     } while(h != null_index && angle < last);
@@ -253,7 +324,8 @@ private:
       const double width = faces_.angle(h);
       angle -= width;
       if(angle < -first)
-        emit<columns>(h, 0., (std::min)(-first - angle, width), sigma, turn, source);
+        emit<columns>(h, 0., (std::min)(-first - angle, width), sigma, has_error ? arrival_[v].turn : angle, origin,
+                      observer);
       h = faces_.previous_around_source(h);
     }
   }
@@ -291,8 +363,8 @@ private:
   }
 
   /// takes the windows of `h` across the face of `h`
-  template <int columns>
-  void cross_face(Index h)
+  template <int columns, typename Observer>
+  void cross_face(Index h, Observer& observer)
   {
     Geodesic_window_list* list = batches_.collect<columns>(h, faces_.length(h));
     if(list->empty())
@@ -304,6 +376,7 @@ private:
     if(columns > 5 && is_approximate() && list->size() > 1)
       Geodesic_merging<columns>(*list, faces_.length(h), tolerance_)();
     number_of_windows_ += list->size();
+    const bool is_kept = observer.take(h, *list);
     constexpr std::array<Index, 5> modulo_3 = {{0, 1, 2, 0, 1}}; // a condition here would be hard to predict
     const Index i = h % 3, j = modulo_3[i + 1], k = modulo_3[i + 2];
     const Geodesic_face::Corner &corner_a = face.corner[i], &corner_b = face.corner[j];
@@ -352,7 +425,7 @@ private:
     if(winner != end && shortest < distance_[vertex_c])
     {
       const Geodesic_window w = list->get<columns>(winner);
-      Geodesic_arrival arrival{w.x, w.y, w.sigma, w.turn, h, static_cast<Index>(w.nearest), true};
+      Geodesic_arrival arrival{w.x, w.y, w.sigma, w.turn, h, static_cast<Index>(w.origin), true};
       reach(vertex_c, shortest, arrival);
     }
     const double distance_a = distance_[vertex_a], distance_b = distance_[vertex_b];
@@ -382,7 +455,7 @@ private:
         number_right += goes_right(w, first, winner);
       }
     }
-    if(face.opposite[k] != null_index && number_left > 0)
+    if((face.opposite[k] != null_index || Observer::is_active) && number_left > 0)
     {
       Geodesic_window_list* out = batches_.allocate<columns>(number_left);
       const Geodesic_step step{length, length_left, corner_a.cosine, corner_a.sine, turns ? corner_a.angle : 0.};
@@ -399,9 +472,9 @@ private:
       const Plane_point b_in_frame{length * corner_a.cosine, -length * corner_a.sine};
       filter_begin(*out, distance_a);
       filter_end(*out, distance_c, length_left, distance_b, b_in_frame);
-      batches_.store<columns>(face.opposite[k], 0, out, length_left, (std::min)(distance_a, distance_c));
+      send<columns>(h - i + k, 0, out, (std::min)(distance_a, distance_c), observer);
     }
-    if(face.opposite[j] != null_index && number_right > 0)
+    if((face.opposite[j] != null_index || Observer::is_active) && number_right > 0)
     {
       Geodesic_window_list* out = batches_.allocate<columns>(number_right);
       const Geodesic_step step{length, length_right, corner_b.cosine, corner_b.sine, turns ? -corner_b.angle : 0.};
@@ -418,9 +491,10 @@ private:
       const Plane_point a_in_frame{length_right - length * corner_b.cosine, -length * corner_b.sine};
       filter_begin(*out, distance_c, distance_a, a_in_frame);
       filter_end(*out, distance_b, length_right);
-      batches_.store<columns>(face.opposite[j], 2, out, length_right, (std::min)(distance_b, distance_c));
+      send<columns>(h - i + j, 2, out, (std::min)(distance_b, distance_c), observer);
     }
-    batches_.release(list);
+    if(!is_kept)
+      batches_.release(list);
   }
 
   bool goes_left(std::size_t w, std::size_t first, std::size_t winner) const

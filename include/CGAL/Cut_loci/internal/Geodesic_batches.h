@@ -175,6 +175,16 @@ public:
     return true;
   }
 
+  /// whether windows wait at `h`
+  bool waits(Index h) const
+  {
+    const std::size_t first = 3 * std::size_t(h);
+    return lists_[first] != nullptr || lists_[first + 1] != nullptr || lists_[first + 2] != nullptr;
+  }
+
+  /// the distance up to which everything has been taken, but for what comes too late
+  double key() const { return queue_.key(); }
+
   /// what will probably be taken in `ahead` steps, or null
   Index peek(std::size_t ahead) const { return queue_.peek(ahead); }
 

@@ -67,6 +67,9 @@ public:
     return false;
   }
 
+  /// no item has a smaller key, but for those that came too late
+  double key() const { return static_cast<double>(current_) / inverse_width_; }
+
   /// the item that is `ahead` places behind the one popped last, if the bucket holds it, else null
   Index peek(std::size_t ahead) const
   {

@@ -40,9 +40,9 @@ public:
 
   void operator()()
   {
-    const double *a = list_.column(0), *b = list_.column(1), *nearest = list_.column(columns - 1);
+    const double *a = list_.column(0), *b = list_.column(1), *origin = list_.column(columns - 1);
     const auto is_run = [&](std::size_t i)
-    { return a[i] - b[i - 1] <= narrow_ && (columns < 7 || nearest[i] == nearest[i - 1]); };
+    { return a[i] - b[i - 1] <= narrow_ && (columns < 7 || origin[i] == origin[i - 1]); };
     const std::size_t end = list_.end;
     top_ = list_.begin;
     for(std::size_t first = list_.begin, last; first < end; first = last)

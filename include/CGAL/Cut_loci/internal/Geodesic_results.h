@@ -39,9 +39,9 @@ struct Exact_geodesic_options
 struct Geodesic_arrival
 {
   double x = 0., y = 0.;         // the image of the (pseudo-)source
-  double sigma = 0., turn = 0.;  // as in `Geodesic_window`, or the error if one is allowed
+  double sigma = 0., turn = 0.;  // as in `Geodesic_window`
   Index halfedge = null_index;   // of the frame
-  Index source = null_index;     // the number of the true source, if there are several
+  Index origin = null_index;     // as in `Geodesic_window`
   bool crosses_halfedge = false; // else the image lies in the face itself
 };
 
@@ -149,11 +149,17 @@ public:
   }
 
   /// the number of the source nearest to `v`
-  Index nearest_source(Index v) const { return is_reached(v) ? arrival_[v].source : null_index; }
+  Index nearest_source(Index v) const { return is_reached(v) ? source_of(arrival_[v]) : null_index; }
 
   std::size_t number_of_sources() const { return sources_.size(); }
   /// the total angle at source number `i`: two pi in faces
   double source_angle(std::size_t i = 0) const { return sources_[i].total_angle; }
+
+  bool is_source_on_border(std::size_t i = 0) const
+  {
+    const Source& source = sources_[i];
+    return source.vertex != null_index ? faces_.is_border(source.vertex) : source.total_angle < 1.5 * geodesic_pi;
+  }
 
   /// the halfedge along which directions at source number `i` are zero
   Index source_halfedge(std::size_t i = 0) const
@@ -170,7 +176,7 @@ public:
   double query_distance(std::size_t i) const { return queries_[i].distance; }
   Index query_nearest_source(std::size_t i) const
   {
-    return queries_[i].distance < infinity ? queries_[i].arrival.source : null_index;
+    return queries_[i].distance < infinity ? source_of(queries_[i].arrival) : null_index;
   }
   double query_direction_at_source(std::size_t i) const
   {
@@ -178,11 +184,35 @@ public:
     return direction_at_source(query.arrival, faces_.in_frame(query.arrival.halfedge, query.location.coordinates));
   }
 
+  /// the number of a vertex as an origin, and back; the sources come first
+  Index origin_of_vertex(Index v) const { return static_cast<Index>(sources_.size()) + v; }
+  Index vertex_of_origin(Index origin) const { return origin - static_cast<Index>(sources_.size()); }
+  bool is_source(Index origin) const { return origin < sources_.size(); }
+
+  /// the direction in which a path with the last piece `arrival` to the point `end` leaves the (pseudo-)source of that
+  /// piece: at a source as `direction_at_source()`, but not reduced; at a pseudo-source the angle from the direction
+  /// that leads back, counterclockwise
+  static double direction_at_origin(const Geodesic_arrival& arrival, const Plane_point& end)
+  {
+    return arrival.turn + std::atan2(end.y - arrival.y, end.x - arrival.x);
+  }
+
+  /// the number of the source from which a path comes
+  Index source_of(const Geodesic_arrival& arrival) const
+  {
+    if(sources_.size() == 1 || is_source(arrival.origin))
+      return sources_.size() == 1 ? 0 : arrival.origin;
+    const Index v = vertex_of_origin(arrival.origin);
+    return bends_[v].source != null_index ? bends_[v].source : source_of(arrival_[v]);
+  }
+
   /// the last straight pieces, for tracing paths
   const Geodesic_arrival& arrival(Index v) const { return arrival_[v]; }
   const Geodesic_arrival& query_arrival(std::size_t i) const { return queries_[i].arrival; }
   const Indexed_location& source_location(std::size_t i) const { return sources_[i].location; }
   Index source_vertex(std::size_t i) const { return sources_[i].vertex; }
+  /// a halfedge of the edge it is on, if it is on one
+  Index source_edge(std::size_t i) const { return sources_[i].halfedge; }
 
   /// a vertex of the face of `h` in the frame of `h`
   Plane_point vertex_in_frame(Index h, Index v) const
@@ -249,6 +279,12 @@ protected:
     Geodesic_arrival arrival;
   };
 
+  struct Bend
+  {
+    double direction;          // at the source, of the path to the vertex
+    Index source = null_index; // its number, if paths have gone on from the vertex
+  };
+
   Geodesic_results(const Indexed_triangle_mesh& mesh, const std::vector<Index>* positions) : faces_(mesh, positions) {}
 
   /// \throws Invalid_input if a location is none on the mesh
@@ -265,6 +301,9 @@ protected:
     has_directions_ = options.directions || (sources.size() > 1 && !is_approximate_);
     distance_.assign(faces_.number_of_vertices(), infinity);
     arrival_.resize(faces_.number_of_vertices());
+    bends_.clear();
+    if(has_directions_)
+      bends_.resize(faces_.number_of_vertices());
     prepare_queries(options);
   }
 
@@ -320,7 +359,7 @@ protected:
         {
           const Geodesic_window w = list.get<columns>(i);
           query.distance = d;
-          query.arrival = Geodesic_arrival{w.x, w.y, w.sigma, w.turn, h, static_cast<Index>(w.nearest), true};
+          query.arrival = Geodesic_arrival{w.x, w.y, w.sigma, w.turn, h, static_cast<Index>(w.origin), true};
         }
       }
     }
@@ -342,14 +381,12 @@ protected:
         query.distance = d;
         query.arrival = Geodesic_arrival();
         query.arrival.halfedge = h;
-        query.arrival.source = arrival_[v].source;
+        query.arrival.origin = distance_[v] == 0. || is_approximate_ ? arrival_[v].origin : origin_of_vertex(v);
         query.arrival.sigma = distance_[v];
         if(is_approximate_)
           query.arrival.turn = arrival_[v].turn;
         else if(distance_[v] == 0.)
           query.arrival.turn = faces_.angle_around_source(h);
-        else if(has_directions_)
-          query.arrival.turn = direction_at_source(v);
       }
     }
     for(std::size_t i = 0; i < sources_.size() && !queries_.empty(); ++i)
@@ -375,13 +412,14 @@ protected:
   double direction_at_source(const Geodesic_arrival& arrival, const Plane_point& end) const
   {
     if(arrival.sigma > 0.)
-      return arrival.turn;
-    const Source& source = sources_[arrival.source];
-    const double angle = arrival.turn + std::atan2(end.y - arrival.y, end.x - arrival.x);
+    {
+      const Index v = vertex_of_origin(arrival.origin);
+      return bends_[v].source != null_index ? bends_[v].direction : direction_at_source(v);
+    }
+    const Source& source = sources_[arrival.origin];
+    const double angle = direction_at_origin(arrival, end);
     // rounding may lead out of the range; at a source on the border that is no full turn
-    const bool is_border =
-      source.vertex != null_index ? faces_.is_border(source.vertex) : source.total_angle < 1.5 * geodesic_pi;
-    if(is_border)
+    if(is_source_on_border(arrival.origin))
       return (std::min)((std::max)(angle, 0.), source.total_angle);
     if(angle < 0.)
       return angle + source.total_angle;
@@ -474,11 +512,13 @@ protected:
   std::vector<Source> sources_;
   std::vector<double> distance_;
   std::vector<Geodesic_arrival> arrival_;
+  std::vector<Bend> bends_; // of each vertex, with directions or several sources
+  bool has_directions_ = false;
 
 private:
   std::vector<Query> queries_;
   std::vector<Index> query_first_, query_index_; // the queries of each face
-  bool has_directions_ = false, is_approximate_ = false;
+  bool is_approximate_ = false;
 };
 
 } // namespace internal

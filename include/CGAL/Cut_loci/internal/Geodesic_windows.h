@@ -27,11 +27,11 @@ namespace internal {
  */
 struct Geodesic_window
 {
-  double a, b;    // the interval on the halfedge
-  double x, y;    // the image of the source
-  double sigma;   // the distance of the image from the true source
-  double turn;    // sigma == 0: the rotation from this frame to the one of the source; else the direction at the source
-  double nearest; // the number of the true source
+  double a, b;   // the interval on the halfedge
+  double x, y;   // the image of the source
+  double sigma;  // the distance of the image from the true source
+  double turn;   // the rotation from this frame to the one of the (pseudo-)source, or the error if one is allowed
+  double origin; // the number of the (pseudo-)source: that of a source, or the number of sources plus that of a vertex
 
   double distance(double t) const { return sigma + std::sqrt((t - x) * (t - x) + y * y); }
 };
@@ -39,7 +39,8 @@ struct Geodesic_window
 /*!
  * is a list of windows in one block of memory, one array per member of `Geodesic_window`.
  *
- * Only the first `columns` members are stored: 5 without directions, 6 with them, 7 with several sources.
+ * Only the first `columns` members are stored: 5 for distances alone, 6 with their errors, 7 with directions or with
+ * several sources.
  */
 struct Geodesic_window_list
 {
@@ -59,7 +60,7 @@ struct Geodesic_window_list
     if(columns > 5)
       w.turn = p[5 * capacity];
     if(columns > 6)
-      w.nearest = p[6 * capacity];
+      w.origin = p[6 * capacity];
     return w;
   }
 
@@ -75,7 +76,7 @@ struct Geodesic_window_list
     if(columns > 5)
       p[5 * capacity] = w.turn;
     if(columns > 6)
-      p[6 * capacity] = w.nearest;
+      p[6 * capacity] = w.origin;
   }
 
   template <int columns>

@@ -191,7 +191,7 @@ private:
       add(at_vertex(root_.vertex));
       return root_.vertex;
     }
-    add(classify(geodesics_.source_location(arrival.source)));
+    add(classify(geodesics_.source_location(geodesics_.source_of(arrival))));
     return null_index;
   }
 
@@ -220,7 +220,7 @@ private:
     if(arrival.sigma == 0.)
     {
       Plane_point p;
-      if(!geodesics_.source_in_frame(arrival.source, h, p))
+      if(!geodesics_.source_in_frame(geodesics_.source_of(arrival), h, p))
         return false;
       return consider(p, image, null_index, scale);
     }

@@ -69,10 +69,7 @@ inline void step_left(const Geodesic_window_list& in, std::size_t first, std::si
     const double turn = step.turn;
     CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
     for(std::size_t i = 0; i < 2 * pairs; ++i)
-    {
-      const double add = p[i + 4 * ci] > 0. ? 0. : turn;
-      q[i + 5 * co] = p[i + 5 * ci] + add;
-    }
+      q[i + 5 * co] = p[i + 5 * ci] + turn;
   }
   if(columns > 6)
     for(std::size_t i = 0; i < 2 * pairs; ++i)
@@ -110,10 +107,7 @@ inline void step_right(const Geodesic_window_list& in, std::size_t first, std::s
     const double turn = step.turn;
     CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
     for(std::size_t i = 0; i < 2 * pairs; ++i)
-    {
-      const double add = p[i + 4 * ci] > 0. ? 0. : turn;
-      q[i + 5 * co] = p[i + 5 * ci] + add;
-    }
+      q[i + 5 * co] = p[i + 5 * ci] + turn;
   }
   if(columns > 6)
     for(std::size_t i = 0; i < 2 * pairs; ++i)

@@ -114,7 +114,7 @@ inline bool are_mergeable(const Geodesic_window& left, const Geodesic_window& ri
   const double scale = std::fabs(left.x) + std::fabs(left.y) + length;
   return left.sigma == right.sigma && std::fabs(left.x - right.x) <= 1e-12 * scale &&
          std::fabs(left.y - right.y) <= 1e-12 * scale && right.a <= left.b + geodesic_cover * length &&
-         left.a <= right.b + geodesic_cover * length && left.nearest == right.nearest;
+         left.a <= right.b + geodesic_cover * length && left.origin == right.origin;
 }
 
 /// restores the order of a list, using its first places as a stack.
@@ -322,7 +322,7 @@ private:
     if(!result_->empty())
     {
       Geodesic_window last = result_->template get<columns>(result_->end - 1);
-      if(last.x == w.x && last.y == w.y && last.sigma == w.sigma && last.nearest == w.nearest &&
+      if(last.x == w.x && last.y == w.y && last.sigma == w.sigma && last.origin == w.origin &&
          start - last.b <= narrow_)
       {
         last.b = stop;
