@@ -88,7 +88,7 @@ po::options_description visible_options()
      "\n"
      "  direction: where the direction at the source jumps, for exact distances\n"
      "  laplacian: valleys of the Laplacian of the distance, for any solver\n"
-     "  polyhedral: all of the cut locus of a convex polyhedron, exactly")
+     "  polyhedral: the cut locus of the polyhedron itself, exactly")
       .c_str())("strength", po::value<std::string>()->value_name("S"),
                 "least strength of a branch with the method direction (default: from the noise of the mesh)")(
     "angle", po::value<std::string>()->value_name("RAD"),
@@ -103,6 +103,11 @@ po::options_description visible_options()
                         "branches of fewer edges are removed (default: 3 with the method laplacian, else 0)")(
     "min-branch-length", po::value<std::string>()->value_name("L"),
     "branches that are shorter are removed, in units of the diagonal of the bounding box (default: 0)")(
+    "min-branch-gap", po::value<std::string>()->value_name("RAD"),
+    "least angle, in radians, between the two shortest paths to a branch where they part, with the method polyhedral "
+    "(default: 0)")("min-branch-width", po::value<std::string>()->value_name("W"),
+                    "least width of what these paths go around, in units of the diagonal of the bounding box, with the "
+                    "method polyhedral (default: 0)")(
     "smooth", po::value<std::string>()->value_name("N"),
     "N steps that move the curves off the edges of the mesh, onto the cut locus (default: 0; 4 are enough); with the "
     "method direction any N but 0 gives the curve through the faces")(
@@ -142,6 +147,8 @@ void read_method(const std::string& name, Options& options)
   options.method_name = options.method == Method::DIRECTION   ? "direction"
                         : options.method == Method::LAPLACIAN ? "laplacian"
                                                               : "polyhedral";
+  if(options.method == Method::POLYHEDRAL && options.solver != "exact")
+    throw Usage_error("--method polyhedral needs the paths of --solver exact");
   if(options.method != Method::LAPLACIAN && options.solver != "exact" && options.solver != "cgal-exact")
     throw Usage_error("--method " + name + " needs exact distances: --solver exact or cgal-exact");
 }
@@ -161,6 +168,9 @@ void check_options_of_method(const po::variables_map& given, const Options& opti
       refuse(option, "laplacian");
   if(options.method != Method::DIRECTION)
     refuse("strength", "direction");
+  if(options.method != Method::POLYHEDRAL)
+    for(const char* option : {"min-branch-gap", "min-branch-width"})
+      refuse(option, "polyhedral");
   if(options.method == Method::POLYHEDRAL)
     for(const char* option : {"min-branch-edges", "min-branch-length", "edges"})
       refuse(option, "direction or laplacian");
@@ -244,6 +254,12 @@ Options parse_command_line(int argc, char* argv[])
     options.minimum_branch_edges = to_count(text("min-branch-edges"), "--min-branch-edges");
   if(given.count("min-branch-length"))
     options.minimum_branch_length = to_non_negative_number(text("min-branch-length"), "--min-branch-length");
+  if(given.count("min-branch-gap"))
+    options.minimum_branch_gap = to_non_negative_number(text("min-branch-gap"), "--min-branch-gap");
+  if(options.minimum_branch_gap && *options.minimum_branch_gap > 3.14159265358979323846)
+    throw Usage_error("--min-branch-gap is an angle: at most pi");
+  if(given.count("min-branch-width"))
+    options.minimum_branch_width = to_non_negative_number(text("min-branch-width"), "--min-branch-width");
   if(given.count("smooth"))
     options.smoothing = to_count(text("smooth"), "--smooth");
 

@@ -28,6 +28,8 @@ struct Options
   std::optional<bool> grow; // or prune
   std::optional<std::size_t> minimum_branch_edges;
   std::optional<double> minimum_branch_length;
+  std::optional<double> minimum_branch_gap;
+  std::optional<double> minimum_branch_width;
   std::size_t smoothing = 0; // iterations
   CGAL::Cut_loci::Method method = CGAL::Cut_loci::Method::DIRECTION;
   std::string method_name;

@@ -104,6 +104,8 @@ void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut
   parameters["policy"] = options.grow ? Json(*options.grow ? "grow" : "prune") : Json(nullptr);
   parameters["min_branch_edges"] = to_json(options.minimum_branch_edges);
   parameters["strength"] = to_json(options.strength);
+  parameters["minimum_branch_gap"] = to_json(options.minimum_branch_gap);
+  parameters["minimum_branch_width"] = to_json(options.minimum_branch_width);
   parameters["smooth"] = options.smoothing;
   parameters["min_branch_length"] = to_json(options.minimum_branch_length);
 

@@ -50,7 +50,11 @@ struct Cut_locus_edge
 
   /// a halfedge on the edge of the mesh it follows, or `null_halfedge()`
   halfedge_descriptor mesh_halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
-  double strength = 0.;      ///< the largest on the branch from here to its tips, in the unit of the filter
+  /// the largest on the branch from here to its tips, in the unit of the filter; with `Cut_loci::Method::POLYHEDRAL` the
+  /// gap, an angle in radians
+  double strength = 0.;
+  /// with `Cut_loci::Method::POLYHEDRAL`, the largest separation of the two shortest paths to a point of the edge
+  double width = 0.;
   bool is_on_border = false; ///< whether it follows the border of the mesh
   std::size_t origin = 0;    ///< the edge it replaces, or is, in the graph of mesh edges of the same thresholds
 };

@@ -211,6 +211,21 @@ public:
    *     \cgalParamDefault{found from the noise of the mesh: 3 on a smooth one}
    *     \cgalParamExtra{for `Cut_loci::Method::DIRECTION` only}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{minimum_branch_gap}
+   *     \cgalParamDescription{the least angle at the source, or where they part, between the two shortest paths to the
+   *                           points of a branch, in radians in [0, pi]; it grows from the tips of branches inward}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{0}
+   *     \cgalParamExtra{for `Cut_loci::Method::POLYHEDRAL` only}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{minimum_branch_width}
+   *     \cgalParamDescription{the least value, over the points of a branch, of the largest separation of the two shortest
+   *                           paths to them, in units of the diagonal of the bounding box of the source's component: how
+   *                           large what the branch goes around is}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{0}
+   *     \cgalParamExtra{for `Cut_loci::Method::POLYHEDRAL` only. With both thresholds, a branch must pass both.}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{gradient_angle_threshold}
    *     \cgalParamDescription{the angle at which shortest paths must meet, in radians in [0, pi]; a larger one
    *                           removes weaker branches}
@@ -299,7 +314,7 @@ public:
       found = solver.filter(thresholds, curve.curve, mesh_edges);
     }
     else
-      found = component_->polyhedral->polyhedral_cut_locus();
+      found = component_->polyhedral->filter(read_exact_tree_thresholds(np, component_->diagonal));
     mark_edges(mesh_edges, parameters::get_parameter(np, internal_np::edge_is_constrained));
     return Builder(tm_, vpm_, read_, *component_)(found, source_, source_result_);
   }
@@ -404,6 +419,22 @@ private:
   }
 
   // The package's own solver also finds the directions.
+  void set_distances(Component& component, Cut_loci::internal::Exact_tree_solver& solver,
+                     const Cut_loci::Indexed_source& source, internal_np::Param_not_found)
+  {
+    if(has_own_solver_)
+      Cut_loci::internal::Exact_tree_solver::refuse_distances();
+    solver.compute_distance(source);
+    check_distances(component, solver.distance(), "the geodesic solver returned");
+  }
+
+  template <typename VertexDistanceMap>
+  void set_distances(Component&, Cut_loci::internal::Exact_tree_solver&, const Cut_loci::Indexed_source&,
+                     const VertexDistanceMap&)
+  {
+    Cut_loci::internal::Exact_tree_solver::refuse_distances();
+  }
+
   void set_distances(Component& component, Cut_loci::internal::Direction_solver& solver,
                      const Cut_loci::Indexed_source& source, internal_np::Param_not_found map)
   {

@@ -36,8 +36,9 @@ struct Indexed_cut_locus
   {
     Index source, target;        ///< nodes
     Index halfedge = null_index; ///< the edge of the mesh it is, if any
-    float strength = 0.f;        ///< of the branch
+    float strength = 0.f;        ///< of the branch, in the unit of the method
     Index origin = null_index;   ///< the edge of the graph of mesh edges that it replaces, or is
+    float width = 0.f;           ///< the largest separation of the two shortest paths, a length; if the method knows it
   };
 
   std::vector<Node> nodes; ///< the root first

@@ -18,9 +18,9 @@ enum class Method {
   DIRECTION, ///< where the direction at the source of the shortest paths jumps: nothing to tune, but the distances
              ///< must be exact, because the directions of smoothed ones do not jump. Branches are chosen by
              ///< `strength_threshold`. On rough surfaces, such as scans, its default may be too high: pass a lower one
-  POLYHEDRAL ///< all of the cut locus of the polyhedron itself, exactly: every vertex of positive curvature is on it.
-             ///< For closed surfaces without saddles, such as boundaries of convex polyhedra. It has no thresholds
-             ///< and no curve of mesh edges
+  POLYHEDRAL ///< the cut locus of the polyhedron itself, exactly up to rounding, on any mesh: every vertex of positive
+             ///< curvature is on it. Branches are chosen by `minimum_branch_gap` and `minimum_branch_width`; by default
+             ///< all are there. It needs the package's own exact distances, and has no curve of mesh edges
 };
 
 /// \ingroup PkgSurfaceMeshCutLocusRef

@@ -55,6 +55,7 @@ public:
     {
       typename Result::Edge edge;
       edge.strength = e.strength;
+      edge.width = e.width;
       edge.origin = e.origin;
       if(e.halfedge != null_index)
       {

@@ -10,7 +10,6 @@
 #include <CGAL/Cut_loci/Direction_geometry.h>
 #include <CGAL/Cut_loci/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/branch_ends.h>
 #include <CGAL/Cut_loci/curve_correspondence.h>
@@ -23,7 +22,6 @@
 #include <CGAL/Cut_loci/internal/Component_solver.h>
 #include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/mesh_edge_snapping.h>
-#include <CGAL/Cut_loci/polyhedral_cut_locus.h>
 #include <CGAL/Cut_loci/short_branches.h>
 #include <CGAL/Cut_loci/sub_edge_placement.h>
 
@@ -48,9 +46,8 @@ class Direction_solver
 {
 public:
   // once per mesh
-  explicit Direction_solver(const Indexed_triangle_mesh& mesh, bool is_polyhedral = false)
-    : mesh_(mesh), connectivity_(mesh), is_polyhedral_(is_polyhedral),
-      geometry_(Component_solver::checked(mesh, connectivity_), connectivity_)
+  explicit Direction_solver(const Indexed_triangle_mesh& mesh)
+    : mesh_(mesh), connectivity_(mesh), geometry_(Component_solver::checked(mesh, connectivity_), connectivity_)
   {
   }
 
@@ -89,13 +86,6 @@ public:
     const Index farthest_face = connectivity_.ring_halfedge[connectivity_.ring_begin[farthest_]] / 3;
     branches_ = Direction_branches(mesh_, connectivity_, geometry_, jumps_, graph_, farthest_face);
     mesh_edges_ = Mesh_edge_branches(mesh_, connectivity_, geometry_, field_, branches_, farthest_);
-    if(!is_polyhedral_)
-      return;
-    make_propagation();
-    if(!Polyhedral_cut_locus::is_applicable(mesh_, propagation_->faces()))
-      throw Invalid_input("the mesh has a border or a saddle: its polyhedral cut locus is not made of straight "
-                          "segments (Cut_loci::Method::DIRECTION takes any mesh)");
-    polyhedral_ = Polyhedral_cut_locus(mesh_, connectivity_, *propagation_)(source_);
   }
 
   // once per threshold
@@ -128,9 +118,6 @@ public:
     point.nodes.resize(1);
     return point;
   }
-
-  // all of it: it has no thresholds
-  const Indexed_cut_locus& polyhedral_cut_locus() const { return polyhedral_; }
 
   const Mesh_connectivity& connectivity() const { return connectivity_; }
   const Direction_geometry& geometry() const { return geometry_; }
@@ -186,7 +173,6 @@ private:
 
   const Indexed_triangle_mesh& mesh_;
   Mesh_connectivity connectivity_;
-  bool is_polyhedral_; // the cut locus of the polyhedron, and not of a surface that it stands for
   Direction_geometry geometry_;
   std::unique_ptr<Exact_geodesic_propagation> propagation_;
 
@@ -199,7 +185,6 @@ private:
   Direction_graph graph_;
   Direction_branches branches_;
   Mesh_edge_branches mesh_edges_;
-  Indexed_cut_locus polyhedral_;
 };
 
 } // namespace internal

@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Cut_loci/internal/Component_solver.h>
 #include <CGAL/Cut_loci/internal/Direction_solver.h>
 #include <CGAL/Cut_loci/internal/Geodesic_solver_handle.h>
@@ -35,7 +36,8 @@ struct Surface_component
   Mesh_component part;                         // else
   double diagonal = 0.;
   std::unique_ptr<Component_solver> laplacian;
-  std::unique_ptr<Direction_solver> direction, polyhedral;
+  std::unique_ptr<Direction_solver> direction;
+  std::unique_ptr<Exact_tree_solver> polyhedral;
   Geodesic_solver_handle geodesic_solver;
 
   // Component `id` of the mesh whose faces have the components `component_of_face`.
@@ -104,7 +106,7 @@ struct Surface_component
       else if(method == Method::DIRECTION)
         direction.reset(new Direction_solver(*mesh));
       else
-        polyhedral.reset(new Direction_solver(*mesh, true));
+        polyhedral.reset(new Exact_tree_solver(*mesh));
     }
     catch(const Component_solver::Face_without_area& error)
     {

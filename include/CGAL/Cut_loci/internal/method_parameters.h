@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Cut_loci/internal/Direction_solver.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 
 namespace CGAL {
@@ -64,6 +66,12 @@ void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
                   "leave it away, or pass cut_locus_method(Cut_loci::Method::DIRECTION), which needs exact distances");
 
   const bool is_polyhedral = method == Method::POLYHEDRAL;
+  const std::string use_polyhedral =
+    "leave it away, or pass cut_locus_method(Cut_loci::Method::POLYHEDRAL), which needs exact distances";
+  if(is_given<NamedParameters, np::minimum_branch_gap_t>())
+    refuse_unless(is_polyhedral, "minimum_branch_gap", use_polyhedral);
+  if(is_given<NamedParameters, np::minimum_branch_width_t>())
+    refuse_unless(is_polyhedral, "minimum_branch_width", use_polyhedral);
   const std::string other_methods = "leave it away, or pass cut_locus_method() with another method";
   if(is_given<NamedParameters, np::minimum_branch_edges_t>())
     refuse_unless(!is_polyhedral, "minimum_branch_edges", other_methods);
@@ -124,6 +132,22 @@ Direction_thresholds read_direction_thresholds(const NamedParameters& np, double
   if(std::isnan(result.strength))
     throw Invalid_input("the threshold for the strength is not a number");
   read_least_branch(np, 0, diagonal, result);
+  return result;
+}
+
+// The width is in units of `diagonal`.
+template <typename NamedParameters>
+Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, double diagonal)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Exact_tree_thresholds result;
+  result.gap = choose_parameter(get_parameter(np, internal_np::minimum_branch_gap), 0.);
+  result.width = diagonal * choose_parameter(get_parameter(np, internal_np::minimum_branch_width), 0.);
+  if(!(result.gap >= 0. && result.gap <= geodesic_pi))
+    throw Invalid_input("the minimum gap of a branch must be an angle from 0 to pi");
+  if(!(result.width >= 0. && result.width <= (std::numeric_limits<double>::max)()))
+    throw Invalid_input("the minimum width of a branch must be a number that is not negative");
   return result;
 }
 

@@ -1,0 +1,294 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_CUT_GRAPH_H
+#define CGAL_CUT_LOCI_EXACT_TREE_CUT_GRAPH_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/exact_tree/Label_changes.h>
+#include <CGAL/Cut_loci/exact_tree/Ridges.h>
+#include <CGAL/Cut_loci/internal/radix_sort.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * joins the trees of all faces to one graph, whose complement is an open disk whatever the crossings are.
+ *
+ * The crossings divide the edges of the mesh, and the vertices and the intervals between two crossings of an edge are
+ * the nodes of a *primal* graph. Its links are the edges without a crossing, the crossings, and the cells of a face,
+ * which link those parts of its boundary that they touch. This graph is embedded, and each of its faces holds one tree
+ * of pieces, or is a face of the mesh without any, or a border loop that a disk closes. So, as for the edges of a mesh
+ * \cgalCite{cgal:ew-gohhb-05}, what is dual to the links outside of a spanning tree joins all trees to a graph of 2g
+ * cycles. The tree of least weight, the angle at which paths meet, does without all links that cross the cut locus if
+ * that is possible; it is, where all crossings are known.
+ */
+class Cut_graph
+{
+public:
+  /// what is dual to a link outside of the spanning tree: it joins two trees, faces or loops
+  struct Joint
+  {
+    enum Kind : unsigned char { CROSSING, EDGE, CELL } kind;
+    Index element;               // the crossing; the edge of the mesh; the face in `Ridges::faces()`
+    Index nodes[2];              // that it joins
+    Index crossings[2] = {0, 0}; // for a cell: one on each of the two trees, numbers in the face
+  };
+
+  std::vector<Joint> joints;
+  Index number_of_nodes = 0;
+  Index first_loop = 0; ///< the nodes of the border loops
+
+  Cut_graph(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Label_changes& changes,
+            const Ridges& ridges)
+    : mesh_(mesh), connectivity_(connectivity), changes_(changes), ridges_(ridges)
+  {
+    number_nodes();
+    number_intervals();
+    link_cells();
+    link_edges();
+  }
+
+  /// the face of `Ridges::faces()` of a face of the mesh, or null
+  Index record(Index f) const { return record_.empty() ? null_index : record_[f]; }
+  /// the node of a tree
+  Index node_of_tree(Index record, Index tree) const
+  {
+    return tree == 0 ? ridges_.faces()[record].face : first_extra_[record] + tree - 1;
+  }
+  /// a leaf of the tree whose crossing follows an edge of a face with crossings, counterclockwise: the first one on the
+  /// way to that crossing; a number in the face
+  Index leaf_behind(Index record, Index corner) const
+  {
+    const Ridges::Face& face = ridges_.faces()[record];
+    ridges_.crossings_around(face.face, around_);
+    Index crossing = 0;
+    while(crossing < around_.size() && around_[crossing].corner <= corner)
+      ++crossing;
+    crossing = crossing < around_.size() ? crossing : 0;
+    const Index tree = ridges_.node(face, crossing).tree;
+    for(Index next = (corner + 1) % 3;; next = (next + 1) % 3)
+    {
+      for(Index i = face.number_of_crossings; i < face.end_node - face.first_node; ++i)
+        if(ridges_.node(face, i).vertex == mesh_.triangles[face.face][next] && ridges_.node(face, i).tree == tree)
+          return i;
+      if(next == around_[crossing].corner)
+        return crossing;
+    }
+  }
+  Index border_node(Index h) const { return first_loop + connectivity_.border_loop[mesh_.source(h)]; }
+
+private:
+  /// the nodes: the faces of the mesh, which are also the first tree in them; the loops; the other trees
+  void number_nodes()
+  {
+    const std::vector<Ridges::Face>& faces = ridges_.faces();
+    first_loop = mesh_.number_of_faces();
+    number_of_nodes = first_loop + connectivity_.number_of_border_loops;
+    record_.assign(mesh_.number_of_faces(), null_index);
+    first_extra_.resize(faces.size());
+    for(Index i = 0; i < faces.size(); ++i)
+    {
+      if(faces[i].number_of_crossings > 0)
+        record_[faces[i].face] = i;
+      first_extra_[i] = number_of_nodes;
+      number_of_nodes += (std::max)(faces[i].number_of_trees, Index(1)) - 1;
+    }
+  }
+
+  // -- the primal graph ------------------------------------------------------------------------------------------------
+
+  bool is_real(Index c) const { return !changes_[c].is_shadow; }
+
+  void number_intervals()
+  {
+    Index n = mesh_.number_of_vertices();
+    behind_.assign(changes_.number_of_crossings(), null_index);
+    for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
+    {
+      Index previous = null_index;
+      for(Index c = changes_.first(e); c < changes_.first(e + 1); ++c)
+        if(is_real(c))
+        {
+          if(previous != null_index)
+            behind_[previous] = n++;
+          previous = c;
+        }
+      if(previous != null_index)
+        behind_[previous] = mesh_.target(connectivity_.halfedge_of_edge[e]);
+    }
+    parent_.resize(n);
+    for(Index i = 0; i < n; ++i)
+      parent_[i] = i;
+  }
+
+  /// the primal node before a crossing
+  Index before(Index c) const
+  {
+    const Index h = changes_[c].halfedge, first = changes_.first(connectivity_.edge_of_halfedge[h]);
+    for(Index k = c; k-- > first;)
+      if(is_real(k))
+        return behind_[k];
+    return mesh_.source(h);
+  }
+
+  /// the primal node behind a crossing, as one goes around a face
+  Index behind(const Ridges::Crossing_on_face& c) const
+  {
+    return c.is_reversed ? before(c.crossing) : behind_[c.crossing];
+  }
+
+  Index root(Index i)
+  {
+    while(parent_[i] != i)
+    {
+      parent_[i] = parent_[parent_[i]];
+      i = parent_[i];
+    }
+    return i;
+  }
+
+  /// whether `a` and `b` were not linked before
+  bool link(Index a, Index b)
+  {
+    a = root(a);
+    b = root(b);
+    if(a == b)
+      return false;
+    parent_[(std::max)(a, b)] = (std::min)(a, b);
+    return true;
+  }
+
+  /*
+   * A cell touches the boundary of the face in parts between two crossings. From the crossing at the end of one, the
+   * tree leads along the cell to the crossing of the same tree before it, where the next part starts. Links join one
+   * part to the next; each separates the tree between them from the one between the last and the first.
+   */
+  void link_cells()
+  {
+    const std::vector<Ridges::Face>& faces = ridges_.faces();
+    std::vector<unsigned char> is_done;
+    std::vector<Index> parts;
+    for(Index r = 0; r < faces.size(); ++r)
+    {
+      const Ridges::Face& face = faces[r];
+      if(face.number_of_trees < 2)
+        continue;
+      const Index n = face.number_of_crossings;
+      ridges_.crossings_around(face.face, around_);
+      const auto tree = [&](Index i) { return ridges_.node(face, i).tree; };
+      is_done.assign(n, 0);
+      for(Index seed = 0; seed < n; ++seed)
+      {
+        parts.clear();
+        for(Index part = seed; !is_done[part];)
+        {
+          is_done[part] = 1;
+          parts.push_back(part);
+          const Index end = part + 1 < n ? part + 1 : 0;
+          part = end;
+          do
+            part = part > 0 ? part - 1 : n - 1;
+          while(tree(part) != tree(end));
+        }
+        for(std::size_t i = 0; i + 1 < parts.size(); ++i)
+          if(!link(behind(around_[parts[i]]), behind(around_[parts[i + 1]])))
+          {
+            const Index end = (parts[i] + 1) % n, last = (parts.back() + 1) % n;
+            joints.push_back({Joint::CELL, r, {node_of_tree(r, tree(end)), node_of_tree(r, tree(last))}, {end, last}});
+          }
+      }
+    }
+  }
+
+  void link_edges()
+  {
+    // edges and crossings by weight
+    std::vector<float> weight;
+    std::vector<std::pair<Index, bool>> links; // an edge, or a crossing
+    for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
+    {
+      bool is_crossed = false;
+      for(Index c = changes_.first(e); c < changes_.first(e + 1); ++c)
+        if(is_real(c))
+        {
+          is_crossed = true;
+          links.push_back({c, true});
+          weight.push_back(static_cast<float>(changes_[c].angle));
+        }
+      if(!is_crossed)
+      {
+        links.push_back({e, false});
+        weight.push_back(0.f);
+      }
+    }
+    for(Index i : radix_sorted(weight))
+    {
+      const Index element = links[i].first;
+      if(links[i].second)
+      {
+        if(!link(before(element), behind_[element]))
+          add_crossing(element);
+        continue;
+      }
+      const Index h = connectivity_.halfedge_of_edge[element];
+      if(!link(mesh_.source(h), mesh_.target(h)))
+      {
+        const Index o = mesh_.opposite[h];
+        joints.push_back({Joint::EDGE, element, {node_beside(h), o != null_index ? node_beside(o) : border_node(h)}});
+      }
+    }
+  }
+
+  /// the node on the side of `h`, an edge without crossing
+  Index node_beside(Index h) const
+  {
+    const Index r = record_[h / 3];
+    if(r == null_index)
+      return h / 3;
+    return node_of_tree(r, ridges_.node(ridges_.faces()[r], leaf_behind(r, h % 3)).tree);
+  }
+
+  void add_crossing(Index c)
+  {
+    const Index h = changes_[c].halfedge, o = mesh_.opposite[h];
+    joints.push_back({Joint::CROSSING, c, {node_at(h / 3, c), o != null_index ? node_at(o / 3, c) : border_node(h)}});
+  }
+
+  Index node_at(Index f, Index c) const
+  {
+    const Index r = record_[f];
+    const Ridges::Face& face = ridges_.faces()[r];
+    for(Index i = 0; i < face.number_of_crossings; ++i)
+      if(ridges_.node(face, i).crossing == c)
+        return node_of_tree(r, ridges_.node(face, i).tree);
+    return f;
+  }
+
+  const Indexed_triangle_mesh& mesh_;
+  const Mesh_connectivity& connectivity_;
+  const Label_changes& changes_;
+  const Ridges& ridges_;
+  std::vector<Index> record_, first_extra_;
+  std::vector<Index> behind_; // the primal node behind each crossing
+  std::vector<Index> parent_;
+  mutable std::vector<Ridges::Crossing_on_face> around_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_CUT_GRAPH_H

@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_EDGE_CROSSINGS_H
+#define CGAL_CUT_LOCI_EXACT_TREE_EDGE_CROSSINGS_H
+
+#include <CGAL/Cut_loci/exact_tree/Edge_envelope.h>
+#include <CGAL/Cut_loci/exact_tree/Path_label.h>
+#include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/internal/geodesic_window_trimming.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/// is a point of an edge of the mesh at which the label changes.
+struct Edge_crossing
+{
+  Index halfedge;         // of the two of the edge, that of smaller index
+  double t;               // the position on it
+  Path_label left, right; // before and behind the point, in the frame of the halfedge
+  double gap, angle;      // between the two paths: where they part and where they meet
+  bool is_shadow;         // it is the same path on both sides: the boundary of a shadow, not on the cut locus
+};
+
+/// is the first and the last label of an edge of the mesh.
+struct Edge_ends
+{
+  Index halfedge; // as in `Edge_crossing`
+  Path_label first, last;
+};
+
+/*!
+ * collects, while the windows are propagated, where the label changes on the edges of the mesh.
+ *
+ * It is an observer of `Exact_geodesic_propagation`. It keeps the windows of an edge until the front has passed it, so
+ * that they take the memory of the front. An edge on which windows arrive after that is late.
+ */
+class Edge_crossings
+{
+public:
+  static constexpr bool is_active = true;
+
+  /// @param slack how far beyond an edge the front has to be, for the windows of the edge to be complete
+  Edge_crossings(Exact_geodesic_propagation& geodesics, double slack)
+    : geodesics_(geodesics), faces_(geodesics.faces()), envelope_(geodesics), parting_angle_(geodesics), slack_(slack),
+      kept_(faces_.number_of_halfedges(), nullptr), state_(faces_.number_of_halfedges(), 0)
+  {
+  }
+
+  // -- while the windows are propagated --------------------------------------------------------------------------------
+
+  void advance(double front)
+  {
+    while(next_ < waiting_.size() && waiting_[next_].key + slack_ < front)
+      divide(waiting_[next_++].halfedge);
+    if(next_ > 1000 && 2 * next_ > waiting_.size())
+    {
+      waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(next_));
+      next_ = 0;
+    }
+    front_ = front;
+  }
+
+  bool take(Index h, Geodesic_window_list& list)
+  {
+    const Index o = faces_.opposite(h);
+    if((state_[(std::min)(h, o)] & divided) != 0)
+    {
+      ++number_of_late_;
+      return false;
+    }
+    wait(h, o);
+    if(kept_[h] == nullptr)
+    {
+      kept_[h] = &list;
+      return true;
+    }
+    Geodesic_window_list* copy = geodesics_.allocate(list.size());
+    copy->append<columns>(list);
+    join(kept_[h], copy, faces_.length(h));
+    return false;
+  }
+
+  /// windows reach the border halfedge `h` from its face; they are given in the frame of the opposite of `h`, which is
+  /// not there. Takes over the list.
+  void take_on_border(Index h, Geodesic_window_list* list)
+  {
+    if((state_[h] & divided) != 0)
+    {
+      ++number_of_late_;
+      geodesics_.release(list);
+      return;
+    }
+    wait(h, null_index);
+    if(kept_[h] == nullptr)
+      kept_[h] = list;
+    else
+      join(kept_[h], list, faces_.length(h));
+  }
+
+  /// the end of the propagation
+  void finish()
+  {
+    while(next_ < waiting_.size())
+      divide(waiting_[next_++].halfedge);
+    waiting_.clear();
+    for(Index h = 0; h < faces_.number_of_halfedges(); ++h)
+      if(h < faces_.opposite(h) && (state_[h] & divided) == 0) // edges along which all paths run
+        divide(h);
+  }
+
+  // -- afterwards ------------------------------------------------------------------------------------------------------
+
+  std::vector<Edge_crossing> crossings; ///< those of an edge together, in order
+  std::vector<Edge_ends> ends;          ///< of all edges
+
+  /// how often windows came too late
+  std::size_t number_of_late() const { return number_of_late_; }
+
+private:
+  static constexpr int columns = 7;
+  enum : unsigned char { waits = 1, divided = 2 };
+
+  struct Waiting
+  {
+    Index halfedge;
+    double key;
+  };
+
+  void wait(Index h, Index o)
+  {
+    const Index first = (std::min)(h, o);
+    if((state_[first] & waits) != 0)
+      return;
+    state_[first] |= waits;
+    waiting_.push_back({first, front_});
+  }
+
+  void join(Geodesic_window_list*& kept, Geodesic_window_list* other, double length)
+  {
+    Geodesic_window_list* both = geodesics_.allocate(4 * std::size_t(kept->size() + other->size()));
+    Geodesic_envelope<columns>()(*kept, *other, *both, length);
+    geodesics_.release(kept);
+    geodesics_.release(other);
+    kept = both;
+  }
+
+  // -- where the label changes -----------------------------------------------------------------------------------------
+
+  void divide(Index h)
+  {
+    state_[h] |= divided;
+    const Index o = faces_.opposite(h);
+    Geodesic_window_list* along = o != null_index ? kept_[h] : nullptr;
+    Geodesic_window_list* against = o != null_index ? kept_[o] : kept_[h];
+    const std::vector<Edge_envelope::Piece>& pieces = envelope_(h, along, against);
+    for(Geodesic_window_list* list : {along, against})
+      if(list != nullptr)
+        geodesics_.release(list);
+    kept_[h] = nullptr;
+    if(o != null_index)
+      kept_[o] = nullptr;
+    ends.push_back({h, pieces.front().label, pieces.back().label});
+    for(std::size_t i = 1; i < pieces.size(); ++i)
+      add_crossing(h, pieces[i].begin, pieces[i - 1].label, pieces[i].label);
+  }
+
+  void add_crossing(Index h, double t, const Path_label& left, const Path_label& right)
+  {
+    const double angle = meeting_angle(left, right, t), gap = parting_angle_(left, right, t);
+    crossings.push_back({h, t, left, right, gap, angle, is_same_path(angle, gap)});
+  }
+
+public:
+  /// angles that are rounding: paths pass a vertex at `geodesic_cover` of an edge, and faces are not always well shaped
+  static bool is_same_path(double meeting, double parting) { return meeting < 1e-7 && parting < 1e-7; }
+
+private:
+  Exact_geodesic_propagation& geodesics_;
+  const Geodesic_faces& faces_;
+  Edge_envelope envelope_;
+  Parting_angle parting_angle_;
+  double slack_, front_ = 0.;
+  std::vector<Geodesic_window_list*> kept_; // by halfedge
+  std::vector<unsigned char> state_;
+  std::vector<Waiting> waiting_; // edges with windows, from `next_` on
+  std::size_t next_ = 0, number_of_late_ = 0;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_EDGE_CROSSINGS_H

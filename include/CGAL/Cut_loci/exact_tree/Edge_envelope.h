@@ -1,0 +1,294 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_EDGE_ENVELOPE_H
+#define CGAL_CUT_LOCI_EXACT_TREE_EDGE_ENVELOPE_H
+
+#include <CGAL/Cut_loci/exact_tree/Path_label.h>
+#include <CGAL/Cut_loci/exact_tree/Vertex_labels.h>
+#include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/internal/geodesic_window_trimming.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * divides an edge of the mesh by the shortest paths that reach its points: the lower envelope of the windows of both of
+ * its halfedges and of the paths along the edge itself.
+ */
+class Edge_envelope
+{
+public:
+  struct Piece
+  {
+    double begin, end; // on the halfedge
+    Path_label label;  // in its frame
+  };
+
+  explicit Edge_envelope(Exact_geodesic_propagation& geodesics)
+    : geodesics_(geodesics), faces_(geodesics.faces()), vertex_labels_(geodesics)
+  {
+  }
+
+  /// the pieces of the edge of `h`, in order and without gaps
+  ///
+  /// The two lists, of which either or both may be null, hold the windows that cross `h` and its opposite.
+  const std::vector<Piece>& operator()(Index h, Geodesic_window_list* along, Geodesic_window_list* against)
+  {
+    length_ = faces_.length(h);
+    windows_.clear();
+    read_windows(along, against);
+    add_paths_along(h);
+    add_path_to_end(h, 0., faces_.source(h));
+    add_path_to_end(h, length_, faces_.target(h));
+    return pieces_;
+  }
+
+private:
+  static constexpr int columns = 7;
+
+  void read_windows(Geodesic_window_list* along, Geodesic_window_list* against)
+  {
+    Geodesic_window_list* mirrored = against != nullptr ? mirror(*against) : nullptr;
+    if(along == nullptr || mirrored == nullptr)
+    {
+      Geodesic_window_list* list = along != nullptr ? along : mirrored;
+      if(list != nullptr)
+      {
+        Geodesic_trimming<columns>(*list, length_, true)(list->begin);
+        append(*list);
+      }
+    }
+    else
+    {
+      Geodesic_window_list* both = geodesics_.allocate(4 * std::size_t(along->size() + mirrored->size()));
+      Geodesic_envelope<columns>()(*along, *mirrored, *both, length_);
+      append(*both);
+      geodesics_.release(both);
+    }
+    if(mirrored != nullptr)
+      geodesics_.release(mirrored);
+  }
+
+  /// the windows of the opposite halfedge as if they came from behind the halfedge, at the same distances; numbers of
+  /// their origins below zero mark them
+  Geodesic_window_list* mirror(const Geodesic_window_list& list) const
+  {
+    Geodesic_window_list* result = geodesics_.allocate(list.size());
+    for(std::size_t i = list.end; i-- > list.begin;)
+    {
+      Geodesic_window w = list.get<columns>(i);
+      const double a = w.a;
+      w.a = length_ - w.b;
+      w.b = length_ - a;
+      w.x = length_ - w.x;
+      w.origin = -1. - w.origin;
+      result->append<columns>(w);
+    }
+    return result;
+  }
+
+  void append(const Geodesic_window_list& list)
+  {
+    for(std::size_t i = list.begin; i < list.end; ++i)
+    {
+      const Geodesic_window w = list.get<columns>(i);
+      Path_label label{w.x, w.y, w.sigma, w.turn, 0, w.origin < 0.};
+      label.origin = static_cast<Index>(label.from_face ? -1. - w.origin : w.origin);
+      if(label.from_face)
+      {
+        label.y = -w.y;
+        label.turn += geodesic_pi;
+      }
+      windows_.push_back({w.a, w.b, label});
+    }
+  }
+
+  /// What no window reaches is reached along the edge, from its ends or from a source on it. So it is at an end; between
+  /// two windows it is a rounding error of the rays that bound these.
+  void add_paths_along(Index h)
+  {
+    pieces_.clear();
+    const double margin = geodesic_cover * length_;
+    Path_label on_edge;
+    if(is_source_on(h, on_edge))
+    {
+      pieces_.push_back({0., length_, on_edge});
+      return;
+    }
+    drop_slower_windows(h);
+    if(windows_.empty())
+    {
+      add_labels_of_ends(h);
+      return;
+    }
+    if(windows_.front().begin > margin)
+      pieces_.push_back({0., windows_.front().begin, vertex_labels_.at_source(h)});
+    // rays that bound a shadow are that inaccurate, and what shows in between is not there
+    for(const Piece& w : windows_)
+      if(w.end - w.begin > 10. * margin || windows_.size() == 1)
+        add(w);
+    if(pieces_.empty())
+      add(windows_.front());
+    if(windows_.back().end < length_ - margin)
+      pieces_.push_back({windows_.back().end, length_, vertex_labels_.at_target(h)});
+    // Pieces shorter than this at an end are rounding: they belong to the vertex.
+    while(pieces_.size() > 1 && pieces_.front().end < margin)
+      pieces_.erase(pieces_.begin());
+    while(pieces_.size() > 1 && pieces_.back().begin > length_ - margin)
+      pieces_.pop_back();
+    pieces_.front().begin = 0.;
+    pieces_.back().end = length_;
+    for(std::size_t i = 1; i < pieces_.size(); ++i)
+      pieces_[i - 1].end = pieces_[i].begin = 0.5 * (pieces_[i - 1].end + pieces_[i].begin);
+  }
+
+  void add(const Piece& piece)
+  {
+    if(!pieces_.empty())
+    {
+      Path_label& last = pieces_.back().label;
+      const double scale = std::fabs(last.x) + std::fabs(last.y) + length_;
+      if(last.origin == piece.label.origin && last.from_face == piece.label.from_face &&
+         std::fabs(last.x - piece.label.x) + std::fabs(last.y - piece.label.y) <= 1e-12 * scale)
+      {
+        pieces_.back().end = piece.end;
+        return;
+      }
+    }
+    pieces_.push_back(piece);
+  }
+
+  /// At an end from which paths start in all directions, or in those of a shadow, the one along the edge is shorter than
+  /// the windows up to some point.
+  void drop_slower_windows(Index h)
+  {
+    const Index a = faces_.source(h), b = faces_.target(h);
+    if(emits(a))
+    {
+      std::size_t n = 0;
+      while(n < windows_.size() &&
+            !end_slower(windows_[n], windows_[n].end, windows_[n].begin, 0., geodesics_.distance(a)))
+        ++n;
+      windows_.erase(windows_.begin(), windows_.begin() + static_cast<std::ptrdiff_t>(n));
+    }
+    if(emits(b))
+      while(!windows_.empty() &&
+            !end_slower(windows_.back(), windows_.back().begin, windows_.back().end, length_, geodesics_.distance(b)))
+        windows_.pop_back();
+  }
+
+  bool emits(Index v) const { return geodesics_.distance(v) == 0. || faces_.is_pseudo_source(v); }
+
+  /// Ends the window where the path along the edge from its end at `from` becomes shorter; returns whether it is not so
+  /// on all of it. `near` is the end of the window on that side.
+  bool end_slower(const Piece& window, double far, double& near, double from, double distance) const
+  {
+    const auto gain = [&](double t) { return distance + std::fabs(t - from) - window.label.distance(t); };
+    const double rounding = 1e-14 * (distance + length_);
+    if(gain(far) <= rounding)
+      return false;
+    if(gain(near) >= -rounding)
+      return true;
+    double slow = near;
+    for(int i = 0; i < 60; ++i)
+    {
+      const double middle = 0.5 * (slow + far);
+      (gain(middle) <= 0. ? slow : far) = middle;
+    }
+    near = far;
+    return true;
+  }
+
+  /// The label of one end, or of both up to a tie.
+  void add_labels_of_ends(Index h)
+  {
+    const Path_label begin = vertex_labels_.at_source(h), end = vertex_labels_.at_target(h);
+    const double rounding = geodesic_cover * length_;
+    if(begin.distance(length_) - geodesics_.distance(faces_.target(h)) <= rounding)
+      pieces_.push_back({0., length_, begin});
+    else if(end.distance(0.) - geodesics_.distance(faces_.source(h)) <= rounding)
+      pieces_.push_back({0., length_, end});
+    else
+    {
+      double low = 0., high = length_;
+      for(int i = 0; i < 60; ++i)
+      {
+        const double middle = 0.5 * (low + high);
+        (begin.distance(middle) < end.distance(middle) ? low : high) = middle;
+      }
+      pieces_.push_back({0., low, begin});
+      pieces_.push_back({low, length_, end});
+    }
+  }
+
+  /// A path along the edge, straight through a vertex, is in no window. What leads to an end of the edge belongs to it.
+  void add_path_to_end(Index h, double t, Index v)
+  {
+    const bool is_begin = t == 0.;
+    const Path_label& known = is_begin ? pieces_.front().label : pieces_.back().label;
+    if(!(known.distance(t) - geodesics_.distance(v) > geodesic_cover * length_))
+      return;
+    const Path_label label = is_begin ? vertex_labels_.at_source(h) : vertex_labels_.at_target(h);
+    // up to the first point, from that end, that another path reaches as soon
+    while(pieces_.size() > 1)
+    {
+      const Piece& last = is_begin ? pieces_.front() : pieces_.back();
+      const double end = is_begin ? last.end : last.begin;
+      if(last.label.distance(end) <= label.distance(end))
+        break;
+      pieces_.erase(is_begin ? pieces_.begin() : pieces_.end() - 1);
+    }
+    Piece& next = is_begin ? pieces_.front() : pieces_.back();
+    double low = is_begin ? next.begin : next.end, high = is_begin ? next.end : next.begin;
+    for(int i = 0; i < 60; ++i)
+    {
+      const double middle = 0.5 * (low + high);
+      (label.distance(middle) < next.label.distance(middle) ? low : high) = middle;
+    }
+    if(is_begin)
+    {
+      next.begin = low;
+      pieces_.insert(pieces_.begin(), {0., low, label});
+    }
+    else
+    {
+      next.end = low;
+      pieces_.push_back({low, length_, label});
+    }
+  }
+
+  bool is_source_on(Index h, Path_label& label) const
+  {
+    for(Index i = 0; i < geodesics_.number_of_sources(); ++i)
+    {
+      const Index g = geodesics_.source_edge(i);
+      if(g == null_index || (g != h && faces_.opposite(g) != h))
+        continue;
+      const double t = geodesics_.source_location(i).coordinates[Indexed_triangle_mesh::next(g) % 3] * length_;
+      label = {g == h ? t : length_ - t, 0., 0., g == h ? 0. : geodesic_pi, i, false};
+      return true;
+    }
+    return false;
+  }
+
+  Exact_geodesic_propagation& geodesics_;
+  const Geodesic_faces& faces_;
+  Vertex_labels vertex_labels_;
+  double length_ = 0.;
+  std::vector<Piece> windows_, pieces_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_EDGE_ENVELOPE_H

@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_EXACT_TREE_H
+#define CGAL_CUT_LOCI_EXACT_TREE_EXACT_TREE_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/exact_tree/Cut_graph.h>
+#include <CGAL/Cut_loci/exact_tree/Digon_width.h>
+#include <CGAL/Cut_loci/exact_tree/Edge_crossings.h>
+#include <CGAL/Cut_loci/exact_tree/Label_changes.h>
+#include <CGAL/Cut_loci/exact_tree/Ridges.h>
+#include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
+#include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
+#include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * is the cut locus of a polyhedron for one source, with the strengths of its branches: the stages in their order.
+ */
+class Exact_tree
+{
+public:
+  Exact_tree(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+             Exact_geodesic_propagation& geodesics)
+    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics)
+  {
+  }
+
+  /// computes the distances, and where the cut locus crosses the edges of the mesh
+  void propagate(const Indexed_location& source)
+  {
+    // Windows of an edge come once the front is there, up to a face or two. If that is not enough on this mesh, once
+    // more with room for all.
+    for(double slack = 8. * geodesics_.faces().mean_edge_length();; slack = (std::numeric_limits<double>::infinity)())
+    {
+      crossings_.reset(new Edge_crossings(geodesics_, slack));
+      geodesics_.run({source}, Exact_geodesic_options(), *crossings_);
+      crossings_->finish();
+      if(crossings_->number_of_late() == 0 || slack > 1e300)
+        return;
+    }
+  }
+
+  void draw_ridges()
+  {
+    changes_ = Label_changes(connectivity_, geodesics_, *crossings_);
+    crossings_.reset();
+    ridges_ = Ridges(mesh_, connectivity_, geodesics_, changes_);
+  }
+
+  void join()
+  {
+    const Cut_graph cut(mesh_, connectivity_, changes_, ridges_);
+    graph_.reset(new Tree_graph(mesh_, connectivity_, geodesics_, changes_, ridges_, cut));
+  }
+
+  /// The source is moved away from a vertex: what starts there is none of it.
+  void remove_branch_to(Index vertex)
+  {
+    if(vertex != null_index)
+      graph_->remove_branch_to(vertex);
+  }
+
+  void order_branches()
+  {
+    branches_ = Tree_branches(
+      static_cast<Index>(graph_->nodes.size()), static_cast<Index>(graph_->edges.size()),
+      [&](Index e) { return graph_->edges[e].nodes; }, [&](Index e) { return graph_->edges[e].gap; },
+      connectivity_.number_of_border_loops);
+    width_.assign(graph_->edges.size(), -1.f);
+  }
+
+  const Tree_graph& graph() const { return *graph_; }
+  /// whether the labels decided on everything
+  bool is_sure() const { return graph_->is_sure(); }
+  const Tree_branches& branches() const { return branches_; }
+  const Ridges& ridges() const { return ridges_; }
+
+  /// the edges of the graph whose branches are at least that wide, and have at least that gap
+  std::vector<Tree_branches::Edge> kept(double minimum_gap, double minimum_width)
+  {
+    Digon_width measure(mesh_, geodesics_);
+    std::vector<Tree_branches::Edge> result = branches_(
+      [&](const Tree_branches::Edge& b)
+      { return b.strength >= minimum_gap && (minimum_width == 0. || is_wide(b.edge, minimum_width, measure)); });
+    return without_weak_ends(result);
+  }
+
+  /// the largest separation of the two shortest paths to the points of a piece
+  double width(Index edge)
+  {
+    Digon_width measure(mesh_, geodesics_);
+    return width(edge, measure);
+  }
+
+private:
+  bool is_wide(Index edge, double minimum, Digon_width& measure)
+  {
+    return graph_->edges[edge].piece == null_index || width(edge, measure) >= minimum;
+  }
+
+  double width(Index edge, Digon_width& measure)
+  {
+    const Tree_graph::Edge& e = graph_->edges[edge];
+    float& result = width_[edge];
+    if(result < 0.f)
+    {
+      result = 0.f;
+      if(e.piece != null_index)
+      {
+        const Ridges::Piece& piece = ridges_.piece(e.piece);
+        const int wider = piece.gaps[0] >= piece.gaps[1] ? 0 : 1;
+        const Plane_point p = ridges_.piece_end(e.piece, wider);
+        result = static_cast<float>(measure(e.face, p, piece.images[0], piece.images[1]));
+      }
+    }
+    return result;
+  }
+
+  /// what only the topology has joined is kept as long as there is something behind it
+  std::vector<Tree_branches::Edge> without_weak_ends(const std::vector<Tree_branches::Edge>& edges) const
+  {
+    std::vector<unsigned char> is_kept(edges.size(), 1);
+    std::vector<Tree_branches::Edge> result;
+    std::vector<Index> used;
+    used.reserve(edges.size());
+    for(const Tree_branches::Edge& b : edges)
+      used.push_back(b.outer);
+    std::sort(used.begin(), used.end());
+    std::vector<unsigned char> has_kept(used.size(), 0);
+    const auto slot = [&](Index node) -> unsigned char*
+    {
+      const auto found = std::lower_bound(used.begin(), used.end(), node);
+      return found != used.end() && *found == node ? &has_kept[static_cast<std::size_t>(found - used.begin())]
+                                                   : nullptr;
+    };
+    const std::size_t core = branches_.number_of_core_edges();
+    for(std::size_t i = edges.size(); i-- > core;)
+    {
+      const unsigned char* behind = slot(edges[i].outer);
+      is_kept[i] = graph_->edges[edges[i].edge].piece != null_index || (behind != nullptr && *behind != 0);
+      if(is_kept[i])
+        if(unsigned char* mark = slot(edges[i].inner))
+          *mark = 1;
+    }
+    for(std::size_t i = 0; i < edges.size(); ++i)
+      if(is_kept[i])
+        result.push_back(edges[i]);
+    return result;
+  }
+
+  const Indexed_triangle_mesh& mesh_;
+  const Mesh_connectivity& connectivity_;
+  Exact_geodesic_propagation& geodesics_;
+  std::unique_ptr<Edge_crossings> crossings_;
+  Label_changes changes_;
+  Ridges ridges_;
+  std::unique_ptr<Tree_graph> graph_;
+  Tree_branches branches_;
+  std::vector<float> width_; // of each edge, negative as long as nobody has asked for it
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_EXACT_TREE_H

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_IMAGE_BISECTOR_H
+#define CGAL_CUT_LOCI_EXACT_TREE_IMAGE_BISECTOR_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/internal/Geodesic_faces.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/// is the image of a source, or of a vertex at which paths bend, in the plane of a face.
+struct Image
+{
+  double x, y, sigma; // `sigma` is the distance of what it is the image of
+  Index origin;
+  double direction; // in which the path to the centroid of the face leaves the origin
+
+  double distance(const Plane_point& p) const { return sigma + std::hypot(p.x - x, p.y - y); }
+};
+
+inline bool is_same_image(const Image& a, const Image& b)
+{
+  const double scale = std::fabs(a.x) + std::fabs(a.y) + a.sigma;
+  return a.origin == b.origin && std::fabs(a.x - b.x) + std::fabs(a.y - b.y) <= 1e-9 * scale;
+}
+
+/// the points at the same distance from three images, in which three pieces of the cut locus meet; up to two
+inline std::size_t equidistant_points(const Image& a, const Image& b, const Image& c,
+                                      std::array<Plane_point, 2>& points)
+{
+  // With `b` as the origin, and the distance rho from it as an unknown, two of the three equations are linear.
+  const double ax = a.x - b.x, ay = a.y - b.y, cx = c.x - b.x, cy = c.y - b.y;
+  const double as = a.sigma - b.sigma, cs = c.sigma - b.sigma;
+  const double determinant = ax * cy - ay * cx;
+  if(determinant == 0.)
+    return 0;
+  const double ak = 0.5 * (ax * ax + ay * ay - as * as), ck = 0.5 * (cx * cx + cy * cy - cs * cs);
+  const double ux = (ak * cy - ck * ay) / determinant, uy = (ck * ax - ak * cx) / determinant;
+  if(as == 0. && cs == 0.)
+  {
+    points[0] = {b.x + ux, b.y + uy};
+    return 1;
+  }
+  const double wx = (as * cy - cs * ay) / determinant, wy = (cs * ax - as * cx) / determinant;
+  // |u + rho w| = rho
+  const double k2 = wx * wx + wy * wy - 1., k1 = ux * wx + uy * wy, k0 = ux * ux + uy * uy;
+  const double discriminant = k1 * k1 - k2 * k0;
+  if(!(discriminant >= 0.))
+    return 0;
+  const double q = -(k1 + (k1 < 0. ? -1. : 1.) * std::sqrt(discriminant));
+  std::size_t n = 0;
+  for(const double rho : {q / k2, k0 / q})
+    if(rho >= 0. && rho + b.sigma >= a.sigma && rho + b.sigma >= c.sigma && rho < 1e300)
+      points[n++] = {b.x + ux + rho * wx, b.y + uy + rho * wy};
+  return n;
+}
+
+/// the points of the line through `p` and `q` at the same distance from two images; up to two
+inline std::size_t equidistant_points(const Plane_point& p, const Plane_point& q, const Image& a, const Image& b,
+                                      std::array<Plane_point, 2>& points)
+{
+  const double l = std::hypot(q.x - p.x, q.y - p.y);
+  if(!(l > 0.))
+    return 0;
+  const double dx = (q.x - p.x) / l, dy = (q.y - p.y) / l;
+  // the images from `p`; the distance r from `a` and the way s along the line: r^2 = s^2 - 2 s a + |a|^2
+  const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y, k = a.sigma - b.sigma;
+  const double pa = ax * dx + ay * dy, pb = bx * dx + by * dy;
+  const double na = ax * ax + ay * ay, nb = bx * bx + by * by;
+  // (r + k)^2 = s^2 - 2 s b + |b|^2, so that 2 k r = e - 2 m s
+  const double m = pb - pa, e = nb - na - k * k;
+  if(k == 0.)
+  {
+    if(m == 0.)
+      return 0;
+    const double s = 0.5 * e / m;
+    points[0] = {p.x + s * dx, p.y + s * dy};
+    return 1;
+  }
+  const double k2 = m * m - k * k, k1 = k * k * pa - 0.5 * m * e, k0 = 0.25 * e * e - k * k * na;
+  const double discriminant = k1 * k1 - k2 * k0;
+  if(!(discriminant >= 0.))
+    return 0;
+  const double root = -(k1 + (k1 < 0. ? -1. : 1.) * std::sqrt(discriminant));
+  std::size_t n = 0;
+  for(const double s : {root / k2, k0 / root})
+    if((e - 2. * m * s) * k >= 0. && std::fabs(s) < 1e300)
+      points[n++] = {p.x + s * dx, p.y + s * dy};
+  return n;
+}
+
+/// appends points of the hyperbola between two images, from `p` to `q` and without these, so that chords leave it by at
+/// most `tolerance`
+inline void sample_bisector(const Image& a, const Image& b, const Plane_point& p, const Plane_point& q,
+                            double tolerance, std::vector<Plane_point>& points, int depth = 0)
+{
+  constexpr int most = 10; // a thousand points
+  if(a.sigma == b.sigma || depth == most)
+    return;
+  const Plane_point middle{0.5 * (p.x + q.x), 0.5 * (p.y + q.y)};
+  const Plane_point beside{middle.x - (q.y - p.y), middle.y + (q.x - p.x)};
+  std::array<Plane_point, 2> candidates;
+  const std::size_t n = equidistant_points(middle, beside, a, b, candidates);
+  double least = 0.5 * std::hypot(q.x - p.x, q.y - p.y); // a branch of a hyperbola bends by less than a right angle
+  std::size_t best = n;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double sagitta = std::hypot(candidates[i].x - middle.x, candidates[i].y - middle.y);
+    if(sagitta < least)
+    {
+      least = sagitta;
+      best = i;
+    }
+  }
+  if(best == n || least <= tolerance)
+    return;
+  const Plane_point point = candidates[best];
+  sample_bisector(a, b, p, point, tolerance, points, depth + 1);
+  points.push_back(point);
+  sample_bisector(a, b, point, q, tolerance, points, depth + 1);
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_IMAGE_BISECTOR_H

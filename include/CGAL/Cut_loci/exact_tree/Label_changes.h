@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_LABEL_CHANGES_H
+#define CGAL_CUT_LOCI_EXACT_TREE_LABEL_CHANGES_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/exact_tree/Edge_crossings.h>
+#include <CGAL/Cut_loci/exact_tree/Vertex_labels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * lists for each edge of the mesh where its label changes, and for each vertex where that of the faces around it does.
+ *
+ * A vertex that several shortest paths reach has the label of one of them; the others start behind a crossing at the
+ * end of an edge. So the cut locus never runs through a vertex, but beside it, by nothing.
+ */
+class Label_changes
+{
+public:
+  Label_changes() = default;
+
+  Label_changes(const Mesh_connectivity& connectivity, const Geodesic_results& geodesics, Edge_crossings& found)
+    : connectivity_(&connectivity), geodesics_(&geodesics)
+  {
+    const Vertex_labels labels(geodesics);
+    crossings_.swap(found.crossings);
+    add_crossings_at_ends(found, labels);
+    sort();
+    find_changes_at_vertices(labels);
+  }
+
+  /// all crossings: those of edge `e` are `first(e)`, ..., `first(e + 1) - 1`, in order
+  const Edge_crossing& operator[](std::size_t i) const { return crossings_[i]; }
+  Index number_of_crossings() const { return static_cast<Index>(crossings_.size()); }
+  Index first(Index e) const { return first_[e]; }
+
+  /// the changes at vertices, by their halfedge
+  const std::vector<Vertex_labels::Change>& at_vertices() const { return at_vertices_; }
+
+private:
+  void add_crossings_at_ends(const Edge_crossings& found, const Vertex_labels& labels)
+  {
+    for(const Edge_ends& e : found.ends)
+    {
+      const double length = geodesics_->faces().length(e.halfedge);
+      add_crossing_at_end({e.halfedge, 0., labels.at_source(e.halfedge), e.first, 0., 0., false},
+                          geodesics_->faces().source(e.halfedge));
+      add_crossing_at_end({e.halfedge, length, e.last, labels.at_target(e.halfedge), 0., 0., false},
+                          geodesics_->faces().target(e.halfedge));
+    }
+  }
+
+  /// if the label of an edge is not that of the vertex `v` at which it ends
+  void add_crossing_at_end(Edge_crossing c, Index v)
+  {
+    if(geodesics_->distance(v) == 0.)
+      return;
+    const Path_label& label = c.t == 0. ? c.right : c.left;
+    if(label.origin == geodesics_->origin_of_vertex(v))
+      return; // it comes through the vertex
+    const Geodesic_arrival& arrival = geodesics_->arrival(v);
+    const double direction = Geodesic_results::direction_at_origin(arrival, geodesics_->end_in_frame(arrival, v));
+    c.gap = Parting_angle(*geodesics_)(arrival.origin, direction, label.origin, label.direction(c.t));
+    c.angle = meeting_angle(c.left, c.right, c.t);
+    if(!Edge_crossings::is_same_path(c.angle, c.gap))
+      crossings_.push_back(c);
+  }
+
+  void sort()
+  {
+    const std::vector<Index>& edge = connectivity_->edge_of_halfedge;
+    first_.assign(connectivity_->number_of_edges() + std::size_t(1), 0);
+    for(const Edge_crossing& c : crossings_)
+      ++first_[edge[c.halfedge] + std::size_t(1)];
+    for(std::size_t e = 0; e + 1 < first_.size(); ++e)
+      first_[e + 1] += first_[e];
+    std::vector<Edge_crossing> sorted(crossings_.size());
+    std::vector<Index> next(first_.begin(), first_.end() - 1);
+    for(const Edge_crossing& c : crossings_)
+      sorted[next[edge[c.halfedge]]++] = c;
+    for(std::size_t e = 0; e + 1 < first_.size(); ++e)
+      std::stable_sort(sorted.begin() + first_[e], sorted.begin() + first_[e + 1],
+                       [](const Edge_crossing& a, const Edge_crossing& b) { return a.t < b.t; });
+    crossings_.swap(sorted);
+  }
+
+  void find_changes_at_vertices(const Vertex_labels& labels)
+  {
+    const Geodesic_faces& faces = geodesics_->faces();
+    constexpr double least = 1e-7; // as `Edge_crossings::is_same_path()`
+    for(Index v = 0; v < faces.number_of_vertices(); ++v)
+    {
+      const bool is_tip = !faces.is_border(v) && 2. * geodesic_pi - faces.total_angle(v) > least;
+      if(is_tip || faces.is_pseudo_source(v))
+        for(const Vertex_labels::Change& c : labels.changes(v))
+          at_vertices_.push_back(c);
+    }
+    std::stable_sort(at_vertices_.begin(), at_vertices_.end(),
+                     [](const Vertex_labels::Change& a, const Vertex_labels::Change& b)
+                     { return a.halfedge < b.halfedge; });
+  }
+
+  const Mesh_connectivity* connectivity_ = nullptr;
+  const Geodesic_results* geodesics_ = nullptr;
+  std::vector<Edge_crossing> crossings_;
+  std::vector<Index> first_;
+  std::vector<Vertex_labels::Change> at_vertices_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_LABEL_CHANGES_H

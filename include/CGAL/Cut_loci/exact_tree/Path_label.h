@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_PATH_LABEL_H
+#define CGAL_CUT_LOCI_EXACT_TREE_PATH_LABEL_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * tells which shortest paths reach the points of a part of a halfedge: all those straight ones that come from one image
+ * of a source, or of a vertex at which they bend, in the frame of the halfedge.
+ */
+struct Path_label
+{
+  double x, y;    // the image; y <= 0 if the paths come from behind the halfedge, and y >= 0 if from its face
+  double sigma;   // the distance of the image from the source
+  double turn;    // what turns directions of this frame into directions at the origin
+  Index origin;   // as in `Geodesic_window`
+  bool from_face; // whether the paths come out of the face of the halfedge
+
+  double distance(double t) const { return sigma + std::sqrt((t - x) * (t - x) + y * y); }
+
+  /// the direction in which the path to the point `t` leaves its origin, see `Geodesic_results::direction_at_origin()`
+  double direction(double t) const
+  {
+    const double angle = std::atan2(std::fabs(y), t - x);
+    return from_face ? turn - angle : turn + angle;
+  }
+
+  /// the same in the frame of the opposite halfedge
+  Path_label opposite(double length) const
+  {
+    return {length - x, -y, sigma, from_face ? turn - geodesic_pi : turn + geodesic_pi, origin, !from_face};
+  }
+};
+
+/// the angle at which two paths meet in a point, given the vectors from there to their images
+inline double angle_between(double ax, double ay, double bx, double by)
+{
+  return std::atan2(std::fabs(ax * by - ay * bx), ax * bx + ay * by);
+}
+
+/// the angle at which the paths of two labels meet in the point `t`: zero if there is one path, in two pieces
+inline double meeting_angle(const Path_label& a, const Path_label& b, double t)
+{
+  return angle_between(a.x - t, a.y, b.x - t, b.y);
+}
+
+/*!
+ * measures the angle at which two shortest paths to the same point part: at their source or, if they go together for a
+ * while, at the vertex at which they bend apart.
+ *
+ * Paths from different sources part nowhere: the angle is infinite.
+ */
+class Parting_angle
+{
+public:
+  explicit Parting_angle(const Geodesic_results& geodesics) : geodesics_(geodesics) {}
+
+  double operator()(const Path_label& a, const Path_label& b, double t) const
+  {
+    return operator()(a.origin, a.direction(t), b.origin, b.direction(t));
+  }
+
+  /// for paths that leave their origins in the given directions
+  double operator()(Index a, double a_direction, Index b, double b_direction) const
+  {
+    while(a != b)
+    {
+      if(geodesics_.is_source(a) && geodesics_.is_source(b))
+        return (std::numeric_limits<double>::infinity)();
+      // the farther origin comes last on its path
+      if(distance(a) >= distance(b))
+        a_direction = step_back(a);
+      else
+        b_direction = step_back(b);
+    }
+    const double difference = std::fabs(a_direction - b_direction);
+    if(!geodesics_.is_source(a))
+      return difference;
+    const double full = geodesics_.source_angle(a);
+    if(geodesics_.is_source_on_border(a))
+      return (std::min)(difference, full);
+    const double rest = std::fmod(difference, full);
+    return (std::min)(rest, full - rest);
+  }
+
+private:
+  double distance(Index origin) const
+  {
+    return geodesics_.is_source(origin) ? 0. : geodesics_.distance(geodesics_.vertex_of_origin(origin));
+  }
+
+  /// from a vertex to the origin of the shortest path to it; returns the direction of that path there
+  double step_back(Index& origin) const
+  {
+    const Index v = geodesics_.vertex_of_origin(origin);
+    const Geodesic_arrival& arrival = geodesics_.arrival(v);
+    origin = arrival.origin;
+    return Geodesic_results::direction_at_origin(arrival, geodesics_.end_in_frame(arrival, v));
+  }
+
+  const Geodesic_results& geodesics_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_PATH_LABEL_H

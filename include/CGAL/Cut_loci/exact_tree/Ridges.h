@@ -1,0 +1,385 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_RIDGES_H
+#define CGAL_CUT_LOCI_EXACT_TREE_RIDGES_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/exact_tree/Face_ridges.h>
+#include <CGAL/Cut_loci/exact_tree/Label_changes.h>
+#include <CGAL/Cut_loci/exact_tree/Path_label.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * holds the pieces of the cut locus in all faces that it crosses, in trees.
+ *
+ * In each such face the crossings of its edges, counterclockwise, are the leaves of its trees; further leaves are
+ * vertices at which a branch ends.
+ */
+class Ridges
+{
+public:
+  struct Node
+  {
+    Plane_point point;           // in the frame of the first halfedge of the face
+    Index crossing = null_index; // of an edge of the face
+    Index vertex = null_index;   // a branch ends there
+    Index tree = null_index;     // of the face, or null if no tree reaches the boundary from here
+    double distance = 0.;
+  };
+
+  struct Piece
+  {
+    Index nodes[2]; // numbers in the face
+    Image images[2];
+    double gaps[2];   // at the nodes: the angle at which the two paths part
+    Index first_node; // of the face
+  };
+
+  struct Face
+  {
+    Index face;
+    Index first_node, number_of_crossings; // the nodes of crossings come first, counterclockwise
+    Index end_node, first_piece, end_piece;
+    Index number_of_trees;
+  };
+
+  /// a crossing on the boundary of a face, as one goes around the face
+  struct Crossing_on_face
+  {
+    Index crossing;
+    Index corner; // where its edge starts
+    bool is_reversed;
+  };
+
+  Ridges() = default;
+
+  Ridges(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Geodesic_results& geodesics,
+         const Label_changes& changes)
+    : mesh_(&mesh), connectivity_(&connectivity), geodesics_(&geodesics), changes_(&changes)
+  {
+    std::size_t next_at_vertex = 0;
+    const std::vector<Vertex_labels::Change>& at_vertices = changes.at_vertices();
+    for(Index f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      while(next_at_vertex < at_vertices.size() && at_vertices[next_at_vertex].halfedge < 3 * f)
+        ++next_at_vertex;
+      if(has_crossings(f) || has_two_ends(f, next_at_vertex))
+        add_face(f, next_at_vertex);
+    }
+  }
+
+  const std::vector<Face>& faces() const { return faces_; }
+  /// the number of faces in which labels did not fit each other
+  Index number_of_doubtful() const { return number_of_doubtful_; }
+  const Node& node(const Face& f, Index i) const { return nodes_[f.first_node + i]; }
+  const Piece& piece(std::size_t i) const { return pieces_[i]; }
+  /// an end of a piece, in the frame of the first halfedge of its face
+  Plane_point piece_end(std::size_t i, int end) const
+  {
+    return nodes_[pieces_[i].first_node + pieces_[i].nodes[end]].point;
+  }
+
+  /// the corners of a face in the frame of its first halfedge
+  std::array<Plane_point, 3> layout(Index f) const
+  {
+    return {{{0., 0.}, {geodesics_->faces().length(3 * f), 0.}, geodesics_->faces().apex(3 * f)}};
+  }
+
+  /// the crossings that are on the cut locus, counterclockwise from the first corner
+  void crossings_around(Index f, std::vector<Crossing_on_face>& result) const
+  {
+    result.clear();
+    for(Index i = 0; i < 3; ++i)
+      for_each_crossing(3 * f + i,
+                        [&](Index c, bool is_reversed)
+                        {
+        if(!(*changes_)[c].is_shadow)
+          result.push_back({c, i, is_reversed});
+      });
+  }
+
+private:
+  bool has_crossings(Index f) const
+  {
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const Index e = connectivity_->edge_of_halfedge[h];
+      for(Index c = changes_->first(e); c < changes_->first(e + 1); ++c)
+        if(!(*changes_)[c].is_shadow)
+          return true;
+    }
+    return false;
+  }
+
+  /// whether two branches end at vertices of the face: it may be one and the same
+  bool has_two_ends(Index f, std::size_t next_at_vertex) const
+  {
+    const std::vector<Vertex_labels::Change>& at_vertices = changes_->at_vertices();
+    int number = 0;
+    for(; next_at_vertex < at_vertices.size() && at_vertices[next_at_vertex].halfedge < 3 * f + 3; ++next_at_vertex)
+      number += !at_vertices[next_at_vertex].is_shadow;
+    return number > 1;
+  }
+
+  template <typename Function>
+  void for_each_crossing(Index h, const Function& function) const
+  {
+    const Index e = connectivity_->edge_of_halfedge[h];
+    const Index begin = changes_->first(e), end = changes_->first(e + 1);
+    if(connectivity_->halfedge_of_edge[e] == h)
+      for(Index c = begin; c < end; ++c)
+        function(c, false);
+    else
+      for(Index c = end; c-- > begin;)
+        function(c, true);
+  }
+
+  /// from the frame of `h` to that of the first halfedge of its face
+  Plane_point to_face(Index h, double x, double y) const
+  {
+    const Plane_point &p = corners_[h % 3], &q = corners_[(h + 1) % 3];
+    const double l = geodesics_->faces().length(h), c = (q.x - p.x) / l, s = (q.y - p.y) / l;
+    return {p.x + c * x - s * y, p.y + s * x + c * y};
+  }
+
+  /// the image of a label of `h`, given a point `t` that its paths reach
+  Image image(Index h, const Path_label& label, double t) const
+  {
+    const Plane_point p = to_face(h, label.x, label.y), q = to_face(h, t, 0.);
+    return {p.x, p.y, label.sigma, label.origin, label.direction(t) + turn(p, q, centroid_)};
+  }
+
+  /// the angle at `p` from the direction of `a` to that of `b`
+  static double turn(const Plane_point& p, const Plane_point& a, const Plane_point& b)
+  {
+    const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y;
+    return std::atan2(ax * by - ay * bx, ax * bx + ay * by);
+  }
+
+  void add_face(Index f, std::size_t next_at_vertex)
+  {
+    corners_ = layout(f);
+    centroid_ = {(corners_[0].x + corners_[1].x + corners_[2].x) / 3.,
+                 (corners_[0].y + corners_[1].y + corners_[2].y) / 3.};
+    local_changes_.clear();
+    entries_.clear();
+    nodes_of_changes_.clear();
+    const std::vector<Vertex_labels::Change>& at_vertices = changes_->at_vertices();
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      for(; next_at_vertex < at_vertices.size() && at_vertices[next_at_vertex].halfedge == h; ++next_at_vertex)
+        add_change_at_vertex(at_vertices[next_at_vertex]);
+      add_changes_on_edge(h);
+    }
+    add_entries_inside(f);
+    const double size = (std::max)({geodesics_->faces().length(3 * f), geodesics_->faces().length(3 * f + 1),
+                                    geodesics_->faces().length(3 * f + 2)});
+    // a path that is wrong by an angle is too long by the angle times its way through the face, at most
+    drawing_.draw(corners_, local_changes_, entries_, 1e-8 * size,
+                  [this](const Image& a, const Image& b, const Plane_point& p) { return gap(a, b, p) < 1e-7; });
+    number_of_doubtful_ += drawing_.is_doubtful;
+    store(f);
+  }
+
+  void add_change_at_vertex(const Vertex_labels::Change& c)
+  {
+    const Index v = mesh_->source(c.halfedge);
+    local_changes_.push_back({corners_[c.halfedge % 3], image(c.halfedge, c.before, 0.), image(c.halfedge, c.after, 0.),
+                              c.is_shadow, c.is_shadow});
+    Node node;
+    node.vertex = c.is_shadow ? null_index : v;
+    nodes_of_changes_.push_back(node);
+  }
+
+  void add_changes_on_edge(Index h)
+  {
+    const double length = geodesics_->faces().length(h);
+    double last = 0.;
+    Index last_crossing = null_index;
+    for_each_crossing(h,
+                      [&](Index c, bool is_reversed)
+                      {
+      const Edge_crossing& crossing = (*changes_)[c];
+      const double t = is_reversed ? length - crossing.t : crossing.t;
+      const Path_label before = is_reversed ? crossing.right.opposite(length) : crossing.left;
+      const Path_label after = is_reversed ? crossing.left.opposite(length) : crossing.right;
+      add_entry(h, before, last, t, t);
+      local_changes_.push_back(
+        {to_face(h, t, 0.), image(h, before, t), image(h, after, t), crossing.angle < 1e-7, crossing.is_shadow});
+      Node node;
+      node.crossing = crossing.is_shadow ? null_index : c;
+      nodes_of_changes_.push_back(node);
+      last = t;
+      last_crossing = c;
+      last_label_ = after;
+    });
+    if(last_crossing != null_index)
+      add_entry(h, last_label_, last, length, last);
+    else
+      add_entry_of_edge(h);
+  }
+
+  /// an edge without crossings has the label of its ends
+  void add_entry_of_edge(Index h)
+  {
+    const Vertex_labels labels(*geodesics_);
+    const Path_label label = labels.at_source(h);
+    add_entry(h, label, 0., geodesics_->faces().length(h), 0.);
+  }
+
+  void add_entry(Index h, const Path_label& label, double from, double to, double reached)
+  {
+    if(label.from_face && label.y > 0.)
+      return;
+    entries_.push_back({image(h, label, reached), to_face(h, from, 0.), to_face(h, to, 0.)});
+  }
+
+  /// paths through a corner, and from a source in the face
+  void add_entries_inside(Index f)
+  {
+    for(Index i = 0; i < 3; ++i)
+    {
+      const Index v = mesh_->triangles[f][i], origin = geodesics_->origin_of_vertex(v);
+      const double d = geodesics_->distance(v);
+      entries_.push_back({{corners_[i].x, corners_[i].y, d, origin, 0.}, corners_[i], corners_[i]});
+    }
+    for(Index i = 0; i < geodesics_->number_of_sources(); ++i)
+    {
+      Plane_point p;
+      if(geodesics_->source_in_frame(i, 3 * f, p))
+        entries_.push_back({{p.x, p.y, 0., i, 0.}, p, p});
+    }
+  }
+
+  void store(Index f)
+  {
+    Face face;
+    face.face = f;
+    face.first_node = static_cast<Index>(nodes_.size());
+    face.first_piece = static_cast<Index>(pieces_.size());
+    const std::size_t n = drawing_.nodes.size();
+    // crossings first, then what real pieces end at
+    position_.assign(n, null_index);
+    Index number = 0;
+    for(std::size_t i = 0; i < nodes_of_changes_.size(); ++i)
+      if(nodes_of_changes_[i].crossing != null_index)
+        position_[i] = number++;
+    face.number_of_crossings = number;
+    for(const Face_ridges::Ridge& r : drawing_.ridges)
+      for(Index i : r.nodes)
+        if(!r.is_shadow && position_[i] == null_index)
+          position_[i] = number++;
+    nodes_.resize(face.first_node + std::size_t(number));
+    for(std::size_t i = 0; i < n; ++i)
+      if(position_[i] != null_index)
+      {
+        Node& node = nodes_[face.first_node + position_[i]];
+        if(i < nodes_of_changes_.size())
+          node = nodes_of_changes_[i];
+        node.point = drawing_.nodes[i];
+      }
+    for(const Face_ridges::Ridge& r : drawing_.ridges)
+      if(!r.is_shadow)
+        add_piece(face, r);
+    face.end_node = static_cast<Index>(nodes_.size());
+    face.end_piece = static_cast<Index>(pieces_.size());
+    number_trees(face);
+    faces_.push_back(face);
+  }
+
+  void add_piece(const Face& face, const Face_ridges::Ridge& r)
+  {
+    Piece piece{{position_[r.nodes[0]], position_[r.nodes[1]]}, {r.images[0], r.images[1]}, {0., 0.}, face.first_node};
+    for(int k = 0; k < 2; ++k)
+    {
+      Node& node = nodes_[face.first_node + piece.nodes[k]];
+      node.distance = 0.5 * (piece.images[0].distance(node.point) + piece.images[1].distance(node.point));
+      if(node.crossing != null_index)
+        piece.gaps[k] = (*changes_)[node.crossing].gap;
+      else if(node.vertex == null_index)
+        piece.gaps[k] = gap(piece.images[0], piece.images[1], node.point);
+    }
+    pieces_.push_back(piece);
+  }
+
+  /// the angle at which the paths from two images to a point part
+  double gap(const Image& a, const Image& b, const Plane_point& p) const
+  {
+    return Parting_angle(*geodesics_)(a.origin, direction(a, p), b.origin, direction(b, p));
+  }
+
+  double direction(const Image& image, const Plane_point& p) const
+  {
+    return image.direction + turn({image.x, image.y}, centroid_, p);
+  }
+
+  /// numbers the trees in the order of their first crossing
+  void number_trees(Face& face)
+  {
+    const Index n = face.end_node - face.first_node;
+    parent_.resize(n);
+    for(Index i = 0; i < n; ++i)
+      parent_[i] = i;
+    const auto root = [&](Index i)
+    {
+      while(parent_[i] != i)
+        i = parent_[i];
+      return i;
+    };
+    for(Index p = face.first_piece; p < face.end_piece; ++p)
+    {
+      const Index a = root(pieces_[p].nodes[0]), b = root(pieces_[p].nodes[1]);
+      parent_[(std::max)(a, b)] = (std::min)(a, b); // the root is a crossing, if there is one
+    }
+    face.number_of_trees = 0;
+    for(Index i = 0; i < n; ++i)
+    {
+      Node& node = nodes_[face.first_node + i];
+      const Index r = root(i);
+      if(r == i && i < face.number_of_crossings)
+        node.tree = face.number_of_trees++;
+      else if(r != i)
+        node.tree = nodes_[face.first_node + r].tree;
+    }
+  }
+
+  const Indexed_triangle_mesh* mesh_ = nullptr;
+  const Mesh_connectivity* connectivity_ = nullptr;
+  const Geodesic_results* geodesics_ = nullptr;
+  const Label_changes* changes_ = nullptr;
+  std::vector<Face> faces_;
+  std::vector<Node> nodes_;
+  std::vector<Piece> pieces_;
+  Index number_of_doubtful_ = 0;
+
+  // of the face in work
+  std::array<Plane_point, 3> corners_;
+  Plane_point centroid_;
+  std::vector<Face_ridges::Change> local_changes_;
+  std::vector<Face_ridges::Entry> entries_;
+  std::vector<Node> nodes_of_changes_;
+  Path_label last_label_;
+  Face_ridges drawing_;
+  std::vector<Index> position_, parent_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_RIDGES_H

@@ -1,0 +1,404 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_TREE_GRAPH_H
+#define CGAL_CUT_LOCI_EXACT_TREE_TREE_GRAPH_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/exact_tree/Cut_graph.h>
+#include <CGAL/Cut_loci/exact_tree/Label_changes.h>
+#include <CGAL/Cut_loci/exact_tree/Ridges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * is the cut locus of the polyhedron as a graph of points and the pieces between them, without what the topology alone
+ * had added.
+ */
+class Tree_graph
+{
+public:
+  struct Node
+  {
+    Index face = null_index;
+    Plane_point point = {0., 0.}; // in the frame of the first halfedge of the face
+    Index halfedge = null_index;  // of the edge of the mesh it is on, if any
+    double t = 0.;                // the position on it
+    Index vertex = null_index;    // of the mesh it is at, if any
+    Index crossing = null_index;  // see `Label_changes`
+    Index loop = null_index;      // the border loop it stands for, or lies on
+    double distance = 0.;         // to the source
+  };
+
+  struct Edge
+  {
+    std::array<Index, 2> nodes;
+    Index face = null_index;  // that it runs through
+    Index piece = null_index; // of `Ridges`
+    double gap = 0.;          // at its wider end
+    bool is_virtual = false;  // joins a point on the border to the node of the border loop; in no face
+  };
+
+  std::vector<Node> nodes;
+  std::vector<Edge> edges;
+
+  Tree_graph(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+             const Geodesic_results& geodesics, const Label_changes& changes, const Ridges& ridges,
+             const Cut_graph& graph)
+    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), changes_(changes), ridges_(ridges), graph_(graph)
+  {
+    drop_weak_leaves();
+    add_loops();
+    add_ridges();
+    add_joints();
+    add_plain_faces();
+    add_pieces_between_vertices();
+  }
+
+  /// whether all of the graph comes from labels, and nothing had to be added or left out for the topology
+  bool is_sure() const
+  {
+    if(ridges_.number_of_doubtful() > 0)
+      return false;
+    for(const Edge& e : edges)
+      if(e.piece == null_index && !e.is_virtual)
+        return false;
+    return number_of_open_ == 0;
+  }
+
+  /// removes the edges from a leaf at a vertex of the mesh up to the first node at which others meet
+  void remove_branch_to(Index vertex)
+  {
+    std::vector<Index> degree(nodes.size(), 0), exclusive_or(nodes.size(), 0);
+    for(Index e = 0; e < edges.size(); ++e)
+      for(Index i : edges[e].nodes)
+      {
+        ++degree[i];
+        exclusive_or[i] ^= e;
+      }
+    std::vector<unsigned char> is_removed(edges.size(), 0);
+    for(Index i = 0; i < nodes.size(); ++i)
+      for(Index k = nodes[i].vertex == vertex ? i : null_index; k != null_index && degree[k] == 1;)
+      {
+        const Index e = exclusive_or[k];
+        const Index other = edges[e].nodes[0] == k ? edges[e].nodes[1] : edges[e].nodes[0];
+        is_removed[e] = 1;
+        degree[k] = 0;
+        --degree[other];
+        exclusive_or[other] ^= e;
+        k = other;
+      }
+    std::size_t size = 0;
+    for(std::size_t e = 0; e < edges.size(); ++e)
+      if(!is_removed[e])
+        edges[size++] = edges[e];
+    edges.resize(size);
+  }
+
+private:
+  using Joint = Cut_graph::Joint;
+
+  /// Faces without a crossing that are leaves of the graph are no part of the cut locus.
+  void drop_weak_leaves()
+  {
+    const Index n = graph_.number_of_nodes;
+    struct Incidence
+    {
+      Index degree = 0, exclusive_or = 0;
+    };
+    std::vector<Incidence> incidence(n);
+    is_kept_.assign(graph_.joints.size(), 1);
+    for(Index j = 0; j < graph_.joints.size(); ++j)
+      for(Index i : graph_.joints[j].nodes)
+      {
+        ++incidence[i].degree;
+        incidence[i].exclusive_or ^= j; // with one joint left, this is the joint
+      }
+    const auto is_plain = [&](Index i) { return i < graph_.first_loop && graph_.record(i) == null_index; };
+    for(Index seed = 0; seed < graph_.first_loop; ++seed)
+      for(Index i = seed; is_plain(i) && incidence[i].degree == 1;)
+      {
+        const Index j = incidence[i].exclusive_or;
+        const Joint& joint = graph_.joints[j];
+        const Index other = joint.nodes[0] == i ? joint.nodes[1] : joint.nodes[0];
+        is_kept_[j] = 0;
+        incidence[i].degree = 0;
+        --incidence[other].degree;
+        incidence[other].exclusive_or ^= j;
+        if(other > seed)
+          break; // its turn comes
+        i = other;
+      }
+  }
+
+  Index add_node(const Node& node)
+  {
+    nodes.push_back(node);
+    return static_cast<Index>(nodes.size() - 1);
+  }
+
+  Index number_of_loops() const { return connectivity_.number_of_border_loops; }
+
+  /// the first nodes
+  void add_loops()
+  {
+    for(Index i = 0; i < number_of_loops(); ++i)
+    {
+      Node node;
+      node.loop = i;
+      add_node(node);
+    }
+  }
+
+  Node node_on_edge(Index h, double t) const
+  {
+    const double length = geodesics_.faces().length(h);
+    Node node;
+    node.face = h / 3;
+    node.halfedge = h;
+    node.t = t;
+    // nearer to a vertex than the accuracy of the windows: at it
+    const double margin = geodesic_cover * length;
+    if(t <= margin)
+      node.vertex = mesh_.source(h);
+    else if(t >= length - margin)
+      node.vertex = mesh_.target(h);
+    const std::array<Plane_point, 3> corners = ridges_.layout(h / 3);
+    const Plane_point &p = corners[h % 3], &q = corners[(h + 1) % 3];
+    node.point = {p.x + t / length * (q.x - p.x), p.y + t / length * (q.y - p.y)};
+    if(mesh_.opposite[h] == null_index)
+      node.loop = connectivity_.border_loop[mesh_.source(h)];
+    return node;
+  }
+
+  void add_edge(Index a, Index b, Index face, Index piece = null_index)
+  {
+    const double gap =
+      piece != null_index ? (std::max)(ridges_.piece(piece).gaps[0], ridges_.piece(piece).gaps[1]) : 0.;
+    edges.push_back({{{a, b}}, face, piece, gap, face == null_index});
+  }
+
+  /// the pieces in the faces; two faces share the node of a crossing if a joint joins them there
+  void add_ridges()
+  {
+    node_of_crossing_.assign(changes_.number_of_crossings(), null_index);
+    for(Index j = 0; j < graph_.joints.size(); ++j)
+      if(graph_.joints[j].kind == Joint::CROSSING)
+      {
+        const Index c = graph_.joints[j].element;
+        node_of_crossing_[c] = add_crossing(c);
+        const Node& node = nodes[node_of_crossing_[c]];
+        if(node.loop != null_index)
+          add_edge(node_of_crossing_[c], node.loop, null_index);
+      }
+    const std::vector<Ridges::Face>& faces = ridges_.faces();
+    first_of_face_.resize(faces.size() + 1, 0);
+    for(Index r = 0; r < faces.size(); ++r)
+    {
+      first_of_face_[r] = static_cast<Index>(node_in_face_.size());
+      for(Index i = 0; i < faces[r].end_node - faces[r].first_node; ++i)
+        node_in_face_.push_back(add_node_of_face(faces[r], i));
+      for(Index p = faces[r].first_piece; p < faces[r].end_piece; ++p)
+        if(node_in_face(r, ridges_.piece(p).nodes[0]) != null_index)
+          add_edge(node_in_face(r, ridges_.piece(p).nodes[0]), node_in_face(r, ridges_.piece(p).nodes[1]),
+                   faces[r].face, p);
+    }
+  }
+
+  Index add_crossing(Index c)
+  {
+    Node node = node_on_edge(changes_[c].halfedge, changes_[c].t);
+    node.crossing = c;
+    node.distance = changes_[c].left.distance(changes_[c].t);
+    return add_node(node);
+  }
+
+  Index add_node_of_face(const Ridges::Face& face, Index i)
+  {
+    const Ridges::Node& from = ridges_.node(face, i);
+    if(from.crossing != null_index)
+    {
+      number_of_open_ += node_of_crossing_[from.crossing] == null_index;
+      return node_of_crossing_[from.crossing] != null_index ? node_of_crossing_[from.crossing]
+                                                            : add_crossing(from.crossing);
+    }
+    if(from.tree == null_index)
+      return null_index;
+    Node node;
+    node.face = face.face;
+    node.point = from.point;
+    node.vertex = from.vertex != null_index ? from.vertex : vertex_at(face.face, from.point);
+    node.distance = node.vertex != null_index ? geodesics_.distance(node.vertex) : from.distance;
+    return add_node(node);
+  }
+
+  /// the corner of the face at this point, if any
+  Index vertex_at(Index f, const Plane_point& p) const
+  {
+    const std::array<Plane_point, 3> corners = ridges_.layout(f);
+    for(Index i = 0; i < 3; ++i)
+      if(std::hypot(p.x - corners[i].x, p.y - corners[i].y) <= geodesic_cover * geodesics_.faces().length(3 * f + i))
+        return mesh_.triangles[f][i];
+    return null_index;
+  }
+
+  Index node_in_face(Index record, Index i) const { return node_in_face_[first_of_face_[record] + i]; }
+
+  /// joints without a crossing: straight across an edge of the mesh, or a cell
+  void add_joints()
+  {
+    node_of_joint_.assign(graph_.joints.size(), null_index);
+    for(Index j = 0; j < graph_.joints.size(); ++j)
+    {
+      const Joint& joint = graph_.joints[j];
+      if(!is_kept_[j])
+        continue;
+      if(joint.kind == Joint::CELL)
+        add_edge(node_in_face(joint.element, joint.crossings[0]), node_in_face(joint.element, joint.crossings[1]),
+                 ridges_.faces()[joint.element].face);
+      if(joint.kind != Joint::EDGE)
+        continue;
+      const Index h = connectivity_.halfedge_of_edge[joint.element];
+      Node node = node_on_edge(h, 0.5 * geodesics_.faces().length(h));
+      node.distance = 0.5 * (geodesics_.distance(mesh_.source(h)) + geodesics_.distance(mesh_.target(h)));
+      node_of_joint_[j] = add_node(node);
+      if(node.loop != null_index)
+        add_edge(node_of_joint_[j], node.loop, null_index);
+      for(Index g : {h, mesh_.opposite[h]})
+        if(g != null_index && graph_.record(g / 3) != null_index)
+        {
+          const Index r = graph_.record(g / 3);
+          add_edge(node_of_joint_[j], node_in_face(r, graph_.leaf_behind(r, g % 3)), g / 3);
+        }
+    }
+  }
+
+  /// faces without a crossing that are left: they lead from one edge to another
+  void add_plain_faces()
+  {
+    std::unordered_map<Index, std::vector<Index>> at_face;
+    std::vector<Index> order;
+    for(Index j = 0; j < graph_.joints.size(); ++j)
+    {
+      const Joint& joint = graph_.joints[j];
+      if(!is_kept_[j] || joint.kind != Joint::EDGE)
+        continue;
+      for(Index i : joint.nodes)
+        if(i < graph_.first_loop && graph_.record(i) == null_index)
+        {
+          std::vector<Index>& at = at_face[i];
+          if(at.empty())
+            order.push_back(i);
+          at.push_back(node_of_joint_[j]);
+        }
+    }
+    for(Index f : order)
+    {
+      const std::vector<Index>& at = at_face[f];
+      if(at.size() == 2)
+      {
+        add_edge(at[0], at[1], f);
+        continue;
+      }
+      Node node;
+      node.face = f;
+      for(const Plane_point& p : ridges_.layout(f))
+      {
+        node.point.x += p.x / 3.;
+        node.point.y += p.y / 3.;
+      }
+      for(Index v : mesh_.triangles[f])
+        node.distance += geodesics_.distance(v) / 3.;
+      const Index center = add_node(node);
+      for(Index i : at)
+        add_edge(center, i, f);
+    }
+  }
+
+  /*
+   * A tree that crosses no edge ends at vertices only. Either it is all of the cut locus, or one of the vertices is on
+   * other branches: there it belongs to them.
+   */
+  void add_pieces_between_vertices()
+  {
+    std::unordered_map<Index, Index> node_at_vertex;
+    for(Index i = 0; i < nodes.size(); ++i)
+      if(nodes[i].vertex != null_index)
+        node_at_vertex.insert({nodes[i].vertex, i});
+    const bool is_all = edges.empty();
+    for(Index r = 0; r < ridges_.faces().size(); ++r)
+    {
+      const Ridges::Face& face = ridges_.faces()[r];
+      // pieces between vertices, one after the other; the nodes inside of the face when they come
+      std::unordered_map<Index, Index> node_inside;
+      for(Index p = face.first_piece; p < face.end_piece; ++p)
+        if(ridges_.node(face, ridges_.piece(p).nodes[0]).tree == null_index)
+          add_piece_between_vertices(face, p, is_all, node_at_vertex, node_inside);
+    }
+  }
+
+  void add_piece_between_vertices(const Ridges::Face& face, Index p, bool is_all,
+                                  std::unordered_map<Index, Index>& node_at_vertex,
+                                  std::unordered_map<Index, Index>& node_inside)
+  {
+    const auto find = [&](Index i)
+    {
+      const Index v = ridges_.node(face, i).vertex;
+      const auto& map = v != null_index ? node_at_vertex : node_inside;
+      const auto found = map.find(v != null_index ? v : i);
+      return found != map.end() ? found->second : null_index;
+    };
+    const std::array<Index, 2> ends = {{ridges_.piece(p).nodes[0], ridges_.piece(p).nodes[1]}};
+    std::array<Index, 2> found = {{find(ends[0]), find(ends[1])}};
+    if(found[0] == null_index && found[1] == null_index && !is_all)
+      return;
+    // it is joined to the rest at one end only
+    if(found[0] != null_index && found[1] != null_index && !is_all)
+      found[1] = null_index;
+    for(std::size_t k = 0; k < 2; ++k)
+      if(found[k] == null_index)
+      {
+        const Ridges::Node& from = ridges_.node(face, ends[k]);
+        Node node;
+        node.face = face.face;
+        node.point = from.point;
+        node.vertex = from.vertex;
+        node.distance = from.vertex != null_index ? geodesics_.distance(from.vertex) : from.distance;
+        found[k] = add_node(node);
+        if(from.vertex != null_index)
+          node_at_vertex.insert({from.vertex, found[k]});
+        else
+          node_inside.insert({ends[k], found[k]});
+      }
+    add_edge(found[0], found[1], face.face, p);
+  }
+
+  const Indexed_triangle_mesh& mesh_;
+  const Mesh_connectivity& connectivity_;
+  const Geodesic_results& geodesics_;
+  const Label_changes& changes_;
+  const Ridges& ridges_;
+  const Cut_graph& graph_;
+  std::vector<unsigned char> is_kept_; // joints
+  Index number_of_open_ = 0;           // crossings at which the graph is not closed
+  std::vector<Index> node_of_crossing_, node_of_joint_, node_in_face_, first_of_face_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_TREE_GRAPH_H

@@ -1,0 +1,349 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// The cut locus of polyhedra of any kind: with saddles, handles, borders and flat parts, from any source. What is on it
+// is told by an oracle that unfolds the surface on its own.
+
+#include "detour.h"
+#include "polyhedra.h"
+#include "polyhedral_oracle.h"
+
+#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_cut_locus.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using CGAL::Cut_loci::Index;
+using CGAL::Cut_loci::Indexed_cut_locus;
+using CGAL::Cut_loci::Indexed_location;
+using CGAL::Cut_loci::Indexed_source;
+using CGAL::Cut_loci::Indexed_triangle_mesh;
+using CGAL::Cut_loci::null_index;
+using CGAL::Cut_loci::internal::Exact_tree_solver;
+using test_meshes::indexed;
+using test_meshes::Mesh_data;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+namespace params = CGAL::parameters;
+
+struct Named_mesh
+{
+  std::string name;
+  Mesh_data data;
+};
+
+// in no symmetric position
+std::vector<Named_mesh> generic_meshes()
+{
+  return {{"convex", test_meshes::random_convex_polyhedron(60, 1)},
+          {"flat convex", test_meshes::random_convex_polyhedron(50, 2, {{1., 0.8, 0.1}})},
+          {"torus", test_meshes::torus(1., 0.4, 14, 9, 0.1, 5)},
+          {"saddle", test_meshes::saddle(8, 0.7, 0.2, 3)},
+          {"open cylinder", test_meshes::cylinder(1., 12, 4, 0.1, 4)},
+          {"rough torus", test_meshes::torus(1., 0.5, 20, 12, 0.3, 7)}};
+}
+
+// with all that CAD models have: flat parts, edges in a line, ties
+std::vector<Named_mesh> meshes()
+{
+  return {{"convex", test_meshes::random_convex_polyhedron(60, 1)},
+          {"flat convex", test_meshes::random_convex_polyhedron(50, 2, {{1., 0.8, 0.1}})},
+          {"cube", test_meshes::cube(2)},
+          {"cuboid", test_meshes::cuboid({{3., 1., 0.4}}, 2)},
+          {"L-shape", test_meshes::l_shape(2)},
+          {"torus", test_meshes::torus(1., 0.4, 14, 9, 0.1, 5)},
+          {"plate of genus 3", test_meshes::plate_with_holes(3, 1, 1)},
+          {"square with holes", test_meshes::square_with_holes(2, 2)},
+          {"saddle", test_meshes::saddle(8, 0.7, 0.2, 3)},
+          {"annulus", test_meshes::annulus(0.4, 1., 16, 3)},
+          {"open cylinder", test_meshes::cylinder(1., 12, 4, 0.1, 4)}};
+}
+
+Indexed_source at_vertex(const Indexed_triangle_mesh& mesh, Index v)
+{
+  Indexed_source source;
+  source.vertex = v;
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    if(mesh.source(h) == v)
+    {
+      source.location.face = h / 3;
+      source.location.coordinates[h % 3] = 1.;
+      return source;
+    }
+  return source;
+}
+
+Indexed_source in_face(Index f, double a, double b, double c)
+{
+  Indexed_source source;
+  source.location.face = f;
+  source.location.coordinates = {{a, b, c}};
+  return source;
+}
+
+// a vertex, a border vertex if there is one, a point of an edge and one in a face
+std::vector<Indexed_source> sources(const Indexed_triangle_mesh& mesh)
+{
+  std::vector<Indexed_source> result = {at_vertex(mesh, mesh.number_of_vertices() / 3),
+                                        in_face(mesh.number_of_faces() / 2, 0.5, 0.2, 0.3),
+                                        in_face(mesh.number_of_faces() / 5, 0.37, 0.63, 0.)};
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    if(mesh.is_border_edge(h))
+    {
+      result.push_back(at_vertex(mesh, mesh.source(h)));
+      break;
+    }
+  return result;
+}
+
+void solve(Exact_tree_solver& solver, const Indexed_source& source)
+{
+  solver.compute_distance(source);
+  solver.compute_strengths();
+  solver.grow_tree();
+  solver.close_cycles();
+}
+
+struct Graph_numbers
+{
+  std::size_t components, cycles;
+};
+
+// each border loop is one more node
+Graph_numbers count(const Indexed_triangle_mesh& mesh, const CGAL::Cut_loci::Mesh_connectivity& c,
+                    const Indexed_cut_locus& graph)
+{
+  const std::size_t n = graph.nodes.size();
+  std::vector<std::size_t> parent(n + c.number_of_border_loops);
+  for(std::size_t i = 0; i < parent.size(); ++i)
+    parent[i] = i;
+  const std::function<std::size_t(std::size_t)> root = [&](std::size_t i)
+  { return parent[i] == i ? i : parent[i] = root(parent[i]); };
+  Graph_numbers result{parent.size(), 0};
+  const auto unite = [&](std::size_t a, std::size_t b)
+  {
+    const bool is_new = root(a) != root(b);
+    parent[root(a)] = root(b);
+    result.components -= is_new;
+    return is_new;
+  };
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const Indexed_cut_locus::Node& node = graph.nodes[i];
+    if(node.vertex != null_index && c.is_border(node.vertex))
+      unite(i, n + c.border_loop[node.vertex]);
+    for(Index k = 0; k < 3 && node.vertex == null_index; ++k)
+      if(node.location.coordinates[(k + 2) % 3] == 0. && mesh.is_border_edge(3 * node.location.face + k))
+        unite(i, n + c.border_loop[mesh.source(3 * node.location.face + k)]);
+  }
+  for(const Indexed_cut_locus::Edge& e : graph.edges)
+    result.cycles += !unite(e.source, e.target);
+  return result;
+}
+
+void expect_topology(const Indexed_triangle_mesh& mesh, const CGAL::Cut_loci::Mesh_connectivity& c,
+                     const Indexed_cut_locus& graph)
+{
+  const Graph_numbers numbers = count(mesh, c, graph);
+  EXPECT_EQ(numbers.components, 1u);
+  EXPECT_EQ(numbers.cycles, 2 * c.genus(mesh));
+}
+
+TEST(Exact_tree, two_shortest_paths_lead_to_its_points_and_one_to_others)
+{
+  for(const Named_mesh& m : generic_meshes())
+  {
+    const Indexed_triangle_mesh mesh = indexed(m.data);
+    Exact_tree_solver solver(mesh);
+    int number = 0;
+    for(const Indexed_source& source : sources(mesh))
+    {
+      SCOPED_TRACE(m.name + ", source " + std::to_string(number++));
+      solve(solver, source);
+      const Indexed_cut_locus graph = solver.filter({});
+      expect_topology(mesh, solver.connectivity(), graph);
+      polyhedral_oracle::Polyhedral_oracle oracle(mesh, source.location);
+      std::vector<int> degree(graph.nodes.size(), 0);
+      for(const Indexed_cut_locus::Edge& e : graph.edges)
+      {
+        ++degree[e.source];
+        ++degree[e.target];
+      }
+      std::mt19937 generator(1);
+      for(int i = 0; i < 60 && !graph.edges.empty(); ++i)
+      {
+        const std::size_t k = generator() % graph.nodes.size();
+        if(degree[k] < 2)
+          continue; // a tip, or a point on the border
+        const auto arrivals = oracle.shortest_arrivals(graph.nodes[k].location, 1e-8);
+        EXPECT_GE(arrivals.size(), 2u) << "node " << k;
+        EXPECT_NEAR(arrivals.front().distance, graph.nodes[k].distance, 1e-9);
+      }
+      std::uniform_real_distribution<double> uniform(0.05, 1.);
+      for(int i = 0; i < 60; ++i)
+      {
+        Indexed_location location;
+        location.face = static_cast<Index>(generator() % mesh.number_of_faces());
+        location.coordinates = {{uniform(generator), uniform(generator), uniform(generator)}};
+        const double sum = location.coordinates[0] + location.coordinates[1] + location.coordinates[2];
+        for(double& c : location.coordinates)
+          c /= sum;
+        EXPECT_EQ(oracle.shortest_arrivals(location, 1e-13).size(), 1u);
+      }
+    }
+  }
+}
+
+Mesh to_surface_mesh(const Mesh_data& data)
+{
+  Mesh mesh;
+  for(const auto& p : data.points)
+    mesh.add_vertex(Point(p[0], p[1], p[2]));
+  for(const auto& t : data.triangles)
+    mesh.add_face(Mesh::Vertex_index(Mesh::size_type(t[0])), Mesh::Vertex_index(Mesh::size_type(t[1])),
+                  Mesh::Vertex_index(Mesh::size_type(t[2])));
+  return mesh;
+}
+
+// The detour is measured on a mesh whose faces are split along the curve, rounded to 2^-16 of an edge.
+TEST(Exact_tree, no_shortest_path_crosses_it)
+{
+  for(const Named_mesh& m : meshes())
+  {
+    SCOPED_TRACE(m.name);
+    const Mesh mesh = to_surface_mesh(m.data);
+    CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+    for(int i : {0, 1, 2})
+    {
+      solver.set_source(Mesh::Vertex_index(Mesh::size_type(i * (mesh.number_of_vertices() - 1) / 2)));
+      for(double width : {0., 0.02, 0.2})
+      {
+        const auto cut_locus = solver.cut_locus(params::minimum_branch_width(width));
+        const curve_measures::Measures measures = curve_measures::measure(mesh, cut_locus);
+        EXPECT_EQ(measures.measuring_failed, "");
+        EXPECT_LT(measures.max, 1e-3);
+      }
+    }
+  }
+}
+
+TEST(Exact_tree, thresholds_cut_branches_from_their_tips)
+{
+  for(const Named_mesh& m : meshes())
+  {
+    SCOPED_TRACE(m.name);
+    const Indexed_triangle_mesh mesh = indexed(m.data);
+    Exact_tree_solver solver(mesh);
+    solve(solver, at_vertex(mesh, 1));
+    std::size_t more = solver.filter({}).edges.size();
+    for(double gap : {0.01, 0.1, 0.5, 1., 3.})
+    {
+      const Indexed_cut_locus graph = solver.filter({gap, 0.});
+      expect_topology(mesh, solver.connectivity(), graph);
+      EXPECT_LE(graph.edges.size(), more);
+      more = graph.edges.size();
+    }
+    more = solver.filter({}).edges.size();
+    for(double width : {0.01, 0.1, 0.3, 1., 10.})
+    {
+      const Indexed_cut_locus graph = solver.filter({0., width});
+      expect_topology(mesh, solver.connectivity(), graph);
+      EXPECT_LE(graph.edges.size(), more);
+      more = graph.edges.size();
+    }
+  }
+}
+
+double length(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& graph)
+{
+  using namespace CGAL::Cut_loci::internal;
+  const auto point = [&](const Indexed_location& l)
+  {
+    Indexed_triangle_mesh::Point p = {{0., 0., 0.}};
+    for(std::size_t i = 0; i < 3; ++i)
+      p = p + l.coordinates[i] * mesh.points[mesh.triangles[l.face][i]];
+    return p;
+  };
+  double sum = 0.;
+  for(const Indexed_cut_locus::Edge& e : graph.edges)
+    sum += norm(point(graph.nodes[e.source].location) - point(graph.nodes[e.target].location));
+  return sum;
+}
+
+double length_of_tree(const Mesh_data& data, Index source)
+{
+  const Indexed_triangle_mesh mesh = indexed(data);
+  Exact_tree_solver solver(mesh);
+  solve(solver, at_vertex(mesh, source));
+  return length(mesh, solver.filter({}));
+}
+
+TEST(Exact_tree, is_that_of_the_surface_and_not_of_its_triangulation)
+{
+  for(const Named_mesh& m : {generic_meshes()[0], generic_meshes()[1], generic_meshes()[3]})
+  {
+    SCOPED_TRACE(m.name);
+    // chords of curved pieces leave them by 1e-4 of an edge
+    const double expected = length_of_tree(m.data, 1);
+    EXPECT_NEAR(length_of_tree(test_meshes::split_in_plane(m.data), 1), expected, 1e-3 * expected);
+    EXPECT_NEAR(length_of_tree(test_meshes::scaled(m.data, {{1000., 1000., 1000.}}), 1), 1000. * expected,
+                1e-3 * expected);
+  }
+}
+
+TEST(Exact_tree, gap_and_width_in_closed_form)
+{
+  // From the middle of a face of the unit cube the paths to the middle of the opposite one come over four faces. The two
+  // that lead over faces beside each other part at a right angle, and are farthest apart at half of the way: there they
+  // are in the middle of their faces.
+  const Indexed_triangle_mesh mesh = indexed(test_meshes::cube(2));
+  Index middle = null_index;
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+    if(mesh.points[v][0] == 0.5 && mesh.points[v][1] == 0.5 && mesh.points[v][2] == 0.)
+      middle = v;
+  ASSERT_NE(middle, null_index);
+  Exact_tree_solver solver(mesh);
+  solve(solver, at_vertex(mesh, middle));
+  float gap = 0.f, width = 0.f;
+  for(const Indexed_cut_locus::Edge& e : solver.filter({}).edges)
+  {
+    gap = (std::max)(gap, e.strength);
+    width = (std::max)(width, e.width);
+  }
+  EXPECT_NEAR(gap, std::acos(0.), 1e-6);
+  EXPECT_NEAR(width, std::sqrt(0.5), 1e-6);
+}
+
+TEST(Exact_tree, needs_the_exact_solver)
+{
+  const Mesh mesh = to_surface_mesh(test_meshes::cube(1));
+  const auto method = params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL);
+  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, method);
+  std::vector<double> distances(mesh.number_of_vertices(), 1.);
+  const auto map = boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, mesh));
+  EXPECT_THROW(solver.set_source(Mesh::Vertex_index(0), params::vertex_distance_map(map)),
+               CGAL::Cut_loci::Invalid_input);
+  solver.set_source(Mesh::Vertex_index(0));
+  EXPECT_THROW(solver.cut_locus(params::minimum_branch_gap(-1.)), CGAL::Cut_loci::Invalid_input);
+  EXPECT_THROW(solver.cut_locus(params::minimum_branch_gap(4.)), CGAL::Cut_loci::Invalid_input);
+  EXPECT_THROW(solver.cut_locus(params::minimum_branch_width(-1.)), CGAL::Cut_loci::Invalid_input);
+}
+
+} // namespace
