@@ -162,16 +162,27 @@ private:
     const Index o = faces_.opposite(h);
     Geodesic_window_list* along = o != null_index ? kept_[h] : nullptr;
     Geodesic_window_list* against = o != null_index ? kept_[o] : kept_[h];
+    if(!geodesics_.is_reached(faces_.source(h)) || !geodesics_.is_reached(faces_.target(h)))
+    {
+      ++number_of_late_; // nothing can be said of it yet
+      release(along, against, h, o);
+      return;
+    }
     const std::vector<Edge_envelope::Piece>& pieces = envelope_(h, along, against);
+    release(along, against, h, o);
+    ends.push_back({h, pieces.front().label, pieces.back().label});
+    for(std::size_t i = 1; i < pieces.size(); ++i)
+      add_crossing(h, pieces[i].begin, pieces[i - 1].label, pieces[i].label);
+  }
+
+  void release(Geodesic_window_list* along, Geodesic_window_list* against, Index h, Index o)
+  {
     for(Geodesic_window_list* list : {along, against})
       if(list != nullptr)
         geodesics_.release(list);
     kept_[h] = nullptr;
     if(o != null_index)
       kept_[o] = nullptr;
-    ends.push_back({h, pieces.front().label, pieces.back().label});
-    for(std::size_t i = 1; i < pieces.size(); ++i)
-      add_crossing(h, pieces[i].begin, pieces[i - 1].label, pieces[i].label);
   }
 
   void add_crossing(Index h, double t, const Path_label& left, const Path_label& right)

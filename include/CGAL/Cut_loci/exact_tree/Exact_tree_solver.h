@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -69,7 +70,7 @@ public:
   void grow_tree()
   {
     tree_->join();
-    for(int number = 1; number <= 3 && !tree_->is_sure(); ++number)
+    for(int number = 1; number <= 2 && !tree_->is_sure(); ++number)
     {
       start(moved_source(number));
       tree_->draw_ridges();
@@ -101,6 +102,9 @@ private:
   {
     tree_.reset(new Exact_tree(mesh_, connectivity_, geodesics_));
     tree_->propagate(location);
+    for(double d : geodesics_.distances())
+      if(!(d < (std::numeric_limits<double>::infinity)()))
+        throw Invalid_input("the exact solver does not reach all vertices: some faces may be too thin for it");
   }
 
   // the source in the interior of its face, 1e-6 of it away, in a direction without any symmetry
