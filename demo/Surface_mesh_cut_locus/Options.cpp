@@ -88,7 +88,7 @@ po::options_description visible_options()
      "\n"
      "  direction: where the direction at the source jumps, for exact distances\n"
      "  laplacian: valleys of the Laplacian of the distance, for any solver\n"
-     "  polyhedral: the cut locus of the polyhedron itself, exactly")
+     "  polyhedral: the cut locus of the polyhedron itself")
       .c_str())("strength", po::value<std::string>()->value_name("S"),
                 "least strength of a branch with the method direction (default: from the noise of the mesh)")(
     "angle", po::value<std::string>()->value_name("RAD"),

@@ -18,9 +18,11 @@ enum class Method {
   DIRECTION, ///< where the direction at the source of the shortest paths jumps: nothing to tune, but the distances
              ///< must be exact, because the directions of smoothed ones do not jump. Branches are chosen by
              ///< `strength_threshold`. On rough surfaces, such as scans, its default may be too high: pass a lower one
-  POLYHEDRAL ///< the cut locus of the polyhedron itself, exactly up to rounding, on any mesh: every vertex of positive
-             ///< curvature is on it. Branches are chosen by `minimum_branch_gap` and `minimum_branch_width`; by default
-             ///< all are there. It needs the package's own exact distances, and has no curve of mesh edges
+  POLYHEDRAL ///< the cut locus of the polyhedron itself, on any mesh: every vertex of positive curvature is on it. It is
+             ///< exact up to rounding, but where shortest paths are equally long by symmetry and bend, as in machine
+             ///< parts: there pieces can be off by up to a face. Branches are chosen by `minimum_branch_gap` and
+             ///< `minimum_branch_width`; by default all are there. It needs the package's own exact distances, and has
+             ///< no curve of mesh edges
 };
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
