@@ -78,7 +78,7 @@ public:
     {
       while(next_at_vertex < at_vertices.size() && at_vertices[next_at_vertex].halfedge < 3 * f)
         ++next_at_vertex;
-      if(has_crossings(f) || has_two_ends(f, next_at_vertex))
+      if(changes.is_drawn(f) && (has_crossings(f) || has_two_ends(f, next_at_vertex)))
         add_face(f, next_at_vertex);
     }
   }

@@ -111,7 +111,7 @@ public:
 private:
   using Joint = Cut_graph::Joint;
 
-  /// Faces without a crossing that are leaves of the graph are no part of the cut locus.
+  /// Faces without a piece that are leaves of the graph are no part of the cut locus.
   void drop_weak_leaves()
   {
     const Index n = graph_.number_of_nodes;
@@ -196,7 +196,7 @@ private:
   {
     node_of_crossing_.assign(changes_.number_of_crossings(), null_index);
     for(Index j = 0; j < graph_.joints.size(); ++j)
-      if(graph_.joints[j].kind == Joint::CROSSING)
+      if(is_kept_[j] && graph_.joints[j].kind == Joint::CROSSING)
       {
         const Index c = graph_.joints[j].element;
         node_of_crossing_[c] = add_crossing(c);
@@ -286,7 +286,7 @@ private:
     }
   }
 
-  /// faces without a crossing that are left: they lead from one edge to another
+  /// faces that hold no piece and are left: they lead from one edge to another
   void add_plain_faces()
   {
     std::unordered_map<Index, std::vector<Index>> at_face;
@@ -294,15 +294,16 @@ private:
     for(Index j = 0; j < graph_.joints.size(); ++j)
     {
       const Joint& joint = graph_.joints[j];
-      if(!is_kept_[j] || joint.kind != Joint::EDGE)
+      if(!is_kept_[j] || joint.kind == Joint::CELL)
         continue;
+      const Index node = joint.kind == Joint::EDGE ? node_of_joint_[j] : node_of_crossing_[joint.element];
       for(Index i : joint.nodes)
         if(i < graph_.first_loop && graph_.record(i) == null_index)
         {
           std::vector<Index>& at = at_face[i];
           if(at.empty())
             order.push_back(i);
-          at.push_back(node_of_joint_[j]);
+          at.push_back(node);
         }
     }
     for(Index f : order)
