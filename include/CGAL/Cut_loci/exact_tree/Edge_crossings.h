@@ -53,7 +53,7 @@ class Edge_crossings
 public:
   static constexpr bool is_active = true;
 
-  /// @param slack how far beyond an edge the front has to be, for the windows of the edge to be complete
+  /// @param slack how far beyond an edge the front has to be, in sizes of its faces, for its windows to be complete
   Edge_crossings(Exact_geodesic_propagation& geodesics, double slack, double least_angle)
     : geodesics_(geodesics), faces_(geodesics.faces()), envelope_(geodesics), parting_angle_(geodesics),
       jumps_(geodesics, least_angle), slack_(slack), kept_(faces_.number_of_halfedges(), nullptr),
@@ -68,7 +68,7 @@ public:
 
   void advance(double front)
   {
-    while(next_ < waiting_.size() && waiting_[next_].key + slack_ < front)
+    while(next_ < waiting_.size() && waiting_[next_].until < front)
       divide(waiting_[next_++].halfedge);
     if(next_ > 1000 && 2 * next_ > waiting_.size())
     {
@@ -149,7 +149,7 @@ private:
   struct Waiting
   {
     Index halfedge;
-    double key;
+    double until; // the front is there
   };
 
   void wait(Index h, Index o)
@@ -158,7 +158,12 @@ private:
     if((state_[first] & waits) != 0)
       return;
     state_[first] |= waits;
-    waiting_.push_back({first, front_});
+    double size = faces_.mean_edge_length(); // batches of the propagation are no finer
+    for(Index k : {h, o})
+      if(k != null_index)
+        for(Index g = 3 * (k / 3); g < 3 * (k / 3) + 3; ++g)
+          size = (std::max)(size, faces_.length(g));
+    waiting_.push_back({first, front_ + slack_ * size});
   }
 
   void join(Geodesic_window_list*& kept, Geodesic_window_list* other, double length)

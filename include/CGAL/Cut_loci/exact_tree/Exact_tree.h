@@ -45,14 +45,17 @@ public:
   /// @param least_angle what has no larger one may be left out
   void propagate(const Indexed_location& source, double least_angle)
   {
+    least_angle_ = least_angle;
     // Windows of an edge come once the front is there, up to a face or two. If that is not enough on this mesh, once
-    // more with room for all.
-    for(double slack = 8. * geodesics_.faces().mean_edge_length();; slack = (std::numeric_limits<double>::infinity)())
+    // more with room for more.
+    for(double slack = 2.;; slack *= 8.)
     {
       crossings_.reset(new Edge_crossings(geodesics_, slack, least_angle));
       geodesics_.run({source}, Exact_geodesic_options(), *crossings_);
       crossings_->finish();
-      if(crossings_->number_of_late() == 0 || slack > 1e300)
+      if(getenv("DBG"))
+        fprintf(stderr, "slack %g late %zu\n", slack, crossings_->number_of_late());
+      if(crossings_->number_of_late() == 0 || slack > 1e30)
         return;
     }
   }
@@ -68,6 +71,8 @@ public:
   {
     const Cut_graph cut(mesh_, connectivity_, changes_, ridges_);
     graph_.reset(new Tree_graph(mesh_, connectivity_, geodesics_, changes_, ridges_, cut));
+    if(least_angle_ > 0.)
+      graph_->drop_branches_below(least_angle_);
   }
 
   /// The source is moved away from a vertex: what starts there is none of it.
@@ -157,6 +162,7 @@ private:
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   Exact_geodesic_propagation& geodesics_;
+  double least_angle_ = 0.; // what has no larger one may be left out
   std::unique_ptr<Edge_crossings> crossings_;
   Label_changes changes_;
   Ridges ridges_;

@@ -107,7 +107,9 @@ public:
   {
     if(least_angle(thresholds) < least_angle_)
       compute_more(least_angle(thresholds));
-    const std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds.gap, thresholds.width);
+    // what parts at a smaller angle is not that wide, as it may have been left out for that
+    const double gap = (std::max)(thresholds.gap, least_angle(thresholds));
+    const std::vector<Tree_branches::Edge> kept = tree_->kept(gap, thresholds.width);
     edges = Mesh_edge_curve(mesh_, connectivity_, geodesics_, *tree_, kept, farthest_).graph;
     const bool drops_branches = thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.;
     if(curve == Curve::MESH_EDGES)
