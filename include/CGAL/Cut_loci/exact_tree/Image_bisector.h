@@ -25,7 +25,10 @@ struct Image
   Index origin;
   double direction; // in which the path to the centroid of the face leaves the origin
 
-  double distance(const Plane_point& p) const { return sigma + std::hypot(p.x - x, p.y - y); }
+  double distance(const Plane_point& p) const
+  {
+    return sigma + std::sqrt((p.x - x) * (p.x - x) + (p.y - y) * (p.y - y));
+  }
 };
 
 inline bool is_same_image(const Image& a, const Image& b)
