@@ -177,7 +177,6 @@ private:
     centroid_ = {(corners_[0].x + corners_[1].x + corners_[2].x) / 3.,
                  (corners_[0].y + corners_[1].y + corners_[2].y) / 3.};
     local_changes_.clear();
-    entries_.clear();
     nodes_of_changes_.clear();
     const std::vector<Vertex_labels::Change>& at_vertices = changes_->at_vertices();
     for(Index h = 3 * f; h < 3 * f + 3; ++h)
@@ -186,12 +185,13 @@ private:
         add_change_at_vertex(at_vertices[next_at_vertex]);
       add_changes_on_edge(h);
     }
-    add_entries_inside(f);
     const double size = (std::max)({geodesics_->faces().length(3 * f), geodesics_->faces().length(3 * f + 1),
                                     geodesics_->faces().length(3 * f + 2)});
     // a path that is wrong by an angle is too long by the angle times its way through the face, at most
-    drawing_.draw(corners_, local_changes_, entries_, 1e-8 * size,
-                  [this](const Image& a, const Image& b, const Plane_point& p) { return gap(a, b, p) < 1e-7; });
+    drawing_.draw(
+      corners_, local_changes_, 1e-8 * size,
+      [this, f]() -> const std::vector<Face_ridges::Entry>& { return entries(f); },
+      [this](const Image& a, const Image& b, const Plane_point& p) { return gap(a, b, p) < 1e-7; });
     number_of_doubtful_ += drawing_.is_doubtful;
     store(f);
   }
@@ -199,8 +199,8 @@ private:
   void add_change_at_vertex(const Vertex_labels::Change& c)
   {
     const Index v = mesh_->source(c.halfedge);
-    local_changes_.push_back({corners_[c.halfedge % 3], image(c.halfedge, c.before, 0.), image(c.halfedge, c.after, 0.),
-                              c.is_shadow, c.is_shadow});
+    local_changes_.push_back({corners_[c.halfedge % 3], null_index, image(c.halfedge, c.before, 0.),
+                              image(c.halfedge, c.after, 0.), c.is_shadow, c.is_shadow});
     Node node;
     node.vertex = c.is_shadow ? null_index : v;
     nodes_of_changes_.push_back(node);
@@ -209,37 +209,52 @@ private:
   void add_changes_on_edge(Index h)
   {
     const double length = geodesics_->faces().length(h);
-    double last = 0.;
-    Index last_crossing = null_index;
     for_each_crossing(h,
                       [&](Index c, bool is_reversed)
                       {
       const Edge_crossing& crossing = (*changes_)[c];
       const double t = is_reversed ? length - crossing.t : crossing.t;
-      const Path_label before = is_reversed ? crossing.right.opposite(length) : crossing.left;
-      const Path_label after = is_reversed ? crossing.left.opposite(length) : crossing.right;
-      add_entry(h, before, last, t, t);
-      local_changes_.push_back(
-        {to_face(h, t, 0.), image(h, before, t), image(h, after, t), crossing.angle < 1e-7, crossing.is_shadow});
+      local_changes_.push_back({to_face(h, t, 0.), h % 3, image(h, label_before(c, is_reversed), t),
+                                image(h, label_after(c, is_reversed), t), crossing.angle < 1e-7, crossing.is_shadow});
       Node node;
       node.crossing = crossing.is_shadow ? null_index : c;
       nodes_of_changes_.push_back(node);
-      last = t;
-      last_crossing = c;
-      last_label_ = after;
     });
-    if(last_crossing != null_index)
-      add_entry(h, last_label_, last, length, last);
-    else
-      add_entry_of_edge(h);
   }
 
-  /// an edge without crossings has the label of its ends
-  void add_entry_of_edge(Index h)
+  /// the labels of a crossing as one goes around the face
+  Path_label label_before(Index c, bool is_reversed) const
   {
-    const Vertex_labels labels(*geodesics_);
-    const Path_label label = labels.at_source(h);
-    add_entry(h, label, 0., geodesics_->faces().length(h), 0.);
+    const Edge_crossing& crossing = (*changes_)[c];
+    return is_reversed ? crossing.right.opposite(geodesics_->faces().length(crossing.halfedge)) : crossing.left;
+  }
+  Path_label label_after(Index c, bool is_reversed) const
+  {
+    const Edge_crossing& crossing = (*changes_)[c];
+    return is_reversed ? crossing.left.opposite(geodesics_->faces().length(crossing.halfedge)) : crossing.right;
+  }
+
+  /// all straight ways into the face
+  const std::vector<Face_ridges::Entry>& entries(Index f)
+  {
+    entries_.clear();
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const double length = geodesics_->faces().length(h);
+      double last = 0.;
+      Path_label label = Vertex_labels(*geodesics_).at_source(h); // of all of an edge without crossings
+      for_each_crossing(h,
+                        [&](Index c, bool is_reversed)
+                        {
+        const double t = is_reversed ? length - (*changes_)[c].t : (*changes_)[c].t;
+        add_entry(h, label_before(c, is_reversed), last, t, t);
+        last = t;
+        label = label_after(c, is_reversed);
+      });
+      add_entry(h, label, last, length, last);
+    }
+    add_entries_inside(f);
+    return entries_;
   }
 
   void add_entry(Index h, const Path_label& label, double from, double to, double reached)
@@ -373,7 +388,6 @@ private:
   std::vector<Face_ridges::Change> local_changes_;
   std::vector<Face_ridges::Entry> entries_;
   std::vector<Node> nodes_of_changes_;
-  Path_label last_label_;
   Face_ridges drawing_;
   std::vector<Index> position_, parent_;
 };
