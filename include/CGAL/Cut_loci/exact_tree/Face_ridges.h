@@ -342,7 +342,17 @@ private:
     }
     if(size_ == 2)
       connect(first_, fronts_[first_].next);
-    return size_ == 0 && !ridges_cross();
+    return !has_cut_locus_left() && !ridges_cross();
+  }
+
+  /// The boundary of a shadow that is narrower than the accuracy of the windows may have only one end.
+  bool has_cut_locus_left() const
+  {
+    Index i = first_;
+    for(Index k = 0; k < size_; ++k, i = fronts_[i].next)
+      if(!fronts_[i].is_shadow)
+        return true;
+    return false;
   }
 
   template <typename Are_one_path>
