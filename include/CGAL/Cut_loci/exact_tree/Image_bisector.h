@@ -23,7 +23,8 @@ struct Image
 {
   double x, y, sigma; // `sigma` is the distance of what it is the image of
   Index origin;
-  double direction; // in which the path to the centroid of the face leaves the origin
+  unsigned char axis; // a normal of an edge of the face: 0 to 2 inward, 3 to 5 outward
+  double direction;   // in which a path along the axis leaves the origin
 
   double distance(const Plane_point& p) const
   {
