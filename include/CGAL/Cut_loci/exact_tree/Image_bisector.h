@@ -73,7 +73,7 @@ inline std::size_t equidistant_points(const Image& a, const Image& b, const Imag
 inline std::size_t equidistant_points(const Plane_point& p, const Plane_point& q, const Image& a, const Image& b,
                                       std::array<Plane_point, 2>& points)
 {
-  const double l = std::hypot(q.x - p.x, q.y - p.y);
+  const double l = std::sqrt((q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y));
   if(!(l > 0.))
     return 0;
   const double dx = (q.x - p.x) / l, dy = (q.y - p.y) / l;

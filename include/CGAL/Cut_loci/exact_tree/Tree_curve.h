@@ -42,10 +42,13 @@ public:
     number_.clear();
     const Index root = tree_.branches().root();
     contract(kept);
+    result.nodes.reserve(kept.size() + 1);
+    result.edges.reserve(kept.size());
     if(root != null_index && tree_.graph().nodes[root].face != null_index)
       node(root, result); // it comes first
-    for(const Tree_branches::Edge& b : kept)
-      add(b, result);
+    for(std::size_t i = 0; i < kept.size(); ++i)
+      if(!is_nothing_[i])
+        add(kept[i], result);
     if(result.edges.empty())
       result.nodes.assign(1, lone_node(farthest));
     return result;
@@ -65,16 +68,20 @@ private:
   void contract(const std::vector<Tree_branches::Edge>& kept) const
   {
     merged_.clear();
-    for(const Tree_branches::Edge& b : kept)
-      if(is_nothing(b.edge))
+    is_nothing_.resize(kept.size());
+    for(std::size_t k = 0; k < kept.size(); ++k)
+    {
+      is_nothing_[k] = is_nothing(kept[k].edge);
+      if(is_nothing_[k])
       {
-        Index i = representative(b.outer), j = representative(b.inner);
+        Index i = representative(kept[k].outer), j = representative(kept[k].inner);
         if(i == j)
           continue;
         if(rank(i) < rank(j))
           std::swap(i, j);
         merged_[j] = i;
       }
+    }
   }
 
   /// of several nodes at a point, the one that is at a vertex or on an edge says so for all
@@ -98,7 +105,8 @@ private:
       return false;
     const Plane_point p = position(e.nodes[0], e.face), q = position(e.nodes[1], e.face);
     const double size = geodesics_.faces().length(3 * e.face) + geodesics_.faces().length(3 * e.face + 1);
-    return std::hypot(p.x - q.x, p.y - q.y) <= 1e-8 * size; // some ten times the accuracy of windows
+    const double least = 1e-8 * size; // some ten times the accuracy of windows
+    return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y) <= least * least;
   }
 
   /// in the frame of the first halfedge of the face
@@ -158,21 +166,21 @@ private:
   void add(const Tree_branches::Edge& b, Indexed_cut_locus& result) const
   {
     const Tree_graph::Edge& e = tree_.graph().edges[b.edge];
-    if(e.is_virtual || is_nothing(b.edge))
+    if(e.is_virtual)
       return;
     const Index first = node(e.nodes[0], result), last = node(e.nodes[1], result);
-    std::vector<Plane_point> between;
+    between_.clear();
     if(e.piece != null_index)
     {
       // chords leave a hyperbola by at most this share of an edge of the mesh
       const double tolerance = 1e-4 * connectivity_.mean_edge_length;
       const Ridges::Piece& piece = tree_.ridges().piece(e.piece);
       sample_bisector(piece.images[0], piece.images[1], tree_.ridges().piece_end(e.piece, 0),
-                      tree_.ridges().piece_end(e.piece, 1), tolerance, between);
+                      tree_.ridges().piece_end(e.piece, 1), tolerance, between_);
     }
     const float width = static_cast<float>(tree_.width(b.edge));
     Index previous = first;
-    for(const Plane_point& p : between)
+    for(const Plane_point& p : between_)
     {
       const Index next = static_cast<Index>(result.nodes.size());
       result.nodes.push_back({location(e.face, p), null_index, tree_.ridges().piece(e.piece).images[0].distance(p)});
@@ -205,6 +213,8 @@ private:
   const Exact_geodesic_propagation& geodesics_;
   Exact_tree& tree_;
   mutable std::unordered_map<Index, Index> number_, merged_; // of nodes
+  mutable std::vector<unsigned char> is_nothing_;            // of the edges that are kept
+  mutable std::vector<Plane_point> between_;
 };
 
 } // namespace internal
