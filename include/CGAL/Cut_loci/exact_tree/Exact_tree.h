@@ -48,7 +48,7 @@ public:
     least_angle_ = least_angle;
     // Windows of an edge come once the front is there, up to a face or two. If that is not enough on this mesh, once
     // more with room for more.
-    for(double slack = 2.;; slack *= 8.)
+    for(double slack = 4.;; slack *= 8.)
     {
       crossings_.reset(new Edge_crossings(geodesics_, slack, least_angle));
       geodesics_.run({source}, Exact_geodesic_options(), *crossings_);
@@ -117,10 +117,12 @@ public:
       result = 0.f;
       if(e.piece != null_index)
       {
+        // at the end where the gap is larger, or at both if it is constant
         const Ridges::Piece& piece = ridges_.piece(e.piece);
-        const int wider = piece.gaps[0] >= piece.gaps[1] ? 0 : 1;
-        const Plane_point p = ridges_.piece_end(e.piece, wider);
-        result = static_cast<float>((*measure_)(e.face, p, piece.images[0], piece.images[1]));
+        for(int k = 0; k < 2; ++k)
+          if(piece.gaps[k] >= piece.gaps[1 - k] - 1e-9)
+            result = (std::max)(result, static_cast<float>((*measure_)(e.face, ridges_.piece_end(e.piece, k),
+                                                                       piece.images[0], piece.images[1])));
       }
     }
     return result;

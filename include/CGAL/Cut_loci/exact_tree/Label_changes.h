@@ -98,9 +98,11 @@ private:
     std::vector<Index> next(first_.begin(), first_.end() - 1);
     for(const Edge_crossing& c : crossings_)
       sorted[next[edge[c.halfedge]]++] = c;
+    // they come in order, but for those at the ends
+    const auto is_before = [](const Edge_crossing& a, const Edge_crossing& b) { return a.t < b.t; };
     for(std::size_t e = 0; e + 1 < first_.size(); ++e)
-      std::stable_sort(sorted.begin() + first_[e], sorted.begin() + first_[e + 1],
-                       [](const Edge_crossing& a, const Edge_crossing& b) { return a.t < b.t; });
+      if(!std::is_sorted(sorted.begin() + first_[e], sorted.begin() + first_[e + 1], is_before))
+        std::stable_sort(sorted.begin() + first_[e], sorted.begin() + first_[e + 1], is_before);
     crossings_.swap(sorted);
   }
 

@@ -17,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -44,13 +43,13 @@ public:
     : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), tree_(tree)
   {
     const Index root = tree_.branches().root();
+    number_.assign(tree_.graph().nodes.size(), null_index);
     contract(kept);
     join(kept);
     if(root != null_index && tree_.graph().nodes[root].face != null_index)
       node(root); // it comes first
-    is_drawn_.assign(tree_.graph().edges.size(), 0);
     for(const Tree_branches::Edge& b : kept)
-      if(!is_drawn_[b.edge] && !tree_.graph().edges[b.edge].is_virtual && !is_nothing(b.edge))
+      if(!is_drawn_[b.edge] && !tree_.graph().edges[b.edge].is_virtual)
         add_chain(b.edge);
     if(graph.edges.empty())
       graph.nodes.assign(1, lone_node(farthest));
@@ -69,9 +68,12 @@ private:
   /// Where more pieces than two meet, or at a vertex, pieces of no length may be between them: they become one node.
   void contract(const std::vector<Tree_branches::Edge>& kept)
   {
+    merged_.assign(tree_.graph().nodes.size(), null_index);
+    is_drawn_.assign(tree_.graph().edges.size(), 0);
     for(const Tree_branches::Edge& b : kept)
       if(is_nothing(b.edge))
       {
+        is_drawn_[b.edge] = 1;
         Index i = representative(b.outer), j = representative(b.inner);
         if(i == j)
           continue;
@@ -90,8 +92,8 @@ private:
 
   Index representative(Index i) const
   {
-    for(auto found = merged_.find(i); found != merged_.end(); found = merged_.find(i))
-      i = found->second;
+    while(merged_[i] != null_index)
+      i = merged_[i];
     return i;
   }
 
@@ -102,7 +104,8 @@ private:
       return false;
     const Plane_point p = position(e.nodes[0], e.face), q = position(e.nodes[1], e.face);
     const double size = geodesics_.faces().length(3 * e.face) + geodesics_.faces().length(3 * e.face + 1);
-    return std::hypot(p.x - q.x, p.y - q.y) <= 1e-8 * size; // some ten times the accuracy of windows
+    const double least = 1e-8 * size; // some ten times the accuracy of windows
+    return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y) <= least * least;
   }
 
   /// in the frame of the first halfedge of the face
@@ -121,14 +124,14 @@ private:
   Index node(Index i)
   {
     i = representative(i);
-    const auto inserted = number_.insert({i, static_cast<Index>(graph.nodes.size())});
-    if(inserted.second)
+    if(number_[i] == null_index)
     {
+      number_[i] = static_cast<Index>(graph.nodes.size());
       const Tree_graph::Node& n = tree_.graph().nodes[i];
       graph.nodes.push_back(
         {n.vertex != null_index ? location_of_vertex(connectivity_, n.vertex) : location(n), n.vertex, n.distance});
     }
-    return inserted.first->second;
+    return number_[i];
   }
 
   Indexed_location location(const Tree_graph::Node& n) const
@@ -167,7 +170,7 @@ private:
     degree_.assign(tree_.graph().nodes.size(), 0);
     exclusive_or_.assign(tree_.graph().nodes.size(), 0);
     for(const Tree_branches::Edge& b : kept)
-      if(!is_nothing(b.edge))
+      if(!is_drawn_[b.edge])
         for(Index i : tree_.graph().edges[b.edge].nodes)
         {
           const Index k = representative(i);
@@ -333,7 +336,7 @@ private:
   const Mesh_connectivity& connectivity_;
   const Exact_geodesic_propagation& geodesics_;
   Exact_tree& tree_;
-  std::unordered_map<Index, Index> number_, merged_; // of nodes
+  std::vector<Index> number_, merged_;         // of nodes
   std::vector<Index> degree_, exclusive_or_;         // of nodes
   std::vector<unsigned char> is_drawn_;              // edges
   std::vector<Point> points_;                        // of the chain in work
