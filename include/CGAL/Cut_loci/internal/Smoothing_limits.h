@@ -11,8 +11,9 @@
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Local_geodesics.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/internal/Arriving_paths.h>
 #include <CGAL/Cut_loci/internal/Curve_network.h>
+#include <CGAL/Cut_loci/internal/Sides_of_arrival.h>
+#include <CGAL/Cut_loci/internal/Steepest_descent.h>
 #include <CGAL/Cut_loci/internal/crossing_edges.h>
 #include <CGAL/Cut_loci/internal/surface_location.h>
 
@@ -44,11 +45,10 @@ public:
   Smoothing_limits(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                    const std::vector<double>& distance, const Indexed_cut_locus& input, const Curve_network& network)
     : mesh_(mesh), connectivity_(connectivity), input_(input), network_(network), geodesics_(mesh, connectivity),
-      arriving_(mesh, connectivity, distance), forbidden_(input.nodes.size())
+      sides_(mesh, connectivity, distance, input, network), descent_(mesh, connectivity, distance)
   {
     for(Index node = 0; node < input.nodes.size(); ++node)
-      if(network.degree(node) > 1)
-        forbid_side_of_arrival(node);
+      forbidden_.push_back(sides_.faces(node));
   }
 
   // in the faces around its own vertex, and not between that and the path that arrives there
@@ -77,6 +77,8 @@ public:
   }
 
 private:
+  using Leg = Sides_of_arrival::Leg;
+
   struct Piece
   {
     Index face, edge;
@@ -88,32 +90,6 @@ private:
   {
     const Indexed_triangle_mesh::Triangle& t = mesh_.triangles[f];
     return t[0] == v || t[1] == v || t[2] == v;
-  }
-
-  // The faces around the vertex of `node` between the two edges of the graph that enclose the arriving path.
-  void forbid_side_of_arrival(Index node)
-  {
-    const Index v = vertex_of_node(node);
-    const Arriving_paths::Leg leg = arriving_(v);
-    if(leg.halfedge == null_index || connectivity_.is_border(v))
-      return;
-    Index h = leg.is_along ? leg.halfedge : mesh_.previous(leg.halfedge); // at v
-    if(leg.is_along && network_.is_graph_edge(node, connectivity_.edge_of_halfedge[h]))
-      return;
-    if(mesh_.source(h) != v)
-      h = mesh_.next(mesh_.opposite[h]);
-    std::vector<Index>& result = forbidden_[node];
-    for(Index out = h;; out = mesh_.opposite[mesh_.previous(out)]) // counterclockwise
-    {
-      result.push_back(out / 3);
-      if(network_.is_graph_edge(node, connectivity_.edge_of_halfedge[mesh_.previous(out)]))
-        break;
-    }
-    for(Index out = h; !network_.is_graph_edge(node, connectivity_.edge_of_halfedge[out]);)
-    {
-      out = mesh_.next(mesh_.opposite[out]);
-      result.push_back(out / 3);
-    }
   }
 
   // A point of the mesh as numbers that its faces agree on, rounded: points that are closer than that are as good as
@@ -249,15 +225,21 @@ private:
     std::vector<bool> is_across(graph.nodes.size(), false);
     for(Index v : vertices)
     {
-      const Arriving_paths::Leg leg = arriving_(v);
-      if(leg.halfedge == null_index)
-        continue;
-      if(!leg.is_along)
+      const Index node = network_.node_of_vertex(v);
+      if(node != null_index)
       {
-        add_edges_across(graph, pieces, leg, edges);
+        add_edges_across(graph, pieces, sides_.leg(node), edges);
         continue;
       }
-      const auto found = nodes_on.find(connectivity_.edge_of_halfedge[leg.halfedge]);
+      const Steepest_descent::Outflow out = descent_.outflow(v);
+      if(out.halfedge == null_index)
+        continue;
+      if(!out.is_along)
+      {
+        add_edges_across(graph, pieces, {mesh_.next(out.halfedge), out.place}, edges);
+        continue;
+      }
+      const auto found = nodes_on.find(connectivity_.edge_of_halfedge[out.halfedge]);
       if(found != nodes_on.end() && found->second.size() % 2 == 1)
         for(Index i : found->second)
           is_across[i] = true;
@@ -266,8 +248,10 @@ private:
   }
 
   void add_edges_across(const Indexed_cut_locus& graph, const std::vector<Piece>& pieces,
-                        const Arriving_paths::Leg& leg, std::vector<Index>& edges) const
+                        const Leg& leg, std::vector<Index>& edges) const
   {
+    if(leg.halfedge == null_index)
+      return;
     const Index f = leg.halfedge / 3, i = leg.halfedge % 3;
     // two of the barycentric coordinates: an affine map keeps crossings
     const Planar_vector foot = {{1. - leg.place, leg.place}}, along = {{-foot[0], -foot[1]}};
@@ -293,8 +277,9 @@ private:
   const Indexed_cut_locus& input_;
   const Curve_network& network_;
   Local_geodesics geodesics_;
-  Arriving_paths arriving_;
-  std::vector<std::vector<Index>> forbidden_; // faces, for each node
+  Sides_of_arrival sides_;
+  Steepest_descent descent_;
+  std::vector<std::vector<Index>> forbidden_; // for each node, the faces from which its vertex must not be cut off
 };
 
 } // namespace internal
