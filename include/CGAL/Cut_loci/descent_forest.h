@@ -31,8 +31,8 @@ public:
   Descent_tracer(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                  const std::vector<double>& distance, const Indexed_source& source)
     : mesh_(mesh), connectivity_(connectivity), distance_(distance), descent_(mesh, connectivity, distance_),
-      exit_(mesh.number_of_faces(), null_index),
-      is_claimed_(mesh.number_of_faces(), 0), is_at_source_(mesh.number_of_vertices(), 0)
+      exit_(mesh.number_of_faces(), null_index), is_claimed_(mesh.number_of_faces(), 0),
+      is_at_source_(mesh.number_of_vertices(), 0)
   {
     claim_source(source);
     fill_pits();

@@ -409,6 +409,10 @@ private:
  * by the component of the gradient along a normal does not depend on the sign of the normal, this is read as: a leaf
  * takes its normal from its neighbor, and moves across the straight continuation of its branch.
  *
+ * Each node stays in the faces around its vertex and leaves that only away from the side on which the shortest path to
+ * it arrives; where segments would meet, or leave the faces around the vertices of their ends, or these are no disk, the
+ * curve goes back to the edges of the mesh. So its complement stays an open disk.
+ *
  * @param distance the distance of each vertex to the source
  * @param cut_locus a graph of mesh edges
  *

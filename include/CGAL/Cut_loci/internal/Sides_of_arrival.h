@@ -7,11 +7,14 @@
 #ifndef CGAL_CUT_LOCI_INTERNAL_SIDES_OF_ARRIVAL_H
 #define CGAL_CUT_LOCI_INTERNAL_SIDES_OF_ARRIVAL_H
 
+#include <CGAL/Cut_loci/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/internal/Curve_network.h>
 #include <CGAL/Cut_loci/internal/flat_triangles.h>
+#include <CGAL/Cut_loci/internal/image_ray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -151,10 +154,9 @@ private:
     const Index next = mesh_.next(h), previous = mesh_.previous(h);
     const double a = distance_at(next), b = distance_at(previous);
     offer(c, (std::min)(a + edge_length(mesh_, h), b + edge_length(mesh_, previous)), {});
-    Leg leg;
-    double distance;
-    if(std::isfinite(a) && std::isfinite(b) && image(next, a, b, leg, distance))
-      offer(c, distance, leg);
+    Image_ray ray;
+    if(std::isfinite(a) && std::isfinite(b) && image_ray(mesh_, next, a, b, ray))
+      offer(c, ray.distance, {next, ray.place});
   }
 
   void offer(Index c, double distance, const Leg& leg)
@@ -174,23 +176,6 @@ private:
       return;
     copy.distance = distance;
     queue_.push({distance, c});
-  }
-
-  // The distance of the apex of `h` by the image of the source beyond `h`, if it sees the apex through it.
-  bool image(Index h, double a, double b, Leg& leg, double& distance) const
-  {
-    const double length = edge_length(mesh_, h), x = (length * length + a * a - b * b) / (2. * length);
-    const double y2 = a * a - x * x;
-    if(!(y2 > 0.))
-      return false;
-    const double y = std::sqrt(y2);
-    const Planar_vector top = apex(mesh_, h);
-    const double place = (x * top[1] + top[0] * y) / (top[1] + y) / length;
-    if(!(place > 0. && place < 1.))
-      return false;
-    leg = {h, place};
-    distance = std::hypot(top[0] - x, top[1] + y);
-    return true;
   }
 
   void propagate()

@@ -208,9 +208,11 @@ private:
     for(Index e = 0; e < graph.edges.size(); ++e)
       geodesics_.for_each_common_face(graph.nodes[graph.edges[e].source].location,
                                       graph.nodes[graph.edges[e].target].location,
-                                      [&](Index f) { pieces.push_back({f, e}); });
-    std::sort(pieces.begin(), pieces.end(), [](const Piece& s, const Piece& t)
-              { return s.face != t.face ? s.face < t.face : s.edge < t.edge; });
+                                      [&](Index f) {
+        pieces.push_back({f, e});
+      });
+    std::sort(pieces.begin(), pieces.end(),
+              [](const Piece& s, const Piece& t) { return s.face != t.face ? s.face < t.face : s.edge < t.edge; });
     std::map<Index, std::vector<Index>> nodes_on; // edges of the mesh
     for(Index i = 0; i < graph.nodes.size(); ++i)
     {
@@ -247,8 +249,8 @@ private:
     add_edges_at(graph, is_across, edges);
   }
 
-  void add_edges_across(const Indexed_cut_locus& graph, const std::vector<Piece>& pieces,
-                        const Leg& leg, std::vector<Index>& edges) const
+  void add_edges_across(const Indexed_cut_locus& graph, const std::vector<Piece>& pieces, const Leg& leg,
+                        std::vector<Index>& edges) const
   {
     if(leg.halfedge == null_index)
       return;
@@ -261,11 +263,12 @@ private:
       return {{c[i], c[(i + 1) % 3]}};
     };
     const std::size_t before = edges.size();
-    for(auto p = std::lower_bound(pieces.begin(), pieces.end(), f, [](const Piece& s, Index g) { return s.face < g; });
+    for(auto p = std::lower_bound(pieces.begin(), pieces.end(), f, [](const Piece&s, Index g) { return s.face < g; });
         p != pieces.end() && p->face == f; ++p)
     {
       const Planar_vector a = place(graph.edges[p->edge].source), b = place(graph.edges[p->edge].target);
-      if(cross(along, a - foot) * cross(along, b - foot) < 0. && cross(b - a, foot - a) * cross(b - a, {{-a[0], -a[1]}}) < 0.)
+      if(cross(along, a - foot) * cross(along, b - foot) < 0. &&
+         cross(b - a, foot - a) * cross(b - a, {{-a[0], -a[1]}}) < 0.)
         edges.push_back(p->edge);
     }
     if((edges.size() - before) % 2 == 0)
