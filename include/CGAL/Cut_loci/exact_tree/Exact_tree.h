@@ -53,8 +53,6 @@ public:
       crossings_.reset(new Edge_crossings(geodesics_, slack, least_angle));
       geodesics_.run({source}, Exact_geodesic_options(), *crossings_);
       crossings_->finish();
-      if(getenv("DBG"))
-        fprintf(stderr, "slack %g late %zu\n", slack, crossings_->number_of_late());
       if(crossings_->number_of_late() == 0 || slack > 1e30)
         return;
     }
