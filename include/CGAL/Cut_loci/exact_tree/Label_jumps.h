@@ -18,51 +18,95 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
+/// is how strong a branch must be at least, to matter.
+struct Branch_strength
+{
+  double gap = 0.;   // an angle
+  double width = 0.; // a length
+
+  /*
+   * Of the gap, at this distance. Where the curvature is not negative, two paths of the length d that part at an angle
+   * are never farther apart than that angle times d. Half of it is for places where it is. A gap needs no such margin,
+   * but cycles have weak parts, and what is not known of them is closed as the mesh allows.
+   */
+  double least_angle(double distance) const
+  {
+    return (std::max)(0.1 * gap, distance > 0. ? 0.5 * width / distance : 0.);
+  }
+};
+
 /*!
  * tells whether the cut locus crosses a halfedge where it matters, from the windows alone: where the two paths part at
- * more than a least angle, or meet at one that is not small.
+ * more than the angle that a least strength of branches needs, or meet at one that is not small.
  */
 class Label_jumps
 {
 public:
-  Label_jumps(const Geodesic_results& geodesics, double least_angle)
-    : geodesics_(geodesics), parting_angle_(geodesics), least_angle_(least_angle),
-      steep_((std::max)(least_angle, 0.1))
+  Label_jumps(const Geodesic_results& geodesics, const Branch_strength& least)
+    : geodesics_(geodesics), parting_angle_(geodesics), least_(least)
   {
   }
 
-  bool finds_all() const { return least_angle_ == 0.; }
+  bool finds_all() const { return least_.gap == 0. && least_.width == 0.; }
+
+  /// prepares for the halfedge from `a` to `b`
+  void start(Index a, Index b, double length)
+  {
+    a_ = a;
+    b_ = b;
+    length_ = length;
+    least_angle_ = least_.least_angle((std::min)(geodesics_.distance(a), geodesics_.distance(b)) + length);
+    steep_ = (std::max)(least_angle_, 0.1);
+  }
 
   /// whether two neighbors in the list differ
   bool between_windows(const Geodesic_window_list& list) const
   {
     const double *b = list.column(1), *x = list.column(2), *y = list.column(3), *turn = list.column(5),
                  *origin = list.column(6);
-    // The angle at which paths meet is the sine of it, over one square, and what is left of it at the source is as their
-    // frames are turned: a sum without branches, which says no nearly always.
-    int number = 0;
     for(std::size_t i = list.begin; i + 1 < list.end; ++i)
     {
+      // The paths meet at the angle between the images; what is left of it at the source is as their frames are turned.
       const double ux = x[i] - b[i], vx = x[i + 1] - b[i], uu = ux * ux + y[i] * y[i];
-      const double cross = ux * y[i + 1] - y[i] * vx, gap = (turn[i + 1] - turn[i]) * uu + cross;
-      number += int(std::fabs(gap) > least_angle_ * uu) | int(std::fabs(cross) > steep_ * uu) |
-                int(origin[i] != origin[i + 1]);
-    }
-    if(number == 0)
-      return false;
-    for(std::size_t i = list.begin; i + 1 < list.end; ++i)
-      if(differ(list.get<7>(i), list.get<7>(i + 1), b[i]))
+      const double cross = ux * y[i + 1] - y[i] * vx;
+      if(origin[i] == origin[i + 1])
+      {
+        if((std::fabs((turn[i + 1] - turn[i]) * uu + cross) > least_angle_ * uu || std::fabs(cross) > steep_ * uu) &&
+           differ(list.get<7>(i), list.get<7>(i + 1), b[i]))
+          return true;
+      }
+      else if(cross * cross > least_meeting * least_meeting * uu * (vx * vx + y[i + 1] * y[i + 1]) &&
+              differ(list.get<7>(i), list.get<7>(i + 1), b[i]))
         return true;
+    }
     return false;
   }
 
-  /// whether a path that is in no window leads to an end, `a` or `b`, of the halfedge
-  bool at_ends(const Geodesic_window& first, const Geodesic_window& last, double length, Index a, Index b) const
+  /// whether a path that is in no window leads to an end of the halfedge
+  bool at_ends(const Geodesic_window& first, const Geodesic_window& last) const
   {
-    return at_end(first, 0., first.a, length, a) || at_end(last, length, length - last.b, length, b);
+    return at_end(first, 0., first.a, a_) || at_end(last, length_, length_ - last.b, b_);
   }
 
-  /// whether the path of a window to the end `v` of the halfedge is another one than that which is known
+  /// whether the paths of the windows to the ends of the halfedge are other ones than those that are known: two labels
+  /// that mirror each other in the edge have the same distances on it
+  bool is_mirrored(const Geodesic_window& first, const Geodesic_window& last) const
+  {
+    return leads_elsewhere(first, 0., a_) || leads_elsewhere(last, length_, b_);
+  }
+
+  /// how much farther the path to one end leads to the other than the shortest one there, as a share of the edge: at
+  /// most about the angle between the two
+  double bend(const Geodesic_window& first, const Geodesic_window& last) const
+  {
+    return (std::min)(first.distance(length_) - geodesics_.distance(b_),
+                      last.distance(0.) - geodesics_.distance(a_)) /
+           length_;
+  }
+
+private:
+  static constexpr double least_meeting = 1e-7; // of paths that do not come along one line
+
   bool leads_elsewhere(const Geodesic_window& w, double t, Index v) const
   {
     if(geodesics_.distance(v) == 0. || !geodesics_.is_reached(v))
@@ -73,7 +117,6 @@ public:
            least_angle_;
   }
 
-private:
   static Path_label label(const Geodesic_window& w)
   {
     return {w.x, w.y, w.sigma, w.turn, static_cast<Index>(w.origin), false};
@@ -87,16 +130,19 @@ private:
 
   /// Where another path takes over before the end, the distance there is less than the window says: by what is left times
   /// the difference of two slopes, which the angle at which they meet bounds.
-  bool at_end(const Geodesic_window& w, double t, double rest, double length, Index v) const
+  bool at_end(const Geodesic_window& w, double t, double rest, Index v) const
   {
-    const double excess = w.distance(t) - geodesics_.distance(v) - geodesic_cover * length;
+    const double excess = w.distance(t) - geodesics_.distance(v) - geodesic_cover * length_;
     return excess > 0. && (excess > steep_ * rest || leads_elsewhere(w, t, v));
   }
 
   const Geodesic_results& geodesics_;
   Parting_angle parting_angle_;
-  double least_angle_;
-  double steep_; // beside a point where paths meet at less, the way to it is longer by less than that share of an edge
+  Branch_strength least_;
+  // of the halfedge in work
+  Index a_ = 0, b_ = 0;
+  double length_ = 0., least_angle_ = 0.;
+  double steep_ = 0.; // beside a point where paths meet at less, the way to it is longer by less than that share of an edge
 };
 
 } // namespace internal
