@@ -56,7 +56,7 @@ const keys = {
   o: () => element('open').click(),
   s: () => viewer.pickCenter(),
   r: () => { viewer.resetView(); saveState(); },
-  m: () => { if (state.solver === 'exact') app.setSolver('exact', state.method === 'direction' ? 'laplacian' : 'direction'); },
+  m: () => { if (state.solver === 'exact') app.setSolver('exact', panel.nextMethod(state)); },
   c: () => app.toggleCut(),
   p: () => app.export('png'),
   '?': () => element('help').showModal(),
