@@ -5,7 +5,7 @@ import { branchScale } from './branch_scale.js';
 import { Cancelled, Engine } from './engine.js';
 import { atlasToObj, download, meshToPly } from './exporters.js';
 import { explain, objectionTo } from './messages.js';
-import { farthestFace, fileStart, samples } from './samples.js';
+import { farthestFace, fileStart, samples, startCoordinates } from './samples.js';
 import { defaultState, rounded } from './state.js';
 
 const stageTexts = {
@@ -109,7 +109,7 @@ export class App {
       const { positions, triangles } = this.mesh;
       const faceCount = triangles.length / 3;
       if (!keepsSource || !this.state.source || this.state.source.face >= faceCount)
-        this.state.source = { face: farthestFace(positions, triangles, start), coordinates: Array(3).fill(rounded(1 / 3)) };
+        this.state.source = { face: farthestFace(positions, triangles, start), coordinates: [...startCoordinates] };
       if (!keepsSource) {
         this.state.isCut = false;
         this.viewer.resetView();
