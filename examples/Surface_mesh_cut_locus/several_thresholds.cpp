@@ -37,8 +37,8 @@ int main(int argc, char* argv[])
     {
       const Mesh::Vertex_index source = *(mesh.vertices_begin() + i);
       solver.set_source(source);
-      // the default for this mesh, in diagonals of its bounding box, or more
-      for(double factor : {1., 2., 5., 20.})
+      // Widths are in diagonals of the bounding box. Below the default for the mesh, the first call computes more.
+      for(double factor : {0.1, 0.5, 1., 2.})
       {
         const double width = factor * solver.minimum_branch_width();
         const auto cut_locus = solver.cut_locus(CGAL::parameters::minimum_branch_width(width));

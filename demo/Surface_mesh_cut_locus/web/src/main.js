@@ -33,7 +33,7 @@ app.onState = saveState;
 async function start() {
   if (state.view) viewer.setView(state.view);
   if (state.sample) await app.openSample(state.sample, state.faces, true);
-  else panel.showMessage(`This link is about the file “${state.file}”: open it to see the same.`, true);
+  else panel.showMessage(`This link is about the file “${state.file}”: open it to see the same.`, true, true);
 }
 
 window.addEventListener('hashchange', () => {

@@ -211,12 +211,13 @@ export class Panel {
     element('busy-text').textContent = text;
   }
 
-  showMessage(text, isPlain = false) {
+  // what is plain goes by itself, unless it stays
+  showMessage(text, isPlain = false, stays = false) {
     element('message-text').textContent = text;
     element('message').classList.toggle('is-plain', isPlain);
     element('message').hidden = false;
     clearTimeout(this.messageTimer);
-    if (isPlain) this.messageTimer = setTimeout(() => this.hideMessage(), 4000);
+    if (isPlain && !stays) this.messageTimer = setTimeout(() => this.hideMessage(), 4000);
   }
 
   hideMessage() {

@@ -181,7 +181,7 @@ const tests = {
     await page.selectOption('#method', 'polyhedral');
     await page.waitForTimeout(100);
     await idle();
-    assert.match(await page.innerText('#legend-scale'), /0.5 %[^]*50 % of the diagonal/);
+    assert.match(await page.innerText('#legend-scale'), /0.5\s%[^]*50\s% of the diagonal/);
     assert.equal((await result()).cycles, 0);
     await page.uncheck('#show-width');
     assert.ok(!await page.locator('#legend-scale').isVisible());
@@ -289,6 +289,15 @@ const tests = {
     assert.ok(await page.isChecked('#width-auto'));
     assert.ok(await page.isChecked('#show-disk'));
     assert.doesNotMatch(await page.evaluate(() => location.hash), /strength/);
+  },
+
+  async 'a link to a file says so until it is opened'() {
+    await page.goto('about:blank');
+    await page.goto(`${address}#file=square.off&solver=exact&method=polyhedral`);
+    await page.waitForTimeout(5000);
+    assert.match(await page.innerText('#message-text'), /about the file “square.off”/);
+    assert.equal(await openFile('square.off', 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n'), null);
+    assert.equal(await page.inputValue('#method'), 'polyhedral');
   },
 
   async 'files of all formats give the same surface'() {
