@@ -50,10 +50,10 @@ struct Cut_locus_edge
 
   /// a halfedge on the edge of the mesh it follows, or `null_halfedge()`
   halfedge_descriptor mesh_halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
-  /// the largest on the branch from here to its tips, in the unit of the filter; with `Cut_loci::Method::POLYHEDRAL` the
-  /// gap, an angle in radians
+  /// the largest on the branch from here to its tips, in the unit of the filter: radians for an angle of gradients, or
+  /// for the gap, unless the method is `Cut_loci::Method::LAPLACIAN`
   double strength = 0.;
-  /// with `Cut_loci::Method::POLYHEDRAL`, the largest separation of the two shortest paths to a point of the edge
+  /// the largest separation of the two shortest paths to a point of the edge; zero with `Cut_loci::Method::LAPLACIAN`
   double width = 0.;
   bool is_on_border = false; ///< whether it follows the border of the mesh
   std::size_t origin = 0;    ///< the edge it replaces, or is, in the graph of mesh edges of the same thresholds

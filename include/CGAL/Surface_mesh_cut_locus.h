@@ -45,9 +45,9 @@ namespace CGAL {
  * `set_source()` what depends on the source, and `cut_locus()` applies thresholds in time proportional to the size of
  * its result, so that it follows a slider.
  *
- * If the distances are exact and come with directions, as those of the default solver, the cut locus is found where
- * the direction at the source of the shortest paths jumps (`Cut_loci::Method::DIRECTION`): there is nothing to tune,
- * and it is more accurate. Otherwise the method is that of Mancinelli, Livesu and Puppo
+ * With the default solver, the cut locus of the polyhedron is computed from the windows of exact geodesics, and the
+ * branches that come from the mesh or from noise are left out (`Cut_loci::Method::DIRECTION`): there is nothing to tune,
+ * and no shortest path crosses it. Otherwise the method is that of Mancinelli, Livesu and Puppo
  * \cgalCite{cgal:mlp-pccld-21} (`Cut_loci::Method::LAPLACIAN`), which takes any distances: a spanning tree is grown
  * from the vertex farthest from the source along the valleys of the Laplacian of the distance, thinned, completed by
  * homology generators, and its weak branches are removed. The parameter `cut_locus_method` chooses one of them.
@@ -105,12 +105,10 @@ public:
    *     \cgalParamDescription{how the cut locus is found}
    *     \cgalParamType{`Cut_loci::Method`}
    *     \cgalParamDefault{what the distances of a source allow: `Cut_loci::Method::DIRECTION` with
-   *                       `Exact_geodesic_solver`, and with solvers that say so (see `GeodesicSolver`);
+   *                       `Exact_geodesic_solver`, and
    *                       `Cut_loci::Method::LAPLACIAN` with all others and with a `vertex_distance_map`}
-   *     \cgalParamExtra{Distances of `Shortest_path_geodesic_solver`, and those of a map, may be exact, but have no
-   *                     directions. Directions that are estimated from distances put the ends of branches off by up to
-   *                     2.8 edges, where the solver's own put them off by up to 1.1: so this is not the default for
-   *                     them. With distances of the heat method, or of a graph, `Cut_loci::Method::DIRECTION` fails.}
+   *     \cgalParamExtra{`Cut_loci::Method::DIRECTION` and `Cut_loci::Method::POLYHEDRAL` need the paths of the package's
+   *                     own exact solver, and not distances alone.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
    *     \cgalParamDescription{a visitor that is told when a stage starts and ends}
@@ -204,27 +202,24 @@ public:
    * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
    *
    * \cgalNamedParamsBegin
-   *   \cgalParamNBegin{strength_threshold}
-   *     \cgalParamDescription{by how many times the jump of the shortest paths across a branch must exceed what a
-   *                           smooth distance explains; values below 2 act as 2}
-   *     \cgalParamType{`double`}
-   *     \cgalParamDefault{found from the noise of the mesh: 3 on a smooth one}
-   *     \cgalParamExtra{for `Cut_loci::Method::DIRECTION` only}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{minimum_branch_gap}
-   *     \cgalParamDescription{the least angle at the source, or where they part, between the two shortest paths to the
-   *                           points of a branch, in radians in [0, pi]; it grows from the tips of branches inward}
-   *     \cgalParamType{`double`}
-   *     \cgalParamDefault{0}
-   *     \cgalParamExtra{for `Cut_loci::Method::POLYHEDRAL` only}
-   *   \cgalParamNEnd
    *   \cgalParamNBegin{minimum_branch_width}
    *     \cgalParamDescription{the least value, over the points of a branch, of the largest separation of the two shortest
    *                           paths to them, in units of the diagonal of the bounding box of the source's component: how
    *                           large what the branch goes around is}
    *     \cgalParamType{`double`}
-   *     \cgalParamDefault{0}
-   *     \cgalParamExtra{for `Cut_loci::Method::POLYHEDRAL` only. With both thresholds, a branch must pass both.}
+   *     \cgalParamDefault{with `Cut_loci::Method::DIRECTION` what the mesh and its noise explain, see
+   *                       `minimum_branch_width()`: about three edges on a smooth mesh; with
+   *                       `Cut_loci::Method::POLYHEDRAL`, or if there is a `minimum_branch_gap`, 0}
+   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. A smaller one than the default takes a computation for the
+   *                     source once more.}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{minimum_branch_gap}
+   *     \cgalParamDescription{the least angle at the source, or where they part, between the two shortest paths to the
+   *                           points of a branch, in radians in [0, pi]; it grows from the tips of branches inward}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{0; with `Cut_loci::Method::DIRECTION` on a polyhedron whose curvature is in a few sharp vertices,
+   *                       such as a cube, 0.5, for the branches of these}
+   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. With both thresholds, a branch must pass both.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{gradient_angle_threshold}
    *     \cgalParamDescription{the angle at which shortest paths must meet, in radians in [0, pi]; a larger one
@@ -249,8 +244,8 @@ public:
    *     \cgalParamDescription{branches of fewer edges of the mesh are removed; where branches meet, the longest
    *                           continues, and at the root and on cycles all of them end}
    *     \cgalParamType{`std::size_t`}
-   *     \cgalParamDefault{with `Cut_loci::Method::LAPLACIAN` 3, as in the paper; with
-   *                       `Cut_loci::Method::DIRECTION`, which judges branches as a whole, 0}
+   *     \cgalParamDefault{with `Cut_loci::Method::LAPLACIAN` 3, as in the paper; with the
+   *                       others, which judge branches as a whole, 0}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{minimum_branch_length}
    *     \cgalParamDescription{branches that are shorter are removed; in units of the diagonal of the bounding box of
@@ -263,7 +258,7 @@ public:
    *     \cgalParamDescription{whether the result is made of edges of the mesh or of segments through its faces}
    *     \cgalParamType{`Cut_loci::Curve`}
    *     \cgalParamDefault{`Cut_loci::Curve::MESH_EDGES`, unless there is a `number_of_iterations`;
-   *                       `Cut_loci::Curve::THROUGH_FACES` with `Cut_loci::Method::POLYHEDRAL`, which has no other}
+   *                       `Cut_loci::Curve::THROUGH_FACES` with `Cut_loci::Method::POLYHEDRAL`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{number_of_iterations}
    *     \cgalParamDescription{the number of steps that move the curves from the edges of the mesh onto the cut locus,
@@ -309,8 +304,8 @@ public:
     else
     {
       Exact_tree_solver& solver = *component_->exact_tree;
-      found = solver.filter(read_exact_tree_thresholds(np, default_thresholds(solver), component_->diagonal), curve.curve,
-                            mesh_edges);
+      found = solver.filter(read_exact_tree_thresholds(np, default_thresholds(solver), component_->diagonal),
+                            curve.curve, mesh_edges);
     }
     mark_edges(mesh_edges, parameters::get_parameter(np, internal_np::edge_is_constrained));
     return Builder(tm_, vpm_, read_, *component_)(found, source_, source_result_);
@@ -332,10 +327,7 @@ public:
     return has_exact_tree() ? default_thresholds(*component_->exact_tree).width / component_->diagonal : 0.;
   }
   /// the default of `minimum_branch_gap` for the current source, if it has one
-  double minimum_branch_gap() const
-  {
-    return has_exact_tree() ? default_thresholds(*component_->exact_tree).gap : 0.;
-  }
+  double minimum_branch_gap() const { return has_exact_tree() ? default_thresholds(*component_->exact_tree).gap : 0.; }
   /// the default of `minimum_branch_edges` with `Cut_loci::Method::LAPLACIAN`
   static std::size_t default_minimum_branch_edges() { return 3; }
 

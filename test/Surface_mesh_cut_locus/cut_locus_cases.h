@@ -338,9 +338,8 @@ TYPED_TEST(Cut_locus_test, of_distances_that_the_user_has_is_that_of_the_solver_
 
   try
   {
-    CGAL::compute_cut_locus(
-      built.mesh, built.vertices[5],
-      CGAL::parameters::vertex_distance_map(distance).cut_locus_method(Method::DIRECTION));
+    CGAL::compute_cut_locus(built.mesh, built.vertices[5],
+                            CGAL::parameters::vertex_distance_map(distance).cut_locus_method(Method::DIRECTION));
     ADD_FAILURE() << "the exact tree needs paths";
   }
   catch(const CGAL::Cut_loci::Invalid_input& error)

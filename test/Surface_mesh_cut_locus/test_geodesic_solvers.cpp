@@ -367,10 +367,6 @@ TEST(Geodesic_solver, can_be_written_by_the_user)
 TEST(Geodesic_solver, chooses_the_method_for_its_distances)
 {
   using CGAL::Cut_loci::Method;
-  struct Exact_by_its_own_word : public Euclidean_solver
-  {
-    static Method cut_locus_method() { return Method::DIRECTION; }
-  };
   const Built built(jittered_sphere(5, 0.2, 1));
   const auto method_with = [&](const auto& geodesic_solver) {
     return CGAL::Surface_mesh_cut_locus<Mesh>(built.mesh, CGAL::parameters::geodesic_solver(geodesic_solver)).method();
@@ -381,13 +377,6 @@ TEST(Geodesic_solver, chooses_the_method_for_its_distances)
   EXPECT_EQ(method_with(CGAL::Heat_method_geodesic_solver<>()), Method::LAPLACIAN);
   EXPECT_EQ(method_with(CGAL::Graph_geodesic_solver()), Method::LAPLACIAN);
   EXPECT_EQ(method_with(Euclidean_solver()), Method::LAPLACIAN);
-  EXPECT_EQ(method_with(Exact_by_its_own_word()), Method::DIRECTION);
-
-  const auto np = CGAL::parameters::geodesic_solver(Exact_by_its_own_word());
-  const auto result = CGAL::compute_cut_locus(built.mesh, built.vertices[3], np);
-  EXPECT_EQ(fault_of(built, result, 0, {}, Method::DIRECTION), "");
-  EXPECT_EQ(result.distance(built.vertices[70]), norm(built.data.points[70] - built.data.points[3]))
-    << "the solver was not used";
 }
 
 TEST(Geodesic_solver, gets_the_component_of_the_source_alone)

@@ -50,12 +50,4 @@ public:
    * distances of this solver, in radians. This function is optional.
    */
   static double gradient_angle_threshold();
-
-  /*!
-   * returns the default of the parameter `cut_locus_method` of `CGAL::Surface_mesh_cut_locus` for distances of this
-   * solver. This function is optional: without it the default is `CGAL::Cut_loci::Method::LAPLACIAN`, which takes any
-   * distances. A solver whose distances are exact up to rounding errors may return
-   * `CGAL::Cut_loci::Method::DIRECTION`; the directions are then estimated from the distances.
-   */
-  static CGAL::Cut_loci::Method cut_locus_method();
 };

@@ -15,14 +15,13 @@ namespace Cut_loci {
 enum class Method {
   LAPLACIAN, ///< where the Laplacian of the distance is low and gradients turn: takes any distance, also smoothed ones.
              ///< Branches are chosen by `gradient_angle_threshold`, `laplacian_threshold` and `filter_policy`
-  DIRECTION, ///< where the direction at the source of the shortest paths jumps: nothing to tune, but the distances
-             ///< must be exact, because the directions of smoothed ones do not jump. Branches are chosen by
-             ///< `strength_threshold`. On rough surfaces, such as scans, its default may be too high: pass a lower one
-  POLYHEDRAL ///< the cut locus of the polyhedron itself, on any mesh: every vertex of positive curvature is on it. It is
-             ///< exact up to rounding, but where shortest paths are equally long by symmetry and bend, as in machine
-             ///< parts: there pieces can be off by up to a face. Branches are chosen by `minimum_branch_gap` and
-             ///< `minimum_branch_width`; by default all are there. It needs the package's own exact distances, and has
-             ///< no curve of mesh edges
+  DIRECTION, ///< where shortest paths meet that leave the source in different directions, with any mesh, also with a
+             ///< border: the cut locus of the polyhedron without the branches that come from the mesh or from noise. It
+             ///< needs the package's own exact distances. Branches are chosen by `minimum_branch_width` and
+             ///< `minimum_branch_gap`
+  POLYHEDRAL ///< the same with all branches: the cut locus of the polyhedron itself, of which every vertex of positive
+             ///< curvature is a part. It is exact up to rounding, but where shortest paths are equally long by symmetry
+             ///< and bend, as in machine parts: there pieces can be off by up to a face
 };
 
 /// \ingroup PkgSurfaceMeshCutLocusRef

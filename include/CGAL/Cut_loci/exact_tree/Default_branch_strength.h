@@ -27,7 +27,8 @@ namespace internal {
  * Every vertex of positive curvature has a branch. By Gauss-Bonnet, the two shortest paths to a point of a branch
  * enclose a curvature: that of the shape, of single vertices, or of noise.
  *
- * - Two paths that are never two edges apart enclose hardly a vertex: nothing that the mesh resolves.
+ * - A mesh resolves nothing that is narrower than about three edges: two paths that are never farther apart may enclose
+ *   a single vertex.
  * - Noise bends the two by random angles. As the noise of the angle sums of neighbors cancels, these come from the
  *   boundary of what they enclose: with a standard deviation \f$ \sigma \f$ on the length \f$ h \f$ of an edge, two
  *   paths of the length \f$ L \f$ get apart by \f$ s = h \sigma (L / h)^{3/2} / \sqrt 3 \f$, as a sum of random bends
@@ -35,8 +36,8 @@ namespace internal {
  *   between shortest paths in a random medium grow by the power \f$ 2/3 \f$ of the length \cgalCite{cgal:kpz-dsgi-86},
  *   from \f$ h \f$ on at the length where \f$ s = h \f$: that is \f$ h (s / h)^{4/9} \f$.
  *
- * So the width is twice \f$ h \max(1, (s / h)^{4/9}) \f$, with the diagonal of the bounding box for \f$ L \f$. A
- * polyhedron of which more than half of the curvature is in a few sharp vertices stands for itself: there branches
+ * What the mesh and noise explain are independent and add as squares do: the width is \f$ h \sqrt{3^2 + t^2} \f$, where
+ * \f$ t \f$ is twice \f$ (s / h)^{4/9} \f$, and \f$ L \f$ the diagonal of the bounding box. A polyhedron of which more than half of the curvature is in a few sharp vertices stands for itself: there branches
  * of any width count, if they come from such a vertex.
  */
 class Default_branch_strength
@@ -60,7 +61,7 @@ public:
     }
     const double h = connectivity_.mean_edge_length;
     const double apart = noise() * std::pow(diagonal / h, 1.5) / std::sqrt(3.);
-    width = 2. * h * (std::max)(1., std::pow(apart, 4. / 9.));
+    width = h * std::hypot(3., 2. * std::pow(apart, 4. / 9.));
   }
 
 private:

@@ -130,7 +130,8 @@ public:
       divide(waiting_[next_++].halfedge);
     waiting_.clear();
     for(Index h = 0; h < faces_.number_of_halfedges(); ++h)
-      if(h < faces_.opposite(h) && (state_[h] & divided) == 0 && is_needed(h, faces_.opposite(h))) // edges along which all paths run
+      if(h < faces_.opposite(h) && (state_[h] & divided) == 0 &&
+         is_needed(h, faces_.opposite(h))) // edges along which all paths run
         divide(h);
   }
 

@@ -99,13 +99,13 @@ public:
   /// the edges of the graph whose branches are at least that strong
   std::vector<Tree_branches::Edge> kept(const Branch_strength& least)
   {
-    return without_weak_ends(branches_(
-      [&](const Tree_branches::Edge& b) { return graph_->edges[b.edge].piece != null_index; },
-      [&](const Tree_branches::Edge& b)
-      {
-        return b.strength >= least.gap &&
-               (least.width == 0. || (graph_->can_be(b.edge, least) && width(b.edge) >= least.width));
-      }));
+    return without_weak_ends(branches_([&](const Tree_branches::Edge& b)
+                                       { return graph_->edges[b.edge].piece != null_index; },
+                                       [&](const Tree_branches::Edge& b)
+                                       {
+      return b.strength >= least.gap &&
+             (least.width == 0. || (graph_->can_be(b.edge, least) && width(b.edge) >= least.width));
+    }));
   }
 
   /// the largest separation of the two shortest paths to the points of a piece

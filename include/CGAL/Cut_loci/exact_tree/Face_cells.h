@@ -87,9 +87,10 @@ private:
               [&](Index a, Index b)
               {
       const Tree_graph::Node &p = graph_.nodes[a], &q = graph_.nodes[b];
-      return edge(a) != edge(b) ? edge(a) < edge(b)
-             : p.t != q.t       ? p.t < q.t
-                                : p.crossing != q.crossing ? p.crossing < q.crossing : a < b;
+      return edge(a) != edge(b)         ? edge(a) < edge(b)
+             : p.t != q.t               ? p.t < q.t
+             : p.crossing != q.crossing ? p.crossing < q.crossing
+                                        : a < b;
     });
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
     node_begin_.assign(connectivity_.number_of_edges() + std::size_t(1), 0);

@@ -205,6 +205,12 @@ private:
   /// the vertex that casts the shadow, as an origin
   static Index bend(const Front& f) { return f.before.sigma < f.after.sigma ? f.after.origin : f.before.origin; }
 
+  /// whether two fronts are both sides of one shadow
+  static bool are_of_one_shadow(const Front& first, const Front& second)
+  {
+    return first.is_ray && second.is_ray && bend(first) == bend(second);
+  }
+
   /// adds the meeting of two neighbors, if they meet
   void find_meeting(Index i, Index j)
   {
@@ -223,12 +229,10 @@ private:
       points[0] = between(p, q, first);
       n = 1;
     }
-    else if(entries_ == nullptr && !may_meet(first, second))
+    else if((entries_ == nullptr && !may_meet(first, second)) || are_of_one_shadow(first, second))
       return;
     else if(!first.is_ray && !second.is_ray)
       n = equidistant_points(first.before, first.after, second.after, points);
-    else if(first.is_ray && second.is_ray && bend(first) == bend(second))
-      return; // both sides of one shadow
     else if(first.is_ray && second.is_ray)
       n = intersection(p, light(first), q, light(second), points);
     else if(first.is_ray)

@@ -99,8 +99,7 @@ public:
   /// most about the angle between the two
   double bend(const Geodesic_window& first, const Geodesic_window& last) const
   {
-    return (std::min)(first.distance(length_) - geodesics_.distance(b_),
-                      last.distance(0.) - geodesics_.distance(a_)) /
+    return (std::min)(first.distance(length_) - geodesics_.distance(b_), last.distance(0.) - geodesics_.distance(a_)) /
            length_;
   }
 
@@ -142,7 +141,8 @@ private:
   // of the halfedge in work
   Index a_ = 0, b_ = 0;
   double length_ = 0., least_angle_ = 0.;
-  double steep_ = 0.; // beside a point where paths meet at less, the way to it is longer by less than that share of an edge
+  double steep_ =
+    0.; // beside a point where paths meet at less, the way to it is longer by less than that share of an edge
 };
 
 } // namespace internal

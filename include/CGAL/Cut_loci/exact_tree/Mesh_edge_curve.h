@@ -240,8 +240,8 @@ private:
 
   Index add_node(const std::vector<Index>& vertices, Index v)
   {
-    Index& i = position_[static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) -
-                                                  vertices.begin())];
+    Index& i =
+      position_[static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin())];
     if(i == null_index)
     {
       i = static_cast<Index>(graph.nodes.size());

@@ -344,10 +344,10 @@ private:
   const Mesh_connectivity& connectivity_;
   const Exact_geodesic_propagation& geodesics_;
   Exact_tree& tree_;
-  std::vector<Index> number_, merged_;         // of nodes
-  std::vector<Index> degree_, exclusive_or_;         // of nodes
-  std::vector<unsigned char> is_drawn_;              // edges
-  std::vector<Point> points_;                        // of the chain in work
+  std::vector<Index> number_, merged_;       // of nodes
+  std::vector<Index> degree_, exclusive_or_; // of nodes
+  std::vector<unsigned char> is_drawn_;      // edges
+  std::vector<Point> points_;                // of the chain in work
   std::vector<Plane_point> samples_;
   std::vector<unsigned char> is_left_;
   bool starts_and_ends_on_edge_ = false;
