@@ -7,6 +7,7 @@
 // The accuracy of the direction method, against closed forms on the torus and against geodesics that are shot on
 // analytic surfaces.
 
+#include "../../benchmark/Surface_mesh_cut_locus/accuracy_benchmark.h"
 #include "../../benchmark/Surface_mesh_cut_locus/analytic_surfaces.h"
 #include "../../benchmark/Surface_mesh_cut_locus/curve_distance.h"
 #include "../../benchmark/Surface_mesh_cut_locus/remeshed_surface.h"

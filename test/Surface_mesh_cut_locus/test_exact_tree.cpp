@@ -43,6 +43,15 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 namespace params = CGAL::parameters;
 
+Indexed_cut_locus curve_of(Exact_tree_solver& solver, double gap = 0., double width = 0.)
+{
+  CGAL::Cut_loci::internal::Exact_tree_thresholds thresholds;
+  thresholds.gap = gap;
+  thresholds.width = width;
+  Indexed_cut_locus edges;
+  return solver.filter(thresholds, CGAL::Cut_loci::Curve::THROUGH_FACES, edges);
+}
+
 struct Named_mesh
 {
   std::string name;
@@ -177,7 +186,7 @@ TEST(Exact_tree, two_shortest_paths_lead_to_its_points_and_one_to_others)
     {
       SCOPED_TRACE(m.name + ", source " + std::to_string(number++));
       solve(solver, source);
-      const Indexed_cut_locus graph = solver.filter({});
+      const Indexed_cut_locus graph = curve_of(solver);
       expect_topology(mesh, solver.connectivity(), graph);
       polyhedral_oracle::Polyhedral_oracle oracle(mesh, source.location);
       std::vector<int> degree(graph.nodes.size(), 0);
@@ -252,18 +261,18 @@ TEST(Exact_tree, thresholds_cut_branches_from_their_tips)
     const Indexed_triangle_mesh mesh = indexed(m.data);
     Exact_tree_solver solver(mesh);
     solve(solver, at_vertex(mesh, 1));
-    std::size_t more = solver.filter({}).edges.size();
+    std::size_t more = curve_of(solver).edges.size();
     for(double gap : {0.01, 0.1, 0.5, 1., 3.})
     {
-      const Indexed_cut_locus graph = solver.filter({gap, 0.});
+      const Indexed_cut_locus graph = curve_of(solver, gap, 0.);
       expect_topology(mesh, solver.connectivity(), graph);
       EXPECT_LE(graph.edges.size(), more);
       more = graph.edges.size();
     }
-    more = solver.filter({}).edges.size();
+    more = curve_of(solver).edges.size();
     for(double width : {0.01, 0.1, 0.3, 1., 10.})
     {
-      const Indexed_cut_locus graph = solver.filter({0., width});
+      const Indexed_cut_locus graph = curve_of(solver, 0., width);
       expect_topology(mesh, solver.connectivity(), graph);
       EXPECT_LE(graph.edges.size(), more);
       more = graph.edges.size();
@@ -292,7 +301,7 @@ double length_of_tree(const Mesh_data& data, Index source)
   const Indexed_triangle_mesh mesh = indexed(data);
   Exact_tree_solver solver(mesh);
   solve(solver, at_vertex(mesh, source));
-  return length(mesh, solver.filter({}));
+  return length(mesh, curve_of(solver));
 }
 
 TEST(Exact_tree, is_that_of_the_surface_and_not_of_its_triangulation)
@@ -322,7 +331,7 @@ TEST(Exact_tree, gap_and_width_in_closed_form)
   Exact_tree_solver solver(mesh);
   solve(solver, at_vertex(mesh, middle));
   float gap = 0.f, width = 0.f;
-  for(const Indexed_cut_locus::Edge& e : solver.filter({}).edges)
+  for(const Indexed_cut_locus::Edge& e : curve_of(solver).edges)
   {
     gap = (std::max)(gap, e.strength);
     width = (std::max)(width, e.width);

@@ -28,7 +28,8 @@ struct Polyhedral
     solver.compute_strengths();
     solver.grow_tree();
     solver.close_cycles();
-    graph = solver.filter({});
+    Indexed_cut_locus edges;
+    graph = solver.filter({}, CGAL::Cut_loci::Curve::THROUGH_FACES, edges);
   }
 
   double total_angle(Index v) const { return solver.geodesics().faces().total_angle(v); }

@@ -107,7 +107,7 @@ public:
     if(thresholds.gap < least_.gap || thresholds.width < least_.width)
       compute_more(thresholds);
     const std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds);
-    edges = Mesh_edge_curve(mesh_, connectivity_, geodesics_, *tree_, kept, farthest_).graph;
+    edges = Mesh_edge_curve(mesh_, connectivity_, geodesics_, *tree_, kept, source_.vertex, farthest_).graph;
     const bool drops_branches = thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.;
     if(curve == Curve::MESH_EDGES)
     {

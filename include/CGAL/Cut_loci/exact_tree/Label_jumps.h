@@ -56,7 +56,6 @@ public:
     b_ = b;
     length_ = length;
     least_angle_ = least_.least_angle((std::min)(geodesics_.distance(a), geodesics_.distance(b)) + length);
-    steep_ = (std::max)(least_angle_, 0.1);
   }
 
   /// whether two neighbors in the list differ
@@ -71,7 +70,7 @@ public:
       const double cross = ux * y[i + 1] - y[i] * vx;
       if(origin[i] == origin[i + 1])
       {
-        if((std::fabs((turn[i + 1] - turn[i]) * uu + cross) > least_angle_ * uu || std::fabs(cross) > steep_ * uu) &&
+        if((std::fabs((turn[i + 1] - turn[i]) * uu + cross) > least_angle_ * uu || std::fabs(cross) > steep * uu) &&
            differ(list.get<7>(i), list.get<7>(i + 1), b[i]))
           return true;
       }
@@ -105,6 +104,8 @@ public:
 
 private:
   static constexpr double least_meeting = 1e-7; // of paths that do not come along one line
+  // An edge beside a point where paths meet at less than that, the way to it is longer by less than that share of an edge.
+  static constexpr double steep = 0.1;
 
   bool leads_elsewhere(const Geodesic_window& w, double t, Index v) const
   {
@@ -124,7 +125,7 @@ private:
   bool differ(const Geodesic_window& u, const Geodesic_window& v, double t) const
   {
     const Path_label a = label(u), b = label(v);
-    return meeting_angle(a, b, t) > steep_ || parting_angle_(a, b, t) > least_angle_;
+    return meeting_angle(a, b, t) > steep || parting_angle_(a, b, t) > least_angle_;
   }
 
   /// Where another path takes over before the end, the distance there is less than the window says: by what is left times
@@ -132,7 +133,7 @@ private:
   bool at_end(const Geodesic_window& w, double t, double rest, Index v) const
   {
     const double excess = w.distance(t) - geodesics_.distance(v) - geodesic_cover * length_;
-    return excess > 0. && (excess > steep_ * rest || leads_elsewhere(w, t, v));
+    return excess > 0. && (excess > steep * rest || leads_elsewhere(w, t, v));
   }
 
   const Geodesic_results& geodesics_;

@@ -43,14 +43,15 @@ public:
   Index number_of_narrow_corridors = 0;
 
   /// @param kept the edges of the tree that the curve stands for
+  /// @param source a vertex that is not on the curve, or null
   /// @param farthest what is left if nothing else is
   Mesh_edge_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                   const Geodesic_results& geodesics, Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept,
-                  Index farthest)
+                  Index source, Index farthest)
     : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), tree_(tree)
   {
     const Face_cells cells(mesh, connectivity, geodesics.faces(), tree.graph(), kept);
-    grow_tree(cells);
+    grow_tree(cells, source);
     drop_weak_leaves();
     draw(farthest);
   }
@@ -63,17 +64,22 @@ private:
     double gap;
   };
 
-  void grow_tree(const Face_cells& cells)
+  void grow_tree(const Face_cells& cells, Index source)
   {
     parent_.resize(mesh_.number_of_faces());
     for(Index f = 0; f < mesh_.number_of_faces(); ++f)
       parent_[f] = f;
+    // The faces at the source belong to its cell, wherever their centroids are.
+    const auto is_at_source = [&](Index h) { return mesh_.source(h) == source || mesh_.target(h) == source; };
+    for(Index h = 0; h < mesh_.number_of_halfedges() && source != null_index; ++h)
+      if(is_at_source(h) && !mesh_.is_border_edge(h))
+        link_faces(h / 3, mesh_.opposite[h] / 3);
     // edges between cells that touch come first, in any order, then the others by the barrier between their cells
     std::vector<Candidate> barred;
     for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
     {
       const Index h = connectivity_.halfedge_of_edge[e];
-      if(mesh_.is_border_edge(h))
+      if(mesh_.is_border_edge(h) || is_at_source(h))
         continue;
       const Candidate c = barrier(cells, h);
       if(c.stands_for != null_index)
@@ -234,6 +240,9 @@ private:
       edge.width = c.stands_for != null_index ? static_cast<float>(tree_.width(c.stands_for)) : 0.f;
       graph.edges.push_back(edge);
     }
+    if(connectivity_.number_of_border_loops > 0 && graph.edges.empty())
+      for(farthest = 0; !connectivity_.is_border(farthest);) // as all of a curve is joined to the border
+        ++farthest;
     if(graph.edges.empty())
       graph.nodes.assign(1, {location_of_vertex(connectivity_, farthest), farthest, geodesics_.distance(farthest)});
   }

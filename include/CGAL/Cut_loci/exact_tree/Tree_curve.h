@@ -46,6 +46,7 @@ public:
     number_.assign(tree_.graph().nodes.size(), null_index);
     contract(kept);
     join(kept);
+    root_ = root != null_index ? representative(root) : null_index;
     if(root != null_index && tree_.graph().nodes[root].face != null_index)
       node(root); // it comes first
     for(const Tree_branches::Edge& b : kept)
@@ -183,8 +184,7 @@ private:
   bool is_passed(Index i) const
   {
     const Tree_graph::Node& n = tree_.graph().nodes[i];
-    return degree_[i] == 2 && n.vertex == null_index && n.halfedge == null_index && n.loop == null_index &&
-           i != tree_.branches().root();
+    return degree_[i] == 2 && n.vertex == null_index && n.halfedge == null_index && n.loop == null_index && i != root_;
   }
 
   void add_chain(Index first)
@@ -344,6 +344,7 @@ private:
   const Mesh_connectivity& connectivity_;
   const Exact_geodesic_propagation& geodesics_;
   Exact_tree& tree_;
+  Index root_ = null_index;
   std::vector<Index> number_, merged_;       // of nodes
   std::vector<Index> degree_, exclusive_or_; // of nodes
   std::vector<unsigned char> is_drawn_;      // edges

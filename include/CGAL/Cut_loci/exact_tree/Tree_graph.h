@@ -211,12 +211,15 @@ private:
     node.face = h / 3;
     node.halfedge = h;
     node.t = t;
-    // nearer to a vertex than the accuracy of the windows: at it
+    // Nearer to a vertex than the accuracy of the windows: at it. But what passes a vertex of the border does not end there.
     const double margin = geodesic_cover * length;
-    if(t <= margin)
+    const bool is_border = mesh_.opposite[h] == null_index;
+    if(t <= margin && (is_border || !connectivity_.is_border(mesh_.source(h))))
       node.vertex = mesh_.source(h);
-    else if(t >= length - margin)
+    else if(t >= length - margin && (is_border || !connectivity_.is_border(mesh_.target(h))))
       node.vertex = mesh_.target(h);
+    else
+      node.t = t = (std::min)((std::max)(t, margin), length - margin);
     const std::array<Plane_point, 3> corners = ridges_.layout(h / 3);
     const Plane_point &p = corners[h % 3], &q = corners[(h + 1) % 3];
     node.point = {p.x + t / length * (q.x - p.x), p.y + t / length * (q.y - p.y)};
@@ -291,7 +294,8 @@ private:
   {
     const std::array<Plane_point, 3> corners = ridges_.layout(f);
     for(Index i = 0; i < 3; ++i)
-      if(std::hypot(p.x - corners[i].x, p.y - corners[i].y) <= geodesic_cover * geodesics_.faces().length(3 * f + i))
+      if(std::hypot(p.x - corners[i].x, p.y - corners[i].y) <= geodesic_cover * geodesics_.faces().length(3 * f + i) &&
+         !connectivity_.is_border(mesh_.triangles[f][i]))
         return mesh_.triangles[f][i];
     return null_index;
   }
