@@ -42,8 +42,7 @@ namespace Cut_loci {
  * is the source unfolding of a polyhedron: a polygon, and how its edges are glued to get the polyhedron back.
  *
  * The source is at the origin. A point of the polygon is at the distance, and in the direction, in which the shortest
- * path to it leaves the source, with the outer side of the surface up. Directions count from
- * `halfedge(source.mesh_vertex)`, or a halfedge of the face of the source, by no rule that users may rely on.
+ * path to it leaves the source, seen from outside of the surface. The direction of the x-axis is arbitrary.
  */
 template <typename TriangleMesh, typename Point_3>
 struct Source_unfolding
@@ -76,8 +75,8 @@ struct Source_unfolding
   std::vector<Vertex> vertices;
   std::vector<Corner> corners;       ///< counterclockwise
   std::vector<Fold_line> fold_lines; ///< all edges of the mesh inside of the polygon, in parts
-  /// the source, which may be moved a little; see `source_unfolding()`
-  Vertex source;
+  Vertex source;                     ///< for which the cut locus has been computed: the one asked for, unless
+  /// it had to be moved a little; see `source_unfolding()`
   bool is_source_moved = false;
 };
 
@@ -116,6 +115,34 @@ inline double fold_angle(const Indexed_triangle_mesh& mesh, Index h)
   };
   const Vector m = normal(h / 3), n = normal(o / 3), along = mesh.points[mesh.target(h)] - mesh.points[mesh.source(h)];
   return std::atan2(dot(cross(m, n), along) / norm(along), dot(m, n));
+}
+
+// A source that is placed symmetrically may have branches too close to each other to be told apart. Then it is moved, by
+// more each time.
+inline Unfolded_polygon unfolded_polygon(Surface_component& component, const Indexed_source& wanted)
+{
+  Exact_tree_solver& solver = *component.polyhedral;
+  constexpr std::array<double, 3> part = {{0.4723, 0.1919, 0.3358}};
+  for(double shift = 0.;; shift = shift == 0. ? 4e-6 : 4. * shift)
+  {
+    Indexed_source source = wanted;
+    for(std::size_t i = 0; i < 3; ++i)
+      source.location.coordinates[i] += shift * (part[i] - source.location.coordinates[i]);
+    try
+    {
+      solver.compute_distance(source);
+      solver.compute_strengths();
+      solver.grow_tree();
+      if(shift > 0. && wanted.vertex != null_index)
+        solver.tree().remove_branch_to(wanted.vertex);
+      return Unfolded_polygon(*component.mesh, solver.connectivity(), solver.geodesics(), solver.tree(), wanted);
+    }
+    catch(const Unfolding_failure&)
+    {
+      if(shift > 2e-4)
+        throw;
+    }
+  }
 }
 
 template <typename TriangleMesh, typename VertexPointMap>
@@ -216,11 +243,11 @@ read_source(const TriangleMesh& tm, const Read& read,
  * If the source is a vertex of a total angle less than 2 pi, the polygon is not flat around it either. It is then cut from
  * the source to the nearest end of a branch, and starts with the corner at the source, which has this angle.
  *
- * A source that is placed so that several shortest paths run along edges of the mesh, such as the center of a face of a
- * cube or one of its vertices, may be moved by up to 2e-6 of its face, as with `Cut_loci::Method::POLYHEDRAL`; then
- * `Source_unfolding::is_source_moved` is `true`. The polygon is exact all the same, that of the source where it is then:
- * symmetries hold up to the way by which it has moved, and where more than three branches meet there are edges of such
- * lengths. A source that is a vertex remains the corner at the origin.
+ * A source that is placed so that shortest paths run along edges of the mesh, or many branches all but meet, may be
+ * moved: by 1e-6 of its face, as with `Cut_loci::Method::POLYHEDRAL`, and by more, up to 3e-4, only where that is not
+ * enough. Then `Source_unfolding::is_source_moved` is `true`. The polygon is exact all the same, that of the source where
+ * it is then: symmetries hold up to the way by which it has moved, and where more than three branches should meet there
+ * are edges of such lengths. A source that is a vertex remains the corner at the origin.
  *
  * The surface must be one on which shortest paths do not bend: no vertex has a total angle of more than 2 pi, or of more
  * than pi on the border. These are convex polyhedra, open ones with a convex border, and what is isometric to such, as
@@ -277,13 +304,8 @@ auto source_unfolding(const TriangleMesh& tm, const Source& source,
   component.make_solver(Method::POLYHEDRAL, Laplacian_operator::QUADRATIC_FIT, read.mesh, read.positions);
   internal::throw_if_paths_bend(read, component);
 
-  internal::Exact_tree_solver& solver = *component.polyhedral;
   const Indexed_source in_component = component.local(in_mesh);
-  solver.compute_distance(in_component);
-  solver.compute_strengths();
-  solver.grow_tree();
-  const internal::Unfolded_polygon polygon(*component.mesh, solver.connectivity(), solver.geodesics(), solver.tree(),
-                                           in_component);
+  const internal::Unfolded_polygon polygon = internal::unfolded_polygon(component, in_component);
   return internal::Source_unfolding_builder<TriangleMesh, Vertex_point_map>(tm, vpm, read, component)(polygon,
                                                                                                       in_component);
 }

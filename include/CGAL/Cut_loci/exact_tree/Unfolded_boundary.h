@@ -26,6 +26,16 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
+/// says that the cut locus of this source can not be followed; that of a source close by may be.
+struct Unfolding_failure : Invalid_input
+{
+  Unfolding_failure()
+    : Invalid_input(
+        "the cut locus is not found accurately enough to cut the surface along it: some faces may be too thin")
+  {
+  }
+};
+
 /// is a point of the surface as the source sees it: the distance, and the direction in which the path there starts.
 struct Polar_point
 {
@@ -86,11 +96,7 @@ public:
   }
 
 private:
-  [[noreturn]] static void fail()
-  {
-    throw Invalid_input("the cut locus is not found accurately enough to cut the surface along it: some faces may be "
-                        "too thin");
-  }
+  [[noreturn]] static void fail() { throw Unfolding_failure(); }
 
   // -- nodes -----------------------------------------------------------------------------------------------------------
 

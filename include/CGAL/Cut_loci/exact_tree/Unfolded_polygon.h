@@ -9,7 +9,6 @@
 
 #include <CGAL/Cut_loci/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Unfolded_boundary.h>
@@ -62,9 +61,10 @@ public:
     if(order().size() < 2)
       fail();
     find_center(wanted);
+    for(Index side : order())
+      start_.push_back(seen_from_center(boundary_.sides[side].ends[0]));
+    check_joints();
     nodes.swap(boundary_.nodes);
-    for(Index s : order())
-      start_.push_back(seen_from_center(boundary_.sides[s].ends[0]));
     for(std::size_t i = 0; i < 3; ++i)
       is_source_moved = is_source_moved || std::fabs(source.coordinates[i] - wanted.location.coordinates[i]) > 1e-12;
     if(is_cone_)
@@ -76,10 +76,7 @@ public:
   }
 
 private:
-  [[noreturn]] static void fail()
-  {
-    throw Invalid_input("the source unfolding does not close: some faces may be too thin");
-  }
+  [[noreturn]] static void fail() { throw Unfolding_failure(); }
 
   static Plane_point cartesian(const Polar_point& p)
   {
@@ -121,6 +118,22 @@ private:
     const Plane_point q = cartesian(p);
     const double dx = q.x - center_.x, dy = q.y - center_.y, c = std::cos(axis_), s = std::sin(axis_);
     return {std::hypot(dx, dy), std::atan2(c * dy - s * dx, c * dx + s * dy)};
+  }
+
+  /// Where one side ends, the next one starts.
+  void check_joints() const
+  {
+    double size = 0.;
+    for(const Polar_point& p : start_)
+      size = (std::max)(size, p.radius);
+    for(std::size_t i = 0; i < start_.size(); ++i)
+    {
+      const Polar_point end = seen_from_center(boundary_.sides[order()[i]].ends[1]);
+      const Polar_point& next = start_[i + 1 < start_.size() ? i + 1 : 0];
+      const double away = end.radius * wrapped(next.angle - end.angle);
+      if(!(std::hypot(next.radius - end.radius, away) <= 1e-9 * size))
+        fail();
+    }
   }
 
   Polar_point seen_from_center(Index v) const
