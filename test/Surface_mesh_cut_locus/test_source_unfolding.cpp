@@ -358,12 +358,9 @@ TEST(Source_unfolding, random_convex_polyhedra)
 
 TEST(Source_unfolding, large_polyhedra)
 {
-  for(const Point& axes : {Point{{1., 1., 1.}}, Point{{1., 0.7, 0.4}}})
-  {
-    const Mesh mesh = built(random_convex_polyhedron(2502, 5, axes));
-    ASSERT_EQ(mesh.number_of_faces(), 5000u);
-    check_location(mesh, 17, {{0.2, 0.5, 0.3}}, "5000 faces");
-  }
+  const Mesh mesh = built(random_convex_polyhedron(2502, 5));
+  ASSERT_EQ(mesh.number_of_faces(), 5000u);
+  check_location(mesh, 100, {{0.2, 0.5, 0.3}}, "5000 faces");
   check_vertex(built(random_convex_polyhedron(1002, 6)), Vertex_index(100), "2000 faces");
 }
 

@@ -120,19 +120,25 @@ private:
     return {std::hypot(dx, dy), std::atan2(c * dy - s * dx, c * dx + s * dy)};
   }
 
-  /// Where one side ends, the next one starts.
+  /// Where one side ends, the next one starts; and all copies of a point are at the same distance from the source.
   void check_joints() const
   {
+    std::vector<double> radius(boundary_.nodes.size(), -1.);
     double size = 0.;
     for(const Polar_point& p : start_)
       size = (std::max)(size, p.radius);
     for(std::size_t i = 0; i < start_.size(); ++i)
     {
-      const Polar_point end = seen_from_center(boundary_.sides[order()[i]].ends[1]);
+      const Unfolded_boundary::Side& side = boundary_.sides[order()[i]];
+      const Polar_point end = seen_from_center(side.ends[1]);
       const Polar_point& next = start_[i + 1 < start_.size() ? i + 1 : 0];
       const double away = end.radius * wrapped(next.angle - end.angle);
       if(!(std::hypot(next.radius - end.radius, away) <= 1e-9 * size))
         fail();
+      double& r = radius[side.nodes[0]];
+      if(r >= 0. && !(std::fabs(side.ends[0].radius - r) <= 1e-8 * size))
+        fail();
+      r = side.ends[0].radius;
     }
   }
 
