@@ -7,6 +7,9 @@
 #ifndef CGAL_CUT_LOCI_HELPERS_DETOUR_H
 #define CGAL_CUT_LOCI_HELPERS_DETOUR_H
 
+#include "Union_find.h"
+#include "curve_topology.h"
+
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
@@ -51,31 +54,6 @@ struct Measures
 };
 
 namespace internal {
-
-class Union_find
-{
-public:
-  explicit Union_find(std::size_t n) : parent_(n), parts_(n) { std::iota(parent_.begin(), parent_.end(), Index(0)); }
-  Index find(Index i)
-  {
-    while(parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  bool unite(Index a, Index b)
-  {
-    a = find(a);
-    b = find(b);
-    parent_[a] = b;
-    parts_ -= a != b ? 1 : 0;
-    return a != b;
-  }
-  std::size_t number_of_parts() const { return parts_; }
-
-private:
-  std::vector<Index> parent_;
-  std::size_t parts_;
-};
 
 // each edge once, without those on the border
 inline bool is_inner_edge(const Indexed_mesh& mesh, Index h)
@@ -303,7 +281,9 @@ Measures measure(const TriangleMesh& tm, const CGAL::Cut_locus<TriangleMesh, Poi
       {
         result = Measures();
         internal::Prepared split = internal::prepared(on, resolution);
-        result.topology_fault = internal::topology_fault(split.mesh, split.seams, split.root);
+        result.topology_fault = on.curve.is_of_mesh_edges
+                                  ? internal::topology_fault(split.mesh, split.seams, split.root)
+                                  : internal::Curve_topology(on.component.mesh, on.curve.graph).fault();
         internal::open_pockets(split.mesh, split.seams);
         internal::set_detour(exact, internal::distances_cut_open(on, split), unit, result);
         result.worst = read.positions[on.component.vertices[result.worst]];

@@ -306,15 +306,12 @@ public:
       smoothing.number_of_iterations = static_cast<Index>(curve.iterations);
       found = curve.iterations == 0 ? mesh_edges : component_->laplacian->smoothed(mesh_edges, smoothing);
     }
-    else if(method_ == Cut_loci::Method::DIRECTION)
-    {
-      const Direction_solver& solver = *component_->direction;
-      const Direction_thresholds thresholds =
-        read_direction_thresholds(np, solver.default_threshold(), component_->diagonal);
-      found = solver.filter(thresholds, curve.curve, mesh_edges);
-    }
     else
-      found = component_->polyhedral->filter(read_exact_tree_thresholds(np, component_->diagonal));
+    {
+      Exact_tree_solver& solver = *component_->exact_tree;
+      found = solver.filter(read_exact_tree_thresholds(np, default_thresholds(solver), component_->diagonal), curve.curve,
+                            mesh_edges);
+    }
     mark_edges(mesh_edges, parameters::get_parameter(np, internal_np::edge_is_constrained));
     return Builder(tm_, vpm_, read_, *component_)(found, source_, source_result_);
   }
@@ -329,6 +326,16 @@ public:
   }
   /// the default of `gradient_angle_threshold` for the current source: the geodesic solver may ask for one of its own
   double gradient_angle_threshold() const { return source_angle_threshold_; }
+  /// the default of `minimum_branch_width` for the current source, if it has one
+  double minimum_branch_width() const
+  {
+    return has_exact_tree() ? default_thresholds(*component_->exact_tree).width / component_->diagonal : 0.;
+  }
+  /// the default of `minimum_branch_gap` for the current source, if it has one
+  double minimum_branch_gap() const
+  {
+    return has_exact_tree() ? default_thresholds(*component_->exact_tree).gap : 0.;
+  }
   /// the default of `minimum_branch_edges` with `Cut_loci::Method::LAPLACIAN`
   static std::size_t default_minimum_branch_edges() { return 3; }
 
@@ -351,6 +358,15 @@ private:
                                                                            : solver_.cut_locus_method();
   }
 
+  bool has_exact_tree() const { return source_result_ && method_ != Cut_loci::Method::LAPLACIAN; }
+
+  Cut_loci::internal::Exact_tree_thresholds
+  default_thresholds(const Cut_loci::internal::Exact_tree_solver& solver) const
+  {
+    return method_ == Cut_loci::Method::POLYHEDRAL ? Cut_loci::internal::Exact_tree_thresholds()
+                                                   : solver.default_thresholds();
+  }
+
   template <typename NamedParameters>
   void solve(const Cut_loci::Indexed_source& source, const NamedParameters& np)
   {
@@ -367,10 +383,11 @@ private:
     source_ = component.local(source);
     if(method_ == Cut_loci::Method::LAPLACIAN)
       solve(component, *component.laplacian, source_, np);
-    else if(method_ == Cut_loci::Method::DIRECTION)
-      solve(component, *component.direction, source_, np);
     else
-      solve(component, *component.polyhedral, source_, np);
+    {
+      component.exact_tree->expect(default_thresholds(*component.exact_tree));
+      solve(component, *component.exact_tree, source_, np);
+    }
   }
 
   template <typename Solver, typename NamedParameters>
@@ -423,7 +440,7 @@ private:
                      const Cut_loci::Indexed_source& source, internal_np::Param_not_found)
   {
     if(has_own_solver_)
-      Cut_loci::internal::Exact_tree_solver::refuse_distances();
+      Cut_loci::internal::Exact_tree_solver::refuse_distances(method_);
     solver.compute_distance(source);
     check_distances(component, solver.distance(), "the geodesic solver returned");
   }
@@ -432,21 +449,7 @@ private:
   void set_distances(Component&, Cut_loci::internal::Exact_tree_solver&, const Cut_loci::Indexed_source&,
                      const VertexDistanceMap&)
   {
-    Cut_loci::internal::Exact_tree_solver::refuse_distances();
-  }
-
-  void set_distances(Component& component, Cut_loci::internal::Direction_solver& solver,
-                     const Cut_loci::Indexed_source& source, internal_np::Param_not_found map)
-  {
-    if(has_own_solver_)
-    {
-      std::vector<double> distance;
-      compute_distances(component, source, distance, map);
-      solver.set_distance(source, std::move(distance));
-      return;
-    }
-    solver.compute_distance(source);
-    check_distances(component, solver.distance(), "the geodesic solver returned");
+    Cut_loci::internal::Exact_tree_solver::refuse_distances(method_);
   }
 
   Component& component_at(Index id)

@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_TEST_DIRECTION_MESHES_H
 #define CGAL_CUT_LOCI_TEST_DIRECTION_MESHES_H
 
-#include <CGAL/Cut_loci/internal/Direction_solver.h>
+#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -333,62 +333,79 @@ inline void expect_complement_in_one_piece(const Indexed_triangle_mesh& mesh,
 
 struct Solved
 {
-  Indexed_triangle_mesh mesh;
-  std::unique_ptr<CGAL::Cut_loci::internal::Direction_solver> solver;
+  using Thresholds = CGAL::Cut_loci::internal::Exact_tree_thresholds;
 
-  // with `from_distances`, the directions are found from the distances
-  Solved(const Indexed_triangle_mesh& m, const CGAL::Cut_loci::Indexed_source& source, bool from_distances = false)
-    : mesh(m)
+  Indexed_triangle_mesh mesh;
+  std::unique_ptr<CGAL::Cut_loci::internal::Exact_tree_solver> solver;
+
+  Solved(const Indexed_triangle_mesh& m, const CGAL::Cut_loci::Indexed_source& source) : mesh(m)
   {
-    solver.reset(new CGAL::Cut_loci::internal::Direction_solver(mesh));
+    solver.reset(new CGAL::Cut_loci::internal::Exact_tree_solver(mesh));
+    solver->expect(solver->default_thresholds());
     solver->compute_distance(source);
-    if(from_distances)
-      solver->set_distance(source, std::vector<double>(solver->distance()));
     solver->compute_strengths();
     solver->grow_tree();
     solver->close_cycles();
   }
 
-  Indexed_cut_locus mesh_edges(double t) const { return solver->filter(t, CGAL::Cut_loci::Curve::MESH_EDGES); }
-  Indexed_cut_locus through_faces(double t) const { return solver->filter(t, CGAL::Cut_loci::Curve::THROUGH_FACES); }
+  Indexed_cut_locus curve(const Thresholds& thresholds, CGAL::Cut_loci::Curve kind) const
+  {
+    Indexed_cut_locus edges;
+    return solver->filter(thresholds, kind, edges);
+  }
+  Indexed_cut_locus mesh_edges() const
+  {
+    return curve(solver->default_thresholds(), CGAL::Cut_loci::Curve::MESH_EDGES);
+  }
+  Indexed_cut_locus through_faces() const
+  {
+    return curve(solver->default_thresholds(), CGAL::Cut_loci::Curve::THROUGH_FACES);
+  }
 };
+
+// of a width in mean edge lengths
+inline Solved::Thresholds at_least(double width, const Solved& solved)
+{
+  Solved::Thresholds result;
+  result.width = width * solved.solver->connectivity().mean_edge_length;
+  return result;
+}
 
 // what must hold at any threshold
 inline void expect_invariants(const Indexed_triangle_mesh& mesh, const CGAL::Cut_loci::Indexed_source& source,
                               const std::string& name)
 {
-  for(bool from_distances : {false, true})
+  const Solved solved(mesh, source);
+  for(const Solved::Thresholds& thresholds : {solved.solver->default_thresholds(), at_least(1e9, solved),
+                                              at_least(5., solved), at_least(0.5, solved), at_least(0., solved)})
   {
-    const Solved solved(mesh, source, from_distances);
-    for(double threshold : {2., solved.solver->default_threshold(), 10., 1000.})
+    SCOPED_TRACE(name + ", width " + std::to_string(thresholds.width) + ", gap " + std::to_string(thresholds.gap));
+    const Indexed_cut_locus edges = solved.curve(thresholds, CGAL::Cut_loci::Curve::MESH_EDGES),
+                            curve = solved.curve(thresholds, CGAL::Cut_loci::Curve::THROUGH_FACES);
+    ASSERT_FALSE(edges.nodes.empty());
+    ASSERT_FALSE(curve.nodes.empty());
+    expect_graph_topology(mesh, solved.solver->connectivity(), edges);
+    expect_complement_in_one_piece(mesh, solved.solver->connectivity(), edges);
+    expect_graph_topology(mesh, solved.solver->connectivity(), curve);
+    for(const auto& node : edges.nodes)
+      EXPECT_NE(node.vertex, source.vertex == null_index ? null_index - 1 : source.vertex);
+    for(const auto& node : curve.nodes)
     {
-      SCOPED_TRACE(name + ", threshold " + std::to_string(threshold) + (from_distances ? ", from distances" : ""));
-      const Indexed_cut_locus edges = solved.mesh_edges(threshold), curve = solved.through_faces(threshold);
-      ASSERT_FALSE(edges.nodes.empty());
-      ASSERT_FALSE(curve.nodes.empty());
-      expect_graph_topology(mesh, solved.solver->connectivity(), edges);
-      expect_complement_in_one_piece(mesh, solved.solver->connectivity(), edges);
-      expect_graph_topology(mesh, solved.solver->connectivity(), curve);
-      for(const auto& node : edges.nodes)
-        EXPECT_NE(node.vertex, source.vertex == null_index ? null_index - 1 : source.vertex);
-      for(const auto& node : curve.nodes)
+      double sum = 0.;
+      for(double x : node.location.coordinates)
       {
-        double sum = 0.;
-        for(double x : node.location.coordinates)
-        {
-          EXPECT_GE(x, 0.);
-          sum += x;
-        }
-        EXPECT_NEAR(sum, 1., 1e-9);
-        EXPECT_GT(node.distance, 0.);
+        EXPECT_GE(x, 0.);
+        sum += x;
       }
-      for(const auto& e : curve.edges)
-      {
-        EXPECT_NE(e.source, e.target);
-        // On a border there may be no edge of the mesh to refer to.
-        EXPECT_TRUE(edges.edges.empty() || e.origin < edges.edges.size() ||
-                    (e.origin == null_index && solved.solver->connectivity().number_of_border_loops > 0));
-      }
+      EXPECT_NEAR(sum, 1., 1e-9);
+      EXPECT_GT(node.distance, 0.);
+    }
+    for(const auto& e : curve.edges)
+    {
+      EXPECT_NE(e.source, e.target);
+      // On a border there may be no edge of the mesh to refer to.
+      EXPECT_TRUE(edges.edges.empty() || e.origin < edges.edges.size() ||
+                  (e.origin == null_index && solved.solver->connectivity().number_of_border_loops > 0));
     }
   }
 }

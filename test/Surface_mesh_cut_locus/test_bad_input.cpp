@@ -104,10 +104,10 @@ void expect_sound_from_everywhere(const Mesh_data& data)
         expect_finite(result);
       }
     by_direction.set_source(source);
-    for(double strength : {0., 3., 1e9})
+    for(double width : {1e9, 0.1, 0.})
       for(std::size_t edges : {0, 4})
       {
-        const auto np = params::strength_threshold(strength).minimum_branch_edges(edges);
+        const auto np = params::minimum_branch_width(width).minimum_branch_edges(edges);
         const auto result = by_direction.cut_locus(np);
         EXPECT_EQ(fault_of(built, result, face, corners, Method::DIRECTION), "") << "source in face " << face;
         expect_finite(result);
@@ -317,11 +317,11 @@ TEST(Bad_input, thresholds_that_are_not_in_their_range_are_refused)
 
   Solver by_direction(built.mesh);
   by_direction.set_source(built.vertices[0]);
-  expect_refused([&] { by_direction.cut_locus(params::strength_threshold(not_a_number)); },
-                 {"strength", "not a number"});
+  expect_refused([&] { by_direction.cut_locus(params::minimum_branch_width(not_a_number)); },
+                 {"minimum width", "not negative"});
+  expect_refused([&] { by_direction.cut_locus(params::minimum_branch_gap(4.)); }, {"minimum gap", "from 0 to pi"});
   expect_refused([&] { by_direction.cut_locus(params::minimum_branch_length(-1.)); },
                  {"minimum length", "not negative"});
-  EXPECT_EQ(message_of([&] { by_direction.cut_locus(params::strength_threshold(infinity)); }), "nothing was thrown");
 }
 
 // by the constructor, by set_source(), by cut_locus() and by the function
@@ -344,8 +344,7 @@ TEST(Bad_input, parameters_of_another_method_are_refused_with_what_to_do)
   const auto angle = [](const auto& np) { return np.gradient_angle_threshold(0.3); };
   const auto laplacian = [](const auto& np) { return np.laplacian_threshold(0.3); };
   const auto policy = [](const auto& np) { return np.filter_policy(CGAL::Cut_loci::Filter_policy::GROWING); };
-  const auto strength = [](const auto& np) { return np.strength_threshold(3.); };
-  const auto edges = [](const auto& np) { return np.minimum_branch_edges(3); };
+  const auto width = [](const auto& np) { return np.minimum_branch_width(0.1); };
 
   const auto default_method = params::snapping_tolerance(1e-10);
   const std::string remedy = "cut_locus_method(Cut_loci::Method::LAPLACIAN)", in_force = "Cut_loci::Method::DIRECTION";
@@ -354,13 +353,8 @@ TEST(Bad_input, parameters_of_another_method_are_refused_with_what_to_do)
   expect_refused_everywhere(default_method, policy, {"filter_policy", in_force, remedy});
   expect_refused_everywhere(params::cut_locus_method(Method::DIRECTION), angle, {"gradient_angle_threshold", remedy});
   expect_refused_everywhere(
-    params::cut_locus_method(Method::LAPLACIAN), strength,
-    {"strength_threshold", "Cut_loci::Method::LAPLACIAN", "cut_locus_method(Cut_loci::Method::DIRECTION)"});
-  expect_refused_everywhere(params::cut_locus_method(Method::POLYHEDRAL), strength,
-                            {"strength_threshold", "Cut_loci::Method::POLYHEDRAL"});
-  expect_refused_everywhere(params::cut_locus_method(Method::POLYHEDRAL), edges,
-                            {"minimum_branch_edges", "Cut_loci::Method::POLYHEDRAL"});
-
+    params::cut_locus_method(Method::LAPLACIAN), width,
+    {"minimum_branch_width", "Cut_loci::Method::LAPLACIAN", "cut_locus_method(Cut_loci::Method::DIRECTION)"});
   // distances of the user are treated by the other method
   const Built built(octahedron());
   auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
@@ -369,7 +363,7 @@ TEST(Bad_input, parameters_of_another_method_are_refused_with_what_to_do)
   const auto compute = [&](const auto& np)
   { return message_of([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], np); }); };
   EXPECT_EQ(compute(params::vertex_distance_map(distance).gradient_angle_threshold(0.3)), "nothing was thrown");
-  EXPECT_NE(compute(params::vertex_distance_map(distance).strength_threshold(3.)).find("strength_threshold"),
+  EXPECT_NE(compute(params::vertex_distance_map(distance).minimum_branch_gap(0.1)).find("minimum_branch_gap"),
             std::string::npos);
 }
 

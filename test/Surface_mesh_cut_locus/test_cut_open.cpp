@@ -95,10 +95,10 @@ void expect_cut_open(const Mesh_data& data, std::size_t source)
   }
   Solver solver(built.mesh, params::cut_locus_method(Method::DIRECTION));
   solver.set_source(built.vertices[source]);
-  for(double strength : {0., 3., 10., 1e9})
+  for(double width : {1e9, 0.1, 0.03, 0.})
   {
-    SCOPED_TRACE("strength " + std::to_string(strength));
-    expect_cut_open(built.mesh, solver.cut_locus(params::strength_threshold(strength)));
+    SCOPED_TRACE("width " + std::to_string(width));
+    expect_cut_open(built.mesh, solver.cut_locus(params::minimum_branch_width(width)));
   }
 }
 

@@ -110,7 +110,7 @@ int paths_across_cycles(const Indexed_triangle_mesh& mesh, const CGAL::Cut_loci:
 {
   using namespace CGAL::Cut_loci::internal;
   const Solved solved(mesh, source);
-  const Indexed_cut_locus cycles = solved.mesh_edges(1e30);
+  const Indexed_cut_locus cycles = solved.curve(at_least(1e9, solved), CGAL::Cut_loci::Curve::MESH_EDGES);
   std::set<std::pair<Index, Index>> cut;
   for(const auto& e : cycles.edges)
     cut.insert(std::minmax(cycles.nodes[e.source].vertex, cycles.nodes[e.target].vertex));
@@ -177,7 +177,7 @@ TEST(Direction_topology, sphere_is_cut_at_a_point)
   const Index v = nearest_vertex(ball, {{0., 0., 1.}});
   const Solved solved(ball, at_vertex(ball, v));
   const double h = solved.solver->connectivity().mean_edge_length;
-  for(const auto& node : solved.through_faces(solved.solver->default_threshold()).nodes)
+  for(const auto& node : solved.through_faces().nodes)
   {
     using namespace CGAL::Cut_loci::internal;
     EXPECT_LT(norm(point_at(ball, node.location) + ball.points[v]), 3. * h);

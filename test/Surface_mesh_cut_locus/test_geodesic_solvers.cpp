@@ -448,6 +448,6 @@ TEST(Visitor, is_told_of_each_stage_and_keeps_its_state_by_reference)
   EXPECT_EQ(visitor.started.back(), Stage::FILTER);
   EXPECT_EQ(visitor.started, visitor.ended);
   visitor.started.clear();
-  solver.cut_locus(CGAL::parameters::strength_threshold(4.));
+  solver.cut_locus(CGAL::parameters::minimum_branch_width(0.3));
   EXPECT_EQ(visitor.started, std::vector<Stage>{Stage::FILTER}) << "a new threshold runs nothing else";
 }

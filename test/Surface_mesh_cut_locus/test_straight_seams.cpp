@@ -150,10 +150,10 @@ void expect_straight_seams(const Mesh_data& data, const std::vector<std::size_t>
     }
     check(laplacian.cut_locus());
     direction.set_source(built.vertices[s]);
-    for(double strength : {0., 3., 1e9})
+    for(double width : {1e9, 0.1, 0.03, 0.})
     {
-      SCOPED_TRACE("strength " + std::to_string(strength));
-      check(direction.cut_locus(params::strength_threshold(strength).cut_locus_curve(Curve::THROUGH_FACES)));
+      SCOPED_TRACE("width " + std::to_string(width));
+      check(direction.cut_locus(params::minimum_branch_width(width).cut_locus_curve(Curve::THROUGH_FACES)));
     }
   }
 }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/internal/Steepest_descent.h>
 #include <CGAL/Cut_loci/internal/vector_3.h>
 #include <CGAL/Cut_loci/internal/vertex_queue.h>
 #include <CGAL/Cut_loci/region_growing_tree.h>
@@ -29,8 +30,9 @@ class Descent_tracer
 public:
   Descent_tracer(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                  const std::vector<double>& distance, const Indexed_source& source)
-    : mesh_(mesh), connectivity_(connectivity), distance_(distance), exit_(mesh.number_of_faces(), null_index),
-      is_claimed_(mesh.number_of_faces(), 0), is_at_source_(mesh.number_of_vertices(), 0)
+    : mesh_(mesh), connectivity_(connectivity), distance_(distance), descent_(mesh, connectivity, distance_),
+      exit_(mesh.number_of_faces(), null_index), is_claimed_(mesh.number_of_faces(), 0),
+      is_at_source_(mesh.number_of_vertices(), 0)
   {
     claim_source(source);
     fill_pits();
@@ -55,22 +57,9 @@ public:
   }
 
 private:
+  using Outflow = Steepest_descent::Outflow;
+  using Slope = Steepest_descent::Slope;
   enum class Turn { AT_GOAL, CLAIMED, STUCK };
-
-  // The way from a vertex down: through the face of `halfedge`, which leaves the vertex, or along it.
-  struct Outflow
-  {
-    Index halfedge = null_index;
-    bool is_along = false;
-    double place = 0.; // on the opposite edge, from the target of `halfedge` on
-  };
-
-  // The distance in the frame of a halfedge: from its source, with the face at y > 0.
-  struct Slope
-  {
-    double length, apex_x, apex_y;
-    double x, y; // downwards
-  };
 
   // The source's faces are the root: those around a vertex, the two of an edge.
   void claim_source(const Indexed_source& source)
@@ -153,59 +142,11 @@ private:
     return false;
   }
 
-  Slope slope(Index h) const
-  {
-    const Vector& a = mesh_.points[mesh_.source(h)];
-    const Vector along = mesh_.points[mesh_.target(h)] - a, to_apex = mesh_.points[mesh_.source(mesh_.previous(h))] - a;
-    Slope result;
-    result.length = norm(along);
-    result.apex_x = dot(along, to_apex) / result.length;
-    result.apex_y = norm(cross(along, to_apex)) / result.length;
-    const double at_source = distance_[mesh_.source(h)];
-    result.x = (at_source - distance_[mesh_.target(h)]) / result.length;
-    result.y = (at_source - distance_[mesh_.source(mesh_.previous(h))] - result.x * result.apex_x) / result.apex_y;
-    return result;
-  }
-
-  Outflow outflow(Index v) const
-  {
-    Outflow result;
-    double steepest = 0.;
-    for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
-    {
-      const Index h = connectivity_.ring_halfedge[k], w = connectivity_.ring_vertex[k];
-      const bool leaves = mesh_.source(h) == v; // all but the last one at a border
-      if(distance_[w] < distance_[v])
-      {
-        const double s = (distance_[v] - distance_[w]) / norm(mesh_.points[v] - mesh_.points[w]);
-        if(s > steepest)
-        {
-          steepest = s;
-          result = {h, true, 0.};
-        }
-      }
-      if(!leaves)
-        continue;
-      const Slope s = slope(h);
-      const double right = s.y, left = s.x * s.apex_y - s.y * s.apex_x; // both positive inside the corner
-      if(!(right > 0. && left > 0.))
-        continue;
-      const double steepness = std::sqrt(s.x * s.x + s.y * s.y);
-      if(steepness > steepest)
-      {
-        steepest = steepness;
-        // sides of the ray on which the ends of the opposite edge are
-        result = {h, false, right * s.length / (right * s.length + left)};
-      }
-    }
-    return result;
-  }
-
   // Records the path from `v` until it meets a face that has one. What is recorded again overwrites the way that led
   // in a circle.
   void descend(Index v)
   {
-    const Outflow out = outflow(v);
+    const Outflow out = descent_.outflow(v);
     if(out.halfedge == null_index)
       return;
     const Index start = out.halfedge / 3;
@@ -243,7 +184,7 @@ private:
       const Index o = mesh_.opposite[h];
       if(is_claimed_[o / 3])
         return step(f, h);
-      const Slope s = slope(o);
+      const Slope s = descent_.slope(o);
       if(!(s.y > 0.))
         return arrive(f, lower, steps); // the faces on both sides lead to the edge, which leads on
       step(f, h);
@@ -272,7 +213,7 @@ private:
     {
       if(is_at_source_[w])
         return turn_to_claimed(f, w);
-      const Outflow out = outflow(w);
+      const Outflow out = descent_.outflow(w);
       if(out.halfedge == null_index)
         return false;
       const Index goal = out.halfedge / 3;
@@ -346,6 +287,7 @@ private:
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   std::vector<double> distance_; // without pits
+  Steepest_descent descent_;
   std::vector<Index> exit_;
   std::vector<unsigned char> is_claimed_, is_at_source_;
 };

@@ -13,14 +13,13 @@
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/internal/Curve_network.h>
 #include <CGAL/Cut_loci/internal/One_sided_distances.h>
-#include <CGAL/Cut_loci/internal/crossing_edges.h>
+#include <CGAL/Cut_loci/internal/Smoothing_limits.h>
 #include <CGAL/Cut_loci/internal/surface_location.h>
 #include <CGAL/Cut_loci/straightest_geodesic.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -46,7 +45,7 @@ public:
   Cut_locus_smoother(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                      const std::vector<double>& distance, const Indexed_cut_locus& input)
     : mesh_(mesh), connectivity_(connectivity), distance_(distance), input_(input), network_(mesh, connectivity, input),
-      sides_(mesh, connectivity, distance), has_handles_(connectivity.genus(mesh) > 0)
+      sides_(mesh, connectivity, distance), limits_(mesh, connectivity, distance, input, network_)
   {
     for(const Indexed_cut_locus::Node& node : input.nodes)
     {
@@ -79,11 +78,12 @@ public:
     }
     drop_fold_backs();
     separate_branch_points();
-    return without_crossings();
+    return within_limits();
   }
 
 private:
   using Chain = Curve_network::Chain;
+  using Span = Smoothing_limits::Span;
 
   // The unit tangent of the curve at place `i` of a chain, from nodes a few places before and after, as neighbors
   // zigzag along the edges of the mesh.
@@ -205,7 +205,8 @@ private:
       const Indexed_location moved = straightest_geodesic(mesh_, connectivity_, location_[node], d, length);
       // The smooth curve passes the edges at each vertex: what leads farther away is an error of the fit.
       const Vector p = position(mesh_, moved);
-      if(norm(p - mesh_.points[input_.nodes[node].vertex]) > network_.edge_length(node))
+      if(norm(p - mesh_.points[input_.nodes[node].vertex]) > network_.edge_length(node) ||
+         !limits_.may_be_at(node, moved))
         continue;
       location_[node] = moved;
       position_[node] = p;
@@ -273,9 +274,8 @@ private:
     return x.coordinates[0] * distance_[t[0]] + x.coordinates[1] * distance_[t[1]] + x.coordinates[2] * distance_[t[2]];
   }
 
-  // Where branches have come to cross each other, as on a mesh of needles, their nodes go back to their vertices: the
-  // edges of the mesh do not cross.
-  Indexed_cut_locus without_crossings()
+  // Nodes at edges that are where they must not be go back to their vertices: the edges of the mesh may be anywhere.
+  Indexed_cut_locus within_limits()
   {
     Local_geodesics geodesics(mesh_, connectivity_);
     std::vector<bool> is_put_back(location_.size(), false);
@@ -283,11 +283,7 @@ private:
     {
       Indexed_cut_locus result = joined(geodesics);
       bool has_changed = false;
-      std::vector<Index> meeting = crossing_edges(geodesics, result);
-      add_touching_edges(result, meeting);
-      if(has_handles_)
-        add_slipped_edges(geodesics, result, meeting);
-      for(Index e : meeting)
+      for(Index e : limits_.misplaced(result, spans_, location_))
       {
         const Span& span = spans_[e];
         for(Index place = span.from; place <= span.to; ++place)
@@ -306,101 +302,6 @@ private:
       if(!has_changed)
         return result;
     }
-  }
-
-  // A point of the mesh as numbers that its faces agree on, rounded: points that are closer than that are as good as
-  // one for whoever cuts along the curve.
-  std::array<Index, 4> key_of(const Indexed_location& x) const
-  {
-    constexpr double resolution = 1 << 16;
-    const auto rounded = [&](double c) { return static_cast<Index>(std::lround(c * resolution)); };
-    std::array<Index, 3> c;
-    for(int i = 0; i < 3; ++i)
-      c[i] = rounded(x.coordinates[i]);
-    for(Index i = 0; i < 3; ++i)
-      if(c[(i + 1) % 3] == 0 && c[(i + 2) % 3] == 0)
-        return {{0, mesh_.triangles[x.face][i], 0, 0}};
-    for(Index i = 0; i < 3; ++i)
-      if(c[(i + 2) % 3] == 0)
-      {
-        const Index h = 3 * x.face + i, edge = connectivity_.edge_of_halfedge[h];
-        return {{1, edge, connectivity_.halfedge_of_edge[edge] == h ? c[i] : c[(i + 1) % 3], 0}};
-      }
-    return {{2, x.face, c[0], c[1]}};
-  }
-
-  // The edges at nodes that have come to lie on another one, or on the border.
-  void add_touching_edges(const Indexed_cut_locus& graph, std::vector<Index>& edges) const
-  {
-    std::map<std::array<Index, 4>, Index> first;
-    std::vector<bool> is_touching(graph.nodes.size(), false);
-    for(Index i = 0; i < graph.nodes.size(); ++i)
-    {
-      const auto key = key_of(graph.nodes[i].location);
-      const auto inserted = first.insert({key, i});
-      if(!inserted.second)
-        is_touching[i] = is_touching[inserted.first->second] = true;
-      if(key[0] == 1 && mesh_.is_border_edge(connectivity_.halfedge_of_edge[key[1]]))
-        is_touching[i] = true;
-      if(key[0] == 0 && connectivity_.is_border(key[1]) && network_.node_of_vertex(key[1]) == null_index)
-        is_touching[i] = true;
-    }
-    for(Index e = 0; e < graph.edges.size(); ++e)
-      if(is_touching[graph.edges[e].source] || is_touching[graph.edges[e].target])
-        edges.push_back(e);
-  }
-
-  // The edges that may have slipped off a thin handle, so that the curve does not cut it any more. They have not if each
-  // node stays in the faces around its vertex, and the segment between two neighbors in those around both: these form
-  // a disk if the two have no more neighbors in common than an edge has opposite corners.
-  void add_slipped_edges(const Local_geodesics& geodesics, const Indexed_cut_locus& graph,
-                         std::vector<Index>& edges) const
-  {
-    for(Index e = 0; e < graph.edges.size(); ++e)
-    {
-      const Span& span = spans_[e];
-      const std::vector<Index>& nodes = network_.chains[span.chain].nodes;
-      bool is_safe =
-        is_around_own_vertex(geodesics, nodes[span.from]) && is_around_own_vertex(geodesics, nodes[span.to]);
-      for(Index place = span.from; place < span.to; ++place)
-        is_safe = is_safe && has_disk_around(vertex_of_node(nodes[place]), vertex_of_node(nodes[place + 1]));
-      bool is_near = false;
-      geodesics.for_each_common_face(graph.nodes[graph.edges[e].source].location,
-                                     graph.nodes[graph.edges[e].target].location,
-                                     [&](Index f)
-                                     {
-        for(Index place = span.from; place <= span.to; ++place)
-          is_near = is_near || has_corner(f, vertex_of_node(nodes[place]));
-      });
-      if(!is_safe || !is_near)
-        edges.push_back(e);
-    }
-  }
-
-  Index vertex_of_node(Index node) const { return input_.nodes[node].vertex; }
-
-  bool has_corner(Index f, Index v) const
-  {
-    const Indexed_triangle_mesh::Triangle& t = mesh_.triangles[f];
-    return t[0] == v || t[1] == v || t[2] == v;
-  }
-
-  bool is_around_own_vertex(const Local_geodesics& geodesics, Index node) const
-  {
-    bool result = false;
-    geodesics.for_each_common_face(location_[node], location_[node],
-                                   [&](Index f) { result = result || has_corner(f, vertex_of_node(node)); });
-    return result;
-  }
-
-  bool has_disk_around(Index v, Index w) const
-  {
-    const auto begin = connectivity_.ring_vertex.begin();
-    const auto first = begin + connectivity_.ring_begin[w], last = begin + connectivity_.ring_begin[w + 1];
-    Index common = 0;
-    for(Index entry = connectivity_.ring_begin[v]; entry < connectivity_.ring_begin[v + 1]; ++entry)
-      common += std::find(first, last, connectivity_.ring_vertex[entry]) != last ? 1 : 0;
-    return common <= 2;
   }
 
   void put_back(Index node)
@@ -470,19 +371,13 @@ private:
   // less one
   static constexpr std::size_t window = 3;
 
-  // the places of a chain that an edge of the result joins
-  struct Span
-  {
-    Index chain, from, to;
-  };
-
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   const std::vector<double>& distance_;
   const Indexed_cut_locus& input_;
   Curve_network network_;
   One_sided_distances sides_;
-  bool has_handles_;
+  Smoothing_limits limits_;
   std::vector<Indexed_location> location_; // of each node
   std::vector<Vector> position_, displacement_;
   std::vector<std::vector<Index>> current_; // the places of each chain that have not been dropped
@@ -513,6 +408,10 @@ private:
  * At a leaf, the paper displaces in the direction opposite to the transported normal of the neighbor. As a displacement
  * by the component of the gradient along a normal does not depend on the sign of the normal, this is read as: a leaf
  * takes its normal from its neighbor, and moves across the straight continuation of its branch.
+ *
+ * Each node stays in the faces around its vertex and leaves that only away from the side on which the shortest path to
+ * it arrives; where segments would meet, or leave the faces around the vertices of their ends, or these are no disk, the
+ * curve goes back to the edges of the mesh. So its complement stays an open disk.
  *
  * @param distance the distance of each vertex to the source
  * @param cut_locus a graph of mesh edges

@@ -34,6 +34,9 @@ namespace internal {
  * \cgalCite{cgal:ew-gohhb-05}, what is dual to the links outside of a spanning tree joins all trees to a graph of 2g
  * cycles. The tree of least weight, the angle at which paths meet, does without all links that cross the cut locus if
  * that is possible; it is, where all crossings are known.
+ *
+ * A face that is not drawn holds one star instead of its trees. It joins what leads into it only if the topology asks
+ * for that.
  */
 class Cut_graph
 {
@@ -231,7 +234,7 @@ private:
       if(!is_crossed)
       {
         links.push_back({e, false});
-        weight.push_back(0.f);
+        weight.push_back(changes_.bend(connectivity_.halfedge_of_edge[e]));
       }
     }
     for(Index i : radix_sorted(weight))
@@ -270,6 +273,8 @@ private:
   Index node_at(Index f, Index c) const
   {
     const Index r = record_[f];
+    if(r == null_index)
+      return f;
     const Ridges::Face& face = ridges_.faces()[r];
     for(Index i = 0; i < face.number_of_crossings; ++i)
       if(ridges_.node(face, i).crossing == c)

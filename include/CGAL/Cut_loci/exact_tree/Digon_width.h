@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Cut_loci {
@@ -38,22 +37,24 @@ public:
   }
 
   /// the two paths lead from the images to the point `p` of face `f`; all in the frame of its first halfedge
-  double operator()(Index f, const Plane_point& p, const Image& a, const Image& b)
+  double operator()(Index f, const Plane_point& p, const Image& a, const Image& b) const
   {
-    trace(f, p, a, first_);
-    trace(f, p, b, second_);
+    Walk first, second;
+    start(first, f, p, a);
+    start(second, f, p, b);
     // as functions of the distance from the source both are linear in pieces: the largest distance is at an end of one
     double result = 0.;
-    std::size_t i = 0, j = 0;
-    while(i + 1 < first_.size() && j + 1 < second_.size())
+    const Index most = 8 * faces_.number_of_faces(); // beyond, rounding has led astray
+    for(Index step = 0; step < most && !first.is_done && !second.is_done; ++step)
     {
-      const bool is_first = first_[i + 1].distance >= second_[j + 1].distance;
-      const double d = is_first ? first_[++i].distance : second_[++j].distance;
-      const Vector p1 = is_first ? first_[i].point : between(first_, i, d);
-      const Vector p2 = is_first ? between(second_, j, d) : second_[j].point;
-      result = (std::max)(result, norm(p1 - p2));
+      if(is_narrower(first, second, result))
+        break;
+      Walk& next = first.next.distance >= second.next.distance ? first : second;
+      const Walk& other = &next == &first ? second : first;
+      result = (std::max)(result, squared_norm(next.next.point - at_distance(other, next.next.distance)));
+      advance(next);
     }
-    return result;
+    return std::sqrt(result);
   }
 
 private:
@@ -64,53 +65,106 @@ private:
     Vector point;
     double distance; // from the source
   };
-  using Path = std::vector<Point_on_path>;
 
-  static Vector between(const Path& path, std::size_t i, double d)
+  /// is on its way back to the source: at the end of a straight piece in one face.
+  struct Walk
   {
-    if(i + 1 >= path.size())
-      return path[i].point;
-    const Point_on_path &a = path[i], &b = path[i + 1];
+    Point_on_path last, next; // the ends of the piece
+    Index origin;             // of the straight path it is on
+    double sigma;             // its distance
+    Index halfedge;           // through which the path goes at `next`, or null if it starts there
+    double t;                 // `next` on it, if any
+    Plane_point to;           // the image of the origin, in the frame of the halfedge
+    bool is_done;
+  };
+
+  static double squared_norm(const Vector& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
+
+  static Vector at_distance(const Walk& walk, double d)
+  {
+    const Point_on_path &a = walk.last, &b = walk.next;
     const double l = a.distance - b.distance;
     const double s = l > 0. ? (std::min)((std::max)((a.distance - d) / l, 0.), 1.) : 0.;
     return a.point + s * (b.point - a.point);
   }
 
-  /// from `p` back to the source
-  void trace(Index f, const Plane_point& p, const Image& image, Path& path)
+  /// Paths through the same edge to the same image cross the same faces from there on. In the plane of these they come
+  /// closer, and in space they are no farther apart: whether that is less than a separation, given by its square.
+  static bool is_narrower(const Walk& a, const Walk& b, double squared)
   {
-    path.clear();
-    const std::array<Plane_point, 3> c = {{{0., 0.}, {faces_.length(3 * f), 0.}, faces_.apex(3 * f)}};
-    const double area = c[1].x * c[2].y;
-    const double third = p.y / c[2].y, second = (p.x * c[2].y - p.y * c[2].x) / area;
-    path.push_back({point(f, {{1. - second - third, second, third}}), image.distance(p)});
-    Index origin = image.origin;
-    Plane_point from = p, to{image.x, image.y};
-    Index h = leave_face(f, origin, from, to);
-    while(true)
+    if(a.halfedge != b.halfedge || a.halfedge == null_index || a.origin != b.origin)
+      return false;
+    const double scale = std::fabs(a.to.x) + std::fabs(a.to.y) + std::fabs(a.t);
+    if(std::fabs(a.to.x - b.to.x) + std::fabs(a.to.y - b.to.y) > 1e-9 * scale)
+      return false;
+    const double ra = a.next.distance - a.sigma, rb = b.next.distance - b.sigma;
+    const double r = (std::min)(ra, rb) / ra, s = (std::min)(ra, rb) / rb;
+    const double dx = r * (a.t - a.to.x) - s * (b.t - b.to.x), dy = r * a.to.y - s * b.to.y;
+    return dx * dx + dy * dy <= squared;
+  }
+
+  /// at `p`
+  void start(Walk& walk, Index f, const Plane_point& p, const Image& image) const
+  {
+    const Plane_point q{faces_.length(3 * f), 0.}, r = faces_.apex(3 * f);
+    const double third = p.y / r.y, second = (p.x - third * r.x) / q.x;
+    walk.last = {point(f, {{1. - second - third, second, third}}), image.distance(p)};
+    walk.origin = image.origin;
+    walk.sigma = image_sigma(walk.origin);
+    walk.is_done = false;
+    walk.to = {image.x, image.y};
+    Plane_point from = p;
+    walk.halfedge = leave_face(f, walk.origin, from, walk.to);
+    walk.t = from.x;
+    find_next_point(walk);
+  }
+
+  void advance(Walk& walk) const
+  {
+    walk.last = walk.next;
+    if(walk.halfedge != null_index)
+      cross_face(walk);
+    else if(geodesics_.is_source(walk.origin))
+      walk.is_done = true;
+    else
+      bend(walk);
+    if(!walk.is_done)
+      find_next_point(walk);
+  }
+
+  void find_next_point(Walk& walk) const
+  {
+    if(walk.halfedge != null_index)
     {
-      if(h != null_index)
-        follow(h, origin, from, to, image_sigma(origin), path);
-      if(geodesics_.is_source(origin))
-        break;
-      const Index v = geodesics_.vertex_of_origin(origin);
-      path.push_back({mesh_.points[v], geodesics_.distance(v)});
-      if(path.size() > 4 * mesh_.triangles.size())
-        return; // rounding has led astray
-      const Geodesic_arrival& arrival = geodesics_.arrival(v);
-      origin = arrival.origin;
-      from = geodesics_.end_in_frame(arrival, v);
-      to = {arrival.x, arrival.y};
-      h = null_index;
-      if(arrival.crosses_halfedge)
-      {
-        h = arrival.halfedge;
-        const double t = from.x + (to.x - from.x) * from.y / (from.y - to.y);
-        from = {t, 0.};
-      }
+      const Index h = walk.halfedge;
+      const double s = (std::min)((std::max)(walk.t / faces_.length(h), 0.), 1.);
+      const Vector &a = mesh_.points[faces_.source(h)], &b = mesh_.points[faces_.target(h)];
+      const double x = walk.t - walk.to.x;
+      walk.next = {a + s * (b - a), walk.sigma + std::sqrt(x * x + walk.to.y * walk.to.y)};
     }
-    const Indexed_location& source = geodesics_.source_location(origin);
-    path.push_back({point(source.face, source.coordinates), 0.});
+    else if(geodesics_.is_source(walk.origin))
+    {
+      const Indexed_location& source = geodesics_.source_location(walk.origin);
+      walk.next = {point(source.face, source.coordinates), 0.};
+    }
+    else
+      walk.next = {mesh_.points[geodesics_.vertex_of_origin(walk.origin)], walk.sigma};
+  }
+
+  /// from the vertex at which it starts to where that path starts
+  void bend(Walk& walk) const
+  {
+    const Index v = geodesics_.vertex_of_origin(walk.origin);
+    const Geodesic_arrival& arrival = geodesics_.arrival(v);
+    walk.origin = arrival.origin;
+    walk.sigma = image_sigma(walk.origin);
+    walk.halfedge = null_index;
+    if(!arrival.crosses_halfedge)
+      return;
+    const Plane_point from = geodesics_.end_in_frame(arrival, v);
+    walk.halfedge = arrival.halfedge;
+    walk.to = {arrival.x, arrival.y};
+    walk.t = from.x + (walk.to.x - from.x) * from.y / (from.y - walk.to.y);
   }
 
   double image_sigma(Index origin) const
@@ -179,58 +233,41 @@ private:
     return {dx * ux + dy * uy, dy * ux - dx * uy};
   }
 
-  /// goes through `h`, at the point `from` of it, and on to the face with the origin of the path
-  void follow(Index h, Index origin, Plane_point from, Plane_point to, double sigma, Path& path) const
+  /// through the face behind the halfedge
+  void cross_face(Walk& walk) const
   {
-    double t = from.x;
-    const Index most = faces_.number_of_faces();
-    for(Index step = 0; step < most; ++step)
-    {
-      const double length = faces_.length(h), s = (std::min)((std::max)(t / length, 0.), 1.);
-      const Vector &a = mesh_.points[faces_.source(h)], &b = mesh_.points[faces_.target(h)];
-      path.push_back({a + s * (b - a), sigma + std::hypot(t - to.x, to.y)});
-      const Index g = faces_.opposite(h);
-      if(g == null_index || starts_in(g / 3, origin))
-        return;
-      // the frame of `g`, with the image on the side of its face
-      t = length - t;
-      to = {length - to.x, -to.y};
-      const Geodesic_face& face = faces_.face_of(g);
-      const Index i = g % 3, j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
-      const Geodesic_face::Corner &at_source = face.corner[i], &at_target = face.corner[j];
-      const double reach = face.corner[k].length;
-      const Plane_point apex{reach * at_source.cosine, reach * at_source.sine};
-      const bool goes_right = (to.x - t) * apex.y > to.y * (apex.x - t);
-      if(goes_right)
-      {
-        // through the edge from the target to the apex: its frame is turned by pi minus the corner
-        const double c = -at_target.cosine, n = at_target.sine, x = to.x - length;
-        const double p = t - length;
-        const double px = c * p, py = -n * p;
-        to = {c * x + n * to.y, -n * x + c * to.y};
-        t = px + (to.x - px) * py / (py - to.y);
-        h = 3 * (g / 3) + j;
-      }
-      else
-      {
-        // through the edge from the apex to the source
-        const double c = -at_source.cosine, n = -at_source.sine, x = to.x - apex.x, y = to.y - apex.y;
-        const double px = c * (t - apex.x) - n * apex.y, py = -n * (t - apex.x) - c * apex.y;
-        to = {c * x + n * y, -n * x + c * y};
-        t = px + (to.x - px) * py / (py - to.y);
-        h = 3 * (g / 3) + k;
-      }
-      // The image is in the face, though what it is the image of is only near it: a label may hold a little beside its
-      // own paths.
-      if(to.y >= 0.)
-        return;
-    }
+    const Index g = faces_.opposite(walk.halfedge);
+    const double length = faces_.length(walk.halfedge);
+    walk.halfedge = null_index;
+    if(g == null_index || starts_in(g / 3, walk.origin))
+      return;
+    // the frame of `g`, with the image on the side of its face
+    const double t = length - walk.t;
+    const Plane_point to{length - walk.to.x, -walk.to.y};
+    const Geodesic_face& face = faces_.face_of(g);
+    const Index i = g % 3, j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
+    const Geodesic_face::Corner &at_source = face.corner[i], &at_target = face.corner[j];
+    const double reach = face.corner[k].length;
+    const Plane_point apex{reach * at_source.cosine, reach * at_source.sine};
+    // through the edge from the target to the apex, whose frame is turned by pi minus the corner, or from the apex to
+    // the source
+    const bool goes_right = (to.x - t) * apex.y > to.y * (apex.x - t);
+    const Plane_point begin = goes_right ? Plane_point{length, 0.} : apex;
+    const double c = goes_right ? -at_target.cosine : -at_source.cosine,
+                 s = goes_right ? at_target.sine : -at_source.sine;
+    const double px = c * (t - begin.x) - s * begin.y, py = -s * (t - begin.x) - c * begin.y;
+    const double x = to.x - begin.x, y = to.y - begin.y;
+    walk.to = {c * x + s * y, -s * x + c * y};
+    walk.t = px + (walk.to.x - px) * py / (py - walk.to.y);
+    // Or the image is in the face, though what it is the image of is only near it: a label may hold a little beside its
+    // own paths.
+    if(walk.to.y < 0.)
+      walk.halfedge = g - i + (goes_right ? j : k);
   }
 
   const Indexed_triangle_mesh& mesh_;
   const Geodesic_results& geodesics_;
   const Geodesic_faces& faces_;
-  Path first_, second_;
 };
 
 } // namespace internal

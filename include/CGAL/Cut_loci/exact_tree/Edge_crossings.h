@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_EDGE_CROSSINGS_H
 
 #include <CGAL/Cut_loci/exact_tree/Edge_envelope.h>
+#include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
 #include <CGAL/Cut_loci/exact_tree/Path_label.h>
 #include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/internal/geodesic_window_trimming.h>
@@ -43,24 +44,31 @@ struct Edge_ends
  *
  * It is an observer of `Exact_geodesic_propagation`. It keeps the windows of an edge until the front has passed it, so
  * that they take the memory of the front. An edge on which windows arrive after that is late.
+ *
+ * With a least angle, only faces are *drawn* that have an edge on which the label changes by more than that; of their
+ * edges all changes are known, of other edges none.
  */
 class Edge_crossings
 {
 public:
   static constexpr bool is_active = true;
 
-  /// @param slack how far beyond an edge the front has to be, for the windows of the edge to be complete
-  Edge_crossings(Exact_geodesic_propagation& geodesics, double slack)
-    : geodesics_(geodesics), faces_(geodesics.faces()), envelope_(geodesics), parting_angle_(geodesics), slack_(slack),
-      kept_(faces_.number_of_halfedges(), nullptr), state_(faces_.number_of_halfedges(), 0)
+  /// @param slack how far beyond an edge the front has to be, in sizes of its faces, for its windows to be complete
+  Edge_crossings(Exact_geodesic_propagation& geodesics, double slack, double least_angle)
+    : geodesics_(geodesics), faces_(geodesics.faces()), envelope_(geodesics), parting_angle_(geodesics),
+      jumps_(geodesics, least_angle), slack_(slack), kept_(faces_.number_of_halfedges(), nullptr),
+      state_(faces_.number_of_halfedges(), 0)
   {
+    is_drawn.assign(faces_.number_of_halfedges() / 3, jumps_.finds_all());
+    if(!jumps_.finds_all())
+      bend.assign(faces_.number_of_halfedges(), 0.f);
   }
 
   // -- while the windows are propagated --------------------------------------------------------------------------------
 
   void advance(double front)
   {
-    while(next_ < waiting_.size() && waiting_[next_].key + slack_ < front)
+    while(next_ < waiting_.size() && waiting_[next_].until < front)
       divide(waiting_[next_++].halfedge);
     if(next_ > 1000 && 2 * next_ > waiting_.size())
     {
@@ -79,6 +87,8 @@ public:
       return false;
     }
     wait(h, o);
+    if(!jumps_.finds_all())
+      look_for_jumps(h, o, list);
     if(kept_[h] == nullptr)
     {
       kept_[h] = &list;
@@ -101,6 +111,8 @@ public:
       return;
     }
     wait(h, null_index);
+    if(!is_drawn[h / 3] && (jumps_.between_windows(*list) || has_jump_at_end(*list, h, true)))
+      draw(h / 3);
     if(kept_[h] == nullptr)
       kept_[h] = list;
     else
@@ -114,26 +126,30 @@ public:
       divide(waiting_[next_++].halfedge);
     waiting_.clear();
     for(Index h = 0; h < faces_.number_of_halfedges(); ++h)
-      if(h < faces_.opposite(h) && (state_[h] & divided) == 0) // edges along which all paths run
+      if(h < faces_.opposite(h) && (state_[h] & divided) == 0 && is_needed(h, faces_.opposite(h))) // edges along which all paths run
         divide(h);
   }
 
   // -- afterwards ------------------------------------------------------------------------------------------------------
 
   std::vector<Edge_crossing> crossings; ///< those of an edge together, in order
-  std::vector<Edge_ends> ends;          ///< of all edges
+  std::vector<Edge_ends> ends;          ///< of all edges of the faces that are drawn
+  std::vector<unsigned char> is_drawn;  ///< by face
+  /// for other edges, by halfedge of smaller index: how much farther the path to one end leads to the other than the
+  /// shortest one there, as a share of the edge; at most about the angle between them
+  std::vector<float> bend;
 
   /// how often windows came too late
   std::size_t number_of_late() const { return number_of_late_; }
 
 private:
   static constexpr int columns = 7;
-  enum : unsigned char { waits = 1, divided = 2 };
+  enum : unsigned char { waits = 1, divided = 2, dropped = 4 };
 
   struct Waiting
   {
     Index halfedge;
-    double key;
+    double until; // the front is there
   };
 
   void wait(Index h, Index o)
@@ -142,7 +158,12 @@ private:
     if((state_[first] & waits) != 0)
       return;
     state_[first] |= waits;
-    waiting_.push_back({first, front_});
+    double size = faces_.mean_edge_length(); // batches of the propagation are no finer
+    for(Index k : {h, o})
+      if(k != null_index)
+        for(Index g = 3 * (k / 3); g < 3 * (k / 3) + 3; ++g)
+          size = (std::max)(size, faces_.length(g));
+    waiting_.push_back({first, front_ + slack_ * size});
   }
 
   void join(Geodesic_window_list*& kept, Geodesic_window_list* other, double length)
@@ -154,6 +175,55 @@ private:
     kept = both;
   }
 
+  // -- which faces matter ----------------------------------------------------------------------------------------------
+
+  bool is_needed(Index h, Index o) const { return is_drawn[h / 3] || (o != null_index && is_drawn[o / 3]); }
+
+  void look_for_jumps(Index h, Index o, const Geodesic_window_list& list)
+  {
+    if(is_drawn[h / 3] && (o == null_index || is_drawn[o / 3]))
+      return;
+    const bool is_second = o != null_index && (kept_[o] != nullptr || geodesics_.waits(o));
+    if(!jumps_.between_windows(list) && !has_jump_at_end(list, h, false) && !(is_second && is_mirrored(list, h)))
+      return;
+    draw(h / 3);
+    if(o != null_index)
+      draw(o / 3);
+  }
+
+  /// @param is_opposite whether the list is in the frame of the opposite of `h`
+  bool has_jump_at_end(const Geodesic_window_list& list, Index h, bool is_opposite)
+  {
+    const double length = faces_.length(h);
+    const Geodesic_window first = list.get<columns>(list.begin), last = list.get<columns>(list.end - 1);
+    const Index a = is_opposite ? faces_.target(h) : faces_.source(h);
+    const Index b = is_opposite ? faces_.source(h) : faces_.target(h);
+    if(jumps_.at_ends(first, last, length, a, b))
+      return true;
+    const double miss = (std::min)(first.distance(length) - geodesics_.distance(b),
+                                   last.distance(0.) - geodesics_.distance(a));
+    const Index o = faces_.opposite(h);
+    float& known = bend[(std::min)(h, o)];
+    known = (std::max)(known, static_cast<float>(miss / length));
+    return false;
+  }
+
+  /// Two labels that mirror each other in the edge have the same distances on it.
+  bool is_mirrored(const Geodesic_window_list& list, Index h) const
+  {
+    return jumps_.leads_elsewhere(list.get<columns>(list.begin), 0., faces_.source(h)) ||
+           jumps_.leads_elsewhere(list.get<columns>(list.end - 1), faces_.length(h), faces_.target(h));
+  }
+
+  void draw(Index f)
+  {
+    if(is_drawn[f])
+      return;
+    is_drawn[f] = 1;
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      number_of_late_ += (state_[(std::min)(h, faces_.opposite(h))] & dropped) != 0;
+  }
+
   // -- where the label changes -----------------------------------------------------------------------------------------
 
   void divide(Index h)
@@ -162,6 +232,12 @@ private:
     const Index o = faces_.opposite(h);
     Geodesic_window_list* along = o != null_index ? kept_[h] : nullptr;
     Geodesic_window_list* against = o != null_index ? kept_[o] : kept_[h];
+    if(!is_needed(h, o))
+    {
+      state_[h] |= dropped;
+      release(along, against, h, o);
+      return;
+    }
     if(!geodesics_.is_reached(faces_.source(h)) || !geodesics_.is_reached(faces_.target(h)))
     {
       ++number_of_late_; // nothing can be said of it yet
@@ -200,6 +276,7 @@ private:
   const Geodesic_faces& faces_;
   Edge_envelope envelope_;
   Parting_angle parting_angle_;
+  Label_jumps jumps_;
   double slack_, front_ = 0.;
   std::vector<Geodesic_window_list*> kept_; // by halfedge
   std::vector<unsigned char> state_;

@@ -41,16 +41,21 @@ public:
   }
 
   /// computes the distances, and where the cut locus crosses the edges of the mesh
-  void propagate(const Indexed_location& source)
+  ///
+  /// @param least_angle what has no larger one may be left out
+  void propagate(const Indexed_location& source, double least_angle)
   {
+    least_angle_ = least_angle;
     // Windows of an edge come once the front is there, up to a face or two. If that is not enough on this mesh, once
-    // more with room for all.
-    for(double slack = 8. * geodesics_.faces().mean_edge_length();; slack = (std::numeric_limits<double>::infinity)())
+    // more with room for more.
+    for(double slack = 4.;; slack *= 8.)
     {
-      crossings_.reset(new Edge_crossings(geodesics_, slack));
+      crossings_.reset(new Edge_crossings(geodesics_, slack, least_angle));
       geodesics_.run({source}, Exact_geodesic_options(), *crossings_);
       crossings_->finish();
-      if(crossings_->number_of_late() == 0 || slack > 1e300)
+      if(getenv("DBG"))
+        fprintf(stderr, "slack %g late %zu\n", slack, crossings_->number_of_late());
+      if(crossings_->number_of_late() == 0 || slack > 1e30)
         return;
     }
   }
@@ -66,6 +71,8 @@ public:
   {
     const Cut_graph cut(mesh_, connectivity_, changes_, ridges_);
     graph_.reset(new Tree_graph(mesh_, connectivity_, geodesics_, changes_, ridges_, cut));
+    if(least_angle_ > 0.)
+      graph_->drop_branches_below(least_angle_);
   }
 
   /// The source is moved away from a vertex: what starts there is none of it.
@@ -82,6 +89,7 @@ public:
       [&](Index e) { return graph_->edges[e].nodes; }, [&](Index e) { return graph_->edges[e].gap; },
       connectivity_.number_of_border_loops);
     width_.assign(graph_->edges.size(), -1.f);
+    measure_.reset(new Digon_width(mesh_, geodesics_));
   }
 
   const Tree_graph& graph() const { return *graph_; }
@@ -93,27 +101,14 @@ public:
   /// the edges of the graph whose branches are at least that wide, and have at least that gap
   std::vector<Tree_branches::Edge> kept(double minimum_gap, double minimum_width)
   {
-    Digon_width measure(mesh_, geodesics_);
-    std::vector<Tree_branches::Edge> result = branches_(
+    return without_weak_ends(branches_(
+      [&](const Tree_branches::Edge& b) { return graph_->edges[b.edge].piece != null_index; },
       [&](const Tree_branches::Edge& b)
-      { return b.strength >= minimum_gap && (minimum_width == 0. || is_wide(b.edge, minimum_width, measure)); });
-    return without_weak_ends(result);
+      { return b.strength >= minimum_gap && (minimum_width == 0. || width(b.edge) >= minimum_width); }));
   }
 
   /// the largest separation of the two shortest paths to the points of a piece
   double width(Index edge)
-  {
-    Digon_width measure(mesh_, geodesics_);
-    return width(edge, measure);
-  }
-
-private:
-  bool is_wide(Index edge, double minimum, Digon_width& measure)
-  {
-    return graph_->edges[edge].piece == null_index || width(edge, measure) >= minimum;
-  }
-
-  double width(Index edge, Digon_width& measure)
   {
     const Tree_graph::Edge& e = graph_->edges[edge];
     float& result = width_[edge];
@@ -122,15 +117,18 @@ private:
       result = 0.f;
       if(e.piece != null_index)
       {
+        // at the end where the gap is larger, or at both if it is constant
         const Ridges::Piece& piece = ridges_.piece(e.piece);
-        const int wider = piece.gaps[0] >= piece.gaps[1] ? 0 : 1;
-        const Plane_point p = ridges_.piece_end(e.piece, wider);
-        result = static_cast<float>(measure(e.face, p, piece.images[0], piece.images[1]));
+        for(int k = 0; k < 2; ++k)
+          if(piece.gaps[k] >= piece.gaps[1 - k] - 1e-9)
+            result = (std::max)(result, static_cast<float>((*measure_)(e.face, ridges_.piece_end(e.piece, k),
+                                                                       piece.images[0], piece.images[1])));
       }
     }
     return result;
   }
 
+private:
   /// what only the topology has joined is kept as long as there is something behind it
   std::vector<Tree_branches::Edge> without_weak_ends(const std::vector<Tree_branches::Edge>& edges) const
   {
@@ -166,12 +164,14 @@ private:
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   Exact_geodesic_propagation& geodesics_;
+  double least_angle_ = 0.; // what has no larger one may be left out
   std::unique_ptr<Edge_crossings> crossings_;
   Label_changes changes_;
   Ridges ridges_;
   std::unique_ptr<Tree_graph> graph_;
   Tree_branches branches_;
   std::vector<float> width_; // of each edge, negative as long as nobody has asked for it
+  std::unique_ptr<Digon_width> measure_;
 };
 
 } // namespace internal

@@ -11,15 +11,24 @@
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/curve_correspondence.h>
+#include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/exact_tree/Default_branch_strength.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
+#include <CGAL/Cut_loci/exact_tree/Mesh_edge_curve.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
 #include <CGAL/Cut_loci/internal/Component_solver.h>
 #include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/internal/vector_3.h>
+#include <CGAL/Cut_loci/short_branches.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,8 +37,10 @@ namespace internal {
 
 struct Exact_tree_thresholds
 {
-  double gap = 0.;   // radians
-  double width = 0.; // a length
+  double gap = 0.;            // radians
+  double width = 0.;          // a length
+  Index minimum_edges = 0;    // branches of fewer edges of the mesh are removed
+  double minimum_length = 0.; // branches that are shorter are removed
 };
 
 // The cut locus of the polyhedron, all of it or pruned, on one connected component.
@@ -38,17 +49,27 @@ class Exact_tree_solver
 public:
   // once per mesh
   explicit Exact_tree_solver(const Indexed_triangle_mesh& mesh)
-    : mesh_(mesh), connectivity_(mesh), geodesics_(Component_solver::checked(mesh, connectivity_))
+    : mesh_(mesh), connectivity_(mesh), geodesics_(Component_solver::checked(mesh, connectivity_)),
+      diagonal_(diagonal(mesh))
   {
+    const Default_branch_strength strength(mesh, connectivity_, geodesics_.faces(), diagonal_);
+    default_.gap = strength.gap;
+    default_.width = strength.width;
   }
 
-  [[noreturn]] static void refuse_distances()
+  [[noreturn]] static void refuse_distances(Method method)
   {
-    throw Invalid_input(
-      "the method Cut_loci::Method::POLYHEDRAL needs the paths of the package's own exact solver, and "
-      "not distances alone: leave geodesic_solver and vertex_distance_map away, or pass another "
-      "cut_locus_method()");
+    throw Invalid_input("the method " + std::string(name_of(method)) +
+                        " needs the paths of the package's own exact solver, and not distances alone: leave "
+                        "geodesic_solver and vertex_distance_map away, or pass "
+                        "cut_locus_method(Cut_loci::Method::LAPLACIAN)");
   }
+
+  // for the cut locus of the surface that the polyhedron stands for
+  const Exact_tree_thresholds& default_thresholds() const { return default_; }
+
+  // What does not pass may be left out; `filter()` computes it if it is asked for.
+  void expect(const Exact_tree_thresholds& thresholds) { least_angle_ = least_angle(thresholds); }
 
   // once per source, in four parts
   void compute_distance(const Indexed_source& source)
@@ -64,13 +85,13 @@ public:
   /*
    * Where several shortest paths lead to a vertex at which they bend, all points behind it have several, and where such
    * paths run along edges of the mesh, it takes no more than rounding to choose other ones in neighboring faces. Both
-   * need a symmetric placement of the source. Then it is moved: by far less than the accuracy of any mesh, and far more
-   * than that of the windows.
+   * need a symmetric placement of the source. Then it is moved, unless what is left out matters more: by far less than
+   * the accuracy of any mesh, and far more than that of the windows.
    */
   void grow_tree()
   {
     tree_->join();
-    for(int number = 1; number <= 2 && !tree_->is_sure(); ++number)
+    for(int number = 1; number <= 2 && least_angle_ == 0. && !tree_->is_sure(); ++number)
     {
       start(moved_source(number));
       tree_->draw_ridges();
@@ -81,11 +102,27 @@ public:
 
   void close_cycles() { tree_->order_branches(); }
 
-  // once per threshold
-  Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds)
+  // once per threshold; `edges` becomes the curve of mesh edges, whichever curve is asked for
+  Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges)
   {
-    const std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds.gap, thresholds.width);
-    return Tree_curve(mesh_, connectivity_, geodesics_, *tree_)(kept, farthest_);
+    if(least_angle(thresholds) < least_angle_)
+      compute_more(least_angle(thresholds));
+    // what parts at a smaller angle is not that wide, as it may have been left out for that
+    const double gap = (std::max)(thresholds.gap, least_angle(thresholds));
+    const std::vector<Tree_branches::Edge> kept = tree_->kept(gap, thresholds.width);
+    edges = Mesh_edge_curve(mesh_, connectivity_, geodesics_, *tree_, kept, farthest_).graph;
+    const bool drops_branches = thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.;
+    if(curve == Curve::MESH_EDGES)
+    {
+      if(drops_branches)
+        remove_edges(mesh_, connectivity_, edges, short_ones(thresholds, edges));
+      return edges;
+    }
+    Tree_curve result(mesh_, connectivity_, geodesics_, *tree_, kept, farthest_);
+    set_origins(mesh_, connectivity_, edges, result.face, result.graph);
+    if(drops_branches)
+      remove_short_branches(thresholds, edges, result);
+    return std::move(result.graph);
   }
 
   const Mesh_connectivity& connectivity() const { return connectivity_; }
@@ -98,13 +135,68 @@ public:
   Index root() const { return farthest_; }
 
 private:
+  static double diagonal(const Indexed_triangle_mesh& mesh)
+  {
+    std::array<double, 3> low = mesh.points.front(), high = low;
+    for(const auto& p : mesh.points)
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        low[i] = (std::min)(low[i], p[i]);
+        high[i] = (std::max)(high[i], p[i]);
+      }
+    return norm(high - low);
+  }
+
+  // Two paths as long as the diagonal that part at an angle are as wide apart as that angle times the diagonal, if they
+  // spread as in the plane. Half of it is on the safe side, as long paths go around the shape. A gap needs no such
+  // margin, but cycles have weak parts, and what is not known of them is closed as the mesh allows.
+  double least_angle(const Exact_tree_thresholds& thresholds) const
+  {
+    return (std::max)(0.5 * thresholds.width / diagonal_, 0.1 * thresholds.gap);
+  }
+
   void start(const Indexed_location& location)
   {
     tree_.reset(new Exact_tree(mesh_, connectivity_, geodesics_));
-    tree_->propagate(location);
+    tree_->propagate(location, least_angle_);
     for(double d : geodesics_.distances())
       if(!(d < (std::numeric_limits<double>::infinity)()))
         throw Invalid_input("the exact solver does not reach all vertices: some faces may be too thin for it");
+  }
+
+  void compute_more(double angle)
+  {
+    least_angle_ = angle;
+    start(source_.location);
+    compute_strengths();
+    grow_tree();
+    close_cycles();
+  }
+
+  std::vector<unsigned char> short_ones(const Exact_tree_thresholds& thresholds, const Indexed_cut_locus& edges) const
+  {
+    return short_branches(mesh_, connectivity_, edges, thresholds.minimum_edges, thresholds.minimum_length);
+  }
+
+  // Both curves lose the same branches: those that are short as edges of the mesh.
+  void remove_short_branches(const Exact_tree_thresholds& thresholds, Indexed_cut_locus& edges, Tree_curve& curve) const
+  {
+    const std::vector<unsigned char> is_removed = short_ones(thresholds, edges);
+    if(!curve.graph.edges.empty())
+    {
+      const std::vector<unsigned char> is_gone =
+        corresponding_branches(mesh_, connectivity_, edges, is_removed, curve.graph);
+      std::size_t size = 0;
+      for(std::size_t i = 0; i < is_gone.size(); ++i)
+        if(!is_gone[i])
+          curve.face[size++] = curve.face[i];
+      curve.face.resize(size);
+      remove_edges(mesh_, connectivity_, curve.graph, is_gone);
+    }
+    remove_edges(mesh_, connectivity_, edges, is_removed);
+    for(Index i = 0; i < edges.edges.size(); ++i)
+      edges.edges[i].origin = i;
+    set_origins(mesh_, connectivity_, edges, curve.face, curve.graph);
   }
 
   // the source in the interior of its face, 1e-6 of it away, in a direction without any symmetry
@@ -128,6 +220,9 @@ private:
   const Indexed_triangle_mesh& mesh_;
   Mesh_connectivity connectivity_;
   Exact_geodesic_propagation geodesics_;
+  double diagonal_;
+  Exact_tree_thresholds default_;
+  double least_angle_ = 0.; // of what the tree has
 
   Indexed_source source_;
   std::vector<double> distance_;

@@ -13,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -26,8 +25,11 @@ namespace internal {
  *
  * The cells of different labels all touch the boundary, since the shortest paths to their points come from there. So
  * the pieces between them form trees, whose leaves are points of the boundary: pieces start at all of these and, two
- * neighbors at a time, meet in a node and go on as one, until all have met. The next to meet are those whose node no
- * other path reaches earlier.
+ * neighbors at a time, meet in a node and go on as one, until all have met.
+ *
+ * Where the distance has no saddle in the face, it grows along a piece from one end to the other, and two of the three
+ * pieces at a node come from below. Then neighbors meet in the order of the distance, as wavefronts do, and no other
+ * cell has to be looked at. Else the next to meet are those whose node no other path reaches earlier.
  */
 class Face_ridges
 {
@@ -36,6 +38,7 @@ public:
   struct Change
   {
     Plane_point point;
+    Index edge; // of the face, or null at a corner, where the piece starts
     Image before, after;
     bool is_ray;    // both paths come along the same line: one of them bends, and this is the boundary of its shadow
     bool is_shadow; // they are one path, so that this is no cut locus
@@ -61,59 +64,64 @@ public:
   /// whether labels did not fit each other, so that the drawing is good to the size of the face only
   bool is_doubtful = false;
 
-  /// @param are_one_path whether the paths from two images to a point of the face, on one line there, are the same
   /// @param tolerance up to which paths of different lengths are taken for equally long
-  void draw(const std::array<Plane_point, 3>& corners, const std::vector<Change>& changes,
-            const std::vector<Entry>& entries, double tolerance,
-            const std::function<bool(const Image&, const Image&, const Plane_point&)>& are_one_path)
+  /// @param entries returns all of them; only called where they are needed
+  /// @param are_one_path whether the paths from two images to a point of the face, on one line there, are the same
+  template <typename Entries, typename Are_one_path>
+  void draw(const std::array<Plane_point, 3>& corners, const std::vector<Change>& changes, double tolerance,
+            const Entries& entries, const Are_one_path& are_one_path)
   {
-    are_one_path_ = are_one_path;
     corners_ = corners;
-    entries_ = &entries;
     tolerance_ = tolerance;
+    is_doubtful = false;
+    entries_ = nullptr;
     start(changes);
-    if(fronts_.size() > 2)
-      for(std::size_t i = 0; i < fronts_.size(); ++i)
-        find_meeting(i);
-    while(fronts_.size() > 2 && join_next())
+    if(size_ <= 2 || !has_saddle())
     {
+      if(join_all(are_one_path))
+        return;
+      start(changes);
     }
-    const bool is_complete = fronts_.size() < 3;
-    if(fronts_.size() == 2)
-      connect(fronts_[0], fronts_[1]);
-    is_doubtful = !is_complete || ridges_cross();
-    if(!is_doubtful)
+    entries_ = &entries();
+    if(join_all(are_one_path))
       return;
     // Labels that do not fit, or nodes that rounding has put on the wrong side: pieces that end each other, and a star
     // of the rest, are good to the size of the face and do not cross each other either.
+    is_doubtful = true;
     start(changes);
-    while(fronts_.size() > 2 && join_ends())
+    while(size_ > 2 && join_ends())
     {
     }
-    if(fronts_.size() == 2)
-      connect(fronts_[0], fronts_[1]);
-    else if(fronts_.size() > 2)
-      join_all();
+    if(size_ == 2)
+      connect(first_, fronts_[first_].next);
+    else if(size_ > 2)
+      draw_star();
   }
 
 private:
   static constexpr double least_angle = 1e-7; // below, directions are taken for the same
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
 
-  /// of a front with the next one
-  struct Meeting
-  {
-    double excess = infinity; // by which a path to it is longer than the shortest one there
-    Plane_point point = {0., 0.};
-    bool is_end = false; // the two are one piece
-  };
-
   struct Front
   {
     Index node; // where it is now
     Image before, after;
     bool is_ray, is_shadow;
-    Meeting meeting;
+    bool goes_up;         // whether the distance grows on its way
+    double level;         // the distance at the node
+    Index previous, next; // its neighbors
+    bool is_alive;
+  };
+
+  /// of a front with the next one
+  struct Meeting
+  {
+    double key; // those of the least come first
+    Index first, second;
+    Plane_point point;
+    bool is_end; // the two are one piece
+
+    bool operator<(const Meeting& other) const { return key > other.key; }
   };
 
   static double cross(const Plane_point& a, const Plane_point& b, const Plane_point& c)
@@ -121,28 +129,37 @@ private:
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   }
 
+  static double squared_distance(const Plane_point& a, const Plane_point& b)
+  {
+    return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
+  }
+  static double distance(const Plane_point& a, const Plane_point& b) { return std::sqrt(squared_distance(a, b)); }
+
   /// whether `p` is in the cone of an entry, up to rounding: what is beside it by a little is longer by the square of that
   static bool sees(const Entry& e, const Plane_point& p)
   {
     const Plane_point image{e.image.x, e.image.y};
-    const double l = std::hypot(e.to.x - e.from.x, e.to.y - e.from.y) + std::hypot(p.x - image.x, p.y - image.y);
-    return cross(image, e.from, p) <= 1e-9 * l * l && cross(image, e.to, p) >= -1e-9 * l * l;
+    const double rounding = 1e-9 * (squared_distance(e.from, e.to) + squared_distance(image, p));
+    return cross(image, e.from, p) <= rounding && cross(image, e.to, p) >= -rounding;
   }
 
   /// by how much a straight path from an image to `p` is longer than the shortest one; infinite if there is none
-  double excess(const Plane_point& p, const Image& a, const Image& b, const Image& c)
+  double excess(const Plane_point& p, const Image& a, const Image& b, const Image& c) const
   {
     double least = infinity;
+    const double distance = b.distance(p), least_needed = distance - tolerance_;
     bool sees_a = false, sees_b = false, sees_c = false;
     for(const Entry& e : *entries_)
       if(sees(e, p))
       {
         least = (std::min)(least, e.image.distance(p));
+        if(least < least_needed)
+          return infinity;
         sees_a = sees_a || is_same_path(e.image, a, p);
         sees_b = sees_b || is_same_path(e.image, b, p);
         sees_c = sees_c || is_same_path(e.image, c, p);
       }
-    return sees_a && sees_b && sees_c ? (std::max)(b.distance(p) - least, 0.) : infinity;
+    return sees_a && sees_b && sees_c ? (std::max)(distance - least, 0.) : infinity;
   }
 
   static bool is_same_path(const Image& a, const Image& b, const Plane_point& p)
@@ -188,20 +205,26 @@ private:
   /// the vertex that casts the shadow, as an origin
   static Index bend(const Front& f) { return f.before.sigma < f.after.sigma ? f.after.origin : f.before.origin; }
 
-  void find_meeting(std::size_t i)
+  /// adds the meeting of two neighbors, if they meet
+  void find_meeting(Index i, Index j)
   {
-    Front& first = fronts_[i];
-    const Front& second = fronts_[i + 1 < fronts_.size() ? i + 1 : 0];
-    first.meeting = Meeting();
+    const Front &first = fronts_[i], &second = fronts_[j];
+    const Plane_point &p = nodes[first.node], &q = nodes[second.node];
+    Meeting meeting{infinity, i, j, q, is_same_image(first.before, second.after)};
     std::array<Plane_point, 2> points;
     std::size_t n = 0;
-    const Plane_point &p = nodes[first.node], &q = nodes[second.node];
-    if(is_same_image(first.before, second.after))
+    if(meeting.is_end && entries_ == nullptr)
     {
-      first.meeting.is_end = true;
-      points[0] = middle(first, second);
+      if(first.goes_up != second.goes_up || squared_distance(p, q) <= tolerance_ * tolerance_)
+        meeting.key = (std::max)(first.level, second.level);
+    }
+    else if(meeting.is_end)
+    {
+      points[0] = between(p, q, first);
       n = 1;
     }
+    else if(entries_ == nullptr && !may_meet(first, second))
+      return;
     else if(!first.is_ray && !second.is_ray)
       n = equidistant_points(first.before, first.after, second.after, points);
     else if(first.is_ray && second.is_ray && bend(first) == bend(second))
@@ -213,17 +236,43 @@ private:
     else
       n = equidistant_points(q, light(second), first.before, first.after, points);
     for(std::size_t k = 0; k < n; ++k)
-    {
-      Plane_point x = points[k];
-      if(!clamp(x))
-        continue;
-      const double e = excess(x, first.before, first.after, second.after);
-      if(e < first.meeting.excess)
+      if(clamp(points[k]))
       {
-        first.meeting.excess = e;
-        first.meeting.point = x;
+        const double key =
+          entries_ == nullptr ? level_of_meeting(first, second, points[k]) : way_to_meeting(first, second, points[k]);
+        if(key < meeting.key)
+        {
+          meeting.key = key;
+          meeting.point = points[k];
+        }
       }
-    }
+    if(meeting.key == infinity)
+      return;
+    meetings_.push_back(meeting);
+    std::push_heap(meetings_.begin(), meetings_.end());
+  }
+
+  /// Without a saddle, one that goes down meets others only where these end it, except where rounding puts the meeting
+  /// to its begin.
+  bool may_meet(const Front& first, const Front& second) const
+  {
+    return (first.goes_up && second.goes_up) ||
+           squared_distance(nodes[first.node], nodes[second.node]) <= tolerance_ * tolerance_;
+  }
+
+  /// the distance at a node that is ahead of both fronts
+  double level_of_meeting(const Front& first, const Front& second, const Plane_point& x) const
+  {
+    const double level = first.after.distance(x);
+    return level >= (std::max)(first.level, second.level) - tolerance_ ? level : infinity;
+  }
+
+  /// of several nodes that no path reaches earlier, the nearest is the next
+  double way_to_meeting(const Front& first, const Front& second, const Plane_point& x) const
+  {
+    if(!(excess(x, first.before, first.after, second.after) <= tolerance_))
+      return infinity;
+    return distance(x, nodes[first.node]) + distance(x, nodes[second.node]);
   }
 
   /// a point of the piece between two fronts that end each other
@@ -236,10 +285,10 @@ private:
     const Plane_point beside{m.x - (q.y - p.y), m.y + (q.x - p.x)};
     const std::size_t n = equidistant_points(m, beside, f.before, f.after, points);
     Plane_point best = m;
-    double least = 0.5 * std::hypot(q.x - p.x, q.y - p.y);
+    double least = 0.5 * distance(p, q);
     for(std::size_t k = 0; k < n; ++k)
     {
-      const double away = std::hypot(points[k].x - m.x, points[k].y - m.y);
+      const double away = distance(points[k], m);
       if(away < least)
       {
         least = away;
@@ -248,7 +297,6 @@ private:
     }
     return best;
   }
-  Plane_point middle(const Front& a, const Front& b) const { return between(nodes[a.node], nodes[b.node], a); }
 
   static std::size_t intersection(const Plane_point& p, const Plane_point& a, const Plane_point& q,
                                   const Plane_point& b, std::array<Plane_point, 2>& points)
@@ -262,60 +310,95 @@ private:
     return 1;
   }
 
-  /// lets two neighbors meet; returns whether any could
-  bool join_next()
+  /// lets neighbors meet until there are none; returns whether that was possible without pieces that cross each other
+  template <typename Are_one_path>
+  bool join_all(const Are_one_path& are_one_path)
   {
-    std::size_t best = 0;
-    double least = infinity;
-    for(std::size_t i = 0; i < fronts_.size(); ++i)
+    meetings_.clear();
+    if(size_ > 2)
+      for(Index i = 0; i < fronts_.size(); ++i)
+        find_meeting(i, fronts_[i].next);
+    while(size_ > 2 && !meetings_.empty())
     {
-      // of several that fit, the nearest
-      const Meeting& m = fronts_[i].meeting;
-      if(!(m.excess <= tolerance_))
+      std::pop_heap(meetings_.begin(), meetings_.end());
+      const Meeting m = meetings_.back();
+      meetings_.pop_back();
+      if(!fronts_[m.first].is_alive || !fronts_[m.second].is_alive)
         continue;
-      const Plane_point &p = nodes[fronts_[i].node], &q = nodes[fronts_[i + 1 < fronts_.size() ? i + 1 : 0].node];
-      const double way = std::hypot(m.point.x - p.x, m.point.y - p.y) + std::hypot(m.point.x - q.x, m.point.y - q.y);
-      if(way < least)
+      const Index previous = fronts_[m.first].previous, next = fronts_[m.second].next;
+      if(m.is_end)
       {
-        least = way;
-        best = i;
+        connect(m.first, m.second);
+        if(size_ > 2)
+          find_meeting(previous, next);
+        continue;
+      }
+      const Index joined = join(m, are_one_path);
+      if(size_ > 2)
+      {
+        find_meeting(previous, joined);
+        find_meeting(joined, next);
       }
     }
-    if(least == infinity)
-      return false;
-    const std::size_t next = best + 1 < fronts_.size() ? best + 1 : 0;
-    Front &first = fronts_[best], &second = fronts_[next];
-    if(first.meeting.is_end)
-    {
-      connect(first, second);
-      fronts_.erase(fronts_.begin() + static_cast<std::ptrdiff_t>((std::max)(best, next)));
-      fronts_.erase(fronts_.begin() + static_cast<std::ptrdiff_t>((std::min)(best, next)));
-      if(fronts_.size() > 2)
-        find_meeting((best + fronts_.size() - (next == 0 ? 2 : 1)) % fronts_.size());
-      return true;
-    }
-    const Index node = add_node(first.meeting.point);
-    add_ridge(first, node);
-    add_ridge(second, node);
-    first.node = node;
-    first.after = second.after;
-    const Plane_point& p = nodes[node];
-    first.is_ray = angle_at(p, first.before, first.after) < least_angle;
-    first.is_shadow = first.is_ray && are_one_path_(first.before, first.after, p);
-    fronts_.erase(fronts_.begin() + static_cast<std::ptrdiff_t>(next));
-    const std::size_t i = next == 0 ? fronts_.size() - 1 : best;
-    if(fronts_.size() > 2)
-    {
-      find_meeting(i);
-      find_meeting((i + fronts_.size() - 1) % fronts_.size());
-    }
-    return true;
+    if(size_ == 2)
+      connect(first_, fronts_[first_].next);
+    return !has_cut_locus_left() && !ridges_cross();
   }
 
-  static double angle_at(const Plane_point& p, const Image& a, const Image& b)
+  /// The boundary of a shadow that is narrower than the accuracy of the windows may have only one end.
+  bool has_cut_locus_left() const
+  {
+    Index i = first_;
+    for(Index k = 0; k < size_; ++k, i = fronts_[i].next)
+      if(!fronts_[i].is_shadow)
+        return true;
+    return false;
+  }
+
+  template <typename Are_one_path>
+  Index join(const Meeting& m, const Are_one_path& are_one_path)
+  {
+    const Index node = add_node(m.point);
+    add_ridge(fronts_[m.first], node);
+    add_ridge(fronts_[m.second], node);
+    Front front{node, fronts_[m.first].before, fronts_[m.second].after, false, false, true, 0., null_index, null_index,
+                true};
+    front.is_ray = is_on_one_line(m.point, front.before, front.after);
+    front.is_shadow = front.is_ray && are_one_path(front.before, front.after, m.point);
+    front.goes_up = front.is_ray || converge(front);
+    front.level = front.after.distance(m.point);
+    front.previous = fronts_[m.first].previous;
+    front.next = fronts_[m.second].next;
+    const Index i = static_cast<Index>(fronts_.size());
+    fronts_[front.previous].next = fronts_[front.next].previous = i;
+    fronts_[m.first].is_alive = fronts_[m.second].is_alive = false;
+    fronts_.push_back(front);
+    first_ = i;
+    --size_;
+    return i;
+  }
+
+  static bool is_on_one_line(const Plane_point& p, const Image& a, const Image& b)
   {
     const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y;
-    return std::atan2(std::fabs(ax * by - ay * bx), ax * bx + ay * by);
+    const double cross = ax * by - ay * bx, dot = ax * bx + ay * by;
+    return dot >= 0. && std::fabs(cross) <= least_angle * dot;
+  }
+
+  /// whether the paths of a front come closer as it goes on, so that it gets farther from both images
+  bool converge(const Front& f) const
+  {
+    const Plane_point& p = nodes[f.node];
+    return (p.x - f.before.x) * (p.y - f.after.y) - (p.y - f.before.y) * (p.x - f.after.x) > 0.;
+  }
+
+  /// the boundary of a shadow gets away from the light
+  bool leaves_light(const Front& f, Index edge) const
+  {
+    if(edge == null_index)
+      return true;
+    const Plane_point &a = corners_[edge], &b = corners_[edge == 2 ? 0 : edge + 1], l = light(f), &p = nodes[f.node];
+    return (b.x - a.x) * (p.y - l.y) - (b.y - a.y) * (p.x - l.x) > 0.;
   }
 
   void start(const std::vector<Change>& changes)
@@ -323,73 +406,117 @@ private:
     nodes.clear();
     ridges.clear();
     fronts_.clear();
-    for(const Change& c : changes)
+    first_ = 0;
+    size_ = static_cast<Index>(changes.size());
+    for(Index i = 0; i < size_; ++i)
     {
-      fronts_.push_back({static_cast<Index>(nodes.size()), c.before, c.after, c.is_ray, c.is_shadow, Meeting()});
+      const Change& c = changes[i];
       nodes.push_back(c.point);
+      Front front{i, c.before, c.after, c.is_ray, c.is_shadow, true, 0., null_index, null_index, true};
+      front.goes_up = c.is_ray ? leaves_light(front, c.edge) : converge(front);
+      front.level = c.after.distance(c.point);
+      front.previous = i > 0 ? i - 1 : size_ - 1;
+      front.next = i + 1 < size_ ? i + 1 : 0;
+      fronts_.push_back(front);
     }
+  }
+
+  /// whether paths from opposite sides may meet in the face, on a piece that starts on the boundary
+  bool has_saddle() const
+  {
+    for(const Front& f : fronts_)
+    {
+      if(f.goes_up || f.is_ray)
+        continue;
+      const double dx = f.after.x - f.before.x, dy = f.after.y - f.before.y, l = std::sqrt(dx * dx + dy * dy);
+      const double s = 0.5 * (l + f.after.sigma - f.before.sigma) / l;
+      Plane_point p{f.before.x + s * dx, f.before.y + s * dy};
+      if(s >= 0. && s <= 1. && clamp(p))
+        return true;
+    }
+    return false;
   }
 
   /// connects the nearest two neighbors that end each other; returns whether there are any
   bool join_ends()
   {
-    std::size_t best = fronts_.size();
+    Index best = null_index, i = first_;
     double least = infinity;
-    for(std::size_t i = 0; i < fronts_.size(); ++i)
+    do
     {
-      const Front &first = fronts_[i], &second = fronts_[i + 1 < fronts_.size() ? i + 1 : 0];
-      const Plane_point &p = nodes[first.node], &q = nodes[second.node];
-      const double length = std::hypot(p.x - q.x, p.y - q.y);
+      const Front &first = fronts_[i], &second = fronts_[first.next];
+      const double length = squared_distance(nodes[first.node], nodes[second.node]);
       if(length < least && is_same_image(first.before, second.after))
       {
         least = length;
         best = i;
       }
-    }
-    if(best == fronts_.size())
+      i = first.next;
+    } while(i != first_);
+    if(best == null_index)
       return false;
-    const std::size_t next = best + 1 < fronts_.size() ? best + 1 : 0;
-    connect(fronts_[best], fronts_[next]);
-    fronts_.erase(fronts_.begin() + static_cast<std::ptrdiff_t>((std::max)(best, next)));
-    fronts_.erase(fronts_.begin() + static_cast<std::ptrdiff_t>((std::min)(best, next)));
+    connect(best, fronts_[best].next);
     return true;
   }
 
   /// what fits nowhere meets in one point: several images at the same distance, up to the tolerance
-  void join_all()
+  void draw_star()
   {
     Plane_point point{0., 0.};
-    for(const Front& f : fronts_)
+    std::array<Index, 3> three;
+    Index number = 0;
+    for(Index i = first_; number < size_; i = fronts_[i].next, ++number)
     {
-      point.x += nodes[f.node].x / static_cast<double>(fronts_.size());
-      point.y += nodes[f.node].y / static_cast<double>(fronts_.size());
+      three[number % 3] = i;
+      point.x += nodes[fronts_[i].node].x / size_;
+      point.y += nodes[fronts_[i].node].y / size_;
     }
-    if(fronts_.size() == 3)
+    if(size_ == 3)
     {
+      const Front &a = fronts_[three[0]], &b = fronts_[three[1]], &c = fronts_[three[2]];
       std::array<Plane_point, 2> candidates;
-      const std::size_t n = equidistant_points(fronts_[0].before, fronts_[1].before, fronts_[2].before, candidates);
+      const std::size_t n = equidistant_points(a.before, b.before, c.before, candidates);
       for(std::size_t i = 0; i < n; ++i)
-        if(is_among(candidates[i]))
+        if(is_among(candidates[i], nodes[a.node], nodes[b.node], nodes[c.node]))
           point = candidates[i];
     }
     const Index node = add_node(point);
-    for(const Front& f : fronts_)
-      add_ridge(f, node);
+    Index i = first_;
+    for(Index k = 0; k < size_; ++k, i = fronts_[i].next)
+      add_ridge(fronts_[i], node);
   }
 
-  /// whether a point is in the triangle of the three fronts
-  bool is_among(const Plane_point& p) const
+  /// whether a point is in a triangle
+  static bool is_among(const Plane_point& p, const Plane_point& a, const Plane_point& b, const Plane_point& c)
   {
-    const Plane_point &a = nodes[fronts_[0].node], &b = nodes[fronts_[1].node], &c = nodes[fronts_[2].node];
     return cross(a, b, p) > 0. && cross(b, c, p) > 0. && cross(c, a, p) > 0.;
   }
 
   /// whether two pieces that are on the cut locus cross each other
-  bool ridges_cross() const
+  bool ridges_cross()
   {
-    for(std::size_t i = 0; i < ridges.size(); ++i)
-      for(std::size_t j = 0; j < i && !ridges[i].is_shadow; ++j)
-        if(!ridges[j].is_shadow && cross_each_other(ridges[i], ridges[j]))
+    if(ridges.size() < 2)
+      return false;
+    // the intervals that they take along the longest edge, by their begins
+    Index longest = 0;
+    for(Index i = 1; i < 3; ++i)
+      if(squared_distance(corners_[i], corners_[(i + 1) % 3]) >
+         squared_distance(corners_[longest], corners_[(longest + 1) % 3]))
+        longest = i;
+    const Plane_point &a = corners_[longest], &b = corners_[(longest + 1) % 3];
+    intervals_.clear();
+    for(Index i = 0; i < ridges.size(); ++i)
+      if(!ridges[i].is_shadow)
+      {
+        const Plane_point &p = nodes[ridges[i].nodes[0]], &q = nodes[ridges[i].nodes[1]];
+        const double s = p.x * (b.x - a.x) + p.y * (b.y - a.y), t = q.x * (b.x - a.x) + q.y * (b.y - a.y);
+        intervals_.push_back({(std::min)(s, t), (std::max)(s, t), i});
+      }
+    std::sort(intervals_.begin(), intervals_.end(),
+              [](const Interval& i, const Interval& j) { return i.begin < j.begin; });
+    for(std::size_t i = 0; i < intervals_.size(); ++i)
+      for(std::size_t j = i + 1; j < intervals_.size() && intervals_[j].begin < intervals_[i].end; ++j)
+        if(cross_each_other(ridges[intervals_[i].ridge], ridges[intervals_[j].ridge]))
           return true;
     return false;
   }
@@ -410,16 +537,31 @@ private:
 
   void add_ridge(const Front& f, Index node) { ridges.push_back({{f.node, node}, {f.before, f.after}, f.is_shadow}); }
 
-  void connect(const Front& a, const Front& b)
+  /// by a piece, and removes both
+  void connect(Index i, Index j)
   {
+    Front &a = fronts_[i], &b = fronts_[j];
     ridges.push_back({{a.node, b.node}, {a.before, a.after}, a.is_shadow && b.is_shadow});
+    fronts_[a.previous].next = b.next;
+    fronts_[b.next].previous = a.previous;
+    a.is_alive = b.is_alive = false;
+    first_ = b.next;
+    size_ -= 2;
   }
 
+  struct Interval
+  {
+    double begin, end;
+    Index ridge;
+  };
+
   std::array<Plane_point, 3> corners_;
-  const std::vector<Entry>* entries_ = nullptr;
+  const std::vector<Entry>* entries_ = nullptr; // null as long as no meeting has to be compared with all paths
   double tolerance_ = 0.;
-  std::function<bool(const Image&, const Image&, const Plane_point&)> are_one_path_;
-  std::vector<Front> fronts_;
+  std::vector<Front> fronts_;     // those that are alive are linked to a ring
+  Index first_ = 0, size_ = 0;    // one of the ring, and the number of them
+  std::vector<Meeting> meetings_; // a heap
+  std::vector<Interval> intervals_;
 };
 
 } // namespace internal

@@ -23,9 +23,13 @@ struct Image
 {
   double x, y, sigma; // `sigma` is the distance of what it is the image of
   Index origin;
-  double direction; // in which the path to the centroid of the face leaves the origin
+  unsigned char axis; // a normal of an edge of the face: 0 to 2 inward, 3 to 5 outward
+  double direction;   // in which a path along the axis leaves the origin
 
-  double distance(const Plane_point& p) const { return sigma + std::hypot(p.x - x, p.y - y); }
+  double distance(const Plane_point& p) const
+  {
+    return sigma + std::sqrt((p.x - x) * (p.x - x) + (p.y - y) * (p.y - y));
+  }
 };
 
 inline bool is_same_image(const Image& a, const Image& b)
@@ -69,7 +73,7 @@ inline std::size_t equidistant_points(const Image& a, const Image& b, const Imag
 inline std::size_t equidistant_points(const Plane_point& p, const Plane_point& q, const Image& a, const Image& b,
                                       std::array<Plane_point, 2>& points)
 {
-  const double l = std::hypot(q.x - p.x, q.y - p.y);
+  const double l = std::sqrt((q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y));
   if(!(l > 0.))
     return 0;
   const double dx = (q.x - p.x) / l, dy = (q.y - p.y) / l;

@@ -37,6 +37,8 @@ public:
   {
     const Vertex_labels labels(geodesics);
     crossings_.swap(found.crossings);
+    is_drawn_.swap(found.is_drawn);
+    bend_.swap(found.bend);
     add_crossings_at_ends(found, labels);
     sort();
     find_changes_at_vertices(labels);
@@ -46,6 +48,11 @@ public:
   const Edge_crossing& operator[](std::size_t i) const { return crossings_[i]; }
   Index number_of_crossings() const { return static_cast<Index>(crossings_.size()); }
   Index first(Index e) const { return first_[e]; }
+
+  /// whether all that changes in a face, and on its edges, is known
+  bool is_drawn(Index f) const { return is_drawn_[f] != 0; }
+  /// the angle that may be between the paths to the two ends of an edge of which nothing is known
+  float bend(Index h) const { return bend_.empty() ? 0.f : bend_[h]; }
 
   /// the changes at vertices, by their halfedge
   const std::vector<Vertex_labels::Change>& at_vertices() const { return at_vertices_; }
@@ -91,9 +98,11 @@ private:
     std::vector<Index> next(first_.begin(), first_.end() - 1);
     for(const Edge_crossing& c : crossings_)
       sorted[next[edge[c.halfedge]]++] = c;
+    // they come in order, but for those at the ends
+    const auto is_before = [](const Edge_crossing& a, const Edge_crossing& b) { return a.t < b.t; };
     for(std::size_t e = 0; e + 1 < first_.size(); ++e)
-      std::stable_sort(sorted.begin() + first_[e], sorted.begin() + first_[e + 1],
-                       [](const Edge_crossing& a, const Edge_crossing& b) { return a.t < b.t; });
+      if(!std::is_sorted(sorted.begin() + first_[e], sorted.begin() + first_[e + 1], is_before))
+        std::stable_sort(sorted.begin() + first_[e], sorted.begin() + first_[e + 1], is_before);
     crossings_.swap(sorted);
   }
 
@@ -101,12 +110,18 @@ private:
   {
     const Geodesic_faces& faces = geodesics_->faces();
     constexpr double least = 1e-7; // as `Edge_crossings::is_same_path()`
-    for(Index v = 0; v < faces.number_of_vertices(); ++v)
+    std::vector<unsigned char> is_done(faces.number_of_vertices(), 0);
+    for(Index h = 0; h < faces.number_of_halfedges(); ++h)
     {
+      const Index v = faces.source(h);
+      if(is_done[v] || !is_drawn(h / 3))
+        continue;
+      is_done[v] = 1;
       const bool is_tip = !faces.is_border(v) && 2. * geodesic_pi - faces.total_angle(v) > least;
       if(is_tip || faces.is_pseudo_source(v))
         for(const Vertex_labels::Change& c : labels.changes(v))
-          at_vertices_.push_back(c);
+          if(is_drawn(c.halfedge / 3))
+            at_vertices_.push_back(c);
     }
     std::stable_sort(at_vertices_.begin(), at_vertices_.end(),
                      [](const Vertex_labels::Change& a, const Vertex_labels::Change& b)
@@ -118,6 +133,8 @@ private:
   std::vector<Edge_crossing> crossings_;
   std::vector<Index> first_;
   std::vector<Vertex_labels::Change> at_vertices_;
+  std::vector<unsigned char> is_drawn_; // by face
+  std::vector<float> bend_;             // by halfedge
 };
 
 } // namespace internal

@@ -19,6 +19,15 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
+/// the angle of a vector with `y >= 0` from the x-axis, as `std::atan2` but faster
+inline double upper_angle(double x, double y)
+{
+  const double r = std::sqrt(x * x + y * y);
+  if(!(r > 0.))
+    return 0.;
+  return x >= 0. ? twice_arc_tangent(y, r + x) : geodesic_pi - twice_arc_tangent(y, r - x);
+}
+
 /*!
  * tells which shortest paths reach the points of a part of a halfedge: all those straight ones that come from one image
  * of a source, or of a vertex at which they bend, in the frame of the halfedge.
@@ -36,7 +45,7 @@ struct Path_label
   /// the direction in which the path to the point `t` leaves its origin, see `Geodesic_results::direction_at_origin()`
   double direction(double t) const
   {
-    const double angle = std::atan2(std::fabs(y), t - x);
+    const double angle = upper_angle(t - x, std::fabs(y));
     return from_face ? turn - angle : turn + angle;
   }
 
@@ -50,7 +59,7 @@ struct Path_label
 /// the angle at which two paths meet in a point, given the vectors from there to their images
 inline double angle_between(double ax, double ay, double bx, double by)
 {
-  return std::atan2(std::fabs(ax * by - ay * bx), ax * bx + ay * by);
+  return upper_angle(ax * bx + ay * by, std::fabs(ax * by - ay * bx));
 }
 
 /// the angle at which the paths of two labels meet in the point `t`: zero if there is one path, in two pieces

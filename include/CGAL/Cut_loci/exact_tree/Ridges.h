@@ -78,7 +78,7 @@ public:
     {
       while(next_at_vertex < at_vertices.size() && at_vertices[next_at_vertex].halfedge < 3 * f)
         ++next_at_vertex;
-      if(has_crossings(f) || has_two_ends(f, next_at_vertex))
+      if(changes.is_drawn(f) && (has_crossings(f) || has_two_ends(f, next_at_vertex)))
         add_face(f, next_at_vertex);
     }
   }
@@ -157,27 +157,27 @@ private:
     return {p.x + c * x - s * y, p.y + s * x + c * y};
   }
 
-  /// the image of a label of `h`, given a point `t` that its paths reach
-  Image image(Index h, const Path_label& label, double t) const
+  /// the image of a label of `h`
+  Image image(Index h, const Path_label& label) const
   {
-    const Plane_point p = to_face(h, label.x, label.y), q = to_face(h, t, 0.);
-    return {p.x, p.y, label.sigma, label.origin, label.direction(t) + turn(p, q, centroid_)};
+    const Plane_point p = to_face(h, label.x, label.y);
+    const Index axis = h % 3 + (label.from_face ? 3 : 0);
+    const double direction = label.turn + (label.from_face ? -0.5 : 0.5) * geodesic_pi;
+    return {p.x, p.y, label.sigma, label.origin, static_cast<unsigned char>(axis), direction};
   }
 
-  /// the angle at `p` from the direction of `a` to that of `b`
-  static double turn(const Plane_point& p, const Plane_point& a, const Plane_point& b)
+  /// the same for a label right beside the begin of `h`, which may come from any side
+  Image image_at_vertex(Index h, const Path_label& label) const
   {
-    const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y;
-    return std::atan2(ax * by - ay * bx, ax * bx + ay * by);
+    Image result = image(h, label);
+    result.direction += label.direction(0.) - direction(result, corners_[h % 3]);
+    return result;
   }
 
   void add_face(Index f, std::size_t next_at_vertex)
   {
     corners_ = layout(f);
-    centroid_ = {(corners_[0].x + corners_[1].x + corners_[2].x) / 3.,
-                 (corners_[0].y + corners_[1].y + corners_[2].y) / 3.};
     local_changes_.clear();
-    entries_.clear();
     nodes_of_changes_.clear();
     const std::vector<Vertex_labels::Change>& at_vertices = changes_->at_vertices();
     for(Index h = 3 * f; h < 3 * f + 3; ++h)
@@ -186,12 +186,13 @@ private:
         add_change_at_vertex(at_vertices[next_at_vertex]);
       add_changes_on_edge(h);
     }
-    add_entries_inside(f);
     const double size = (std::max)({geodesics_->faces().length(3 * f), geodesics_->faces().length(3 * f + 1),
                                     geodesics_->faces().length(3 * f + 2)});
     // a path that is wrong by an angle is too long by the angle times its way through the face, at most
-    drawing_.draw(corners_, local_changes_, entries_, 1e-8 * size,
-                  [this](const Image& a, const Image& b, const Plane_point& p) { return gap(a, b, p) < 1e-7; });
+    drawing_.draw(
+      corners_, local_changes_, 1e-8 * size,
+      [this, f]() -> const std::vector<Face_ridges::Entry>& { return entries(f); },
+      [this](const Image& a, const Image& b, const Plane_point& p) { return gap(a, b, p) < 1e-7; });
     number_of_doubtful_ += drawing_.is_doubtful;
     store(f);
   }
@@ -199,8 +200,8 @@ private:
   void add_change_at_vertex(const Vertex_labels::Change& c)
   {
     const Index v = mesh_->source(c.halfedge);
-    local_changes_.push_back({corners_[c.halfedge % 3], image(c.halfedge, c.before, 0.), image(c.halfedge, c.after, 0.),
-                              c.is_shadow, c.is_shadow});
+    local_changes_.push_back({corners_[c.halfedge % 3], null_index, image_at_vertex(c.halfedge, c.before),
+                              image_at_vertex(c.halfedge, c.after), c.is_shadow, c.is_shadow});
     Node node;
     node.vertex = c.is_shadow ? null_index : v;
     nodes_of_changes_.push_back(node);
@@ -209,44 +210,59 @@ private:
   void add_changes_on_edge(Index h)
   {
     const double length = geodesics_->faces().length(h);
-    double last = 0.;
-    Index last_crossing = null_index;
     for_each_crossing(h,
                       [&](Index c, bool is_reversed)
                       {
       const Edge_crossing& crossing = (*changes_)[c];
       const double t = is_reversed ? length - crossing.t : crossing.t;
-      const Path_label before = is_reversed ? crossing.right.opposite(length) : crossing.left;
-      const Path_label after = is_reversed ? crossing.left.opposite(length) : crossing.right;
-      add_entry(h, before, last, t, t);
-      local_changes_.push_back(
-        {to_face(h, t, 0.), image(h, before, t), image(h, after, t), crossing.angle < 1e-7, crossing.is_shadow});
+      local_changes_.push_back({to_face(h, t, 0.), h % 3, image(h, label_before(c, is_reversed)),
+                                image(h, label_after(c, is_reversed)), crossing.angle < 1e-7, crossing.is_shadow});
       Node node;
       node.crossing = crossing.is_shadow ? null_index : c;
       nodes_of_changes_.push_back(node);
-      last = t;
-      last_crossing = c;
-      last_label_ = after;
     });
-    if(last_crossing != null_index)
-      add_entry(h, last_label_, last, length, last);
-    else
-      add_entry_of_edge(h);
   }
 
-  /// an edge without crossings has the label of its ends
-  void add_entry_of_edge(Index h)
+  /// the labels of a crossing as one goes around the face
+  Path_label label_before(Index c, bool is_reversed) const
   {
-    const Vertex_labels labels(*geodesics_);
-    const Path_label label = labels.at_source(h);
-    add_entry(h, label, 0., geodesics_->faces().length(h), 0.);
+    const Edge_crossing& crossing = (*changes_)[c];
+    return is_reversed ? crossing.right.opposite(geodesics_->faces().length(crossing.halfedge)) : crossing.left;
+  }
+  Path_label label_after(Index c, bool is_reversed) const
+  {
+    const Edge_crossing& crossing = (*changes_)[c];
+    return is_reversed ? crossing.left.opposite(geodesics_->faces().length(crossing.halfedge)) : crossing.right;
   }
 
-  void add_entry(Index h, const Path_label& label, double from, double to, double reached)
+  /// all straight ways into the face
+  const std::vector<Face_ridges::Entry>& entries(Index f)
+  {
+    entries_.clear();
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const double length = geodesics_->faces().length(h);
+      double last = 0.;
+      Path_label label = Vertex_labels(*geodesics_).at_source(h); // of all of an edge without crossings
+      for_each_crossing(h,
+                        [&](Index c, bool is_reversed)
+                        {
+        const double t = is_reversed ? length - (*changes_)[c].t : (*changes_)[c].t;
+        add_entry(h, label_before(c, is_reversed), last, t);
+        last = t;
+        label = label_after(c, is_reversed);
+      });
+      add_entry(h, label, last, length);
+    }
+    add_entries_inside(f);
+    return entries_;
+  }
+
+  void add_entry(Index h, const Path_label& label, double from, double to)
   {
     if(label.from_face && label.y > 0.)
       return;
-    entries_.push_back({image(h, label, reached), to_face(h, from, 0.), to_face(h, to, 0.)});
+    entries_.push_back({image(h, label), to_face(h, from, 0.), to_face(h, to, 0.)});
   }
 
   /// paths through a corner, and from a source in the face
@@ -256,13 +272,13 @@ private:
     {
       const Index v = mesh_->triangles[f][i], origin = geodesics_->origin_of_vertex(v);
       const double d = geodesics_->distance(v);
-      entries_.push_back({{corners_[i].x, corners_[i].y, d, origin, 0.}, corners_[i], corners_[i]});
+      entries_.push_back({{corners_[i].x, corners_[i].y, d, origin, 0, 0.}, corners_[i], corners_[i]});
     }
     for(Index i = 0; i < geodesics_->number_of_sources(); ++i)
     {
       Plane_point p;
       if(geodesics_->source_in_frame(i, 3 * f, p))
-        entries_.push_back({{p.x, p.y, 0., i, 0.}, p, p});
+        entries_.push_back({{p.x, p.y, 0., i, 0, 0.}, p, p});
     }
   }
 
@@ -325,7 +341,11 @@ private:
 
   double direction(const Image& image, const Plane_point& p) const
   {
-    return image.direction + turn({image.x, image.y}, centroid_, p);
+    const Index i = image.axis % 3;
+    const Plane_point &a = corners_[i], &b = corners_[i == 2 ? 0 : i + 1];
+    const double sign = image.axis < 3 ? 1. : -1., nx = sign * (a.y - b.y), ny = sign * (b.x - a.x);
+    const double x = p.x - image.x, y = p.y - image.y;
+    return image.direction + std::atan2(nx * y - ny * x, nx * x + ny * y);
   }
 
   /// numbers the trees in the order of their first crossing
@@ -369,11 +389,9 @@ private:
 
   // of the face in work
   std::array<Plane_point, 3> corners_;
-  Plane_point centroid_;
   std::vector<Face_ridges::Change> local_changes_;
   std::vector<Face_ridges::Entry> entries_;
   std::vector<Node> nodes_of_changes_;
-  Path_label last_label_;
   Face_ridges drawing_;
   std::vector<Index> position_, parent_;
 };

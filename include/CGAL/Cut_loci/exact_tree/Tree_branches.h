@@ -57,25 +57,58 @@ public:
   Index root() const { return root_; }
 
   /// the edges that are left, from the inside out; `is_kept(edge)` may say no only where it does so for all that is
-  /// behind the edge
-  template <typename Is_kept>
-  std::vector<Edge> operator()(const Is_kept& is_kept) const
+  /// behind the edge, and is asked for few of them; one of which `has_strength(edge)` says no is kept as the one before
+  template <typename Has_strength, typename Is_kept>
+  std::vector<Edge> operator()(const Has_strength& has_strength, const Is_kept& is_kept) const
   {
     std::vector<Edge> result(edges_.begin(), edges_.begin() + static_cast<std::ptrdiff_t>(number_of_core_edges_));
-    std::vector<Index> kept;
-    for(Index i : first_branches_)
-      if(is_kept(edges_[i]))
-        kept.push_back(i);
-    for(std::size_t k = 0; k < kept.size(); ++k) // grows on the way
-      for(Index c = child_begin_[kept[k]]; c < child_begin_[kept[k] + std::size_t(1)]; ++c)
-        if(is_kept(edges_[children_[c]]))
-          kept.push_back(children_[c]);
-    for(Index i : kept)
-      result.push_back(edges_[i]);
+    std::vector<Index> begins = first_branches_, chain;
+    for(std::size_t k = 0; k < begins.size(); ++k) // grows on the way
+    {
+      const std::size_t n = kept_part(begins[k], has_strength, is_kept, chain);
+      for(std::size_t i = 0; i < n; ++i)
+        result.push_back(edges_[chain[i]]);
+      if(n == chain.size())
+        begins.insert(begins.end(), children_.begin() + child_begin_[chain.back()],
+                      children_.begin() + child_begin_[chain.back() + std::size_t(1)]);
+    }
     return result;
   }
 
 private:
+  /// the edges from `first` up to the next fork, and how many of them are kept: a search in steps that double, as far as
+  /// they are kept, and then halve
+  template <typename Has_strength, typename Is_kept>
+  std::size_t kept_part(Index first, const Has_strength& has_strength, const Is_kept& is_kept,
+                        std::vector<Index>& chain) const
+  {
+    chain.assign(1, first);
+    const auto is_in = [&](std::size_t i)
+    {
+      while(i > 0 && !has_strength(edges_[chain[i]]))
+        --i;
+      return !has_strength(edges_[chain[i]]) || is_kept(edges_[chain[i]]);
+    };
+    std::size_t kept = 0, dropped = 1;
+    while(is_in(dropped - 1))
+    {
+      kept = dropped;
+      while(chain.size() < 2 * kept + 1 && has_one_child(chain.back()))
+        chain.push_back(children_[child_begin_[chain.back()]]);
+      if(kept == chain.size())
+        return kept;
+      dropped = chain.size();
+    }
+    while(dropped - kept > 1)
+    {
+      const std::size_t middle = (kept + dropped) / 2;
+      (is_in(middle - 1) ? kept : dropped) = middle;
+    }
+    return kept;
+  }
+
+  bool has_one_child(Index i) const { return child_begin_[i + std::size_t(1)] - child_begin_[i] == 1; }
+
   template <typename Ends, typename Strength>
   void peel(Index n, Index m, const Ends& ends, const Strength& strength, Index terminals)
   {

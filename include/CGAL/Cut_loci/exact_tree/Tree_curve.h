@@ -17,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -25,30 +24,35 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-/// turns the edges of an `Exact_tree` that are left into a curve through the faces.
+/*!
+ * turns the edges of an `Exact_tree` that are left into a curve through the faces.
+ *
+ * In a face, pieces that follow each other become one polyline that leaves them by a small share of an edge of the mesh
+ * at most.
+ */
 class Tree_curve
 {
 public:
-  Tree_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-             const Exact_geodesic_propagation& geodesics, Exact_tree& tree)
-    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), tree_(tree)
-  {
-  }
+  Indexed_cut_locus graph;
+  std::vector<Index> face; ///< that each edge runs through
 
   /// @param farthest what is left if nothing else is
-  Indexed_cut_locus operator()(const std::vector<Tree_branches::Edge>& kept, Index farthest) const
+  Tree_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+             const Exact_geodesic_propagation& geodesics, Exact_tree& tree,
+             const std::vector<Tree_branches::Edge>& kept, Index farthest)
+    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), tree_(tree)
   {
-    Indexed_cut_locus result;
-    number_.clear();
     const Index root = tree_.branches().root();
+    number_.assign(tree_.graph().nodes.size(), null_index);
     contract(kept);
+    join(kept);
     if(root != null_index && tree_.graph().nodes[root].face != null_index)
-      node(root, result); // it comes first
+      node(root); // it comes first
     for(const Tree_branches::Edge& b : kept)
-      add(b, result);
-    if(result.edges.empty())
-      result.nodes.assign(1, lone_node(farthest));
-    return result;
+      if(!is_drawn_[b.edge] && !tree_.graph().edges[b.edge].is_virtual)
+        add_chain(b.edge);
+    if(graph.edges.empty())
+      graph.nodes.assign(1, lone_node(farthest));
   }
 
 private:
@@ -62,12 +66,14 @@ private:
   }
 
   /// Where more pieces than two meet, or at a vertex, pieces of no length may be between them: they become one node.
-  void contract(const std::vector<Tree_branches::Edge>& kept) const
+  void contract(const std::vector<Tree_branches::Edge>& kept)
   {
-    merged_.clear();
+    merged_.assign(tree_.graph().nodes.size(), null_index);
+    is_drawn_.assign(tree_.graph().edges.size(), 0);
     for(const Tree_branches::Edge& b : kept)
       if(is_nothing(b.edge))
       {
+        is_drawn_[b.edge] = 1;
         Index i = representative(b.outer), j = representative(b.inner);
         if(i == j)
           continue;
@@ -86,8 +92,8 @@ private:
 
   Index representative(Index i) const
   {
-    for(auto found = merged_.find(i); found != merged_.end(); found = merged_.find(i))
-      i = found->second;
+    while(merged_[i] != null_index)
+      i = merged_[i];
     return i;
   }
 
@@ -98,7 +104,8 @@ private:
       return false;
     const Plane_point p = position(e.nodes[0], e.face), q = position(e.nodes[1], e.face);
     const double size = geodesics_.faces().length(3 * e.face) + geodesics_.faces().length(3 * e.face + 1);
-    return std::hypot(p.x - q.x, p.y - q.y) <= 1e-8 * size; // some ten times the accuracy of windows
+    const double least = 1e-8 * size; // some ten times the accuracy of windows
+    return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y) <= least * least;
   }
 
   /// in the frame of the first halfedge of the face
@@ -114,17 +121,17 @@ private:
     return {p.x + s * (q.x - p.x), p.y + s * (q.y - p.y)};
   }
 
-  Index node(Index i, Indexed_cut_locus& graph) const
+  Index node(Index i)
   {
     i = representative(i);
-    const auto inserted = number_.insert({i, static_cast<Index>(graph.nodes.size())});
-    if(inserted.second)
+    if(number_[i] == null_index)
     {
+      number_[i] = static_cast<Index>(graph.nodes.size());
       const Tree_graph::Node& n = tree_.graph().nodes[i];
       graph.nodes.push_back(
         {n.vertex != null_index ? location_of_vertex(connectivity_, n.vertex) : location(n), n.vertex, n.distance});
     }
-    return inserted.first->second;
+    return number_[i];
   }
 
   Indexed_location location(const Tree_graph::Node& n) const
@@ -155,39 +162,164 @@ private:
     return result;
   }
 
-  void add(const Tree_branches::Edge& b, Indexed_cut_locus& result) const
+  // -- pieces that follow each other in a face ---------------------------------------------------------------------------
+
+  /// the nodes at which just two pieces of the same face meet
+  void join(const std::vector<Tree_branches::Edge>& kept)
   {
-    const Tree_graph::Edge& e = tree_.graph().edges[b.edge];
-    if(e.is_virtual || is_nothing(b.edge))
-      return;
-    const Index first = node(e.nodes[0], result), last = node(e.nodes[1], result);
-    std::vector<Plane_point> between;
-    if(e.piece != null_index)
-    {
-      // chords leave a hyperbola by at most this share of an edge of the mesh
-      const double tolerance = 1e-4 * connectivity_.mean_edge_length;
-      const Ridges::Piece& piece = tree_.ridges().piece(e.piece);
-      sample_bisector(piece.images[0], piece.images[1], tree_.ridges().piece_end(e.piece, 0),
-                      tree_.ridges().piece_end(e.piece, 1), tolerance, between);
-    }
-    const float width = static_cast<float>(tree_.width(b.edge));
-    Index previous = first;
-    for(const Plane_point& p : between)
-    {
-      const Index next = static_cast<Index>(result.nodes.size());
-      result.nodes.push_back({location(e.face, p), null_index, tree_.ridges().piece(e.piece).images[0].distance(p)});
-      add_segment(previous, next, e, width, result);
-      previous = next;
-    }
-    add_segment(previous, last, e, width, result);
+    degree_.assign(tree_.graph().nodes.size(), 0);
+    exclusive_or_.assign(tree_.graph().nodes.size(), 0);
+    for(const Tree_branches::Edge& b : kept)
+      if(!is_drawn_[b.edge])
+        for(Index i : tree_.graph().edges[b.edge].nodes)
+        {
+          const Index k = representative(i);
+          ++degree_[k];
+          exclusive_or_[k] ^= b.edge; // with two edges, and one of them known, this tells the other
+        }
   }
 
-  void add_segment(Index i, Index j, const Tree_graph::Edge& e, float width, Indexed_cut_locus& result) const
+  /// whether the curve only passes through a node, in the interior of a face
+  bool is_passed(Index i) const
   {
-    Indexed_cut_locus::Edge edge{i, j, mesh_edge(result.nodes[i].vertex, result.nodes[j].vertex, e.face),
-                                 static_cast<float>(e.gap), 0};
+    const Tree_graph::Node& n = tree_.graph().nodes[i];
+    return degree_[i] == 2 && n.vertex == null_index && n.halfedge == null_index && n.loop == null_index &&
+           i != tree_.branches().root();
+  }
+
+  void add_chain(Index first)
+  {
+    // back to where it starts, then forth
+    Index edge = first, from = representative(tree_.graph().edges[first].nodes[0]);
+    while(is_passed(from))
+    {
+      edge ^= exclusive_or_[from];
+      if(edge == first)
+        break; // a cycle within the face, which is not possible up to rounding
+      from = other_end(edge, from);
+    }
+    const Index begin = from;
+    points_.clear();
+    add_point(begin, edge);
+    Index widest = edge;
+    while(true)
+    {
+      is_drawn_[edge] = 1;
+      if(tree_.graph().edges[edge].gap > tree_.graph().edges[widest].gap)
+        widest = edge;
+      const Index to = other_end(edge, from);
+      add_points_between(edge, from);
+      add_point(to, edge);
+      from = to;
+      if(!is_passed(from) || is_drawn_[edge ^ exclusive_or_[from]])
+        break;
+      edge ^= exclusive_or_[from];
+    }
+    draw(begin, from, widest);
+  }
+
+  Index other_end(Index edge, Index i) const
+  {
+    const std::array<Index, 2>& nodes = tree_.graph().edges[edge].nodes;
+    const Index first = representative(nodes[0]);
+    return first == i ? representative(nodes[1]) : first;
+  }
+
+  struct Point
+  {
+    Plane_point point;
+    double distance;
+  };
+
+  void add_point(Index i, Index edge)
+  {
+    points_.push_back({position(i, tree_.graph().edges[edge].face), tree_.graph().nodes[i].distance});
+  }
+
+  void add_points_between(Index edge, Index from)
+  {
+    const Tree_graph::Edge& e = tree_.graph().edges[edge];
+    if(e.piece == null_index)
+      return;
+    const Ridges::Piece& piece = tree_.ridges().piece(e.piece);
+    samples_.clear();
+    sample_bisector(piece.images[0], piece.images[1], tree_.ridges().piece_end(e.piece, 0),
+                    tree_.ridges().piece_end(e.piece, 1), tolerance(), samples_);
+    const Plane_point p = position(from, e.face), q = tree_.ridges().piece_end(e.piece, 0),
+                      r = tree_.ridges().piece_end(e.piece, 1);
+    if(std::hypot(p.x - q.x, p.y - q.y) > std::hypot(p.x - r.x, p.y - r.y))
+      std::reverse(samples_.begin(), samples_.end());
+    for(const Plane_point& s : samples_)
+      points_.push_back({s, piece.images[0].distance(s)});
+  }
+
+  /// by which the curve leaves the cut locus at most: small beside what a face differs from any surface it stands for
+  double tolerance() const { return 1e-4 * connectivity_.mean_edge_length; }
+
+  void draw(Index begin, Index end, Index widest)
+  {
+    is_left_.assign(points_.size(), 0);
+    starts_and_ends_on_edge_ = are_on_one_edge(begin, end);
+    simplify(0, points_.size() - 1);
+    const Tree_graph::Edge& e = tree_.graph().edges[widest];
+    const float width = static_cast<float>(tree_.width(widest));
+    const Index last = node(end);
+    Index previous = node(begin);
+    for(std::size_t i = 1; i + 1 < points_.size(); ++i)
+      if(is_left_[i])
+      {
+        const Index next = static_cast<Index>(graph.nodes.size());
+        graph.nodes.push_back({location(e.face, points_[i].point), null_index, points_[i].distance});
+        add_segment(previous, next, e, width);
+        previous = next;
+      }
+    add_segment(previous, last, e, width);
+  }
+
+  bool are_on_one_edge(Index i, Index j) const
+  {
+    const Tree_graph::Node &a = tree_.graph().nodes[i], &b = tree_.graph().nodes[j];
+    for(const Tree_graph::Node* n : {&a, &b})
+      if(n->halfedge == null_index && n->vertex == null_index)
+        return false;
+    if(a.vertex == null_index && b.vertex == null_index)
+      return a.halfedge == b.halfedge;
+    return true; // at a vertex
+  }
+
+  /// marks the points between two that are needed (Douglas and Peucker)
+  void simplify(std::size_t first, std::size_t last)
+  {
+    const Plane_point &p = points_[first].point, &q = points_[last].point;
+    const double ux = q.x - p.x, uy = q.y - p.y, uu = ux * ux + uy * uy;
+    double most = 0.;
+    std::size_t farthest = first;
+    for(std::size_t i = first + 1; i < last; ++i)
+    {
+      const double vx = points_[i].point.x - p.x, vy = points_[i].point.y - p.y;
+      const double s = uu > 0. ? (std::min)((std::max)((ux * vx + uy * vy) / uu, 0.), 1.) : 0.;
+      const double away = std::hypot(vx - s * ux, vy - s * uy);
+      if(away > most)
+      {
+        most = away;
+        farthest = i;
+      }
+    }
+    // between points of one edge of the mesh even the flattest arc stays: shortest paths may follow the edge
+    if(most <= tolerance() && !(first == 0 && last + 1 == points_.size() && starts_and_ends_on_edge_ && most > 0.))
+      return;
+    is_left_[farthest] = 1;
+    simplify(first, farthest);
+    simplify(farthest, last);
+  }
+
+  void add_segment(Index i, Index j, const Tree_graph::Edge& e, float width)
+  {
+    Indexed_cut_locus::Edge edge{i, j, mesh_edge(graph.nodes[i].vertex, graph.nodes[j].vertex, e.face),
+                                 static_cast<float>(e.gap), null_index};
     edge.width = width;
-    result.edges.push_back(edge);
+    graph.edges.push_back(edge);
+    face.push_back(e.face);
   }
 
   /// the edge of the face between two of its vertices, if they are such
@@ -204,7 +336,13 @@ private:
   const Mesh_connectivity& connectivity_;
   const Exact_geodesic_propagation& geodesics_;
   Exact_tree& tree_;
-  mutable std::unordered_map<Index, Index> number_, merged_; // of nodes
+  std::vector<Index> number_, merged_;         // of nodes
+  std::vector<Index> degree_, exclusive_or_;         // of nodes
+  std::vector<unsigned char> is_drawn_;              // edges
+  std::vector<Point> points_;                        // of the chain in work
+  std::vector<Plane_point> samples_;
+  std::vector<unsigned char> is_left_;
+  bool starts_and_ends_on_edge_ = false;
 };
 
 } // namespace internal

@@ -79,28 +79,73 @@ public:
     return number_of_open_ == 0;
   }
 
+  /// removes the branches on which the paths to no point part at that angle
+  void drop_branches_below(double least_gap)
+  {
+    std::vector<Incidence> incidence(nodes.size());
+    for(Index e = 0; e < edges.size(); ++e)
+      for(Index i : edges[e].nodes)
+        incidence[i].add(e);
+    std::vector<unsigned char> is_removed(edges.size(), 0);
+    for(Index seed = number_of_loops(); seed < nodes.size(); ++seed)
+      for(Index i = seed; i >= number_of_loops() && incidence[i].degree == 1;)
+      {
+        const Index e = incidence[i].exclusive_or;
+        if(edges[e].gap >= least_gap)
+          break;
+        const Index other = edges[e].nodes[0] == i ? edges[e].nodes[1] : edges[e].nodes[0];
+        is_removed[e] = 1;
+        incidence[i].remove(e);
+        incidence[other].remove(e);
+        if(other > seed)
+          break; // its turn comes
+        i = other;
+      }
+    remove(is_removed);
+  }
+
   /// removes the edges from a leaf at a vertex of the mesh up to the first node at which others meet
   void remove_branch_to(Index vertex)
   {
-    std::vector<Index> degree(nodes.size(), 0), exclusive_or(nodes.size(), 0);
+    std::vector<Incidence> incidence(nodes.size());
     for(Index e = 0; e < edges.size(); ++e)
       for(Index i : edges[e].nodes)
-      {
-        ++degree[i];
-        exclusive_or[i] ^= e;
-      }
+        incidence[i].add(e);
     std::vector<unsigned char> is_removed(edges.size(), 0);
     for(Index i = 0; i < nodes.size(); ++i)
-      for(Index k = nodes[i].vertex == vertex ? i : null_index; k != null_index && degree[k] == 1;)
+      for(Index k = nodes[i].vertex == vertex ? i : null_index; k != null_index && incidence[k].degree == 1;)
       {
-        const Index e = exclusive_or[k];
+        const Index e = incidence[k].exclusive_or;
         const Index other = edges[e].nodes[0] == k ? edges[e].nodes[1] : edges[e].nodes[0];
         is_removed[e] = 1;
-        degree[k] = 0;
-        --degree[other];
-        exclusive_or[other] ^= e;
+        incidence[k].remove(e);
+        incidence[other].remove(e);
         k = other;
       }
+    remove(is_removed);
+  }
+
+private:
+  using Joint = Cut_graph::Joint;
+
+  struct Incidence
+  {
+    Index degree = 0, exclusive_or = 0; // with one edge left, this is the edge
+
+    void add(Index e)
+    {
+      ++degree;
+      exclusive_or ^= e;
+    }
+    void remove(Index e)
+    {
+      --degree;
+      exclusive_or ^= e;
+    }
+  };
+
+  void remove(const std::vector<unsigned char>& is_removed)
+  {
     std::size_t size = 0;
     for(std::size_t e = 0; e < edges.size(); ++e)
       if(!is_removed[e])
@@ -108,25 +153,15 @@ public:
     edges.resize(size);
   }
 
-private:
-  using Joint = Cut_graph::Joint;
-
-  /// Faces without a crossing that are leaves of the graph are no part of the cut locus.
+  /// Faces without a piece that are leaves of the graph are no part of the cut locus.
   void drop_weak_leaves()
   {
     const Index n = graph_.number_of_nodes;
-    struct Incidence
-    {
-      Index degree = 0, exclusive_or = 0;
-    };
     std::vector<Incidence> incidence(n);
     is_kept_.assign(graph_.joints.size(), 1);
     for(Index j = 0; j < graph_.joints.size(); ++j)
       for(Index i : graph_.joints[j].nodes)
-      {
-        ++incidence[i].degree;
-        incidence[i].exclusive_or ^= j; // with one joint left, this is the joint
-      }
+        incidence[i].add(j);
     const auto is_plain = [&](Index i) { return i < graph_.first_loop && graph_.record(i) == null_index; };
     for(Index seed = 0; seed < graph_.first_loop; ++seed)
       for(Index i = seed; is_plain(i) && incidence[i].degree == 1;)
@@ -135,9 +170,8 @@ private:
         const Joint& joint = graph_.joints[j];
         const Index other = joint.nodes[0] == i ? joint.nodes[1] : joint.nodes[0];
         is_kept_[j] = 0;
-        incidence[i].degree = 0;
-        --incidence[other].degree;
-        incidence[other].exclusive_or ^= j;
+        incidence[i].remove(j);
+        incidence[other].remove(j);
         if(other > seed)
           break; // its turn comes
         i = other;
@@ -196,7 +230,7 @@ private:
   {
     node_of_crossing_.assign(changes_.number_of_crossings(), null_index);
     for(Index j = 0; j < graph_.joints.size(); ++j)
-      if(graph_.joints[j].kind == Joint::CROSSING)
+      if(is_kept_[j] && graph_.joints[j].kind == Joint::CROSSING)
       {
         const Index c = graph_.joints[j].element;
         node_of_crossing_[c] = add_crossing(c);
@@ -286,7 +320,7 @@ private:
     }
   }
 
-  /// faces without a crossing that are left: they lead from one edge to another
+  /// faces that hold no piece and are left: they lead from one edge to another
   void add_plain_faces()
   {
     std::unordered_map<Index, std::vector<Index>> at_face;
@@ -294,15 +328,16 @@ private:
     for(Index j = 0; j < graph_.joints.size(); ++j)
     {
       const Joint& joint = graph_.joints[j];
-      if(!is_kept_[j] || joint.kind != Joint::EDGE)
+      if(!is_kept_[j] || joint.kind == Joint::CELL)
         continue;
+      const Index node = joint.kind == Joint::EDGE ? node_of_joint_[j] : node_of_crossing_[joint.element];
       for(Index i : joint.nodes)
         if(i < graph_.first_loop && graph_.record(i) == null_index)
         {
           std::vector<Index>& at = at_face[i];
           if(at.empty())
             order.push_back(i);
-          at.push_back(node_of_joint_[j]);
+          at.push_back(node);
         }
     }
     for(Index f : order)

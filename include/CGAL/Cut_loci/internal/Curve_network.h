@@ -92,6 +92,14 @@ public:
     }
   }
 
+  bool is_graph_edge(Index node, Index mesh_edge) const
+  {
+    for(Index k = begin_[node]; k < begin_[node + 1]; ++k)
+      if(connectivity_.edge_of_halfedge[graph_.edges[incident_[k]].halfedge] == mesh_edge)
+        return true;
+    return false;
+  }
+
 private:
   void walk(Index start, Index edge, std::vector<bool>& is_walked)
   {
@@ -137,14 +145,6 @@ private:
         return;
       result.push_back(connectivity_.ring_vertex[entry]);
     }
-  }
-
-  bool is_graph_edge(Index node, Index mesh_edge) const
-  {
-    for(Index k = begin_[node]; k < begin_[node + 1]; ++k)
-      if(connectivity_.edge_of_halfedge[graph_.edges[incident_[k]].halfedge] == mesh_edge)
-        return true;
-    return false;
   }
 
   const Indexed_triangle_mesh& mesh_;

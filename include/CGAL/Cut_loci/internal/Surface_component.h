@@ -12,7 +12,6 @@
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Cut_loci/internal/Component_solver.h>
-#include <CGAL/Cut_loci/internal/Direction_solver.h>
 #include <CGAL/Cut_loci/internal/Geodesic_solver_handle.h>
 #include <CGAL/Cut_loci/internal/connected_components.h>
 #include <CGAL/Cut_loci/internal/read_triangle_mesh.h>
@@ -36,8 +35,7 @@ struct Surface_component
   Mesh_component part;                         // else
   double diagonal = 0.;
   std::unique_ptr<Component_solver> laplacian;
-  std::unique_ptr<Direction_solver> direction;
-  std::unique_ptr<Exact_tree_solver> polyhedral;
+  std::unique_ptr<Exact_tree_solver> exact_tree;
   Geodesic_solver_handle geodesic_solver;
 
   // Component `id` of the mesh whose faces have the components `component_of_face`.
@@ -84,15 +82,7 @@ struct Surface_component
 
   bool has_solver(Method method) const
   {
-    switch(method)
-    {
-    case Method::LAPLACIAN:
-      return laplacian != nullptr;
-    case Method::DIRECTION:
-      return direction != nullptr;
-    default:
-      return polyhedral != nullptr;
-    }
+    return method == Method::LAPLACIAN ? laplacian != nullptr : exact_tree != nullptr;
   }
 
   // `positions` of the vertices of the whole mesh, for messages.
@@ -103,10 +93,8 @@ struct Surface_component
     {
       if(method == Method::LAPLACIAN)
         laplacian.reset(new Component_solver(*mesh, laplacian_operator));
-      else if(method == Method::DIRECTION)
-        direction.reset(new Direction_solver(*mesh));
       else
-        polyhedral.reset(new Exact_tree_solver(*mesh));
+        exact_tree.reset(new Exact_tree_solver(*mesh));
     }
     catch(const Component_solver::Face_without_area& error)
     {

@@ -12,7 +12,6 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
-#include <CGAL/Cut_loci/internal/Direction_solver.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -61,24 +60,12 @@ void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
     refuse_unless(is_laplacian, "filter_policy", use_laplacian);
   if(is_given<NamedParameters, np::laplacian_operator_t>())
     refuse_unless(is_laplacian, "laplacian_operator", use_laplacian);
-  if(is_given<NamedParameters, np::strength_threshold_t>())
-    refuse_unless(method == Method::DIRECTION, "strength_threshold",
-                  "leave it away, or pass cut_locus_method(Cut_loci::Method::DIRECTION), which needs exact distances");
-
-  const bool is_polyhedral = method == Method::POLYHEDRAL;
-  const std::string use_polyhedral =
-    "leave it away, or pass cut_locus_method(Cut_loci::Method::POLYHEDRAL), which needs exact distances";
+  const std::string use_paths =
+    "leave it away, or pass cut_locus_method(Cut_loci::Method::DIRECTION), which needs exact distances";
   if(is_given<NamedParameters, np::minimum_branch_gap_t>())
-    refuse_unless(is_polyhedral, "minimum_branch_gap", use_polyhedral);
+    refuse_unless(!is_laplacian, "minimum_branch_gap", use_paths);
   if(is_given<NamedParameters, np::minimum_branch_width_t>())
-    refuse_unless(is_polyhedral, "minimum_branch_width", use_polyhedral);
-  const std::string other_methods = "leave it away, or pass cut_locus_method() with another method";
-  if(is_given<NamedParameters, np::minimum_branch_edges_t>())
-    refuse_unless(!is_polyhedral, "minimum_branch_edges", other_methods);
-  if(is_given<NamedParameters, np::minimum_branch_length_t>())
-    refuse_unless(!is_polyhedral, "minimum_branch_length", other_methods);
-  if(is_given<NamedParameters, np::edge_is_constrained_t>())
-    refuse_unless(!is_polyhedral, "edge_is_constrained_map", other_methods);
+    refuse_unless(!is_laplacian, "minimum_branch_width", use_paths);
 }
 
 template <typename Number>
@@ -122,32 +109,27 @@ Branch_thresholds read_branch_thresholds(const NamedParameters& np, double defau
   return result;
 }
 
+// The width is in units of `diagonal`, but for that of `by_default`, a length. Who asks for one of both gets all that
+// passes it.
 template <typename NamedParameters>
-Direction_thresholds read_direction_thresholds(const NamedParameters& np, double default_strength, double diagonal)
+Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, const Exact_tree_thresholds& by_default,
+                                                 double diagonal)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  Direction_thresholds result;
-  result.strength = choose_parameter(get_parameter(np, internal_np::strength_threshold), default_strength);
-  if(std::isnan(result.strength))
-    throw Invalid_input("the threshold for the strength is not a number");
-  read_least_branch(np, 0, diagonal, result);
-  return result;
-}
-
-// The width is in units of `diagonal`.
-template <typename NamedParameters>
-Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, double diagonal)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  Exact_tree_thresholds result;
-  result.gap = choose_parameter(get_parameter(np, internal_np::minimum_branch_gap), 0.);
-  result.width = diagonal * choose_parameter(get_parameter(np, internal_np::minimum_branch_width), 0.);
+  constexpr bool is_asked = is_given<NamedParameters, internal_np::minimum_branch_gap_t>() ||
+                            is_given<NamedParameters, internal_np::minimum_branch_width_t>();
+  Exact_tree_thresholds result = by_default;
+  if(is_asked)
+  {
+    result.gap = choose_parameter(get_parameter(np, internal_np::minimum_branch_gap), 0.);
+    result.width = diagonal * choose_parameter(get_parameter(np, internal_np::minimum_branch_width), 0.);
+  }
   if(!(result.gap >= 0. && result.gap <= geodesic_pi))
     throw Invalid_input("the minimum gap of a branch must be an angle from 0 to pi");
   if(!(result.width >= 0. && result.width <= (std::numeric_limits<double>::max)()))
     throw Invalid_input("the minimum width of a branch must be a number that is not negative");
+  read_least_branch(np, 0, diagonal, result);
   return result;
 }
 
@@ -174,9 +156,6 @@ Curve_parameters read_curve(const NamedParameters& np, Method method)
   if(has_curve && has_iterations && curve != by_iterations)
     throw Invalid_input("the parameters cut_locus_curve and number_of_iterations contradict each other: no iterations "
                         "leave edges of the mesh, and one or more of them give a curve through the faces");
-  if(method == Method::POLYHEDRAL && curve == Curve::MESH_EDGES)
-    refuse_parameter(has_curve ? "cut_locus_curve(Cut_loci::Curve::MESH_EDGES)" : "number_of_iterations(0)", method,
-                     "its curve runs through the faces");
   return {curve, curve == Curve::THROUGH_FACES && iterations == 0 ? enough : iterations};
 }
 

@@ -15,6 +15,5 @@ CGAL_add_named_parameter(minimum_branch_edges_t, minimum_branch_edges, minimum_b
 CGAL_add_named_parameter(minimum_branch_length_t, minimum_branch_length, minimum_branch_length)
 CGAL_add_named_parameter(cut_locus_method_t, cut_locus_method, cut_locus_method)
 CGAL_add_named_parameter(cut_locus_curve_t, cut_locus_curve, cut_locus_curve)
-CGAL_add_named_parameter(strength_threshold_t, strength_threshold, strength_threshold)
 CGAL_add_named_parameter(minimum_branch_gap_t, minimum_branch_gap, minimum_branch_gap)
 CGAL_add_named_parameter(minimum_branch_width_t, minimum_branch_width, minimum_branch_width)

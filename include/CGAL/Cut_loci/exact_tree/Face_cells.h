@@ -1,0 +1,274 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_FACE_CELLS_H
+#define CGAL_CUT_LOCI_EXACT_TREE_FACE_CELLS_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
+#include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
+#include <CGAL/Cut_loci/internal/Geodesic_faces.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * divides the faces that a part of a `Tree_graph` runs through into cells, and tells which of them holds the centroid.
+ *
+ * A cell touches the boundary of its face in parts between two nodes of the graph. Part `i` starts at node `i`, in
+ * counterclockwise order.
+ */
+class Face_cells
+{
+public:
+  Face_cells(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Geodesic_faces& faces,
+             const Tree_graph& graph, const std::vector<Tree_branches::Edge>& kept)
+    : mesh_(mesh), connectivity_(connectivity), faces_(faces), graph_(graph)
+  {
+    sort_nodes(kept);
+    sort_edges(kept);
+    for(Index f = 0; f < mesh.number_of_faces(); ++f)
+      if(edge_begin_[f] < edge_begin_[f + std::size_t(1)])
+        divide(f);
+  }
+
+  /// the nodes on an edge of the mesh, along its halfedge of smaller index
+  Index first_node(Index e) const { return node_begin_[e]; }
+  Index node(std::size_t i) const { return nodes_[i]; }
+
+  /// the edges of the graph in a face
+  Index first_edge(Index f) const { return edge_begin_[f]; }
+  Index edge(std::size_t i) const { return edges_[i]; }
+
+  /// whether nothing divides a face
+  bool is_whole(Index f) const { return part_begin_[f] == null_index; }
+
+  /// whether the centroid of the face of `h` is in the cell that touches interval `k` of `h`, counted along the halfedge
+  /// of smaller index
+  bool holds_centroid(Index h, Index k) const
+  {
+    const Index f = h / 3;
+    if(part_begin_[f] == null_index)
+      return true;
+    const Index e = connectivity_.edge_of_halfedge[h], m = node_begin_[e + std::size_t(1)] - node_begin_[e];
+    Index before = 0, all = 0; // nodes of the face before this edge
+    for(Index g = 3 * f; g < 3 * f + 3; ++g)
+    {
+      const Index d = connectivity_.edge_of_halfedge[g], n = node_begin_[d + std::size_t(1)] - node_begin_[d];
+      before += g < h ? n : 0;
+      all += n;
+    }
+    if(all == 0)
+      return true;
+    const Index along = connectivity_.halfedge_of_edge[e] == h ? k : m - k; // nodes of this edge before the interval
+    return holds_[part_begin_[f] + (before + along + all - 1) % all];
+  }
+
+private:
+  void sort_nodes(const std::vector<Tree_branches::Edge>& kept)
+  {
+    for(const Tree_branches::Edge& b : kept)
+      for(Index i : graph_.edges[b.edge].nodes)
+        if(graph_.nodes[i].halfedge != null_index)
+          nodes_.push_back(i);
+    const auto edge = [&](Index i) { return connectivity_.edge_of_halfedge[graph_.nodes[i].halfedge]; };
+    std::sort(nodes_.begin(), nodes_.end(),
+              [&](Index a, Index b)
+              {
+      const Tree_graph::Node &p = graph_.nodes[a], &q = graph_.nodes[b];
+      return edge(a) != edge(b) ? edge(a) < edge(b)
+             : p.t != q.t       ? p.t < q.t
+                                : p.crossing != q.crossing ? p.crossing < q.crossing : a < b;
+    });
+    nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+    node_begin_.assign(connectivity_.number_of_edges() + std::size_t(1), 0);
+    for(Index i : nodes_)
+      ++node_begin_[edge(i) + std::size_t(1)];
+    for(std::size_t e = 0; e + 1 < node_begin_.size(); ++e)
+      node_begin_[e + 1] += node_begin_[e];
+  }
+
+  void sort_edges(const std::vector<Tree_branches::Edge>& kept)
+  {
+    edge_begin_.assign(mesh_.number_of_faces() + std::size_t(1), 0);
+    for(const Tree_branches::Edge& b : kept)
+      if(!graph_.edges[b.edge].is_virtual)
+      {
+        edges_.push_back(b.edge);
+        ++edge_begin_[graph_.edges[b.edge].face + std::size_t(1)];
+      }
+    for(std::size_t f = 0; f + 1 < edge_begin_.size(); ++f)
+      edge_begin_[f + 1] += edge_begin_[f];
+    std::sort(edges_.begin(), edges_.end(),
+              [&](Index a, Index b)
+              {
+      const Index f = graph_.edges[a].face, g = graph_.edges[b].face;
+      return f != g ? f < g : a < b;
+    });
+    part_begin_.assign(mesh_.number_of_faces(), null_index);
+  }
+
+  /// the nodes on the boundary of the face, counterclockwise
+  void walk_around(Index f)
+  {
+    around_.clear();
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+
+    {
+      const Index e = connectivity_.edge_of_halfedge[h];
+      const Index begin = node_begin_[e], end = node_begin_[e + std::size_t(1)];
+      if(connectivity_.halfedge_of_edge[e] == h)
+        around_.insert(around_.end(), nodes_.begin() + begin, nodes_.begin() + end);
+      else
+        for(Index i = end; i-- > begin;)
+          around_.push_back(nodes_[i]);
+    }
+  }
+
+  Plane_point position(Index f, Index i) const
+  {
+    const Tree_graph::Node& n = graph_.nodes[i];
+    if(n.face == f)
+      return n.point;
+    const Index o = mesh_.opposite[n.halfedge];
+    const double s = 1. - n.t / faces_.length(n.halfedge);
+    const Plane_point &p = corners_[o % 3], &q = corners_[(o + 1) % 3];
+    return {p.x + s * (q.x - p.x), p.y + s * (q.y - p.y)};
+  }
+
+  void divide(Index f)
+  {
+    corners_ = {{{0., 0.}, {faces_.length(3 * f), 0.}, faces_.apex(3 * f)}};
+    walk_around(f);
+    const std::size_t n = around_.size();
+    find_trees(f);
+    part_begin_[f] = static_cast<Index>(holds_.size());
+    holds_.resize(holds_.size() + n, false);
+    if(n == 0)
+      return;
+    // the part that the centroid sees, and those of the same cell
+    std::size_t part = part_seen(f);
+    std::vector<unsigned char>& is_done = is_done_;
+    is_done.assign(n, 0);
+    while(!is_done[part])
+    {
+      is_done[part] = 1;
+      holds_[part_begin_[f] + part] = true;
+      const std::size_t end = part + 1 < n ? part + 1 : 0;
+      part = end;
+      do
+        part = part > 0 ? part - 1 : n - 1;
+      while(tree_[part] != tree_[end]);
+    }
+  }
+
+  /// which nodes on the boundary are joined within the face
+  void find_trees(Index f)
+  {
+    local_.clear();
+    for(Index i = edge_begin_[f]; i < edge_begin_[f + std::size_t(1)]; ++i)
+      for(Index k : graph_.edges[edges_[i]].nodes)
+        local_.push_back(k);
+    local_.insert(local_.end(), around_.begin(), around_.end());
+    std::sort(local_.begin(), local_.end());
+    local_.erase(std::unique(local_.begin(), local_.end()), local_.end());
+    const auto number = [&](Index k)
+    { return static_cast<std::size_t>(std::lower_bound(local_.begin(), local_.end(), k) - local_.begin()); };
+    parent_.resize(local_.size());
+    for(std::size_t i = 0; i < parent_.size(); ++i)
+      parent_[i] = i;
+    const auto root = [&](std::size_t i)
+    {
+      while(parent_[i] != i)
+        i = parent_[i];
+      return i;
+    };
+    for(Index i = edge_begin_[f]; i < edge_begin_[f + std::size_t(1)]; ++i)
+    {
+      const Tree_graph::Edge& e = graph_.edges[edges_[i]];
+      parent_[root(number(e.nodes[0]))] = root(number(e.nodes[1]));
+    }
+    tree_.resize(around_.size());
+    for(std::size_t i = 0; i < around_.size(); ++i)
+      tree_[i] = root(number(around_[i]));
+  }
+
+  /// the part with a point from which the straight way to the centroid crosses the graph least often
+  std::size_t part_seen(Index f)
+  {
+    const Plane_point c{(corners_[0].x + corners_[1].x + corners_[2].x) / 3.,
+                        (corners_[0].y + corners_[1].y + corners_[2].y) / 3.};
+    std::size_t best = 0, least = (std::numeric_limits<std::size_t>::max)();
+    for(std::size_t i = 0; i < around_.size(); ++i)
+    {
+      const Plane_point p = middle_of_part(f, i);
+      std::size_t number = 0;
+      for(Index k = edge_begin_[f]; k < edge_begin_[f + std::size_t(1)]; ++k)
+      {
+        const Tree_graph::Edge& e = graph_.edges[edges_[k]];
+        number += cross_each_other(c, p, position(f, e.nodes[0]), position(f, e.nodes[1]));
+      }
+      if(number < least)
+      {
+        least = number;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  static bool cross_each_other(const Plane_point& a, const Plane_point& b, const Plane_point& c, const Plane_point& d)
+  {
+    const auto side = [](const Plane_point& p, const Plane_point& q, const Plane_point& r)
+    { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x) > 0.; };
+    return side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b);
+  }
+
+  /// a point of part `i` of the boundary: halfway to the next node, or to the corner before it
+  Plane_point middle_of_part(Index f, std::size_t i) const
+  {
+    const Index here = around_[i], next = around_[i + 1 < around_.size() ? i + 1 : 0];
+    const Index h = halfedge_in(f, here), g = halfedge_in(f, next);
+    const Plane_point p = position(f, here);
+    const bool is_same_edge = h == g && i + 1 < around_.size();
+    const Plane_point q = is_same_edge ? position(f, next) : corners_[(h + 1) % 3];
+    return {0.5 * (p.x + q.x), 0.5 * (p.y + q.y)};
+  }
+
+  Index halfedge_in(Index f, Index i) const
+  {
+    const Index h = graph_.nodes[i].halfedge;
+    return h / 3 == f ? h : mesh_.opposite[h];
+  }
+
+  const Indexed_triangle_mesh& mesh_;
+  const Mesh_connectivity& connectivity_;
+  const Geodesic_faces& faces_;
+  const Tree_graph& graph_;
+  std::vector<Index> node_begin_, nodes_, edge_begin_, edges_;
+  std::vector<Index> part_begin_;
+  std::vector<bool> holds_; // by part of a face: whether it belongs to the cell of the centroid
+
+  // of the face in work
+  std::array<Plane_point, 3> corners_;
+  std::vector<Index> around_, local_;
+  std::vector<std::size_t> parent_, tree_;
+  std::vector<unsigned char> is_done_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_FACE_CELLS_H

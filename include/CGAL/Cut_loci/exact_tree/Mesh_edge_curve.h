@@ -1,0 +1,266 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_MESH_EDGE_CURVE_H
+#define CGAL_CUT_LOCI_EXACT_TREE_MESH_EDGE_CURVE_H
+
+#include <CGAL/Cut_loci/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
+#include <CGAL/Cut_loci/exact_tree/Face_cells.h>
+#include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
+#include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
+#include <CGAL/Cut_loci/internal/Geodesic_faces.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * is the cut locus made of edges of the mesh.
+ *
+ * A face that the cut locus divides belongs to the cell that holds its centroid. Two faces are on the same side if
+ * these cells touch along the edge between them. A spanning tree of the faces stays on one side as far as it can, and
+ * crosses the cut locus where it is weakest else: where a corridor is narrower than a face. The edges of the mesh that
+ * the tree does not cross form a graph whose complement is an open disk. What of it stands for no piece, and has
+ * nothing behind it that does, is no part of the curve.
+ */
+class Mesh_edge_curve
+{
+public:
+  Indexed_cut_locus graph;
+  /// how many corridors are open at another place than they should be, since they are narrower than a face
+  Index number_of_narrow_corridors = 0;
+
+  /// @param kept the edges of the tree that the curve stands for
+  /// @param farthest what is left if nothing else is
+  Mesh_edge_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                  const Geodesic_results& geodesics, Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept,
+                  Index farthest)
+    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), tree_(tree)
+  {
+    const Face_cells cells(mesh, connectivity, geodesics.faces(), tree.graph(), kept);
+    grow_tree(cells);
+    drop_weak_leaves();
+    draw(farthest);
+  }
+
+private:
+  struct Candidate
+  {
+    Index edge;       // of the mesh
+    Index stands_for; // an edge of the tree, or null
+    double gap;
+  };
+
+  void grow_tree(const Face_cells& cells)
+  {
+    parent_.resize(mesh_.number_of_faces());
+    for(Index f = 0; f < mesh_.number_of_faces(); ++f)
+      parent_[f] = f;
+    // edges between cells that touch come first, in any order, then the others by the barrier between their cells
+    std::vector<Candidate> barred;
+    for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
+    {
+      const Index h = connectivity_.halfedge_of_edge[e];
+      if(mesh_.is_border_edge(h))
+        continue;
+      const Candidate c = barrier(cells, h);
+      if(c.stands_for != null_index)
+        barred.push_back(c);
+      else if(!link_faces(h / 3, mesh_.opposite[h] / 3))
+        candidates_.push_back(c);
+    }
+    std::sort(barred.begin(), barred.end(),
+              [](const Candidate& a, const Candidate& b) { return a.gap != b.gap ? a.gap < b.gap : a.edge < b.edge; });
+    for(const Candidate& c : barred)
+    {
+      const Index h = connectivity_.halfedge_of_edge[c.edge];
+      if(!link_faces(h / 3, mesh_.opposite[h] / 3))
+        candidates_.push_back(c);
+      else
+        ++number_of_narrow_corridors;
+    }
+  }
+
+  Index root_of(Index f)
+  {
+    while(parent_[f] != f)
+    {
+      parent_[f] = parent_[parent_[f]];
+      f = parent_[f];
+    }
+    return f;
+  }
+
+  bool link_faces(Index f, Index g)
+  {
+    f = root_of(f);
+    g = root_of(g);
+    if(f == g)
+      return false;
+    parent_[(std::max)(f, g)] = (std::min)(f, g);
+    return true;
+  }
+
+  /// what is between the centroids of the faces of an edge: the piece of the graph with the largest gap in a face whose
+  /// centroid is in another cell, across the interval of the edge where that is least
+  Candidate barrier(const Face_cells& cells, Index h) const
+  {
+    const Index e = connectivity_.edge_of_halfedge[h];
+    Candidate best{e, null_index, (std::numeric_limits<double>::infinity)()};
+    if(cells.is_whole(h / 3) && cells.is_whole(mesh_.opposite[h] / 3))
+      return best;
+    const Index m = cells.first_node(e + 1) - cells.first_node(e);
+    for(Index k = 0; k <= m; ++k)
+    {
+      Candidate here{e, null_index, 0.};
+      for(Index g : {h, mesh_.opposite[h]})
+        if(!cells.holds_centroid(g, k))
+          for(Index i = cells.first_edge(g / 3); i < cells.first_edge(g / 3 + 1); ++i)
+            if(here.stands_for == null_index || tree_.graph().edges[cells.edge(i)].gap > here.gap)
+            {
+              here.stands_for = cells.edge(i);
+              here.gap = tree_.graph().edges[here.stands_for].gap;
+            }
+      if(here.stands_for == null_index)
+        return here;
+      if(here.gap < best.gap || best.stands_for == null_index)
+        best = here;
+    }
+    return best;
+  }
+
+  /// a border loop is one node
+  Index node_of(Index v) const
+  {
+    return connectivity_.is_border(v) ? connectivity_.border_loop[v] : connectivity_.number_of_border_loops + v;
+  }
+
+  std::array<Index, 2> ends(const Candidate& c) const
+  {
+    const Index h = connectivity_.halfedge_of_edge[c.edge];
+    return {{node_of(mesh_.source(h)), node_of(mesh_.target(h))}};
+  }
+
+  void drop_weak_leaves()
+  {
+    const Index loops = connectivity_.number_of_border_loops, n = loops + mesh_.number_of_vertices();
+    std::vector<Index> degree(n, 0), exclusive_or(n, 0);
+    for(Index i = 0; i < candidates_.size(); ++i)
+      for(Index v : ends(candidates_[i]))
+      {
+        ++degree[v];
+        exclusive_or[v] ^= i; // with one candidate left, this is the one
+      }
+    std::vector<unsigned char> is_dropped(candidates_.size(), 0);
+    for(Index seed = loops; seed < n; ++seed)
+      for(Index v = seed; degree[v] == 1 && v >= loops;)
+      {
+        const Index i = exclusive_or[v];
+        if(candidates_[i].stands_for != null_index)
+          break;
+        const std::array<Index, 2> both = ends(candidates_[i]);
+        const Index other = both[0] == v ? both[1] : both[0];
+        is_dropped[i] = 1;
+        degree[v] = 0;
+        --degree[other];
+        exclusive_or[other] ^= i;
+        if(other > seed)
+          break; // its turn comes
+        v = other;
+      }
+    std::size_t size = 0;
+    for(std::size_t i = 0; i < candidates_.size(); ++i)
+      if(!is_dropped[i])
+        candidates_[size++] = candidates_[i];
+    candidates_.resize(size);
+  }
+
+  /// the edges from the inside out, and the root first
+  void draw(Index farthest)
+  {
+    std::vector<Index> nodes; // dense numbers for those that are left, the loops first
+    for(Index i = 0; i < connectivity_.number_of_border_loops; ++i)
+      nodes.push_back(i);
+    for(const Candidate& c : candidates_)
+      for(Index v : ends(c))
+        nodes.push_back(v);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    const auto number = [&](Index v)
+    { return static_cast<Index>(std::lower_bound(nodes.begin(), nodes.end(), v) - nodes.begin()); };
+    std::vector<std::array<Index, 2>> numbers;
+    numbers.reserve(candidates_.size());
+    for(const Candidate& c : candidates_)
+      numbers.push_back({{number(ends(c)[0]), number(ends(c)[1])}});
+    const Tree_branches branches(
+      static_cast<Index>(nodes.size()), static_cast<Index>(candidates_.size()), [&](Index i) { return numbers[i]; },
+      [&](Index i) { return candidates_[i].stands_for != null_index ? candidates_[i].gap : 0.; },
+      connectivity_.number_of_border_loops);
+
+    std::vector<Index> vertices; // of the curve
+    for(const Candidate& c : candidates_)
+      for(Index h = connectivity_.halfedge_of_edge[c.edge], k = 0; k < 2; ++k, h = Indexed_triangle_mesh::next(h))
+        vertices.push_back(mesh_.source(h));
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    position_.assign(vertices.size(), null_index);
+    const Index root = branches.root() != null_index ? nodes[branches.root()] : null_index;
+    if(root != null_index && root >= connectivity_.number_of_border_loops && !candidates_.empty())
+      add_node(vertices, root - connectivity_.number_of_border_loops);
+    for(const Tree_branches::Edge& b : branches.edges())
+    {
+      const Candidate& c = candidates_[b.edge];
+      const Index h = connectivity_.halfedge_of_edge[c.edge];
+      const bool is_forward = numbers[b.edge][0] == b.outer;
+      const Index outer = is_forward ? mesh_.source(h) : mesh_.target(h);
+      const Index inner = is_forward ? mesh_.target(h) : mesh_.source(h);
+      const Index i = add_node(vertices, outer), k = add_node(vertices, inner);
+      Indexed_cut_locus::Edge edge{i, k, h, (std::min)(b.strength, static_cast<float>(c.gap)),
+                                   static_cast<Index>(graph.edges.size())};
+      if(c.stands_for == null_index)
+        edge.strength = b.strength < (std::numeric_limits<float>::infinity)() ? b.strength : 0.f;
+      edge.width = c.stands_for != null_index ? static_cast<float>(tree_.width(c.stands_for)) : 0.f;
+      graph.edges.push_back(edge);
+    }
+    if(graph.edges.empty())
+      graph.nodes.assign(1, {location_of_vertex(connectivity_, farthest), farthest, geodesics_.distance(farthest)});
+  }
+
+  Index add_node(const std::vector<Index>& vertices, Index v)
+  {
+    Index& i = position_[static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) -
+                                                  vertices.begin())];
+    if(i == null_index)
+    {
+      i = static_cast<Index>(graph.nodes.size());
+      graph.nodes.push_back({location_of_vertex(connectivity_, v), v, geodesics_.distance(v)});
+    }
+    return i;
+  }
+
+  const Indexed_triangle_mesh& mesh_;
+  const Mesh_connectivity& connectivity_;
+  const Geodesic_results& geodesics_;
+  Exact_tree& tree_;
+  std::vector<Index> parent_; // of faces
+  std::vector<Candidate> candidates_;
+  std::vector<Index> position_; // of vertices of the curve in the graph
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_MESH_EDGE_CURVE_H
