@@ -86,7 +86,7 @@ namespace internal {
 template <typename Read>
 void throw_if_paths_bend(const Read& read, const Surface_component& component)
 {
-  const Geodesic_faces& faces = component.polyhedral->geodesics().faces();
+  const Geodesic_faces& faces = component.exact_tree->geodesics().faces();
   for(Index v = 0; v < faces.number_of_vertices(); ++v)
   {
     if(!faces.is_pseudo_source(v))
@@ -121,7 +121,7 @@ inline double fold_angle(const Indexed_triangle_mesh& mesh, Index h)
 // more each time.
 inline Unfolded_polygon unfolded_polygon(Surface_component& component, const Indexed_source& wanted)
 {
-  Exact_tree_solver& solver = *component.polyhedral;
+  Exact_tree_solver& solver = *component.exact_tree;
   constexpr std::array<double, 3> part = {{0.4723, 0.1919, 0.3358}};
   for(double shift = 0.;; shift = shift == 0. ? 4e-6 : 4. * shift)
   {

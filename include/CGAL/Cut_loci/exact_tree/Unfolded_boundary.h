@@ -141,21 +141,12 @@ private:
 
   // -- sides -----------------------------------------------------------------------------------------------------------
 
-  static double turn(const Plane_point& p, const Plane_point& a, const Plane_point& b)
-  {
-    const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y;
-    return std::atan2(ax * by - ay * bx, ax * bx + ay * by);
-  }
-
   /// a point of face `f`, reached from an image
   Polar_point polar(Index f, const Image& image, const Plane_point& p) const
   {
     if(!geodesics_.is_source(image.origin))
       fail();
-    Plane_point centroid{0., 0.};
-    for(const Plane_point& c : tree_.ridges().layout(f))
-      centroid = {centroid.x + c.x / 3., centroid.y + c.y / 3.};
-    return {image.distance(p), image.direction + turn({image.x, image.y}, centroid, p)};
+    return {image.distance(p), image.direction_to(p, tree_.ridges().layout(f))};
   }
 
   void add_tree_sides()
