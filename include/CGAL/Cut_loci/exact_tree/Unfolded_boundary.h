@@ -228,7 +228,7 @@ private:
   // -- sides of no length ----------------------------------------------------------------------------------------------
 
   /// Where more than three pieces meet, or the cut locus goes through a vertex, sides of no length may lie in between, in
-  /// any order: they are left out, and their ends become one.
+  /// any order: they are left out, and their ends become one. So do all that are at one vertex.
   void contract()
   {
     const double least = 1e-10 * connectivity_.mean_edge_length; // below the accuracy of what is left
@@ -241,6 +241,14 @@ private:
         i = parent[i] = parent[parent[i]];
       return i;
     };
+    std::vector<Index> at_vertex(mesh_.number_of_vertices(), null_index);
+    for(Index i = 0; i < nodes.size(); ++i)
+      if(nodes[i].vertex != null_index)
+      {
+        Index& first = at_vertex[nodes[i].vertex];
+        first = first != null_index ? first : i;
+        parent[i] = first;
+      }
     std::size_t size = 0;
     for(std::size_t s = 0; s < sides.size(); ++s)
     {

@@ -62,7 +62,10 @@ public:
       fail();
     find_center(wanted);
     for(Index side : order())
+    {
       start_.push_back(seen_from_center(boundary_.sides[side].ends[0]));
+      size_ = (std::max)(size_, start_.back().radius);
+    }
     check_joints();
     nodes.swap(boundary_.nodes);
     for(std::size_t i = 0; i < 3; ++i)
@@ -120,25 +123,20 @@ private:
     return {std::hypot(dx, dy), std::atan2(c * dy - s * dx, c * dx + s * dy)};
   }
 
-  /// Where one side ends, the next one starts; and all copies of a point are at the same distance from the source.
+  /// Where one side ends, the next one starts; and all copies of a point are at the same distance from the source, up to
+  /// the accuracy of the cut locus.
   void check_joints() const
   {
-    std::vector<double> radius(boundary_.nodes.size(), -1.);
-    double size = 0.;
-    for(const Polar_point& p : start_)
-      size = (std::max)(size, p.radius);
     for(std::size_t i = 0; i < start_.size(); ++i)
     {
       const Unfolded_boundary::Side& side = boundary_.sides[order()[i]];
       const Polar_point end = seen_from_center(side.ends[1]);
       const Polar_point& next = start_[i + 1 < start_.size() ? i + 1 : 0];
       const double away = end.radius * wrapped(next.angle - end.angle);
-      if(!(std::hypot(next.radius - end.radius, away) <= 1e-9 * size))
+      if(!(std::hypot(next.radius - end.radius, away) <= 1e-9 * size_))
         fail();
-      double& r = radius[side.nodes[0]];
-      if(r >= 0. && !(std::fabs(side.ends[0].radius - r) <= 1e-8 * size))
+      if(!(std::fabs(side.ends[0].radius - boundary_.nodes[side.nodes[0]].distance) <= 1e-8 * size_))
         fail();
-      r = side.ends[0].radius;
     }
   }
 
@@ -179,18 +177,21 @@ private:
     seam_ = start_.front().angle;
   }
 
-  /// Angles grow, but for rounding, up to a full turn.
+  /// Angles grow, but for rounding, up to a full turn. Where they do not, the way around folds back.
   void unroll()
   {
     if(geodesics_.is_source_on_border() && !is_moved_)
       return;
-    const double first = start_.front().angle;
-    double angle = is_cone_ ? 0. : first;
-    double sum = 0., previous = first;
+    const Polar_point first = start_.front();
+    const double angle = is_cone_ ? 0. : first.angle, least = -1e-12 * size_ * size_;
+    double sum = 0.;
+    Polar_point previous = first;
     for(std::size_t i = 1; i <= start_.size(); ++i)
     {
-      const double next = i < start_.size() ? start_[i].angle : first;
-      const double step = wrapped(next - previous);
+      const Polar_point next = i < start_.size() ? start_[i] : first;
+      const double step = wrapped(next.angle - previous.angle);
+      if(!(previous.radius * next.radius * step >= least))
+        fail();
       previous = next;
       sum += step;
       if(i < start_.size())
@@ -309,6 +310,7 @@ private:
   const Geodesic_results& geodesics_;
   Unfolded_boundary boundary_;
   std::vector<Polar_point> start_; // of each
+  double size_ = 0.;               // the largest distance
   Index cone_ = null_index;
   bool is_cone_ = false;          // whether the source is a vertex, and the surface is not flat there
   bool is_moved_ = false;         // whether the solver's source is beside it
