@@ -87,11 +87,20 @@ po::options_description visible_options()
      "  auto: " +
      default_methods() +
      "\n"
-     "  direction: where the direction at the source jumps, for exact distances\n"
-     "  laplacian: valleys of the Laplacian of the distance, for any solver\n"
-     "  polyhedral: the cut locus of the polyhedron itself")
-      .c_str())("strength", po::value<std::string>()->value_name("S"),
-                "least strength of a branch with the method direction (default: from the noise of the mesh)")(
+     "  direction: where the direction at the source jumps, without the branches of the mesh and its noise; with the "
+     "solver exact\n"
+     "  polyhedral: all of the cut locus of the polyhedron; with the solver exact\n"
+     "  laplacian: valleys of the Laplacian of the distance, with any solver")
+      .c_str())("curve", po::value<std::string>()->value_name("edges|faces"),
+                "the curve is made of edges of the mesh, or of segments through its faces (default: with the methods "
+                "direction and polyhedral the files of -o get segments through the faces; all else is about edges)")(
+    "min-branch-width", po::value<std::string>()->value_name("W"),
+    "the two shortest paths to a branch must be as far apart as this somewhere, in units of the diagonal of the "
+    "bounding box, with the methods direction and polyhedral (default: with direction what the mesh resolves; 0 "
+    "with polyhedral, or if there is a --min-branch-gap)")(
+    "min-branch-gap", po::value<std::string>()->value_name("RAD"),
+    "least angle, in radians, between these paths where they part (default: 0.5 with direction on a mesh of few, sharp "
+    "vertices, instead of a width; else 0)")(
     "angle", po::value<std::string>()->value_name("RAD"),
     "least angle, in radians, at which shortest paths meet, with the method laplacian (default: 0.7; 0.4 with the "
     "heat method)")(
@@ -104,14 +113,9 @@ po::options_description visible_options()
                         "branches of fewer edges are removed (default: 3 with the method laplacian, else 0)")(
     "min-branch-length", po::value<std::string>()->value_name("L"),
     "branches that are shorter are removed, in units of the diagonal of the bounding box (default: 0)")(
-    "min-branch-gap", po::value<std::string>()->value_name("RAD"),
-    "least angle, in radians, between the two shortest paths to a branch where they part, with the method polyhedral "
-    "(default: 0)")("min-branch-width", po::value<std::string>()->value_name("W"),
-                    "least width of what these paths go around, in units of the diagonal of the bounding box, with the "
-                    "method polyhedral (default: 0)")(
     "smooth", po::value<std::string>()->value_name("N"),
-    "N steps that move the curves off the edges of the mesh, onto the cut locus (default: 0; 4 are enough); with the "
-    "method direction any N but 0 gives the curve through the faces")(
+    "N steps that move the curves off the edges of the mesh, onto the cut locus, with the method laplacian (default: "
+    "0, or 4 with --curve faces; 4 are enough)")(
     "output,o", po::value<std::vector<std::string>>()->value_name("FILE")->composing(),
     ("write the cut locus; may be given several times. By extension:\n" + output_descriptions()).c_str())(
     "view", po::value<std::string>()->value_name("X,Y,Z"),
@@ -152,10 +156,8 @@ void read_method(const std::string& name, Options& options)
   options.method_name = options.method == Method::DIRECTION   ? "direction"
                         : options.method == Method::LAPLACIAN ? "laplacian"
                                                               : "polyhedral";
-  if(options.method == Method::POLYHEDRAL && options.solver != "exact")
-    throw Usage_error("--method polyhedral needs the paths of --solver exact");
-  if(options.method != Method::LAPLACIAN && options.solver != "exact" && options.solver != "cgal-exact")
-    throw Usage_error("--method " + name + " needs exact distances: --solver exact or cgal-exact");
+  if(options.method != Method::LAPLACIAN && options.solver != "exact")
+    throw Usage_error("--method " + name + " needs the paths of --solver exact");
 }
 
 // An option of another method would be ignored.
@@ -171,14 +173,23 @@ void check_options_of_method(const po::variables_map& given, const Options& opti
   if(options.method != Method::LAPLACIAN)
     for(const char* option : {"angle", "laplacian", "policy"})
       refuse(option, "laplacian");
-  if(options.method != Method::DIRECTION)
-    refuse("strength", "direction");
-  if(options.method != Method::POLYHEDRAL)
+  if(options.method != Method::LAPLACIAN && given.count("smooth"))
+    throw Usage_error("--smooth is for --method laplacian: the method " + options.method_name +
+                      " needs no smoothing, --curve faces gives its curve through the faces");
+  if(options.method == Method::LAPLACIAN)
     for(const char* option : {"min-branch-gap", "min-branch-width"})
-      refuse(option, "polyhedral");
-  if(options.method == Method::POLYHEDRAL)
-    for(const char* option : {"min-branch-edges", "min-branch-length", "edges"})
-      refuse(option, "direction or laplacian");
+      refuse(option, "direction or polyhedral");
+}
+
+void read_curve(const std::string& name, Options& options)
+{
+  using CGAL::Cut_loci::Curve;
+  if(name != "edges" && name != "faces")
+    throw Usage_error("--curve takes edges or faces, not '" + name + "'");
+  options.curve = name == "edges" ? Curve::MESH_EDGES : Curve::THROUGH_FACES;
+  if(options.smoothing && (*options.smoothing > 0) != (options.curve == Curve::THROUGH_FACES))
+    throw Usage_error("--curve " + name + " and --smooth " + std::to_string(*options.smoothing) +
+                      " contradict each other: smoothing gives a curve through the faces");
 }
 
 } // namespace
@@ -242,8 +253,6 @@ Options parse_command_line(int argc, char* argv[])
     throw Usage_error("--solver takes one of" + solver_names() + ", not '" + options.solver + "'");
   read_method(text("method"), options);
   check_options_of_method(given, options);
-  if(given.count("strength"))
-    options.strength = to_non_negative_number(text("strength"), "--strength");
   if(given.count("angle"))
     options.angle = to_non_negative_number(text("angle"), "--angle");
   if(given.count("laplacian"))
@@ -267,6 +276,8 @@ Options parse_command_line(int argc, char* argv[])
     options.minimum_branch_width = to_non_negative_number(text("min-branch-width"), "--min-branch-width");
   if(given.count("smooth"))
     options.smoothing = to_count(text("smooth"), "--smooth");
+  if(given.count("curve"))
+    read_curve(text("curve"), options);
 
   if(given.count("output"))
     options.outputs = given["output"].as<std::vector<std::string>>();

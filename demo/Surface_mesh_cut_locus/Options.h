@@ -30,10 +30,10 @@ struct Options
   std::optional<double> minimum_branch_length;
   std::optional<double> minimum_branch_gap;
   std::optional<double> minimum_branch_width;
-  std::size_t smoothing = 0; // iterations
+  std::optional<std::size_t> smoothing;       // iterations
+  std::optional<CGAL::Cut_loci::Curve> curve; // null: through the faces in files of curves, where the method has it
   CGAL::Cut_loci::Method method = CGAL::Cut_loci::Method::DIRECTION;
   std::string method_name;
-  std::optional<double> strength;
   std::vector<std::string> outputs;
   std::optional<std::array<double, 3>> view; // the direction from which pictures look
   std::string edges;

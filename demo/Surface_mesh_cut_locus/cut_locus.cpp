@@ -27,6 +27,11 @@
 
 namespace {
 
+using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::Method;
+
+constexpr std::size_t enough_smoothing = 4; // steps
+
 void set_source(const Options& options, const Mesh& mesh, Cut_locus_solver& solver)
 {
   if(options.source_point)
@@ -50,22 +55,52 @@ void set_source(const Options& options, const Mesh& mesh, Cut_locus_solver& solv
   solver.set_source(v);
 }
 
-Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver, std::size_t smoothing)
+// The options with the defaults of the library for this source. What they are is not passed to it.
+Options fill_in_defaults(Options options, const Cut_locus_solver& solver)
+{
+  const auto fill_in = [](auto& option, auto value)
+  {
+    if(!option)
+      option = value;
+  };
+  const bool is_laplacian = options.method == Method::LAPLACIAN;
+  if(is_laplacian)
+  {
+    fill_in(options.angle, solver.gradient_angle_threshold());
+    fill_in(options.grow, false);
+    fill_in(options.smoothing, options.curve == Curve::THROUGH_FACES ? enough_smoothing : 0);
+  }
+  else if(options.minimum_branch_gap || options.minimum_branch_width)
+  {
+    fill_in(options.minimum_branch_gap, 0.);
+    fill_in(options.minimum_branch_width, 0.);
+  }
+  else
+  {
+    options.minimum_branch_gap = solver.minimum_branch_gap();
+    options.minimum_branch_width = solver.minimum_branch_width();
+  }
+  fill_in(options.minimum_branch_edges, is_laplacian ? solver.default_minimum_branch_edges() : 0);
+  fill_in(options.minimum_branch_length, 0.);
+  return options;
+}
+
+Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver, Curve curve)
 {
   using CGAL::Cut_loci::Filter_policy;
-  using CGAL::Cut_loci::Method;
   const double least_length = options.minimum_branch_length.value_or(0.);
-  if(options.method == Method::POLYHEDRAL)
-    return solver.cut_locus(CGAL::parameters::minimum_branch_gap(options.minimum_branch_gap.value_or(0.))
-                              .minimum_branch_width(options.minimum_branch_width.value_or(0.)));
-  if(options.method == Method::DIRECTION)
+  if(options.method != Method::LAPLACIAN)
   {
     const auto parameters = CGAL::parameters::minimum_branch_edges(options.minimum_branch_edges.value_or(0))
                               .minimum_branch_length(least_length)
-                              .number_of_iterations(smoothing);
-    return options.strength ? solver.cut_locus(parameters.strength_threshold(*options.strength))
-                            : solver.cut_locus(parameters);
+                              .cut_locus_curve(curve);
+    // one of the two replaces the defaults of both
+    return options.minimum_branch_gap || options.minimum_branch_width
+             ? solver.cut_locus(parameters.minimum_branch_gap(options.minimum_branch_gap.value_or(0.))
+                                  .minimum_branch_width(options.minimum_branch_width.value_or(0.)))
+             : solver.cut_locus(parameters);
   }
+  const std::size_t smoothing = curve == Curve::MESH_EDGES ? 0 : options.smoothing.value_or(enough_smoothing);
   return solver.cut_locus(
     CGAL::parameters::gradient_angle_threshold(options.angle.value_or(solver.gradient_angle_threshold()))
       .laplacian_threshold(options.laplacian.value_or(-std::numeric_limits<double>::infinity()))
@@ -90,15 +125,25 @@ bool run(const Options& options)
   const Mesh mesh = progress.run("read", [&]() { return read_mesh(options.mesh); });
   const std::unique_ptr<Cut_locus_solver> solver = make_solver(options.solver, options.method, mesh, progress);
   set_source(options, mesh, *solver);
-  const Cut_locus cut_locus = apply_thresholds(options, *solver, options.smoothing);
-  const Cut_locus mesh_edges =
-    options.edges.empty() || options.smoothing == 0 ? cut_locus : apply_thresholds(options, *solver, 0);
+  // the curve that all is about but files that are for one of the two
+  const Curve curve =
+    options.curve.value_or(options.smoothing.value_or(0) > 0 ? Curve::THROUGH_FACES : Curve::MESH_EDGES);
+  const Cut_locus cut_locus = apply_thresholds(options, *solver, curve);
+  const auto along = [&](Curve wanted)
+  { return wanted == curve ? cut_locus : apply_thresholds(options, *solver, wanted); };
+  const bool draws_faces = !options.curve && options.method != Method::LAPLACIAN;
+  std::optional<Cut_locus> drawn, mesh_edges;
+  if(!options.outputs.empty())
+    drawn = along(draws_faces ? Curve::THROUGH_FACES : curve);
+  if(!options.edges.empty())
+    mesh_edges = along(Curve::MESH_EDGES);
   progress.run("write",
                [&]()
                {
-    write_outputs(options.outputs, cut_locus, mesh, options.view);
-    if(!options.edges.empty())
-      write_edges(options.edges, mesh_edges, mesh);
+    if(drawn)
+      write_outputs(options.outputs, *drawn, mesh, options.view);
+    if(mesh_edges)
+      write_edges(options.edges, *mesh_edges, mesh);
   });
   std::optional<Atlas> atlas;
   if(!options.uv.empty())
@@ -120,7 +165,7 @@ bool run(const Options& options)
   if(options.check)
     progress.run("check", [&]() { checked = check(mesh, cut_locus); });
   if(!options.report.empty())
-    write_report(options, mesh, cut_locus, atlas, checked, progress);
+    write_report(fill_in_defaults(options, *solver), curve, mesh, cut_locus, atlas, checked, progress);
   const bool is_right = !checked || checked->topology_fault.empty();
   if(!options.is_quiet)
   {

@@ -41,7 +41,7 @@ double mean_edge_length(const Mesh& mesh)
 
 } // namespace
 
-void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut_locus,
+void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Mesh& mesh, const Cut_locus& cut_locus,
                   const std::optional<Atlas>& atlas, const std::optional<Check>& check, const Progress& progress)
 {
   const CGAL::Cut_loci::Cut_locus_statistics statistics = CGAL::Cut_loci::compute_statistics(cut_locus);
@@ -98,16 +98,16 @@ void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut
 
   report["solver"] = options.solver;
   report["method"] = options.method_name;
-  Json& parameters = report["parameters"]; // null: the default
+  report["curve"] = curve == CGAL::Cut_loci::Curve::MESH_EDGES ? "edges" : "faces";
+  Json& parameters = report["parameters"]; // null: there is none
   parameters["angle"] = to_json(options.angle);
   parameters["laplacian"] = to_json(options.laplacian);
   parameters["policy"] = options.grow ? Json(*options.grow ? "grow" : "prune") : Json(nullptr);
   parameters["min_branch_edges"] = to_json(options.minimum_branch_edges);
-  parameters["strength"] = to_json(options.strength);
-  parameters["minimum_branch_gap"] = to_json(options.minimum_branch_gap);
-  parameters["minimum_branch_width"] = to_json(options.minimum_branch_width);
-  parameters["smooth"] = options.smoothing;
   parameters["min_branch_length"] = to_json(options.minimum_branch_length);
+  parameters["min_branch_gap"] = to_json(options.minimum_branch_gap);
+  parameters["min_branch_width"] = to_json(options.minimum_branch_width);
+  parameters["smooth"] = to_json(options.smoothing);
 
   Json& seconds = report["seconds"];
   double total = 0.;

@@ -16,8 +16,8 @@
 #include <optional>
 #include <string>
 
-// Writes figures and times as JSON. Throws `std::runtime_error` if the file can not be written.
-void write_report(const Options& options, const Mesh& mesh, const Cut_locus& cut_locus,
+// Writes figures of a cut locus, made of edges or not, and times as JSON; `options` have all defaults filled in. Throws `std::runtime_error` if the file can not be written.
+void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Mesh& mesh, const Cut_locus& cut_locus,
                   const std::optional<Atlas>& atlas, const std::optional<Check>& check, const Progress& progress);
 
 // One line for people.

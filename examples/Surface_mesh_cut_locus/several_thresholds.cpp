@@ -37,10 +37,12 @@ int main(int argc, char* argv[])
     {
       const Mesh::Vertex_index source = *(mesh.vertices_begin() + i);
       solver.set_source(source);
-      for(double strength : {2., 3., 10., 100.})
+      // Widths are in diagonals of the bounding box. Below the default for the mesh, the first call computes more.
+      for(double factor : {0.1, 0.5, 1., 2.})
       {
-        const auto cut_locus = solver.cut_locus(CGAL::parameters::strength_threshold(strength));
-        std::cout << "source " << source << ", branches of strength " << strength
+        const double width = factor * solver.minimum_branch_width();
+        const auto cut_locus = solver.cut_locus(CGAL::parameters::minimum_branch_width(width));
+        std::cout << "source " << source << ", branches of width " << width
                   << " or more: " << num_edges(cut_locus.graph()) << " edges\n";
       }
     }

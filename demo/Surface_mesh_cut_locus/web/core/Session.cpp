@@ -14,6 +14,8 @@
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Cut_loci/statistics.h>
 
+#include <CGAL/Bbox_3.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,13 +28,19 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// edges, cycles, leaves, branchings, length, injectivity radius, where it is reached (3)
+// edges, cycles, leaves, branchings, length, injectivity radius, where it is reached (3), status
 std::vector<double> statistics_of(const Cut_locus& cut_locus)
 {
   const CGAL::Cut_loci::Cut_locus_statistics s = CGAL::Cut_loci::compute_statistics(cut_locus);
   const auto nearest = CGAL::Cut_loci::injectivity_radius(cut_locus);
   return {double(s.edges),  double(s.cycles),  double(s.leaves),  double(s.branchings), s.length,
-          nearest.distance, nearest.point.x(), nearest.point.y(), nearest.point.z()};
+          nearest.distance, nearest.point.x(), nearest.point.y(), nearest.point.z(),    double(s.status)};
+}
+
+CGAL::Cut_loci::Method method_of(const std::string& name)
+{
+  using CGAL::Cut_loci::Method;
+  return name == "direction" ? Method::DIRECTION : name == "polyhedral" ? Method::POLYHEDRAL : Method::LAPLACIAN;
 }
 
 } // namespace
@@ -85,9 +93,8 @@ void Session::prepare(const std::string& solver, const std::string& method)
     throw std::runtime_error("there is no mesh yet");
   if(solver_ && solver == solver_name_ && method == method_name_)
     return;
-  const bool is_direction = method == "direction";
-  if(is_direction && solver != "exact")
-    throw std::runtime_error("the direction method needs exact distances");
+  if(method != "laplacian" && solver != "exact")
+    throw std::runtime_error("the method " + method + " needs exact distances");
   results_[0].reset();
   results_[1].reset();
   solver_.reset(); // its memory is free for the next one
@@ -97,8 +104,7 @@ void Session::prepare(const std::string& solver, const std::string& method)
   else if(solver == "graph")
     solver_ = make_graph_solver(*mesh_);
   else
-    solver_ =
-      make_exact_solver(*mesh_, is_direction ? CGAL::Cut_loci::Method::DIRECTION : CGAL::Cut_loci::Method::LAPLACIAN);
+    solver_ = make_exact_solver(*mesh_, method_of(method));
   solver_name_ = solver;
   method_name_ = method;
 }
@@ -121,31 +127,42 @@ void Session::compute_curve(Curve_index index, const Thresholds& thresholds)
     throw std::runtime_error("there is no source yet");
   using CGAL::Cut_loci::Curve;
   const Curve kind = index == MESH_EDGES ? Curve::MESH_EDGES : Curve::THROUGH_FACES;
-  results_[index].emplace(method_name_ == "direction" ? direction_cut_locus(*solver_, thresholds, kind)
-                                                      : laplacian_cut_locus(*solver_, thresholds, kind));
+  results_[index].emplace(method_name_ == "laplacian" ? laplacian_cut_locus(*solver_, thresholds, kind)
+                                                      : exact_cut_locus(*solver_, thresholds, kind));
   const Cut_locus& cut_locus = *results_[index];
   const Cut_locus::Graph& graph = cut_locus.graph();
+  if(exact_distance_.empty())
+    read_source(cut_locus);
   Session::Curve& curve = curves[index];
   curve.segments.clear();
-  curve.strength.clear();
+  curve.width.clear();
+  curve.gap.clear();
   curve.segments.reserve(6 * num_edges(graph));
   for(const auto e : CGAL::make_range(edges(graph)))
   {
     append_point(graph[source(e, graph)].point, curve.segments);
     append_point(graph[target(e, graph)].point, curve.segments);
-    curve.strength.push_back(static_cast<float>(graph[e].strength));
+    curve.width.push_back(static_cast<float>(graph[e].width / diagonal_));
+    curve.gap.push_back(static_cast<float>(graph[e].strength));
   }
   curve.numbers = statistics_of(cut_locus);
+}
 
-  if(!exact_distance_.empty())
-    return;
+// What all curves for a source have in common.
+void Session::read_source(const Cut_locus& cut_locus)
+{
   exact_distance_.reserve(mesh_->number_of_vertices());
   distance.clear();
+  CGAL::Bbox_3 box;
   for(Mesh::Vertex_index v : mesh_->vertices())
   {
     exact_distance_.push_back(cut_locus.distance(v));
     distance.push_back(static_cast<float>(exact_distance_.back()));
+    if(std::isfinite(exact_distance_.back()))
+      box += mesh_->point(v).bbox();
   }
+  diagonal_ = std::sqrt(CGAL::squared_distance(Kernel::Point_3(box.xmin(), box.ymin(), box.zmin()),
+                                               Kernel::Point_3(box.xmax(), box.ymax(), box.zmax())));
   const Kernel::Point_3& s = cut_locus.source().point;
   const Mesh::Vertex_index farthest = cut_locus.farthest_vertex();
   const Kernel::Point_3& f = mesh_->point(farthest);
@@ -156,9 +173,11 @@ void Session::compute_curve(Curve_index index, const Thresholds& thresholds)
                     f.y(),
                     f.z(),
                     cut_locus.distance(farthest),
-                    solver_->gradient_angle_threshold(),
                     double(cut_locus.number_of_border_loops()),
-                    double(cut_locus.genus())};
+                    double(cut_locus.genus()),
+                    solver_->gradient_angle_threshold(),
+                    solver_->minimum_branch_width(),
+                    solver_->minimum_branch_gap()};
 }
 
 void Session::compute_laplacian()

@@ -27,7 +27,8 @@ public:
   struct Curve
   {
     std::vector<float> segments; // two points each
-    std::vector<float> strength; // of each segment
+    std::vector<float> width;    // of each segment, as a part of the diagonal
+    std::vector<float> gap;      // of each segment: the angle between its shortest paths
     std::vector<double> numbers; // see `statistics_of`
   };
 
@@ -44,12 +45,13 @@ public:
   std::vector<std::uint32_t> triangles; // in the order of barycentric coordinates
   std::vector<float> distance, laplacian, gradient;
   std::vector<double> mesh_numbers; // center (3), radius
-  // source (3), farthest vertex (3), its distance, default angle, border loops, genus
+  // source (3), farthest vertex (3), its distance, border loops, genus, default angle, width and gap
   std::vector<double> source_numbers;
   Curve curves[2];
   Atlas atlas;
 
 private:
+  void read_source(const Cut_locus& cut_locus);
   void append_point(const Kernel::Point_3& p, std::vector<float>& to) const;
   const Fields& fields();
 
@@ -61,6 +63,7 @@ private:
   std::unique_ptr<Solver> solver_;
   std::unique_ptr<Fields> fields_;
   bool has_source_ = false;
+  double diagonal_ = 1.; // of the bounding box of the source's component
   std::vector<double> exact_distance_;
   std::optional<Cut_locus> results_[2];
 };

@@ -78,26 +78,30 @@ Array array(int id)
   case 7:
     return array(session.curves[0].segments);
   case 8:
-    return array(session.curves[0].strength);
+    return array(session.curves[0].width);
   case 9:
-    return array(session.curves[0].numbers);
+    return array(session.curves[0].gap);
   case 10:
-    return array(session.curves[1].segments);
+    return array(session.curves[0].numbers);
   case 11:
-    return array(session.curves[1].strength);
+    return array(session.curves[1].segments);
   case 12:
-    return array(session.curves[1].numbers);
+    return array(session.curves[1].width);
   case 13:
-    return {text.data(), text.size()};
+    return array(session.curves[1].gap);
   case 14:
-    return array(session.atlas.origin);
+    return array(session.curves[1].numbers);
   case 15:
-    return array(session.atlas.triangles);
+    return {text.data(), text.size()};
   case 16:
-    return array(session.atlas.border);
+    return array(session.atlas.origin);
   case 17:
-    return array(session.atlas.uv);
+    return array(session.atlas.triangles);
   case 18:
+    return array(session.atlas.border);
+  case 19:
+    return array(session.atlas.uv);
+  case 20:
     return array(session.atlas.numbers);
   default:
     return {nullptr, 0};
@@ -158,11 +162,11 @@ EMSCRIPTEN_KEEPALIVE int set_source(unsigned int face, double b0, double b1, dou
 }
 
 // What is not a number stands for the default of the library.
-EMSCRIPTEN_KEEPALIVE void set_thresholds(double strength, double angle, double laplacian, double minimum_edges,
+EMSCRIPTEN_KEEPALIVE void set_thresholds(double width, double angle, double laplacian, double minimum_edges,
                                          double minimum_length, int grows, int smoothing)
 {
   thresholds = {
-    strength, angle, laplacian, minimum_edges, minimum_length, grows != 0, static_cast<unsigned int>(smoothing)};
+    width, angle, laplacian, minimum_edges, minimum_length, grows != 0, static_cast<unsigned int>(smoothing)};
 }
 
 EMSCRIPTEN_KEEPALIVE int compute_curve(int index)

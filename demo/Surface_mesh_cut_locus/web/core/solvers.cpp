@@ -33,12 +33,12 @@ void set_source(Solver& solver, const Location& source)
   solver.set_source(source);
 }
 
-Cut_locus direction_cut_locus(const Solver& solver, const Thresholds& thresholds, Curve curve)
+Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& thresholds, Curve curve)
 {
   const auto parameters = CGAL::parameters::cut_locus_curve(curve);
-  if(std::isnan(thresholds.strength))
+  if(std::isnan(thresholds.width))
     return solver.cut_locus(parameters);
-  return solver.cut_locus(parameters.strength_threshold(thresholds.strength));
+  return solver.cut_locus(parameters.minimum_branch_width(thresholds.width));
 }
 
 Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& thresholds, Curve curve)

@@ -27,11 +27,11 @@ std::unique_ptr<Solver> make_exact_solver(const Mesh& mesh, CGAL::Cut_loci::Meth
 std::unique_ptr<Solver> make_graph_solver(const Mesh& mesh);
 std::unique_ptr<Solver> make_heat_solver(const Mesh& mesh);
 
-// The thresholds of both methods: each takes its own. What is not a number stands for the default of the library.
+// The thresholds of all methods: each takes its own. What is not a number stands for the default of the library.
 struct Thresholds
 {
-  double strength; // of the method `DIRECTION`
-  double angle;    // and these of the method `LAPLACIAN`
+  double width; // of the methods `DIRECTION` and `POLYHEDRAL`, a part of the diagonal
+  double angle; // and these of the method `LAPLACIAN`
   double laplacian;
   double minimum_edges;
   double minimum_length;
@@ -40,7 +40,7 @@ struct Thresholds
 };
 
 void set_source(Solver& solver, const Location& source);
-Cut_locus direction_cut_locus(const Solver& solver, const Thresholds& thresholds, CGAL::Cut_loci::Curve curve);
+Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& thresholds, CGAL::Cut_loci::Curve curve);
 Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& thresholds, CGAL::Cut_loci::Curve curve);
 
 #endif // SURFACE_MESH_CUT_LOCUS_WEB_SOLVERS_H

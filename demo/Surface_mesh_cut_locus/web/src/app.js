@@ -1,17 +1,18 @@
 // What the page does: it loads a mesh, solves for a source, follows the sliders and cuts the surface open. It knows
 // the engine, the viewer and the panel, which do not know each other.
 import { describeAtlas, seamsOf } from './atlas.js';
+import { branchScale } from './branch_scale.js';
 import { Cancelled, Engine } from './engine.js';
 import { atlasToObj, download, meshToPly } from './exporters.js';
 import { explain, objectionTo } from './messages.js';
-import { farthestFace, fileStart, samples } from './samples.js';
+import { farthestFace, fileStart, samples, startCoordinates } from './samples.js';
 import { defaultState, rounded } from './state.js';
 
 const stageTexts = {
   preprocessing: 'Preparing the mesh…',
   distance: 'Computing distances…',
-  strength: 'Finding jumps…',
-  tree: 'Growing the tree…',
+  strength: 'Finding where shortest paths meet…',
+  tree: 'Joining the branches…',
   homology: 'Closing the cycles…',
   cutting: 'Cutting the surface open…',
   flattening: 'Flattening…',
@@ -29,6 +30,9 @@ export class App {
     this.mesh = null;
     this.curves = {};
     this.isSolved = false; // the worker has the solver and the source of the state
+    this.exactMethod = state.method; // the one that was chosen last
+    this.defaults = null; // of the thresholds, for this source
+    this.leastAngle = 0; // branches that need a smaller one are not computed yet
     this.jobs = 0;
     this.times = {};
     this.onState = () => {};
@@ -105,7 +109,7 @@ export class App {
       const { positions, triangles } = this.mesh;
       const faceCount = triangles.length / 3;
       if (!keepsSource || !this.state.source || this.state.source.face >= faceCount)
-        this.state.source = { face: farthestFace(positions, triangles, start), coordinates: Array(3).fill(rounded(1 / 3)) };
+        this.state.source = { face: farthestFace(positions, triangles, start), coordinates: [...startCoordinates] };
       if (!keepsSource) {
         this.state.isCut = false;
         this.viewer.resetView();
@@ -126,8 +130,9 @@ export class App {
   }
 
   setSolver(solver, method) {
+    if (solver === 'exact') this.exactMethod = this.state.solver === 'exact' ? method : this.exactMethod;
+    this.state.method = solver === 'exact' ? this.exactMethod : 'laplacian';
     this.state.solver = solver;
-    this.state.method = solver === 'exact' ? method : 'laplacian';
     this.panel.setState(this.state);
     return this.solve();
   }
@@ -148,15 +153,17 @@ export class App {
     this.distance = result.distance;
     this.laplacian = null;
     this.gradient = null;
-    const [sx, sy, sz, fx, fy, fz, farthestDistance, angle, borderLoops, genus] = result.sourceNumbers;
+    const [sx, sy, sz, fx, fy, fz, farthestDistance, borderLoops, genus, angle, width, gap] = result.sourceNumbers;
     this.source = { point: [sx, sy, sz], farthest: [fx, fy, fz], farthestDistance, borderLoops, genus };
-    this.panel.setDefaultAngle(angle);
+    this.defaults = { angle, width, gap };
+    this.leastAngle = Math.min(this.angleFor(null), this.angleFor(parameters.width));
+    this.panel.setDefaults(this.defaults, method);
     this.viewer.setDistance(this.distance);
     this.viewer.setMarker(this.viewer.sourceMarker, this.toView(this.source.point));
     this.viewer.setMarker(this.viewer.farthestMarker, this.toView(this.source.farthest));
     const { isCut } = this.state;
     this.dropAtlas();
-    this.takeCurves(result);
+    this.takeCurves(result, parameters);
     this.viewer.draw();
     Object.assign(this.times, {
       source: performance.now() - begin,
@@ -185,15 +192,27 @@ export class App {
     return curves;
   }
 
-  // Smoothing takes longer than a frame: it waits for the slider to rest.
+  // The library computes branches from an angle at the source on, as its Exact_tree_solver says: for a width, in
+  // percent, or for its default.
+  angleFor(width) {
+    if (!this.defaults || this.state.method !== 'direction') return 0;
+    return width === null ? Math.max(0.5 * this.defaults.width, 0.1 * this.defaults.gap) : 0.5 * width / 100;
+  }
+
+  get needsMoreBranches() {
+    return this.angleFor(this.state.parameters.width) < this.leastAngle;
+  }
+
+  // What takes longer than a frame waits for the slider to rest: smoothing, and more branches than there are.
   setParameter(name, value) {
     this.state.parameters[name] = value;
     const { method, show, parameters } = this.state;
-    const waits = method === 'laplacian' && show.faceCurve && parameters.smoothing > 0;
+    const smooths = method === 'laplacian' && show.faceCurve && parameters.smoothing > 0;
     clearTimeout(this.restTimer);
-    if (!waits) return this.updateCurves();
+    this.panel.setScale(this.state, this.defaults);
+    if (!smooths && !this.needsMoreBranches) return this.updateCurves();
     this.restTimer = setTimeout(() => this.updateCurves(true), restMilliseconds);
-    return this.updateCurves(false);
+    return smooths ? this.updateCurves(false) : null;
   }
 
   // While the worker computes, only the last move of a slider is remembered.
@@ -213,10 +232,10 @@ export class App {
       do {
         this.wantsUpdate = false;
         const begin = this.moved;
-        const result = await this.engine.run('curves',
-          { curves: this.wantedCurves(), parameters: this.liveParameters() });
+        const parameters = this.liveParameters();
+        const result = await this.computeCurves(parameters);
         this.dropAtlas();
-        this.takeCurves(result);
+        this.takeCurves(result, parameters);
         this.viewer.draw();
         this.times[this.wantsSmooth && this.state.method === 'laplacian' ? 'smoothing' : 'threshold'] = { shown: performance.now() - begin, computed: result.milliseconds };
         this.panel.hideMessage();
@@ -229,32 +248,38 @@ export class App {
     }
   }
 
+  async computeCurves(parameters) {
+    const takesLong = this.needsMoreBranches;
+    if (takesLong) this.panel.setBusy(++this.jobs > 0, 'Computing more branches…');
+    try {
+      const result = await this.engine.run('curves', { curves: this.wantedCurves(), parameters });
+      this.leastAngle = Math.min(this.leastAngle, this.angleFor(parameters.width));
+      return result;
+    } finally {
+      if (takesLong) this.panel.setBusy(--this.jobs > 0);
+    }
+  }
+
   liveParameters() {
     return { ...this.state.parameters, ...(this.wantsSmooth ? {} : { smoothing: 0 }) };
   }
 
-  takeCurves(result) {
+  takeCurves(result, parameters) {
+    this.drawn = { ...parameters };
     for (const name of ['edgeCurve', 'faceCurve']) if (result[name]) this.curves[name] = result[name];
     this.shownCurve = result.faceCurve ? 'faceCurve' : 'edgeCurve';
     this.drawCurves();
   }
 
-  // The strength is a ratio, seen on a logarithmic scale, or an angle.
-  strengthScale() {
-    if (this.state.method === 'direction') {
-      const low = Math.log(2), range = Math.log(200) - low;
-      return (s) => (Math.log(Math.max(s, 1e-9)) - low) / range;
-    }
-    return (s) => s / Math.PI;
-  }
-
   drawCurves() {
     const { show } = this.state;
-    const scale = show.strength ? this.strengthScale() : null;
+    const scale = branchScale(this.state, this.defaults);
+    this.panel.setScale(this.state, this.defaults);
     for (const name of ['edgeCurve', 'faceCurve']) {
       const curve = this.curves[name];
-      this.viewer[name].show(show[name]);
-      if (curve && show[name]) this.viewer[name].set(curve.segments, curve.strength, scale);
+      this.viewer[name].show(show[name], show.hidden);
+      if (curve && show[name])
+        this.viewer[name].set(curve.segments, show.width ? Array.from(curve[scale.quantity], scale.place) : null);
     }
     this.updateDisk();
   }

@@ -7,15 +7,15 @@ export const arrays = {
   sourceNumbers: [4, 'f64'],
   laplacian: [5, 'f32'],
   gradient: [6, 'f32'],
-  edgeCurve: { segments: [7, 'f32'], strength: [8, 'f32'], numbers: [9, 'f64'] },
-  faceCurve: { segments: [10, 'f32'], strength: [11, 'f32'], numbers: [12, 'f64'] },
-  text: [13, 'u8'],
+  edgeCurve: { segments: [7, 'f32'], width: [8, 'f32'], gap: [9, 'f32'], numbers: [10, 'f64'] },
+  faceCurve: { segments: [11, 'f32'], width: [12, 'f32'], gap: [13, 'f32'], numbers: [14, 'f64'] },
+  text: [15, 'u8'],
   atlas: {
-    origin: [14, 'u32'],
-    triangles: [15, 'u32'],
-    border: [16, 'u32'],
-    uv: [17, 'f32'],
-    numbers: [18, 'f64'],
+    origin: [16, 'u32'],
+    triangles: [17, 'u32'],
+    border: [18, 'u32'],
+    uv: [19, 'f32'],
+    numbers: [20, 'f64'],
   },
 };
 

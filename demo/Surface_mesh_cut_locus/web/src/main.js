@@ -33,7 +33,7 @@ app.onState = saveState;
 async function start() {
   if (state.view) viewer.setView(state.view);
   if (state.sample) await app.openSample(state.sample, state.faces, true);
-  else panel.showMessage(`This link is about the file “${state.file}”: open it to see the same.`, true);
+  else panel.showMessage(`This link is about the file “${state.file}”: open it to see the same.`, true, true);
 }
 
 window.addEventListener('hashchange', () => {
@@ -56,7 +56,7 @@ const keys = {
   o: () => element('open').click(),
   s: () => viewer.pickCenter(),
   r: () => { viewer.resetView(); saveState(); },
-  m: () => { if (state.solver === 'exact') app.setSolver('exact', state.method === 'direction' ? 'laplacian' : 'direction'); },
+  m: () => { if (state.solver === 'exact') app.setSolver('exact', panel.nextMethod(state)); },
   c: () => app.toggleCut(),
   p: () => app.export('png'),
   '?': () => element('help').showModal(),

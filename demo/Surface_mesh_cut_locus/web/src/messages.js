@@ -15,6 +15,8 @@ const explanations = [
     (m) => `The file is damaged: its ${m[1]} refers to a vertex that is not there.`],
   [/there are no (vertices|faces)|the mesh (is empty|has no faces)/,
     () => 'There is no surface in this file: it has no faces.'],
+  [/out of bounds|unreachable|null function|signature mismatch/,
+    () => 'The computation broke down here, which is an error of the program. Move the source a little, or take another method.'],
   [/memory|Array buffer allocation|too large/i,
     () => 'The mesh is too large for the memory that a page can have. Simplify it, or use the program cut_locus.'],
   [/(cannot read|it is damaged)/,

@@ -1,6 +1,8 @@
 // The controls beside the surface, and the messages above it.
 import { samples, sampleSizes } from './samples.js';
+import { branchScale } from './branch_scale.js';
 import { Slider, thresholds } from './sliders.js';
+import { methods } from './state.js';
 
 const element = (id) => document.getElementById(id);
 const count = (n) => Math.round(n).toLocaleString('en');
@@ -11,9 +13,26 @@ function milliseconds(ms) {
   return `${ms >= 100 ? Math.round(ms) : ms.toFixed(1)} ms`;
 }
 
-function number(x) {
-  return Number.isFinite(x) ? String(Number(x.toPrecision(5))) : '–';
+function number(x, digits = 5) {
+  return Number.isFinite(x) ? String(Number(x.toPrecision(digits))) : '–';
 }
+
+const stageLabels = {
+  preprocessing: 'mesh',
+  distance: 'distances',
+  strength: 'where paths meet',
+  tree: 'tree',
+  homology: 'cycles',
+  filter: 'curves',
+};
+
+// by the status of a cut locus: 0 is that of one with branches
+const emptyNotes = {
+  1: 'The cut locus is one point: either all shortest paths meet there, as on a sphere, or no branch passes the '
+    + 'thresholds. Smaller ones may show some.',
+  2: 'The cut locus has no branches: either all shortest paths end at the border, as in a flat disk, or no branch '
+    + 'passes the thresholds. Smaller ones may show some.',
+};
 
 function fillList(list, rows) {
   list.replaceChildren(...rows.flatMap(([name, value]) => {
@@ -37,13 +56,12 @@ export class Panel {
   }
 
   connect(app) {
-    for (const [method, rows] of Object.entries(thresholds))
-      for (const row of rows) {
-        const slider = new Slider(row, (value) => app.setParameter(row.id, value));
-        slider.row.dataset.method = method;
-        this.sliders[row.id] = slider;
-        element('sliders').append(slider.row);
-      }
+    for (const row of thresholds) {
+      const slider = new Slider(row, (value) => app.setParameter(row.id, value));
+      slider.methods = row.methods;
+      this.sliders[row.id] = slider;
+      element('sliders').append(slider.row);
+    }
     element('samples').addEventListener('click', ({ target }) => {
       if (target.dataset.sample) app.openSample(target.dataset.sample, Number(element('faces').value));
     });
@@ -66,6 +84,7 @@ export class Panel {
     element('export').addEventListener('click', () => app.export(element('export-kind').value));
     element('cancel').addEventListener('click', () => app.cancel());
     element('message-close').addEventListener('click', () => this.hideMessage());
+    element('panel-toggle').addEventListener('click', () => this.toggle());
     element('help-button').addEventListener('click', () => element('help').showModal());
     this.setState(app.state);
   }
@@ -74,16 +93,27 @@ export class Panel {
     element('solver').value = state.solver;
     element('method').value = state.method;
     element('method').disabled = state.solver !== 'exact';
-    element('method').title = state.solver === 'exact' ? 'Other method (M)' : 'The direction method needs exact distances';
+    element('method').title = state.solver === 'exact' ? 'Next method (M)' : 'The other methods need exact distances';
     element('policy').value = state.parameters.policy;
     element('policy-field').hidden = state.method !== 'laplacian';
     for (const [name, slider] of Object.entries(this.sliders)) {
       slider.set(state.parameters[name]);
-      slider.row.hidden = slider.row.dataset.method !== state.method;
+      slider.row.hidden = !slider.methods.includes(state.method);
     }
     for (const [name, value] of Object.entries(state.show)) element(`show-${name}`).checked = value;
-    element('strength-range').textContent = state.method === 'direction' ? '(2 to 200)' : '(0 to π)';
     this.setSample(state);
+  }
+
+  // the method after that of the state, for the keyboard
+  nextMethod(state) {
+    return methods[(methods.indexOf(state.method) + 1) % methods.length];
+  }
+
+  // On a phone the panel lies below the surface, and can be folded.
+  toggle() {
+    const isFolded = element('panel').classList.toggle('is-folded');
+    element('panel-toggle').textContent = isFolded ? 'More' : 'Less';
+    element('panel-toggle').setAttribute('aria-expanded', !isFolded);
   }
 
   setSample(state) {
@@ -104,13 +134,33 @@ export class Panel {
       `${name}: ${count(mesh.positions.length / 3)} vertices, ${count(mesh.triangles.length / 3)} faces`;
   }
 
-  setDefaultAngle(angle) {
+  // What the library takes for the thresholds that are left to it.
+  setDefaults({ angle, width, gap }, method) {
     this.sliders.angle.setInitial(angle);
+    const percent = number(100 * width, 3);
+    const note = method === 'polyhedral' ? 'Automatic: all branches.'
+      : width > 0 ? `Automatic: ${percent} %, what this mesh resolves.`
+        : `Automatic: a gap of ${number(gap, 3)} radians between the paths where they part, as this mesh has few, sharp corners.`;
+    this.sliders.width.setInitial(width > 0 || !(gap > 0) ? 100 * width : NaN, note);
+  }
+
+  // The scale of the colours, beside its box, and below the surface while they are shown.
+  setScale(state, defaults) {
+    const { label, ends } = branchScale(state, defaults);
+    element('width-label').textContent = label;
+    element('width-range').textContent = `(${ends.join(' to ')})`;
+    element('legend-scale').hidden = !state.show.width;
+    element('legend-curve').hidden = state.show.width;
+    element('scale-name').textContent = `${label}:`;
+    [element('scale-low').textContent, element('scale-high').textContent] = ends;
   }
 
   setResult({ source, curve, times }) {
     if (!source || !curve) return;
     const [edges, cycles, leaves, branchings, length, radius] = curve.numbers;
+    const note = emptyNotes[curve.numbers[9]] || '';
+    element('result-note').textContent = note;
+    element('result-note').hidden = note === '';
     fillList(element('numbers'), [
       ['genus', count(source.genus)],
       ...(source.borderLoops > 0 ? [['border loops', count(source.borderLoops)]] : []),
@@ -118,7 +168,7 @@ export class Panel {
       ['cycles', count(cycles)],
       ['ends, branchings', `${count(leaves)}, ${count(branchings)}`],
       ['length', number(length)],
-      ['injectivity radius', number(radius)],
+      ['injectivity radius', edges > 0 ? number(radius) : '–'],
       ['farthest distance', number(source.farthestDistance)],
     ]);
     const { threshold } = times;
@@ -128,7 +178,7 @@ export class Panel {
       ...(times.smoothing ? [['smoothed', milliseconds(times.smoothing.shown)]] : []),
       ['new source', milliseconds(times.source)],
       ['– computing', milliseconds(times.solve)],
-      ...Object.entries(times.stages).map(([stage, ms]) => [`– – ${stage}`, milliseconds(ms)]),
+      ...Object.entries(times.stages).map(([stage, ms]) => [`– – ${stageLabels[stage]}`, milliseconds(ms)]),
       ...(times.cut ? [['cut and flattened', milliseconds(times.cut)]] : []),
       ['reading', milliseconds(times.load)],
     ]);
@@ -161,12 +211,13 @@ export class Panel {
     element('busy-text').textContent = text;
   }
 
-  showMessage(text, isPlain = false) {
+  // what is plain goes by itself, unless it stays
+  showMessage(text, isPlain = false, stays = false) {
     element('message-text').textContent = text;
     element('message').classList.toggle('is-plain', isPlain);
     element('message').hidden = false;
     clearTimeout(this.messageTimer);
-    if (isPlain) this.messageTimer = setTimeout(() => this.hideMessage(), 4000);
+    if (isPlain && !stays) this.messageTimer = setTimeout(() => this.hideMessage(), 4000);
   }
 
   hideMessage() {

@@ -1,5 +1,7 @@
 // All that a link restores: the sample, the source, the method with its thresholds, what is shown, and the view.
 
+export const methods = ['direction', 'polyhedral', 'laplacian'];
+
 export function defaultState() {
   return {
     sample: 'torus', // or null: a file
@@ -10,7 +12,7 @@ export function defaultState() {
     method: 'direction',
     // null is the default of the library
     parameters: {
-      strength: null,
+      width: null, // in percent of the diagonal of the bounding box
       angle: null,
       laplacian: null,
       minimumEdges: null,
@@ -22,7 +24,8 @@ export function defaultState() {
       isolines: true,
       laplacian: false,
       gradient: false,
-      strength: false,
+      width: false,
+      hidden: true,
       disk: false,
       edgeCurve: false,
       faceCurve: true,
@@ -79,11 +82,11 @@ export function fromHash(hash) {
   if (source && Number.isInteger(source[0]) && source[0] >= 0)
     state.source = { face: source[0], coordinates: source.slice(1) };
   if (['exact', 'heat', 'graph'].includes(items.get('solver'))) state.solver = items.get('solver');
-  if (['direction', 'laplacian'].includes(items.get('method'))) state.method = items.get('method');
+  if (methods.includes(items.get('method'))) state.method = items.get('method');
   if (state.solver !== 'exact') state.method = 'laplacian';
-  for (const name of ['strength', 'angle', 'laplacian', 'minimumEdges', 'minimumLength', 'smoothing']) {
+  for (const name of ['width', 'angle', 'laplacian', 'minimumEdges', 'minimumLength', 'smoothing']) {
     const value = Number(items.get(name));
-    if (items.has(name) && Number.isFinite(value)) state.parameters[name] = value;
+    if (items.has(name) && Number.isFinite(value) && (name !== 'width' || value >= 0)) state.parameters[name] = value;
   }
   if (items.get('policy') === 'grow') state.parameters.policy = 'grow';
   for (const item of (items.get('show') || '').split(',')) {

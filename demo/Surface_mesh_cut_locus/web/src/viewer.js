@@ -46,6 +46,7 @@ export class Viewer {
     this.farthestMarker = makeMarker(0xf08c14);
     this.nearestMarker = makeMarker(0x0b6b20);
     this.surfaceScene.add(this.surface);
+    this.scene.add(this.edgeCurve.hiddenObject, this.faceCurve.hiddenObject);
     this.scene.add(this.edgeCurve.object, this.faceCurve.object, this.seams.object, this.arrows,
       this.sourceMarker, this.farthestMarker, this.nearestMarker);
 

@@ -42,7 +42,8 @@ function arraysOf(module, named) {
 
 function setThresholds(module, p) {
   const number = (value) => (value === null ? NaN : value);
-  module._set_thresholds(number(p.strength), number(p.angle), number(p.laplacian), number(p.minimumEdges),
+  const share = p.width === null ? null : p.width / 100;
+  module._set_thresholds(number(share), number(p.angle), number(p.laplacian), number(p.minimumEdges),
     number(p.minimumLength), p.policy === 'grow' ? 1 : 0, p.smoothing);
 }
 

@@ -35,7 +35,7 @@ for (const method of ['direction', 'laplacian']) {
     for (let i = 0; i < 20; ++i) {
       waitForPixels();
       const start = performance.now();
-      if (name === 'direction') await app.setParameter('strength', 2 + 0.5 * i);
+      if (name === 'direction') await app.setParameter('width', 100 * app.defaults.width + 0.5 * i);
       else await app.setParameter('angle', 0.3 + 0.05 * i);
       waitForPixels();
       clearTimeout(app.restTimer);

@@ -30,6 +30,13 @@ const result = () => page.evaluate(() => {
   return { edges, cycles, leaves, length, radius, genus: app.source.genus, point: app.source.point, times: app.times };
 });
 
+async function setWidth(percent) {
+  await page.fill('#width-number', percent);
+  await page.waitForFunction((w) => window.cutLocusPage.app.drawn.width === Number(w)
+    && !window.cutLocusPage.app.isUpdating, percent, { timeout: patience });
+  await idle();
+}
+
 async function open(hash) {
   await page.goto('about:blank');
   await page.goto(address + hash);
@@ -102,24 +109,36 @@ const tests = {
     assert.notDeepEqual(await page.evaluate(() => window.cutLocusPage.viewer.getView()), view);
   },
 
-  async 'a larger strength gives a shorter curve, of the same cycles'() {
-    const lengths = [];
-    for (const strength of ['2', '40', '200']) {
-      await page.fill('#strength-number', strength);
-      await page.waitForFunction((s) => window.cutLocusPage.app.times.threshold
-        && window.cutLocusPage.app.state.parameters.strength === Number(s) && !window.cutLocusPage.app.isUpdating, strength);
-      const { length, cycles } = await result();
-      assert.equal(cycles, 2);
-      lengths.push(length);
+  async 'a smaller width gives more branches, also those that were not computed, and the same cycles'() {
+    assert.ok(await page.isChecked('#width-auto'));
+    const standard = await result();
+    const shown = Number(await page.inputValue('#width-number'));
+    assert.ok(shown > 0.1 && shown < 20, `by default ${shown} %`);
+    assert.match(await page.innerText('#width-note'), new RegExp(`Automatic: ${shown} %`));
+    assert.equal(await page.getAttribute('#width', 'aria-valuetext'), `${shown} % of the diagonal`);
+    const found = [];
+    for (const width of ['50', '20', String(shown), '0.3', '0.02']) {
+      await setWidth(width);
+      found.push(await result());
+      assert.equal(found.at(-1).cycles, 2);
     }
-    assert.ok(lengths[0] > lengths[2], `lengths ${lengths}`);
-    assert.ok(lengths[0] >= lengths[1] && lengths[1] >= lengths[2], `lengths ${lengths}`);
+    const edges = found.map((f) => f.edges), lengths = found.map((f) => f.length);
+    for (let i = 1; i < found.length; ++i) assert.ok(lengths[i] >= lengths[i - 1] - 1e-9, `lengths ${lengths}`);
+    assert.ok(Math.abs(lengths[2] - standard.length) < 1e-2 * standard.length, `lengths ${lengths}, ${standard.length}`);
+    assert.ok(edges[4] > 2 * edges[2], `edges ${edges}`);
+    assert.ok(!await page.isChecked('#width-auto'));
+    await page.fill('#width-number', '1000');
+    await page.keyboard.press('Tab');
+    assert.equal(await page.inputValue('#width-number'), '50');
     await page.click('#defaults');
-    await idle();
+    await page.waitForFunction(() => window.cutLocusPage.app.drawn.width === null && !window.cutLocusPage.app.isUpdating);
+    assert.equal((await result()).edges, standard.edges);
   },
 
-  async 'both methods and all solvers give the cycles of the torus'() {
-    for (const [solver, method] of [['exact', 'laplacian'], ['heat', null], ['graph', null], ['exact', 'direction']]) {
+  async 'all methods and all solvers give the cycles of the torus'() {
+    const { leaves } = await result();
+    for (const [solver, method] of [['exact', 'laplacian'], ['heat', null], ['graph', null], ['exact', 'polyhedral'],
+      ['exact', 'direction']]) {
       await page.selectOption('#solver', solver);
       await page.waitForTimeout(50);
       await idle();
@@ -128,15 +147,58 @@ const tests = {
       await page.waitForTimeout(50);
       await idle();
       assert.equal(await page.inputValue('#method'), method || 'laplacian');
-      assert.equal(await page.locator('#strength').isVisible(), method === 'direction');
-      const { cycles } = await result();
-      assert.deepEqual([solver, method, cycles], [solver, method, 2]);
+      assert.equal(await page.locator('#width').isVisible(), ['direction', 'polyhedral'].includes(method));
+      const found = await result();
+      assert.deepEqual([solver, method, found.cycles], [solver, method, 2]);
+      if (method !== 'polyhedral') continue;
+      assert.ok(found.leaves > leaves + 100, `${found.leaves} leaves for ${leaves}`);
+      assert.match(await page.innerText('#width-note'), /all branches/);
+      await setWidth('20');
+      assert.ok((await result()).leaves < leaves + 10);
+      await page.click('#defaults');
+      await idle();
     }
+    // a solver of distances does not change the method for the others
+    await page.selectOption('#solver', 'heat');
+    await page.selectOption('#solver', 'exact');
+    await page.waitForTimeout(50);
+    await idle();
+    assert.equal(await page.inputValue('#method'), 'direction');
+  },
+
+  async 'a plain polyhedron stands for itself'() {
+    const corners = [0, 1].flatMap((z) => [[0, 0, z], [1, 0, z], [1, 1, z], [0, 1, z]]);
+    const faces = [[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], [0, 1, 5], [0, 5, 4], [1, 2, 6], [1, 6, 5], [2, 3, 7],
+      [2, 7, 6], [3, 0, 4], [3, 4, 7]];
+    const cube = `OFF\n8 12 0\n${corners.map((c) => c.join(' ')).join('\n')}\n${faces.map((f) => `3 ${f.join(' ')}`).join('\n')}\n`;
+    assert.equal(await openFile('cube.off', cube), null);
+    assert.match(await page.innerText('#width-note'), /a gap of 0.5 radians/);
+    assert.equal(await page.inputValue('#width-number'), '');
+    const { edges, leaves } = await result();
+    assert.ok(edges >= 8 && leaves >= 4, `${edges} edges, ${leaves} leaves`);
+    await page.check('#show-width');
+    assert.match(await page.innerText('#legend-scale'), /π radians/);
+    await page.selectOption('#method', 'polyhedral');
+    await page.waitForTimeout(100);
+    await idle();
+    assert.match(await page.innerText('#legend-scale'), /0.5\s%[^]*50\s% of the diagonal/);
+    assert.equal((await result()).cycles, 0);
+    await page.uncheck('#show-width');
+    assert.ok(!await page.locator('#legend-scale').isVisible());
+  },
+
+  async 'a cut locus without branches is explained'() {
+    await open('#sample=torus&faces=5000');
+    assert.ok(!await page.locator('#result-note').isVisible());
+    assert.equal(await openFile('square.off', 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n'), null);
+    assert.match(await page.innerText('#result-note'), /no branches: either all shortest paths end at the border/);
+    assert.match(await page.innerText('#numbers'), /injectivity radius\s*–/);
   },
 
   async 'all layers can be shown at once'() {
     await open('#sample=torus&faces=5000');
-    for (const name of ['edgeCurve', 'strength', 'laplacian', 'gradient', 'disk']) {
+    await page.uncheck('#show-hidden');
+    for (const name of ['hidden', 'edgeCurve', 'width', 'laplacian', 'gradient', 'disk']) {
       const before = await picture('layer.png');
       await page.check(`#show-${name}`);
       await page.waitForTimeout(200);
@@ -146,6 +208,16 @@ const tests = {
     await picture('layers_wide.png');
     await page.setViewportSize({ width: 800, height: 700 });
     await picture('layers_narrow.png');
+    await page.setViewportSize({ width: 390, height: 844 });
+    await picture('layers_phone.png');
+    const height = async () => (await page.locator('#canvas').boundingBox()).height;
+    assert.ok(await height() > 450, `the canvas has ${await height()} pixels`);
+    await page.click('#panel-toggle');
+    await page.waitForTimeout(100);
+    assert.ok(await height() > 760, `the canvas has ${await height()} pixels`);
+    await picture('layers_phone_folded.png');
+    await page.click('#panel-toggle');
+    assert.ok(await page.locator('#method').isVisible());
     await page.setViewportSize({ width: 1440, height: 900 });
   },
 
@@ -203,6 +275,31 @@ const tests = {
     assert.equal(await page.evaluate(() => location.hash), hash);
   },
 
+  async 'a link restores the width, and an old one with a strength opens'() {
+    await open('#sample=torus&faces=5000&method=polyhedral&width=0.5&show=width');
+    assert.equal(await page.inputValue('#width-number'), '0.5');
+    assert.equal(await page.inputValue('#method'), 'polyhedral');
+    assert.ok(await page.isChecked('#show-width'));
+    const fine = await result();
+    await open('#sample=torus&faces=5000&method=direction&width=0.5');
+    const same = await result();
+    assert.ok(Math.abs(same.length - fine.length) < 1e-2 * fine.length, `${same.length}, ${fine.length}`);
+    await open('#sample=torus&faces=5000&solver=exact&method=direction&strength=7&show=strength,disk');
+    assert.ok(!await page.locator('#message').isVisible());
+    assert.ok(await page.isChecked('#width-auto'));
+    assert.ok(await page.isChecked('#show-disk'));
+    assert.doesNotMatch(await page.evaluate(() => location.hash), /strength/);
+  },
+
+  async 'a link to a file says so until it is opened'() {
+    await page.goto('about:blank');
+    await page.goto(`${address}#file=square.off&solver=exact&method=polyhedral`);
+    await page.waitForTimeout(5000);
+    assert.match(await page.innerText('#message-text'), /about the file “square.off”/);
+    assert.equal(await openFile('square.off', 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n'), null);
+    assert.equal(await page.inputValue('#method'), 'polyhedral');
+  },
+
   async 'files of all formats give the same surface'() {
     const points = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]];
     const faces = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
@@ -241,8 +338,7 @@ const tests = {
 
   async 'a frame in which only the curve changes shows the same as a whole one'() {
     await open('#sample=torus&faces=5000&show=isolines');
-    await page.fill('#strength-number', '60');
-    await page.waitForFunction(() => window.cutLocusPage.app.times.threshold && !window.cutLocusPage.app.isUpdating);
+    await setWidth('30');
     const canvas = (redraws) => page.evaluate(async (isWhole) => {
       const { viewer } = window.cutLocusPage;
       if (isWhole) viewer.layer.isValid = false;
@@ -251,8 +347,7 @@ const tests = {
     }, redraws);
     const kept = await canvas(false);
     assert.equal(kept, await canvas(true));
-    await page.fill('#strength-number', '2');
-    await page.waitForFunction(() => window.cutLocusPage.app.curves.faceCurve && !window.cutLocusPage.app.isUpdating);
+    await setWidth('0.5');
     assert.notEqual(kept, await canvas(false));
   },
 
@@ -335,7 +430,7 @@ const tests = {
     await page.keyboard.press('m');
     await page.waitForTimeout(100);
     await idle();
-    assert.equal(await page.inputValue('#method'), 'laplacian');
+    assert.equal(await page.inputValue('#method'), 'polyhedral');
     await page.keyboard.press('?');
     assert.ok(await page.locator('#help').isVisible());
     await page.keyboard.press('Escape');

@@ -45,8 +45,8 @@ struct Edge_ends
  * It is an observer of `Exact_geodesic_propagation`. It keeps the windows of an edge until the front has passed it, so
  * that they take the memory of the front. An edge on which windows arrive after that is late.
  *
- * With a least angle, only faces are *drawn* that have an edge on which the label changes by more than that; of their
- * edges all changes are known, of other edges none.
+ * If branches must have a least strength, only faces are *drawn* that have an edge on which the label changes by as
+ * much; of their edges all changes are known, of other edges none.
  */
 class Edge_crossings
 {
@@ -54,9 +54,9 @@ public:
   static constexpr bool is_active = true;
 
   /// @param slack how far beyond an edge the front has to be, in sizes of its faces, for its windows to be complete
-  Edge_crossings(Exact_geodesic_propagation& geodesics, double slack, double least_angle)
+  Edge_crossings(Exact_geodesic_propagation& geodesics, double slack, const Branch_strength& least)
     : geodesics_(geodesics), faces_(geodesics.faces()), envelope_(geodesics), parting_angle_(geodesics),
-      jumps_(geodesics, least_angle), slack_(slack), kept_(faces_.number_of_halfedges(), nullptr),
+      jumps_(geodesics, least), slack_(slack), kept_(faces_.number_of_halfedges(), nullptr),
       state_(faces_.number_of_halfedges(), 0)
   {
     is_drawn.assign(faces_.number_of_halfedges() / 3, jumps_.finds_all());
@@ -111,8 +111,12 @@ public:
       return;
     }
     wait(h, null_index);
-    if(!is_drawn[h / 3] && (jumps_.between_windows(*list) || has_jump_at_end(*list, h, true)))
-      draw(h / 3);
+    if(!is_drawn[h / 3])
+    {
+      jumps_.start(faces_.target(h), faces_.source(h), faces_.length(h)); // in the frame of the opposite
+      if(jumps_.between_windows(*list) || has_jump_at_end(*list, h))
+        draw(h / 3);
+    }
     if(kept_[h] == nullptr)
       kept_[h] = list;
     else
@@ -135,8 +139,7 @@ public:
   std::vector<Edge_crossing> crossings; ///< those of an edge together, in order
   std::vector<Edge_ends> ends;          ///< of all edges of the faces that are drawn
   std::vector<unsigned char> is_drawn;  ///< by face
-  /// for other edges, by halfedge of smaller index: how much farther the path to one end leads to the other than the
-  /// shortest one there, as a share of the edge; at most about the angle between them
+  /// for other edges, by halfedge of smaller index: see `Label_jumps::bend()`
   std::vector<float> bend;
 
   /// how often windows came too late
@@ -183,36 +186,25 @@ private:
   {
     if(is_drawn[h / 3] && (o == null_index || is_drawn[o / 3]))
       return;
+    jumps_.start(faces_.source(h), faces_.target(h), faces_.length(h));
     const bool is_second = o != null_index && (kept_[o] != nullptr || geodesics_.waits(o));
-    if(!jumps_.between_windows(list) && !has_jump_at_end(list, h, false) && !(is_second && is_mirrored(list, h)))
+    if(!jumps_.between_windows(list) && !has_jump_at_end(list, h) &&
+       !(is_second && jumps_.is_mirrored(list.get<columns>(list.begin), list.get<columns>(list.end - 1))))
       return;
     draw(h / 3);
     if(o != null_index)
       draw(o / 3);
   }
 
-  /// @param is_opposite whether the list is in the frame of the opposite of `h`
-  bool has_jump_at_end(const Geodesic_window_list& list, Index h, bool is_opposite)
+  bool has_jump_at_end(const Geodesic_window_list& list, Index h)
   {
-    const double length = faces_.length(h);
     const Geodesic_window first = list.get<columns>(list.begin), last = list.get<columns>(list.end - 1);
-    const Index a = is_opposite ? faces_.target(h) : faces_.source(h);
-    const Index b = is_opposite ? faces_.source(h) : faces_.target(h);
-    if(jumps_.at_ends(first, last, length, a, b))
+    if(jumps_.at_ends(first, last))
       return true;
-    const double miss = (std::min)(first.distance(length) - geodesics_.distance(b),
-                                   last.distance(0.) - geodesics_.distance(a));
     const Index o = faces_.opposite(h);
     float& known = bend[(std::min)(h, o)];
-    known = (std::max)(known, static_cast<float>(miss / length));
+    known = (std::max)(known, static_cast<float>(jumps_.bend(first, last)));
     return false;
-  }
-
-  /// Two labels that mirror each other in the edge have the same distances on it.
-  bool is_mirrored(const Geodesic_window_list& list, Index h) const
-  {
-    return jumps_.leads_elsewhere(list.get<columns>(list.begin), 0., faces_.source(h)) ||
-           jumps_.leads_elsewhere(list.get<columns>(list.end - 1), faces_.length(h), faces_.target(h));
   }
 
   void draw(Index f)

@@ -42,19 +42,17 @@ public:
 
   /// computes the distances, and where the cut locus crosses the edges of the mesh
   ///
-  /// @param least_angle what has no larger one may be left out
-  void propagate(const Indexed_location& source, double least_angle)
+  /// @param least what is weaker may be left out
+  void propagate(const Indexed_location& source, const Branch_strength& least)
   {
-    least_angle_ = least_angle;
+    least_ = least;
     // Windows of an edge come once the front is there, up to a face or two. If that is not enough on this mesh, once
     // more with room for more.
     for(double slack = 4.;; slack *= 8.)
     {
-      crossings_.reset(new Edge_crossings(geodesics_, slack, least_angle));
+      crossings_.reset(new Edge_crossings(geodesics_, slack, least));
       geodesics_.run({source}, Exact_geodesic_options(), *crossings_);
       crossings_->finish();
-      if(getenv("DBG"))
-        fprintf(stderr, "slack %g late %zu\n", slack, crossings_->number_of_late());
       if(crossings_->number_of_late() == 0 || slack > 1e30)
         return;
     }
@@ -71,8 +69,8 @@ public:
   {
     const Cut_graph cut(mesh_, connectivity_, changes_, ridges_);
     graph_.reset(new Tree_graph(mesh_, connectivity_, geodesics_, changes_, ridges_, cut));
-    if(least_angle_ > 0.)
-      graph_->drop_branches_below(least_angle_);
+    if(least_.gap > 0. || least_.width > 0.)
+      graph_->drop_weak_branches(least_);
   }
 
   /// The source is moved away from a vertex: what starts there is none of it.
@@ -98,13 +96,16 @@ public:
   const Tree_branches& branches() const { return branches_; }
   const Ridges& ridges() const { return ridges_; }
 
-  /// the edges of the graph whose branches are at least that wide, and have at least that gap
-  std::vector<Tree_branches::Edge> kept(double minimum_gap, double minimum_width)
+  /// the edges of the graph whose branches are at least that strong
+  std::vector<Tree_branches::Edge> kept(const Branch_strength& least)
   {
     return without_weak_ends(branches_(
       [&](const Tree_branches::Edge& b) { return graph_->edges[b.edge].piece != null_index; },
       [&](const Tree_branches::Edge& b)
-      { return b.strength >= minimum_gap && (minimum_width == 0. || width(b.edge) >= minimum_width); }));
+      {
+        return b.strength >= least.gap &&
+               (least.width == 0. || (graph_->can_be(b.edge, least) && width(b.edge) >= least.width));
+      }));
   }
 
   /// the largest separation of the two shortest paths to the points of a piece
@@ -164,7 +165,7 @@ private:
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   Exact_geodesic_propagation& geodesics_;
-  double least_angle_ = 0.; // what has no larger one may be left out
+  Branch_strength least_;
   std::unique_ptr<Edge_crossings> crossings_;
   Label_changes changes_;
   Ridges ridges_;

@@ -15,6 +15,7 @@
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/exact_tree/Default_branch_strength.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
+#include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_edge_curve.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
 #include <CGAL/Cut_loci/internal/Component_solver.h>
@@ -35,10 +36,8 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-struct Exact_tree_thresholds
+struct Exact_tree_thresholds : Branch_strength
 {
-  double gap = 0.;            // radians
-  double width = 0.;          // a length
   Index minimum_edges = 0;    // branches of fewer edges of the mesh are removed
   double minimum_length = 0.; // branches that are shorter are removed
 };
@@ -69,7 +68,7 @@ public:
   const Exact_tree_thresholds& default_thresholds() const { return default_; }
 
   // What does not pass may be left out; `filter()` computes it if it is asked for.
-  void expect(const Exact_tree_thresholds& thresholds) { least_angle_ = least_angle(thresholds); }
+  void expect(const Branch_strength& least) { least_ = least; }
 
   // once per source, in four parts
   void compute_distance(const Indexed_source& source)
@@ -91,7 +90,7 @@ public:
   void grow_tree()
   {
     tree_->join();
-    for(int number = 1; number <= 2 && least_angle_ == 0. && !tree_->is_sure(); ++number)
+    for(int number = 1; number <= 2 && least_.gap == 0. && least_.width == 0. && !tree_->is_sure(); ++number)
     {
       start(moved_source(number));
       tree_->draw_ridges();
@@ -105,11 +104,9 @@ public:
   // once per threshold; `edges` becomes the curve of mesh edges, whichever curve is asked for
   Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges)
   {
-    if(least_angle(thresholds) < least_angle_)
-      compute_more(least_angle(thresholds));
-    // what parts at a smaller angle is not that wide, as it may have been left out for that
-    const double gap = (std::max)(thresholds.gap, least_angle(thresholds));
-    const std::vector<Tree_branches::Edge> kept = tree_->kept(gap, thresholds.width);
+    if(thresholds.gap < least_.gap || thresholds.width < least_.width)
+      compute_more(thresholds);
+    const std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds);
     edges = Mesh_edge_curve(mesh_, connectivity_, geodesics_, *tree_, kept, farthest_).graph;
     const bool drops_branches = thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.;
     if(curve == Curve::MESH_EDGES)
@@ -147,26 +144,18 @@ private:
     return norm(high - low);
   }
 
-  // Two paths as long as the diagonal that part at an angle are as wide apart as that angle times the diagonal, if they
-  // spread as in the plane. Half of it is on the safe side, as long paths go around the shape. A gap needs no such
-  // margin, but cycles have weak parts, and what is not known of them is closed as the mesh allows.
-  double least_angle(const Exact_tree_thresholds& thresholds) const
-  {
-    return (std::max)(0.5 * thresholds.width / diagonal_, 0.1 * thresholds.gap);
-  }
-
   void start(const Indexed_location& location)
   {
     tree_.reset(new Exact_tree(mesh_, connectivity_, geodesics_));
-    tree_->propagate(location, least_angle_);
+    tree_->propagate(location, least_);
     for(double d : geodesics_.distances())
       if(!(d < (std::numeric_limits<double>::infinity)()))
         throw Invalid_input("the exact solver does not reach all vertices: some faces may be too thin for it");
   }
 
-  void compute_more(double angle)
+  void compute_more(const Branch_strength& least)
   {
-    least_angle_ = angle;
+    least_ = least;
     start(source_.location);
     compute_strengths();
     grow_tree();
@@ -222,7 +211,7 @@ private:
   Exact_geodesic_propagation geodesics_;
   double diagonal_;
   Exact_tree_thresholds default_;
-  double least_angle_ = 0.; // of what the tree has
+  Branch_strength least_; // of what the tree has
 
   Indexed_source source_;
   std::vector<double> distance_;

@@ -18,88 +18,131 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
+/// is how strong a branch must be at least, to matter.
+struct Branch_strength
+{
+  double gap = 0.;   // an angle
+  double width = 0.; // a length
+
+  /*
+   * Of the gap, at this distance. Where the curvature is not negative, two paths of the length d that part at an angle
+   * are never farther apart than that angle times d. Half of it is for places where it is. A gap needs no such margin,
+   * but cycles have weak parts, and what is not known of them is closed as the mesh allows.
+   */
+  double least_angle(double distance) const
+  {
+    return (std::max)(0.1 * gap, distance > 0. ? 0.5 * width / distance : 0.);
+  }
+};
+
 /*!
- * tells whether the cut locus crosses a halfedge with more than a least angle between the paths, from its windows alone.
- *
- * Two paths to a point that leave the source at a smaller angle may still be told apart here; the other way round, what
- * is not told apart has a smaller angle.
+ * tells whether the cut locus crosses a halfedge where it matters, from the windows alone: where the two paths part at
+ * more than the angle that a least strength of branches needs, or meet at one that is not small.
  */
 class Label_jumps
 {
 public:
-  Label_jumps(const Geodesic_results& geodesics, double least_angle)
-    : geodesics_(geodesics), parting_angle_(geodesics), least_angle_(least_angle)
+  Label_jumps(const Geodesic_results& geodesics, const Branch_strength& least)
+    : geodesics_(geodesics), parting_angle_(geodesics), least_(least)
   {
   }
 
-  bool finds_all() const { return least_angle_ == 0.; }
+  bool finds_all() const { return least_.gap == 0. && least_.width == 0.; }
+
+  /// prepares for the halfedge from `a` to `b`
+  void start(Index a, Index b, double length)
+  {
+    a_ = a;
+    b_ = b;
+    length_ = length;
+    least_angle_ = least_.least_angle((std::min)(geodesics_.distance(a), geodesics_.distance(b)) + length);
+    steep_ = (std::max)(least_angle_, 0.1);
+  }
 
   /// whether two neighbors in the list differ
   bool between_windows(const Geodesic_window_list& list) const
   {
     const double *b = list.column(1), *x = list.column(2), *y = list.column(3), *turn = list.column(5),
                  *origin = list.column(6);
-    const double bound = least_angle_ * least_angle_;
-    // The image of a neighbor moves by more than the angle seen from the point between them: a sum without branches.
-    int number_of_changes = 0;
     for(std::size_t i = list.begin; i + 1 < list.end; ++i)
     {
-      const double ux = x[i] - b[i], dx = x[i + 1] - x[i], dy = y[i + 1] - y[i];
-      const double uu = ux * ux + y[i] * y[i];
-      number_of_changes += int(dx * dx + dy * dy > bound * uu) | int(std::fabs(turn[i] - turn[i + 1]) > least_angle_) |
-                           int(origin[i] != origin[i + 1]);
-    }
-    if(number_of_changes == 0)
-      return false;
-    for(std::size_t i = list.begin; i + 1 < list.end; ++i)
-      if(origin[i] == origin[i + 1] ? differ(x, y, turn, b[i], i) : meet(x, y, b[i], i))
+      // The paths meet at the angle between the images; what is left of it at the source is as their frames are turned.
+      const double ux = x[i] - b[i], vx = x[i + 1] - b[i], uu = ux * ux + y[i] * y[i];
+      const double cross = ux * y[i + 1] - y[i] * vx;
+      if(origin[i] == origin[i + 1])
+      {
+        if((std::fabs((turn[i + 1] - turn[i]) * uu + cross) > least_angle_ * uu || std::fabs(cross) > steep_ * uu) &&
+           differ(list.get<7>(i), list.get<7>(i + 1), b[i]))
+          return true;
+      }
+      else if(cross * cross > least_meeting * least_meeting * uu * (vx * vx + y[i + 1] * y[i + 1]) &&
+              differ(list.get<7>(i), list.get<7>(i + 1), b[i]))
         return true;
+    }
     return false;
   }
 
-  /// whether a path that is in no window leads to an end, `a` or `b`, of the halfedge
-  ///
-  /// Where another label takes over before the end, the distance there is less than the last window says: by the
-  /// distance to that point times the difference of two slopes, which the angle bounds.
-  bool at_ends(const Geodesic_window& first, const Geodesic_window& last, double length, Index a, Index b) const
+  /// whether a path that is in no window leads to an end of the halfedge
+  bool at_ends(const Geodesic_window& first, const Geodesic_window& last) const
   {
-    const double rounding = geodesic_cover * length;
-    return first.distance(0.) - geodesics_.distance(a) > least_angle_ * first.a + rounding ||
-           last.distance(length) - geodesics_.distance(b) > least_angle_ * (length - last.b) + rounding;
+    return at_end(first, 0., first.a, a_) || at_end(last, length_, length_ - last.b, b_);
   }
 
-  /// whether the path of a window to the end `v` of the halfedge is another one than that which is known
+  /// whether the paths of the windows to the ends of the halfedge are other ones than those that are known: two labels
+  /// that mirror each other in the edge have the same distances on it
+  bool is_mirrored(const Geodesic_window& first, const Geodesic_window& last) const
+  {
+    return leads_elsewhere(first, 0., a_) || leads_elsewhere(last, length_, b_);
+  }
+
+  /// how much farther the path to one end leads to the other than the shortest one there, as a share of the edge: at
+  /// most about the angle between the two
+  double bend(const Geodesic_window& first, const Geodesic_window& last) const
+  {
+    return (std::min)(first.distance(length_) - geodesics_.distance(b_),
+                      last.distance(0.) - geodesics_.distance(a_)) /
+           length_;
+  }
+
+private:
+  static constexpr double least_meeting = 1e-7; // of paths that do not come along one line
+
   bool leads_elsewhere(const Geodesic_window& w, double t, Index v) const
   {
     if(geodesics_.distance(v) == 0. || !geodesics_.is_reached(v))
       return !geodesics_.is_reached(v);
-    const Path_label label{w.x, w.y, w.sigma, w.turn, static_cast<Index>(w.origin), false};
     const Geodesic_arrival& arrival = geodesics_.arrival(v);
-    return parting_angle_(label.origin, label.direction(t), arrival.origin,
+    return parting_angle_(static_cast<Index>(w.origin), label(w).direction(t), arrival.origin,
                           Geodesic_results::direction_at_origin(arrival, geodesics_.end_in_frame(arrival, v))) >
            least_angle_;
   }
 
-private:
-  bool differ(const double* x, const double* y, const double* turn, double t, std::size_t i) const
+  static Path_label label(const Geodesic_window& w)
   {
-    const double dx = x[i + 1] - x[i], dy = y[i + 1] - y[i], ux = x[i] - t;
-    return dx * dx + dy * dy > least_angle_ * least_angle_ * (ux * ux + y[i] * y[i]) ||
-           std::fabs(turn[i] - turn[i + 1]) > least_angle_;
+    return {w.x, w.y, w.sigma, w.turn, static_cast<Index>(w.origin), false};
   }
 
-  /// paths from different origins that meet at an angle; one that comes straight through the other is no other path
-  bool meet(const double* x, const double* y, double t, std::size_t i) const
+  bool differ(const Geodesic_window& u, const Geodesic_window& v, double t) const
   {
-    const double ux = x[i] - t, uy = y[i], vx = x[i + 1] - t, vy = y[i + 1];
-    const double cross = ux * vy - uy * vx;
-    return cross * cross > least_angle_ * least_angle_ * (ux * ux + uy * uy) * (vx * vx + vy * vy) ||
-           ux * vx + uy * vy < 0.;
+    const Path_label a = label(u), b = label(v);
+    return meeting_angle(a, b, t) > steep_ || parting_angle_(a, b, t) > least_angle_;
+  }
+
+  /// Where another path takes over before the end, the distance there is less than the window says: by what is left times
+  /// the difference of two slopes, which the angle at which they meet bounds.
+  bool at_end(const Geodesic_window& w, double t, double rest, Index v) const
+  {
+    const double excess = w.distance(t) - geodesics_.distance(v) - geodesic_cover * length_;
+    return excess > 0. && (excess > steep_ * rest || leads_elsewhere(w, t, v));
   }
 
   const Geodesic_results& geodesics_;
   Parting_angle parting_angle_;
-  double least_angle_;
+  Branch_strength least_;
+  // of the halfedge in work
+  Index a_ = 0, b_ = 0;
+  double length_ = 0., least_angle_ = 0.;
+  double steep_ = 0.; // beside a point where paths meet at less, the way to it is longer by less than that share of an edge
 };
 
 } // namespace internal

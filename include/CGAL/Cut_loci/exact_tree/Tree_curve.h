@@ -225,6 +225,13 @@ private:
     return first == i ? representative(nodes[1]) : first;
   }
 
+  /// the end of the edge that node `i` stands for: that one has a place in the face of the edge
+  Index own_end(Index i, Index edge) const
+  {
+    const std::array<Index, 2>& nodes = tree_.graph().edges[edge].nodes;
+    return representative(nodes[0]) == i ? nodes[0] : nodes[1];
+  }
+
   struct Point
   {
     Plane_point point;
@@ -233,7 +240,8 @@ private:
 
   void add_point(Index i, Index edge)
   {
-    points_.push_back({position(i, tree_.graph().edges[edge].face), tree_.graph().nodes[i].distance});
+    const Index own = own_end(i, edge);
+    points_.push_back({position(own, tree_.graph().edges[edge].face), tree_.graph().nodes[own].distance});
   }
 
   void add_points_between(Index edge, Index from)
@@ -245,7 +253,7 @@ private:
     samples_.clear();
     sample_bisector(piece.images[0], piece.images[1], tree_.ridges().piece_end(e.piece, 0),
                     tree_.ridges().piece_end(e.piece, 1), tolerance(), samples_);
-    const Plane_point p = position(from, e.face), q = tree_.ridges().piece_end(e.piece, 0),
+    const Plane_point p = position(own_end(from, edge), e.face), q = tree_.ridges().piece_end(e.piece, 0),
                       r = tree_.ridges().piece_end(e.piece, 1);
     if(std::hypot(p.x - q.x, p.y - q.y) > std::hypot(p.x - r.x, p.y - r.y))
       std::reverse(samples_.begin(), samples_.end());

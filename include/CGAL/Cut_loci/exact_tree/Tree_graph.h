@@ -79,8 +79,8 @@ public:
     return number_of_open_ == 0;
   }
 
-  /// removes the branches on which the paths to no point part at that angle
-  void drop_branches_below(double least_gap)
+  /// removes the branches on which the paths to no point part at the angle that they need
+  void drop_weak_branches(const Branch_strength& least)
   {
     std::vector<Incidence> incidence(nodes.size());
     for(Index e = 0; e < edges.size(); ++e)
@@ -91,7 +91,7 @@ public:
       for(Index i = seed; i >= number_of_loops() && incidence[i].degree == 1;)
       {
         const Index e = incidence[i].exclusive_or;
-        if(edges[e].gap >= least_gap)
+        if(can_be(e, least))
           break;
         const Index other = edges[e].nodes[0] == i ? edges[e].nodes[1] : edges[e].nodes[0];
         is_removed[e] = 1;
@@ -102,6 +102,13 @@ public:
         i = other;
       }
     remove(is_removed);
+  }
+
+  /// whether an edge has the angle that this strength needs
+  bool can_be(Index e, const Branch_strength& least) const
+  {
+    const double farther = (std::max)(nodes[edges[e].nodes[0]].distance, nodes[edges[e].nodes[1]].distance);
+    return edges[e].gap >= least.least_angle(farther);
   }
 
   /// removes the edges from a leaf at a vertex of the mesh up to the first node at which others meet
