@@ -238,7 +238,7 @@ read_source(const TriangleMesh& tm, const Read& read,
  * (The <em>star unfolding</em>, cut along the shortest paths to the vertices, is another one.) The corners are the points
  * where edges of the mesh, or other branches, meet a branch of the cut locus, and the ends of branches, which are the
  * vertices of the polyhedron. Glued edges are equally long, the area is that of the surface, and lengths within a face are
- * those in space, all but for rounding.
+ * those in space, up to 1e-9 of the size of the polygon; the copies of a corner have the same distance up to 1e-8 of it.
  *
  * If the source is a vertex of a total angle less than 2 pi, the polygon is not flat around it either. It is then cut from
  * the source to the nearest end of a branch, and starts with the corner at the source, which has this angle.
@@ -281,7 +281,9 @@ read_source(const TriangleMesh& tm, const Read& read,
  *
  * @return a `Source_unfolding`
  *
- * @throws Invalid_input if a vertex has more than the angle above, with a message that names it, and as
+ * @throws Invalid_input if a vertex has more than the angle above, with a message that names it; if the cut locus is not
+ *         found accurately enough to cut along it wherever the source is moved, as may happen with thousands of faces, or
+ *         with thin ones, as hulls of scans have them: nothing that does not fit together is returned; and as
  *         `Surface_mesh_cut_locus` does if the mesh or the source can not be used
  */
 template <typename TriangleMesh, typename Source, typename CGAL_NP_TEMPLATE_PARAMETERS>
