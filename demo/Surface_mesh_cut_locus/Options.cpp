@@ -8,6 +8,7 @@
 #include "atlas.h"
 #include "output.h"
 #include "solvers.h"
+#include "unfolding.h"
 
 #include <boost/program_options.hpp>
 
@@ -126,7 +127,11 @@ po::options_description visible_options()
     "parameterization", po::value<std::string>()->value_name("NAME")->default_value("arap"),
     "how --uv flattens:\n  arap: as rigidly as possible\n  lscm: least squares conformal map\n"
     "  convex: mean value coordinates in a circle, without flipped triangles")(
-    "report", po::value<std::string>()->value_name("FILE"), "write figures and times as JSON")(
+    "unfold", po::value<std::string>()->value_name("FILE.svg|.obj"),
+    "write the source unfolding of a convex polyhedron: cut along the exact cut locus, whatever the method, and laid "
+    "flat; "
+    "sides with the same number are glued")("report", po::value<std::string>()->value_name("FILE"),
+                                            "write figures and times as JSON")(
     "check", po::bool_switch(),
     "check the topology of the result, and by how much cutting along it lengthens shortest paths, in mean edge "
     "lengths; "
@@ -301,6 +306,12 @@ Options parse_command_line(int argc, char* argv[])
   options.parameterization = text("parameterization");
   if(!is_parameterization_name(options.parameterization))
     throw Usage_error("--parameterization takes arap, lscm or convex, not '" + options.parameterization + "'");
+  if(given.count("unfold"))
+  {
+    check_output_path(options.unfold = text("unfold"), "--unfold");
+    if(!is_unfolding_name(options.unfold))
+      throw Usage_error("--unfold: the extension of '" + options.unfold + "' must be .svg or .obj");
+  }
   if(given.count("report"))
     check_output_path(options.report = text("report"), "--report");
   return options;

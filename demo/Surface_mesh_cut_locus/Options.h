@@ -39,6 +39,7 @@ struct Options
   std::string edges;
   std::string uv;
   std::string parameterization;
+  std::string unfold;
   std::string report;
   bool check = false; // the topology and the detour of the result
   bool is_quiet = false;

@@ -14,6 +14,7 @@
 #include "output.h"
 #include "report.h"
 #include "solvers.h"
+#include "unfolding.h"
 
 #include <cstdlib>
 #include <exception>
@@ -109,6 +110,14 @@ Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solve
       .number_of_iterations(smoothing));
 }
 
+Unfolding unfolded(const Mesh& mesh, const Cut_locus& cut_locus)
+{
+  const auto& source = cut_locus.source();
+  if(source.mesh_vertex != Mesh::null_vertex())
+    return CGAL::Cut_loci::source_unfolding(mesh, source.mesh_vertex);
+  return CGAL::Cut_loci::source_unfolding(mesh, source.location);
+}
+
 // whether the result is right, as far as it is checked
 bool run(const Options& options)
 {
@@ -144,6 +153,14 @@ bool run(const Options& options)
       atlas = make_atlas(mesh, cut_locus, options.parameterization);
       write_atlas(options.uv, *atlas);
     });
+  std::optional<Unfolding> unfolding;
+  if(!options.unfold.empty())
+    progress.run("unfold",
+                 [&]()
+                 {
+      unfolding = unfolded(mesh, cut_locus);
+      write_unfolding(options.unfold, *unfolding);
+    });
   std::optional<Check> checked;
   if(options.check)
     progress.run("check", [&]() { checked = check(mesh, cut_locus); });
@@ -155,6 +172,8 @@ bool run(const Options& options)
     std::cerr << summary(mesh, cut_locus) << std::endl;
     if(atlas)
       std::cerr << summary(*atlas) << std::endl;
+    if(unfolding)
+      std::cerr << summary(*unfolding) << std::endl;
   }
   if(checked && (!options.is_quiet || !is_right))
     std::cerr << summary(*checked) << std::endl;

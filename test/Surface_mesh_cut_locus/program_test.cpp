@@ -565,6 +565,52 @@ TEST_F(Program, Overlapping_atlas)
   }
 }
 
+TEST_F(Program, Unfolding)
+{
+  write("cube.off", "OFF\n8 12 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n3 0 2 1\n3 0 3 2\n3 4 5 6\n"
+                    "3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
+  const std::string cube = quoted(path("cube.off")) + " --source-point 0.5,0.5,0 --unfold ";
+  // four arms around the face of the source; the diagonals are no folds
+  Outcome outcome = run(cube + quoted(path("net.svg")));
+  EXPECT_EQ(outcome.status, 0) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("unfolding: 16 corners, 8 pairs of glued sides"), std::string::npos)
+    << outcome.messages;
+  const std::string svg = read_file(path("net.svg"));
+  EXPECT_NE(svg.find("</svg>"), std::string::npos);
+  for(const char* label : {">1</text>", ">8</text>"})
+  {
+    const std::size_t first = svg.find(label);
+    EXPECT_NE(first, std::string::npos) << label;
+    EXPECT_NE(svg.find(label, first + 1), std::string::npos) << label << " once";
+  }
+  EXPECT_EQ(svg.find(">9</text>"), std::string::npos);
+
+  outcome = run(cube + quoted(path("net.obj")));
+  EXPECT_EQ(outcome.status, 0) << outcome.messages;
+  std::istringstream obj(read_file(path("net.obj")));
+  std::vector<std::array<double, 3>> points;
+  double area = 0.;
+  for(std::string key; obj >> key;)
+    if(key == "v")
+    {
+      points.emplace_back();
+      obj >> points.back()[0] >> points.back()[1] >> points.back()[2];
+    }
+    else if(key == "f")
+    {
+      std::array<std::size_t, 3> f;
+      obj >> f[0] >> f[1] >> f[2];
+      const auto &p = points.at(f[0] - 1), &q = points.at(f[1] - 1), &r = points.at(f[2] - 1);
+      area += 0.5 * ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
+    }
+  EXPECT_NEAR(area, 6., 1e-9);
+
+  expect_failure(run(cube + quoted(path("net.pdf"))), ".svg or .obj");
+  outcome = run_on_torus("--quiet --unfold " + quoted(path("torus.svg")));
+  EXPECT_EQ(outcome.status, 1) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("more than 360"), std::string::npos) << outcome.messages;
+}
+
 TEST_F(Program, Wrong_command_lines)
 {
   expect_failure(run_on_torus("--uv " + quoted(path("a.png"))), "must be .obj");

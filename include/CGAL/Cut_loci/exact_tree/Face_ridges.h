@@ -530,7 +530,15 @@ private:
     if(r.nodes[0] == s.nodes[0] || r.nodes[0] == s.nodes[1] || r.nodes[1] == s.nodes[0] || r.nodes[1] == s.nodes[1])
       return false;
     const Plane_point &a = nodes[r.nodes[0]], &b = nodes[r.nodes[1]], &c = nodes[s.nodes[0]], &d = nodes[s.nodes[1]];
-    return cross(a, b, c) * cross(a, b, d) < 0. && cross(c, d, a) * cross(c, d, b) < 0.;
+    return are_apart(a, b, c, d) && are_apart(c, d, a, b);
+  }
+
+  /// whether `c` and `d` are on different sides of the line through `a` and `b`; where four pieces meet, there are two
+  /// nodes in one point, and rounding alone puts one of them across
+  bool are_apart(const Plane_point& a, const Plane_point& b, const Plane_point& c, const Plane_point& d) const
+  {
+    const double at_c = cross(a, b, c), at_d = cross(a, b, d), least = (std::min)(std::fabs(at_c), std::fabs(at_d));
+    return at_c * at_d < 0. && least * least > tolerance_ * tolerance_ * squared_distance(a, b);
   }
 
   Index add_node(const Plane_point& p)

@@ -30,6 +30,15 @@ struct Image
   {
     return sigma + std::sqrt((p.x - x) * (p.x - x) + (p.y - y) * (p.y - y));
   }
+
+  /// the direction in which the path to a point leaves the origin
+  double direction_to(const Plane_point& p, const std::array<Plane_point, 3>& corners) const
+  {
+    const Plane_point &a = corners[axis % 3], &b = corners[(axis + 1) % 3];
+    const double sign = axis < 3 ? 1. : -1., nx = sign * (a.y - b.y), ny = sign * (b.x - a.x);
+    const double dx = p.x - x, dy = p.y - y;
+    return direction + std::atan2(nx * dy - ny * dx, nx * dx + ny * dy);
+  }
 };
 
 inline bool is_same_image(const Image& a, const Image& b)

@@ -170,7 +170,7 @@ private:
   Image image_at_vertex(Index h, const Path_label& label) const
   {
     Image result = image(h, label);
-    result.direction += label.direction(0.) - direction(result, corners_[h % 3]);
+    result.direction += label.direction(0.) - result.direction_to(corners_[h % 3], corners_);
     return result;
   }
 
@@ -336,16 +336,7 @@ private:
   /// the angle at which the paths from two images to a point part
   double gap(const Image& a, const Image& b, const Plane_point& p) const
   {
-    return Parting_angle(*geodesics_)(a.origin, direction(a, p), b.origin, direction(b, p));
-  }
-
-  double direction(const Image& image, const Plane_point& p) const
-  {
-    const Index i = image.axis % 3;
-    const Plane_point &a = corners_[i], &b = corners_[i == 2 ? 0 : i + 1];
-    const double sign = image.axis < 3 ? 1. : -1., nx = sign * (a.y - b.y), ny = sign * (b.x - a.x);
-    const double x = p.x - image.x, y = p.y - image.y;
-    return image.direction + std::atan2(nx * y - ny * x, nx * x + ny * y);
+    return Parting_angle(*geodesics_)(a.origin, a.direction_to(p, corners_), b.origin, b.direction_to(p, corners_));
   }
 
   /// numbers the trees in the order of their first crossing
