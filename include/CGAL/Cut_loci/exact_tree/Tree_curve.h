@@ -154,7 +154,10 @@ private:
     const double third = p.y / t[2].y, second = (p.x - third * t[2].x) / t[1].x;
     Indexed_location result;
     result.face = f;
-    result.coordinates = {{(std::max)(1. - second - third, 0.), (std::max)(second, 0.), (std::max)(third, 0.)}};
+    // in the interior, as what is on an edge or at a vertex says so
+    constexpr double least = 1e-10;
+    result.coordinates = {
+      {(std::max)(1. - second - third, least), (std::max)(second, least), (std::max)(third, least)}};
     double sum = 0.;
     for(double c : result.coordinates)
       sum += c;

@@ -66,6 +66,7 @@ public:
     add_joints();
     add_plain_faces();
     add_pieces_between_vertices();
+    drop_open_ends_on_border();
   }
 
   /// whether all of the graph comes from labels, and nothing had to be added or left out for the topology
@@ -298,6 +299,22 @@ private:
          !connectivity_.is_border(mesh_.triangles[f][i]))
         return mesh_.triangles[f][i];
     return null_index;
+  }
+
+  /// A piece that ends on the border without being joined to it there would join it all the same.
+  void drop_open_ends_on_border()
+  {
+    if(number_of_open_ == 0 || number_of_loops() == 0)
+      return;
+    const auto is_open = [&](Index i)
+    {
+      const Node& n = nodes[i];
+      return n.loop != null_index && n.crossing != null_index && node_of_crossing_[n.crossing] == null_index;
+    };
+    std::vector<unsigned char> is_removed(edges.size(), 0);
+    for(std::size_t e = 0; e < edges.size(); ++e)
+      is_removed[e] = is_open(edges[e].nodes[0]) || is_open(edges[e].nodes[1]);
+    remove(is_removed);
   }
 
   Index node_in_face(Index record, Index i) const { return node_in_face_[first_of_face_[record] + i]; }
