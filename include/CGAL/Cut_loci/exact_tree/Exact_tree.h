@@ -47,13 +47,13 @@ public:
   {
     least_ = least;
     // Windows of an edge come once the front is there, up to a face or two. If that is not enough on this mesh, once
-    // more with room for more.
-    for(double slack = 4.;; slack *= 8.)
+    // more with room for more, and then for all.
+    for(double slack : {4., 32., (std::numeric_limits<double>::infinity)()})
     {
       crossings_.reset(new Edge_crossings(geodesics_, slack, least));
       geodesics_.run({source}, Exact_geodesic_options(), *crossings_);
       crossings_->finish();
-      if(crossings_->number_of_late() == 0 || slack > 1e30)
+      if(crossings_->number_of_late() == 0)
         return;
     }
   }

@@ -107,7 +107,7 @@ public:
     if(thresholds.gap < least_.gap || thresholds.width < least_.width)
       compute_more(thresholds);
     const std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds);
-    edges = Mesh_edge_curve(mesh_, connectivity_, geodesics_, *tree_, kept, source_.vertex, farthest_).graph;
+    edges = Mesh_edge_curve(mesh_, connectivity_, geodesics_, *tree_, kept, source_.vertex, lone_vertex()).graph;
     const bool drops_branches = thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.;
     if(curve == Curve::MESH_EDGES)
     {
@@ -115,7 +115,7 @@ public:
         remove_edges(mesh_, connectivity_, edges, short_ones(thresholds, edges));
       return edges;
     }
-    Tree_curve result(mesh_, connectivity_, geodesics_, *tree_, kept, farthest_);
+    Tree_curve result(mesh_, connectivity_, geodesics_, *tree_, kept, lone_vertex());
     set_origins(mesh_, connectivity_, edges, result.face, result.graph);
     if(drops_branches)
       remove_short_branches(thresholds, edges, result);
@@ -196,6 +196,16 @@ private:
     for(std::size_t i = 0; i < 3; ++i)
       result.coordinates[i] = (1. - 1e-6 * number) * result.coordinates[i] + 1e-6 * number * part[i];
     return result;
+  }
+
+  // What is left if nothing else is: a point of the border if there is one, as all of a curve is joined to it, but the
+  // source.
+  Index lone_vertex() const
+  {
+    for(Index v = 0; v < mesh_.number_of_vertices() && connectivity_.number_of_border_loops > 0; ++v)
+      if(connectivity_.is_border(v) && v != source_.vertex)
+        return v;
+    return farthest_;
   }
 
   void find_farthest()

@@ -44,16 +44,16 @@ public:
 
   /// @param kept the edges of the tree that the curve stands for
   /// @param source a vertex that is not on the curve, or null
-  /// @param farthest what is left if nothing else is
+  /// @param lone the vertex that is left if nothing else is
   Mesh_edge_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                   const Geodesic_results& geodesics, Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept,
-                  Index source, Index farthest)
+                  Index source, Index lone)
     : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), tree_(tree)
   {
     const Face_cells cells(mesh, connectivity, geodesics.faces(), tree.graph(), kept);
     grow_tree(cells, source);
     drop_weak_leaves();
-    draw(farthest);
+    draw(lone);
   }
 
 private:
@@ -194,7 +194,7 @@ private:
   }
 
   /// the edges from the inside out, and the root first
-  void draw(Index farthest)
+  void draw(Index lone)
   {
     std::vector<Index> nodes; // dense numbers for those that are left, the loops first
     for(Index i = 0; i < connectivity_.number_of_border_loops; ++i)
@@ -240,11 +240,8 @@ private:
       edge.width = c.stands_for != null_index ? static_cast<float>(tree_.width(c.stands_for)) : 0.f;
       graph.edges.push_back(edge);
     }
-    if(connectivity_.number_of_border_loops > 0 && graph.edges.empty())
-      for(farthest = 0; !connectivity_.is_border(farthest);) // as all of a curve is joined to the border
-        ++farthest;
     if(graph.edges.empty())
-      graph.nodes.assign(1, {location_of_vertex(connectivity_, farthest), farthest, geodesics_.distance(farthest)});
+      graph.nodes.assign(1, {location_of_vertex(connectivity_, lone), lone, geodesics_.distance(lone)});
   }
 
   Index add_node(const std::vector<Index>& vertices, Index v)

@@ -36,10 +36,10 @@ public:
   Indexed_cut_locus graph;
   std::vector<Index> face; ///< that each edge runs through
 
-  /// @param farthest what is left if nothing else is
+  /// @param lone the vertex that is left if nothing else is
   Tree_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
              const Exact_geodesic_propagation& geodesics, Exact_tree& tree,
-             const std::vector<Tree_branches::Edge>& kept, Index farthest)
+             const std::vector<Tree_branches::Edge>& kept, Index lone)
     : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), tree_(tree)
   {
     const Index root = tree_.branches().root();
@@ -53,16 +53,12 @@ public:
       if(!is_drawn_[b.edge] && !tree_.graph().edges[b.edge].is_virtual)
         add_chain(b.edge);
     if(graph.edges.empty())
-      graph.nodes.assign(1, lone_node(farthest));
+      graph.nodes.assign(1, lone_node(lone));
   }
 
 private:
-  /// a point that is left: on the border if there is one, as all of a curve is joined to it
   Indexed_cut_locus::Node lone_node(Index v) const
   {
-    if(connectivity_.number_of_border_loops > 0)
-      for(v = 0; !connectivity_.is_border(v);)
-        ++v;
     return {location_of_vertex(connectivity_, v), v, geodesics_.distance(v)};
   }
 
