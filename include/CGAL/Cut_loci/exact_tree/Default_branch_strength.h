@@ -30,15 +30,15 @@ namespace internal {
  * - A mesh resolves nothing that is narrower than about three edges: two paths that are never farther apart may enclose
  *   a single vertex.
  * - Noise bends the two by random angles. As the noise of the angle sums of neighbors cancels, these come from the
- *   boundary of what they enclose: with a standard deviation \f$ \sigma \f$ on the length \f$ h \f$ of an edge, two
- *   paths of the length \f$ L \f$ get apart by \f$ s = h \sigma (L / h)^{3/2} / \sqrt 3 \f$, as a sum of random bends
- *   does. If that is more than \f$ h \f$, paths refocus on the way and the shortest of many is taken; then distances
- *   between shortest paths in a random medium grow by the power \f$ 2/3 \f$ of the length \cgalCite{cgal:kpz-dsgi-86},
- *   from \f$ h \f$ on at the length where \f$ s = h \f$: that is \f$ h (s / h)^{4/9} \f$.
+ *   boundary of what they enclose: with a standard deviation &sigma; on the length h of an edge, two paths of the
+ *   length L get apart by s = h &sigma; (L/h)<sup>3/2</sup> / &radic;3, as a sum of random bends does. If that is more
+ *   than h, paths refocus on the way and the shortest of many is taken; then distances between shortest paths in a
+ *   random medium grow by the power 2/3 of the length \cgalCite{cgal:kpz-dsgi-86}, from h on at the length where s = h:
+ *   that is h (s/h)<sup>4/9</sup>.
  *
- * What the mesh and noise explain are independent and add as squares do: the width is \f$ h \sqrt{3^2 + t^2} \f$, where
- * \f$ t \f$ is twice \f$ (s / h)^{4/9} \f$, and \f$ L \f$ the diagonal of the bounding box. A polyhedron of which more than half of the curvature is in a few sharp vertices stands for itself: there branches
- * of any width count, if they come from such a vertex.
+ * What the mesh and noise explain are independent and add as squares do: the width is h &radic;(9 + t<sup>2</sup>), where
+ * t is twice (s/h)<sup>4/9</sup>, and L the diagonal of the bounding box. A polyhedron of which more than half of the
+ * curvature is in a few sharp vertices stands for itself: there branches count at any width, if they come from these.
  */
 class Default_branch_strength
 {
