@@ -78,8 +78,7 @@ Mesh_data octahedron()
 }
 
 // valid from every vertex, every face and every edge, at several thresholds, and all numbers in the results are finite
-void expect_sound_from_everywhere(const Mesh_data& data, std::size_t number_of_faces = 20,
-                                  const std::vector<double>& widths = {1e9, 0.1, 0.})
+void expect_sound_from_everywhere(const Mesh_data& data)
 {
   const Built built(data);
   Solver by_laplacian(built.mesh, params::cut_locus_method(Method::LAPLACIAN)), by_direction(built.mesh);
@@ -105,7 +104,7 @@ void expect_sound_from_everywhere(const Mesh_data& data, std::size_t number_of_f
         expect_finite(result);
       }
     by_direction.set_source(source);
-    for(double width : widths)
+    for(double width : {1e9, 0.1, 0.})
       for(std::size_t edges : {0, 4})
       {
         const auto np = params::minimum_branch_width(width).minimum_branch_edges(edges);
@@ -115,7 +114,7 @@ void expect_sound_from_everywhere(const Mesh_data& data, std::size_t number_of_f
         expect_finite(by_direction.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
       }
   };
-  for(std::size_t f = 0; f < data.triangles.size(); f += 1 + data.triangles.size() / number_of_faces)
+  for(std::size_t f = 0; f < data.triangles.size(); f += 1 + data.triangles.size() / 20)
   {
     const Triangle& t = data.triangles[f];
     expect_sound(built.vertices[t[0]], f, {t[0]});
@@ -440,7 +439,7 @@ TEST(Odd_input, the_smallest_meshes_have_cut_loci)
 
 TEST(Odd_input, needles_have_cut_loci)
 {
-  for(double length : {1e1, 1e2}) // beyond, the propagation of windows takes minutes
+  for(double length : {1e2, 1e4, 1e6})
   {
     Mesh_data needle = tetrahedron(), plate = jittered_sphere(4, 0.2, 1), strip = square(6, 0.2, 2);
     for(Point& p : needle.points)
@@ -450,7 +449,7 @@ TEST(Odd_input, needles_have_cut_loci)
     for(Point& p : strip.points)
       p[1] *= length;
     for(const Mesh_data& data : {needle, plate, strip})
-      expect_sound_from_everywhere(data, 4, {1e9, 0.1}); // the exact solver takes its time here
+      expect_sound_from_everywhere(data);
   }
 }
 
@@ -464,12 +463,12 @@ TEST(Odd_input, regular_meshes_where_all_distances_are_tied_have_cut_loci)
 TEST(Odd_input, a_spike_and_coordinates_far_from_the_origin_do_no_harm)
 {
   Mesh_data spike = jittered_sphere(4, 0.2, 1);
-  spike.points[3] = 10. * spike.points[3];
+  spike.points[3] = 1e4 * spike.points[3];
   Mesh_data far = jittered_sphere(4, 0.2, 1);
   for(Point& p : far.points)
-    p = p + Point{{1e5, -1e5, 1e5}};
+    p = p + Point{{1e8, -1e8, 1e8}};
   for(const Mesh_data& data : {spike, far})
-    expect_sound_from_everywhere(data, 4, {1e9, 0.1});
+    expect_sound_from_everywhere(data);
 }
 
 TEST(Odd_input, units_of_any_size_do_no_harm)

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -96,7 +97,7 @@ public:
     }
     Geodesic_window_list* copy = geodesics_.allocate(list.size());
     copy->append<columns>(list);
-    join(kept_[h], copy, faces_.length(h));
+    add(h, copy);
     return false;
   }
 
@@ -120,7 +121,7 @@ public:
     if(kept_[h] == nullptr)
       kept_[h] = list;
     else
-      join(kept_[h], list, faces_.length(h));
+      add(h, list);
   }
 
   /// the end of the propagation
@@ -170,13 +171,42 @@ private:
     waiting_.push_back({first, front_ + slack_ * size});
   }
 
-  void join(Geodesic_window_list*& kept, Geodesic_window_list* other, double length)
+  /// Around a spike windows come to the same halfedge many times: the lists are joined in pairs of like size, so that no
+  /// window is looked at more than some ten times.
+  void add(Index h, Geodesic_window_list* list)
   {
-    Geodesic_window_list* both = geodesics_.allocate(4 * std::size_t(kept->size() + other->size()));
-    Geodesic_envelope<columns>()(*kept, *other, *both, length);
-    geodesics_.release(kept);
-    geodesics_.release(other);
-    kept = both;
+    std::vector<Geodesic_window_list*>& lists = more_[h];
+    while(!lists.empty() && lists.back()->size() <= 2 * list->size())
+    {
+      list = joined(lists.back(), list, faces_.length(h));
+      lists.pop_back();
+    }
+    lists.push_back(list);
+  }
+
+  /// all windows that have come to a halfedge, or null
+  Geodesic_window_list* all(Index h)
+  {
+    Geodesic_window_list* result = kept_[h];
+    kept_[h] = nullptr;
+    const auto found = more_.find(h);
+    if(found == more_.end())
+      return result;
+    Geodesic_window_list* rest = nullptr;
+    for(; !found->second.empty(); found->second.pop_back())
+      rest = rest == nullptr ? found->second.back() : joined(found->second.back(), rest, faces_.length(h));
+    more_.erase(found);
+    return joined(result, rest, faces_.length(h));
+  }
+
+  /// the lower envelope of two lists, in place of them
+  Geodesic_window_list* joined(Geodesic_window_list* first, Geodesic_window_list* second, double length)
+  {
+    Geodesic_window_list* both = geodesics_.allocate(4 * std::size_t(first->size() + second->size()));
+    Geodesic_envelope<columns>()(*first, *second, *both, length);
+    geodesics_.release(first);
+    geodesics_.release(second);
+    return both;
   }
 
   // -- which faces matter ----------------------------------------------------------------------------------------------
@@ -223,35 +253,46 @@ private:
   {
     state_[h] |= divided;
     const Index o = faces_.opposite(h);
-    Geodesic_window_list* along = o != null_index ? kept_[h] : nullptr;
-    Geodesic_window_list* against = o != null_index ? kept_[o] : kept_[h];
     if(!is_needed(h, o))
     {
       state_[h] |= dropped;
-      release(along, against, h, o);
+      release(h);
+      if(o != null_index)
+        release(o);
       return;
     }
-    if(!geodesics_.is_reached(faces_.source(h)) || !geodesics_.is_reached(faces_.target(h)))
-    {
+    Geodesic_window_list* along = o != null_index ? all(h) : nullptr;
+    Geodesic_window_list* against = all(o != null_index ? o : h);
+    const bool is_reached = geodesics_.is_reached(faces_.source(h)) && geodesics_.is_reached(faces_.target(h));
+    if(is_reached)
+      add_crossings(h, along, against);
+    else
       ++number_of_late_; // nothing can be said of it yet
-      release(along, against, h, o);
-      return;
-    }
-    const std::vector<Edge_envelope::Piece>& pieces = envelope_(h, along, against);
-    release(along, against, h, o);
-    ends.push_back({h, pieces.front().label, pieces.back().label});
-    for(std::size_t i = 1; i < pieces.size(); ++i)
-      add_crossing(h, pieces[i].begin, pieces[i - 1].label, pieces[i].label);
-  }
-
-  void release(Geodesic_window_list* along, Geodesic_window_list* against, Index h, Index o)
-  {
     for(Geodesic_window_list* list : {along, against})
       if(list != nullptr)
         geodesics_.release(list);
+  }
+
+  /// without having looked at the windows
+  void release(Index h)
+  {
+    if(kept_[h] != nullptr)
+      geodesics_.release(kept_[h]);
     kept_[h] = nullptr;
-    if(o != null_index)
-      kept_[o] = nullptr;
+    const auto found = more_.find(h);
+    if(found == more_.end())
+      return;
+    for(Geodesic_window_list* list : found->second)
+      geodesics_.release(list);
+    more_.erase(found);
+  }
+
+  void add_crossings(Index h, Geodesic_window_list* along, Geodesic_window_list* against)
+  {
+    const std::vector<Edge_envelope::Piece>& pieces = envelope_(h, along, against);
+    ends.push_back({h, pieces.front().label, pieces.back().label});
+    for(std::size_t i = 1; i < pieces.size(); ++i)
+      add_crossing(h, pieces[i].begin, pieces[i - 1].label, pieces[i].label);
   }
 
   void add_crossing(Index h, double t, const Path_label& left, const Path_label& right)
@@ -271,7 +312,8 @@ private:
   Parting_angle parting_angle_;
   Label_jumps jumps_;
   double slack_, front_ = 0.;
-  std::vector<Geodesic_window_list*> kept_; // by halfedge
+  std::vector<Geodesic_window_list*> kept_;                            // by halfedge: the first list
+  std::unordered_map<Index, std::vector<Geodesic_window_list*>> more_; // and others, from long to short
   std::vector<unsigned char> state_;
   std::vector<Waiting> waiting_; // edges with windows, from `next_` on
   std::size_t next_ = 0, number_of_late_ = 0;

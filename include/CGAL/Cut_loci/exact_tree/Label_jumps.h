@@ -142,8 +142,6 @@ private:
   // of the halfedge in work
   Index a_ = 0, b_ = 0;
   double length_ = 0., least_angle_ = 0.;
-  double steep_ =
-    0.; // beside a point where paths meet at less, the way to it is longer by less than that share of an edge
 };
 
 } // namespace internal
