@@ -8,7 +8,6 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_EDGE_CROSSINGS_H
 
 #include <CGAL/Cut_loci/exact_tree/Edge_envelope.h>
-#include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
 #include <CGAL/Cut_loci/exact_tree/Path_label.h>
 #include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/internal/geodesic_window_trimming.h>
@@ -41,28 +40,23 @@ struct Edge_ends
 };
 
 /*!
- * collects, while the windows are propagated, where the label changes on the edges of the mesh.
+ * collects, while the windows are propagated, where the label changes on the edges of the faces that are drawn.
  *
  * It is an observer of `Exact_geodesic_propagation`. It keeps the windows of an edge until the front has passed it, so
  * that they take the memory of the front. An edge on which windows arrive after that is late.
- *
- * If branches must have a least strength, only faces are *drawn* that have an edge on which the label changes by as
- * much; of their edges all changes are known, of other edges none.
  */
 class Edge_crossings
 {
 public:
   static constexpr bool is_active = true;
 
+  /// @param is_drawn by face; of their edges all changes become known, of other edges none
   /// @param slack how far beyond an edge the front has to be, in sizes of its faces, for its windows to be complete
-  Edge_crossings(Exact_geodesic_propagation& geodesics, double slack, const Branch_strength& least)
-    : geodesics_(geodesics), faces_(geodesics.faces()), envelope_(geodesics), parting_angle_(geodesics),
-      jumps_(geodesics, least), slack_(slack), kept_(faces_.number_of_halfedges(), nullptr),
+  Edge_crossings(Exact_geodesic_propagation& geodesics, const std::vector<unsigned char>& is_drawn, double slack)
+    : geodesics_(geodesics), faces_(geodesics.faces()), is_drawn_(is_drawn), envelope_(geodesics),
+      parting_angle_(geodesics), slack_(slack), kept_(faces_.number_of_halfedges(), nullptr),
       state_(faces_.number_of_halfedges(), 0)
   {
-    is_drawn.assign(faces_.number_of_halfedges() / 3, jumps_.finds_all());
-    if(!jumps_.finds_all())
-      bend.assign(faces_.number_of_halfedges(), 0.f);
   }
 
   // -- while the windows are propagated --------------------------------------------------------------------------------
@@ -82,14 +76,14 @@ public:
   bool take(Index h, Geodesic_window_list& list)
   {
     const Index o = faces_.opposite(h);
+    if(!is_needed(h, o))
+      return false;
     if((state_[(std::min)(h, o)] & divided) != 0)
     {
       ++number_of_late_;
       return false;
     }
     wait(h, o);
-    if(!jumps_.finds_all())
-      look_for_jumps(h, o, list);
     if(kept_[h] == nullptr)
     {
       kept_[h] = &list;
@@ -105,19 +99,14 @@ public:
   /// not there. Takes over the list.
   void take_on_border(Index h, Geodesic_window_list* list)
   {
-    if((state_[h] & divided) != 0)
+    const bool is_late = (state_[h] & divided) != 0;
+    if(is_late || !is_drawn_[h / 3])
     {
-      ++number_of_late_;
+      number_of_late_ += is_late;
       geodesics_.release(list);
       return;
     }
     wait(h, null_index);
-    if(!is_drawn[h / 3])
-    {
-      jumps_.start(faces_.target(h), faces_.source(h), faces_.length(h)); // in the frame of the opposite
-      if(jumps_.between_windows(*list) || has_jump_at_end(*list, h))
-        draw(h / 3);
-    }
     if(kept_[h] == nullptr)
       kept_[h] = list;
     else
@@ -140,16 +129,13 @@ public:
 
   std::vector<Edge_crossing> crossings; ///< those of an edge together, in order
   std::vector<Edge_ends> ends;          ///< of all edges of the faces that are drawn
-  std::vector<unsigned char> is_drawn;  ///< by face
-  /// for other edges, by halfedge of smaller index: see `Label_jumps::bend()`
-  std::vector<float> bend;
 
   /// how often windows came too late
   std::size_t number_of_late() const { return number_of_late_; }
 
 private:
   static constexpr int columns = 7;
-  enum : unsigned char { waits = 1, divided = 2, dropped = 4 };
+  enum : unsigned char { waits = 1, divided = 2 };
 
   struct Waiting
   {
@@ -209,43 +195,7 @@ private:
     return both;
   }
 
-  // -- which faces matter ----------------------------------------------------------------------------------------------
-
-  bool is_needed(Index h, Index o) const { return is_drawn[h / 3] || (o != null_index && is_drawn[o / 3]); }
-
-  void look_for_jumps(Index h, Index o, const Geodesic_window_list& list)
-  {
-    if(is_drawn[h / 3] && (o == null_index || is_drawn[o / 3]))
-      return;
-    jumps_.start(faces_.source(h), faces_.target(h), faces_.length(h));
-    const bool is_second = o != null_index && (kept_[o] != nullptr || geodesics_.waits(o));
-    if(!jumps_.between_windows(list) && !has_jump_at_end(list, h) &&
-       !(is_second && jumps_.is_mirrored(list.get<columns>(list.begin), list.get<columns>(list.end - 1))))
-      return;
-    draw(h / 3);
-    if(o != null_index)
-      draw(o / 3);
-  }
-
-  bool has_jump_at_end(const Geodesic_window_list& list, Index h)
-  {
-    const Geodesic_window first = list.get<columns>(list.begin), last = list.get<columns>(list.end - 1);
-    if(jumps_.at_ends(first, last))
-      return true;
-    const Index o = faces_.opposite(h);
-    float& known = bend[(std::min)(h, o)];
-    known = (std::max)(known, static_cast<float>(jumps_.bend(first, last)));
-    return false;
-  }
-
-  void draw(Index f)
-  {
-    if(is_drawn[f])
-      return;
-    is_drawn[f] = 1;
-    for(Index h = 3 * f; h < 3 * f + 3; ++h)
-      number_of_late_ += (state_[(std::min)(h, faces_.opposite(h))] & dropped) != 0;
-  }
+  bool is_needed(Index h, Index o) const { return is_drawn_[h / 3] || (o != null_index && is_drawn_[o / 3]); }
 
   // -- where the label changes -----------------------------------------------------------------------------------------
 
@@ -253,14 +203,6 @@ private:
   {
     state_[h] |= divided;
     const Index o = faces_.opposite(h);
-    if(!is_needed(h, o))
-    {
-      state_[h] |= dropped;
-      release(h);
-      if(o != null_index)
-        release(o);
-      return;
-    }
     Geodesic_window_list* along = o != null_index ? all(h) : nullptr;
     Geodesic_window_list* against = all(o != null_index ? o : h);
     const bool is_reached = geodesics_.is_reached(faces_.source(h)) && geodesics_.is_reached(faces_.target(h));
@@ -271,20 +213,6 @@ private:
     for(Geodesic_window_list* list : {along, against})
       if(list != nullptr)
         geodesics_.release(list);
-  }
-
-  /// without having looked at the windows
-  void release(Index h)
-  {
-    if(kept_[h] != nullptr)
-      geodesics_.release(kept_[h]);
-    kept_[h] = nullptr;
-    const auto found = more_.find(h);
-    if(found == more_.end())
-      return;
-    for(Geodesic_window_list* list : found->second)
-      geodesics_.release(list);
-    more_.erase(found);
   }
 
   void add_crossings(Index h, Geodesic_window_list* along, Geodesic_window_list* against)
@@ -308,9 +236,9 @@ public:
 private:
   Exact_geodesic_propagation& geodesics_;
   const Geodesic_faces& faces_;
+  const std::vector<unsigned char>& is_drawn_;
   Edge_envelope envelope_;
   Parting_angle parting_angle_;
-  Label_jumps jumps_;
   double slack_, front_ = 0.;
   std::vector<Geodesic_window_list*> kept_;                            // by halfedge: the first list
   std::unordered_map<Index, std::vector<Geodesic_window_list*>> more_; // and others, from long to short

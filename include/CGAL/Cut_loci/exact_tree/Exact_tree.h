@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/exact_tree/Cut_graph.h>
 #include <CGAL/Cut_loci/exact_tree/Digon_width.h>
+#include <CGAL/Cut_loci/exact_tree/Drawn_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Edge_crossings.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Ridges.h>
@@ -22,6 +23,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -46,11 +48,12 @@ public:
   void propagate(const Indexed_location& source, const Branch_strength& least)
   {
     least_ = least;
+    find_drawn_faces(source);
     // Windows of an edge come once the front is there, up to a face or two. If that is not enough on this mesh, once
     // more with room for more, and then for all.
     for(double slack : {4., 32., (std::numeric_limits<double>::infinity)()})
     {
-      crossings_.reset(new Edge_crossings(geodesics_, slack, least));
+      crossings_.reset(new Edge_crossings(geodesics_, is_drawn_, slack));
       geodesics_.run({source}, Exact_geodesic_options(), *crossings_);
       crossings_->finish();
       if(crossings_->number_of_late() == 0)
@@ -60,7 +63,7 @@ public:
 
   void draw_ridges()
   {
-    changes_ = Label_changes(connectivity_, geodesics_, *crossings_);
+    changes_ = Label_changes(connectivity_, geodesics_, *crossings_, std::move(is_drawn_), std::move(bend_));
     crossings_.reset();
     ridges_ = Ridges(mesh_, connectivity_, geodesics_, changes_);
   }
@@ -69,7 +72,7 @@ public:
   {
     const Cut_graph cut(mesh_, connectivity_, changes_, ridges_);
     graph_.reset(new Tree_graph(mesh_, connectivity_, geodesics_, changes_, ridges_, cut));
-    if(least_.gap > 0. || least_.width > 0.)
+    if(!least_.is_none())
       graph_->drop_weak_branches(least_);
   }
 
@@ -130,6 +133,19 @@ public:
   }
 
 private:
+  void find_drawn_faces(const Indexed_location& source)
+  {
+    if(least_.is_none())
+    {
+      is_drawn_.assign(mesh_.number_of_faces(), 1);
+      return;
+    }
+    Drawn_faces found(geodesics_, least_);
+    geodesics_.run({source}, Exact_geodesic_options(), found);
+    is_drawn_ = std::move(found.is_drawn);
+    bend_ = std::move(found.bend);
+  }
+
   /// what only the topology has joined is kept as long as there is something behind it
   std::vector<Tree_branches::Edge> without_weak_ends(const std::vector<Tree_branches::Edge>& edges) const
   {
@@ -166,6 +182,8 @@ private:
   const Mesh_connectivity& connectivity_;
   Exact_geodesic_propagation& geodesics_;
   Branch_strength least_;
+  std::vector<unsigned char> is_drawn_; // by face, and
+  std::vector<float> bend_;             // by halfedge, until the ridges are drawn
   std::unique_ptr<Edge_crossings> crossings_;
   Label_changes changes_;
   Ridges ridges_;

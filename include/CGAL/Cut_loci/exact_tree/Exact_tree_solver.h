@@ -90,7 +90,7 @@ public:
   void grow_tree()
   {
     tree_->join();
-    for(int number = 1; number <= 2 && least_.gap == 0. && least_.width == 0. && !tree_->is_sure(); ++number)
+    for(int number = 1; number <= 2 && least_.is_none() && !tree_->is_sure(); ++number)
     {
       start(moved_source(number));
       tree_->draw_ridges();

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -32,13 +33,14 @@ class Label_changes
 public:
   Label_changes() = default;
 
-  Label_changes(const Mesh_connectivity& connectivity, const Geodesic_results& geodesics, Edge_crossings& found)
-    : connectivity_(&connectivity), geodesics_(&geodesics)
+  /// @param is_drawn by face
+  /// @param bend by halfedge, or empty
+  Label_changes(const Mesh_connectivity& connectivity, const Geodesic_results& geodesics, Edge_crossings& found,
+                std::vector<unsigned char> is_drawn, std::vector<float> bend)
+    : connectivity_(&connectivity), geodesics_(&geodesics), is_drawn_(std::move(is_drawn)), bend_(std::move(bend))
   {
     const Vertex_labels labels(geodesics);
     crossings_.swap(found.crossings);
-    is_drawn_.swap(found.is_drawn);
-    bend_.swap(found.bend);
     add_crossings_at_ends(found, labels);
     sort();
     find_changes_at_vertices(labels);

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Cut_loci {
@@ -29,6 +30,8 @@ struct Branch_strength
    * are never farther apart than that angle times d. Half of it is for places where it is. A gap needs no such margin,
    * but cycles, which stay whatever the strength, have weak parts; a tenth of a radian finds most of them.
    */
+  bool is_none() const { return gap == 0. && width == 0.; }
+
   double least_angle(double distance) const
   {
     return (std::min)(0.1, (std::max)(0.1 * gap, distance > 0. ? 0.5 * width / distance : 0.));
@@ -43,11 +46,10 @@ class Label_jumps
 {
 public:
   Label_jumps(const Geodesic_results& geodesics, const Branch_strength& least)
-    : geodesics_(geodesics), parting_angle_(geodesics), least_(least)
+    : geodesics_(geodesics), parting_angle_(geodesics), least_(least),
+      directions_(geodesics.faces().number_of_vertices(), {-1., 0.})
   {
   }
-
-  bool finds_all() const { return least_.gap == 0. && least_.width == 0.; }
 
   /// prepares for the halfedge from `a` to `b`
   void start(Index a, Index b, double length)
@@ -68,14 +70,13 @@ public:
       // The paths meet at the angle between the images; what is left of it at the source is as their frames are turned.
       const double ux = x[i] - b[i], vx = x[i + 1] - b[i], uu = ux * ux + y[i] * y[i];
       const double cross = ux * y[i + 1] - y[i] * vx;
-      if(origin[i] == origin[i + 1])
-      {
-        if((std::fabs((turn[i + 1] - turn[i]) * uu + cross) > least_angle_ * uu || std::fabs(cross) > steep * uu) &&
-           differ(list.get<7>(i), list.get<7>(i + 1), b[i]))
-          return true;
-      }
-      else if(cross * cross > least_meeting * least_meeting * uu * (vx * vx + y[i + 1] * y[i + 1]) &&
-              differ(list.get<7>(i), list.get<7>(i + 1), b[i]))
+      // both are evaluated, without a branch: it would be hard to predict
+      const bool bends = (origin[i] != origin[i + 1]) &
+                         (cross * cross > least_meeting * least_meeting * uu * (vx * vx + y[i + 1] * y[i + 1]));
+      const bool parts =
+        (origin[i] == origin[i + 1]) &
+        ((std::fabs((turn[i + 1] - turn[i]) * uu + cross) > least_angle_ * uu) | (std::fabs(cross) > steep * uu));
+      if((bends | parts) && differ(list.get<7>(i), list.get<7>(i + 1), b[i]))
         return true;
     }
     return false;
@@ -109,11 +110,14 @@ private:
 
   bool leads_elsewhere(const Geodesic_window& w, double t, Index v) const
   {
-    if(geodesics_.distance(v) == 0. || !geodesics_.is_reached(v))
-      return !geodesics_.is_reached(v);
+    const double d = geodesics_.distance(v);
+    if(d == 0. || !geodesics_.is_reached(v))
+      return d != 0.;
     const Geodesic_arrival& arrival = geodesics_.arrival(v);
-    return parting_angle_(static_cast<Index>(w.origin), label(w).direction(t), arrival.origin,
-                          Geodesic_results::direction_at_origin(arrival, geodesics_.end_in_frame(arrival, v))) >
+    Known_direction& known = directions_[v];
+    if(known.distance != d)
+      known = {d, Geodesic_results::direction_at_origin(arrival, geodesics_.end_in_frame(arrival, v))};
+    return parting_angle_(static_cast<Index>(w.origin), label(w).direction(t), arrival.origin, known.direction) >
            least_angle_;
   }
 
@@ -139,6 +143,12 @@ private:
   const Geodesic_results& geodesics_;
   Parting_angle parting_angle_;
   Branch_strength least_;
+  /// of the path to each vertex, as it was when it had this distance
+  struct Known_direction
+  {
+    double distance, direction;
+  };
+  mutable std::vector<Known_direction> directions_;
   // of the halfedge in work
   Index a_ = 0, b_ = 0;
   double length_ = 0., least_angle_ = 0.;

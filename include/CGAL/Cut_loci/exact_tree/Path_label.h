@@ -103,7 +103,7 @@ public:
     const double full = geodesics_.source_angle(a);
     if(geodesics_.is_source_on_border(a))
       return (std::min)(difference, full);
-    const double rest = std::fmod(difference, full);
+    const double rest = difference < full ? difference : std::fmod(difference, full);
     return (std::min)(rest, full - rest);
   }
 

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_DRAWN_FACES_H
+#define CGAL_CUT_LOCI_EXACT_TREE_DRAWN_FACES_H
+
+#include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
+#include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * finds, while the windows are propagated, the faces in which the cut locus has to be drawn: those with an edge on which
+ * the label changes by as much as a branch of the least strength needs.
+ *
+ * It is an observer of `Exact_geodesic_propagation`, and keeps no windows. Which faces matter is known at the end only:
+ * `Edge_crossings` gets the windows of their edges from a second run.
+ */
+class Drawn_faces
+{
+public:
+  static constexpr bool is_active = true;
+
+  std::vector<unsigned char> is_drawn; ///< by face
+  /// for other edges, by halfedge of smaller index: see `Label_jumps::bend()`
+  std::vector<float> bend;
+
+  Drawn_faces(Exact_geodesic_propagation& geodesics, const Branch_strength& least)
+    : is_drawn(geodesics.faces().number_of_halfedges() / 3, 0), bend(geodesics.faces().number_of_halfedges(), 0.f),
+      geodesics_(geodesics), faces_(geodesics.faces()), jumps_(geodesics, least),
+      is_crossed_(faces_.number_of_halfedges(), 0)
+  {
+  }
+
+  void advance(double) {}
+
+  bool take(Index h, const Geodesic_window_list& list)
+  {
+    const Index o = faces_.opposite(h);
+    is_crossed_[h] = 1;
+    if(is_drawn[h / 3] && is_drawn[o / 3])
+      return false;
+    jumps_.start(faces_.source(h), faces_.target(h), faces_.length(h));
+    const bool is_second = is_crossed_[o] || geodesics_.waits(o);
+    if(jumps_.between_windows(list) || has_jump_at_end(list, h, o) ||
+       (is_second && jumps_.is_mirrored(list.get<columns>(list.begin), list.get<columns>(list.end - 1))))
+      is_drawn[h / 3] = is_drawn[o / 3] = 1;
+    return false;
+  }
+
+  /// see `Exact_geodesic_propagation::run()`
+  void take_on_border(Index h, Geodesic_window_list* list)
+  {
+    jumps_.start(faces_.target(h), faces_.source(h), faces_.length(h)); // in the frame of the opposite
+    if(!is_drawn[h / 3] && (jumps_.between_windows(*list) || has_jump_at_end(*list, h, h)))
+      is_drawn[h / 3] = 1;
+    geodesics_.release(list);
+  }
+
+private:
+  static constexpr int columns = 7;
+
+  bool has_jump_at_end(const Geodesic_window_list& list, Index h, Index o)
+  {
+    const Geodesic_window first = list.get<columns>(list.begin), last = list.get<columns>(list.end - 1);
+    if(jumps_.at_ends(first, last))
+      return true;
+    float& known = bend[(std::min)(h, o)];
+    known = (std::max)(known, static_cast<float>(jumps_.bend(first, last)));
+    return false;
+  }
+
+  Exact_geodesic_propagation& geodesics_;
+  const Geodesic_faces& faces_;
+  Label_jumps jumps_;
+  std::vector<unsigned char> is_crossed_; // by halfedge: whether windows have come to it
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_DRAWN_FACES_H
