@@ -58,8 +58,7 @@ Point normal(const Mesh& mesh, Mesh::Face_index f)
 }
 
 // What holds of the refined mesh: the same surface, with seams where the curve is.
-// A face may hold several nodes of an exact curve, as near to each other as they are: its parts can be `thin`.
-void expect_refined(const Mesh& mesh, const Cut_locus& cut_locus, double tolerance, bool is_thin)
+void expect_refined(const Mesh& mesh, const Cut_locus& cut_locus, double tolerance)
 {
   Mesh refined;
   auto face_origin = refined.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:origin").first;
@@ -80,7 +79,7 @@ void expect_refined(const Mesh& mesh, const Cut_locus& cut_locus, double toleran
   {
     const double part = area(refined, f), whole = area(mesh, face_origin[f]);
     sum[face_origin[f]] += part;
-    EXPECT_GT(part, (is_thin ? 0. : 0.99) * tolerance * tolerance * whole);
+    EXPECT_GT(part, 0.99 * tolerance * tolerance * whole);
     EXPECT_GT(dot(normal(refined, f), normal(mesh, face_origin[f])), 0.99 * 4. * part * whole);
   }
   for(Mesh::Face_index f : mesh.faces())
@@ -132,11 +131,11 @@ void expect_straight_seams(const Mesh_data& data, const std::vector<std::size_t>
   const Built_mesh<Mesh> built(data);
   Solver laplacian(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
   Solver direction(built.mesh, params::cut_locus_method(Method::DIRECTION));
-  const auto check = [&](const Cut_locus& cut_locus, bool is_thin = false)
+  const auto check = [&](const Cut_locus& cut_locus)
   {
     for(double tolerance : tolerances)
     {
-      expect_refined(built.mesh, cut_locus, tolerance, is_thin);
+      expect_refined(built.mesh, cut_locus, tolerance);
       expect_disk(built.mesh, cut_locus, tolerance);
     }
   };
@@ -154,7 +153,7 @@ void expect_straight_seams(const Mesh_data& data, const std::vector<std::size_t>
     for(double width : {1e9, 0.1, 0.03, 0.})
     {
       SCOPED_TRACE("width " + std::to_string(width));
-      check(direction.cut_locus(params::minimum_branch_width(width).cut_locus_curve(Curve::THROUGH_FACES)), true);
+      check(direction.cut_locus(params::minimum_branch_width(width).cut_locus_curve(Curve::THROUGH_FACES)));
     }
   }
 }

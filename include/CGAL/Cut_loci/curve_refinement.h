@@ -23,9 +23,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numeric>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -63,6 +63,8 @@ public:
 
   Refined_mesh operator()()
   {
+    for(auto& segments : segments_)
+      part_crossing_segments(segments.first, segments.second);
     split_faces();
     complete_sides();
     return std::move(result_);
@@ -239,6 +241,66 @@ private:
     throw Invalid_input("the cut locus does not belong to the mesh: an edge of it is in no face");
   }
 
+  // ---- crossings
+
+  // Rounding may make segments cross each other. The point where they do is rounded, too, and becomes an end of their
+  // parts. It is in the bounding boxes of both: so the sums of the extents of parts stay the same, and this ends.
+  void part_crossing_segments(Index f, std::vector<Segment>& segments)
+  {
+    for(bool is_done = false; !is_done;)
+    {
+      is_done = true;
+      for(std::size_t i = 1; i < segments.size(); ++i)
+        for(std::size_t j = 0; j < i; ++j)
+        {
+          Coordinates crossing;
+          if(!cross_each_other(f, segments[i], segments[j], crossing))
+            continue;
+          is_done = false;
+          const double n = n_;
+          const Index v = add_node({f, {{crossing[0] / n, crossing[1] / n, crossing[2] / n}}});
+          for(std::size_t k : {i, j})
+          {
+            const Segment s = segments[k];
+            if(v == s.source || v == s.target)
+              continue;
+            segments[k] = {s.source, v};
+            segments.push_back({v, s.target});
+          }
+        }
+    }
+  }
+
+  // whether two segments of a face have a point in common that is no end of either
+  bool cross_each_other(Index f, const Segment& s, const Segment& t, Coordinates& crossing) const
+  {
+    Coordinates a, b, c, d;
+    coordinates_in(f, s.source, a);
+    coordinates_in(f, s.target, b);
+    coordinates_in(f, t.source, c);
+    coordinates_in(f, t.target, d);
+    const auto side = [](const Coordinates& p, const Coordinates& q, const Coordinates& r)
+    {
+      return static_cast<std::int64_t>(q[1] - p[1]) * (r[2] - p[2]) -
+             static_cast<std::int64_t>(q[2] - p[2]) * (r[1] - p[1]);
+    };
+    const std::int64_t at_c = side(a, b, c), at_d = side(a, b, d), at_a = side(c, d, a), at_b = side(c, d, b);
+    if((at_c > 0) == (at_d > 0) || (at_a > 0) == (at_b > 0) || at_c == 0 || at_d == 0 || at_a == 0 || at_b == 0)
+      return false;
+    const double part = double(at_a) / (double(at_a) - double(at_b));
+    for(int i = 1; i < 3; ++i)
+    {
+      const int low = (std::max)((std::min)(a[i], b[i]), (std::min)(c[i], d[i]));
+      const int high = (std::min)((std::max)(a[i], b[i]), (std::max)(c[i], d[i]));
+      const double x = a[i] + part * (b[i] - a[i]);
+      // the first coordinate, what is left, gets no less than 0 if one of the others is rounded down
+      const double down = i == 1 ? std::lround(x) : (std::min)(double(std::lround(x)), double(n_ - crossing[1]));
+      crossing[i] = (std::max)(low, (std::min)(high, static_cast<int>(down)));
+    }
+    crossing[0] = n_ - crossing[1] - crossing[2];
+    return true;
+  }
+
   // ---- splitting
 
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -319,19 +381,6 @@ private:
     if(constraints != segments_.end())
       for(const Segment& s : constraints->second)
         cdt.insert_constraint(handle.at(s.source), handle.at(s.target));
-    // Points where segments cross have no vertex yet.
-    std::set<Triangulation::Vertex_handle> known;
-    for(const auto& p : handle)
-      known.insert(p.second);
-    for(const Triangulation::Vertex_handle vh : cdt.finite_vertex_handles())
-    {
-      if(known.count(vh) > 0)
-        continue;
-      const double b = CGAL::to_double(vh->point().x()), c = CGAL::to_double(vh->point().y());
-      vh->info() = static_cast<Index>(result_.mesh.points.size());
-      result_.mesh.points.push_back(point_in(f, n_ - b - c, b, c));
-      places_.push_back({null_index, f, {{0, 0, 0}}});
-    }
 
     for(const Triangulation::Face_handle fh : cdt.finite_face_handles())
     {
