@@ -11,7 +11,7 @@
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Ridges.h>
-#include <CGAL/Cut_loci/internal/radix_sort.h>
+#include <CGAL/Cut_loci/internal/rough_sort.h>
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,7 @@ namespace internal {
  * which link those parts of its boundary that they touch. This graph is embedded, and each of its faces holds one tree
  * of pieces, or is a face of the mesh without any, or a border loop that a disk closes. So, as for the edges of a mesh
  * \cgalCite{cgal:ew-gohhb-05}, what is dual to the links outside of a spanning tree joins all trees to a graph of 2g
- * cycles. The tree of least weight, the angle at which paths meet, does without all links that cross the cut locus if
+ * cycles. The tree of least weight, up to a quarter of it, where that is the angle at which paths meet, does without all links that cross the cut locus if
  * that is possible; it is, where all crossings are known.
  *
  * A face that is not drawn holds one star instead of its trees. It joins what leads into it only if the topology asks
@@ -237,7 +237,7 @@ private:
         weight.push_back(changes_.bend(connectivity_.halfedge_of_edge[e]));
       }
     }
-    for(Index i : radix_sorted(weight))
+    for(Index i : roughly_sorted(weight))
     {
       const Index element = links[i].first;
       if(links[i].second)
