@@ -25,13 +25,14 @@ struct Branch_strength
   double gap = 0.;   // an angle
   double width = 0.; // a length
 
-  /*
-   * Of the gap, at this distance. Where the curvature is not negative, two paths of the length d that part at an angle
-   * are never farther apart than that angle times d. Half of it is for places where it is. A gap needs no such margin,
-   * but cycles, which stay whatever the strength, have weak parts; a tenth of a radian finds most of them.
-   */
   bool is_none() const { return gap == 0. && width == 0.; }
 
+  /*
+   * Of the gap, at this distance from where the paths part. Where the curvature is not negative, two paths of the length
+   * d that part at an angle are never farther apart than that angle times d. Half of it is for places where it is. A gap
+   * needs no such margin, but cycles, which stay whatever the strength, have weak parts; a tenth of a radian finds most
+   * of them.
+   */
   double least_angle(double distance) const
   {
     return (std::min)(0.1, (std::max)(0.1 * gap, distance > 0. ? 0.5 * width / distance : 0.));
@@ -57,7 +58,8 @@ public:
     a_ = a;
     b_ = b;
     length_ = length;
-    least_angle_ = least_.least_angle((std::min)(geodesics_.distance(a), geodesics_.distance(b)) + length);
+    distance_ = (std::min)(geodesics_.distance(a), geodesics_.distance(b)) + length;
+    least_angle_ = least_.least_angle(distance_);
   }
 
   /// whether two neighbors in the list differ
@@ -85,7 +87,7 @@ public:
   /// whether a path that is in no window leads to an end of the halfedge
   bool at_ends(const Geodesic_window& first, const Geodesic_window& last) const
   {
-    return at_end(first, 0., first.a, a_) || at_end(last, length_, length_ - last.b, b_);
+    return at_end(first, first.a, 0., a_) || at_end(last, last.b, length_, b_);
   }
 
   /// whether the paths of the windows to the ends of the halfedge are other ones than those that are known: two labels
@@ -95,17 +97,18 @@ public:
     return leads_elsewhere(first, 0., a_) || leads_elsewhere(last, length_, b_);
   }
 
-  /// how much farther the path to one end leads to the other than the shortest one there, as a share of the edge: at
-  /// most about the angle between the two
+  /// by how much the distance has turned downward between the path to one end and the other end, as a share of the edge:
+  /// at most about the angle between the two
   double bend(const Geodesic_window& first, const Geodesic_window& last) const
   {
-    return (std::min)(first.distance(length_) - geodesics_.distance(b_), last.distance(0.) - geodesics_.distance(a_)) /
+    return (std::min)(tangent(first, first.a, length_) - geodesics_.distance(b_),
+                      tangent(last, last.b, 0.) - geodesics_.distance(a_)) /
            length_;
   }
 
 private:
   static constexpr double least_meeting = 1e-7; // of paths that do not come along one line
-  // An edge beside a point where paths meet at less than that, the way to it is longer by less than that share of an edge.
+  // Beside a point where paths meet at less than that, the way to it is longer by less than that share of an edge.
   static constexpr double steep = 0.1;
 
   bool leads_elsewhere(const Geodesic_window& w, double t, Index v) const
@@ -117,8 +120,7 @@ private:
     Known_direction& known = directions_[v];
     if(known.distance != d)
       known = {d, Geodesic_results::direction_at_origin(arrival, geodesics_.end_in_frame(arrival, v))};
-    return parting_angle_(static_cast<Index>(w.origin), label(w).direction(t), arrival.origin, known.direction) >
-           least_angle_;
+    return part_enough(static_cast<Index>(w.origin), label(w).direction(t), arrival.origin, known.direction);
   }
 
   static Path_label label(const Geodesic_window& w)
@@ -129,15 +131,29 @@ private:
   bool differ(const Geodesic_window& u, const Geodesic_window& v, double t) const
   {
     const Path_label a = label(u), b = label(v);
-    return meeting_angle(a, b, t) > steep || parting_angle_(a, b, t) > least_angle_;
+    return meeting_angle(a, b, t) > steep || part_enough(a.origin, a.direction(t), b.origin, b.direction(t));
   }
 
-  /// Where another path takes over before the end, the distance there is less than the window says: by what is left times
-  /// the difference of two slopes, which the angle at which they meet bounds.
-  bool at_end(const Geodesic_window& w, double t, double rest, Index v) const
+  /// Paths that go together up to a vertex nearby get no farther apart than they can from there on.
+  bool part_enough(Index a, double a_direction, Index b, double b_direction) const
   {
-    const double excess = w.distance(t) - geodesics_.distance(v) - geodesic_cover * length_;
-    return excess > 0. && (excess > steep * rest || leads_elsewhere(w, t, v));
+    const Parting_angle::Parting parting = parting_angle_.parting(a, a_direction, b, b_direction);
+    return parting.angle > least_.least_angle(distance_ - parting.distance);
+  }
+
+  /// Along an edge, the distance by one path is convex, and where a shadow begins it goes on with the same slope. So it
+  /// stays above its tangents up to where another path takes over. There it turns downward, by no more than the angle at
+  /// which the two meet.
+  bool at_end(const Geodesic_window& w, double from, double to, Index v) const
+  {
+    const double excess = tangent(w, from, to) - geodesics_.distance(v) - geodesic_cover * length_;
+    return excess > 0. && (excess > steep * std::fabs(to - from) || leads_elsewhere(w, to, v));
+  }
+
+  static double tangent(const Geodesic_window& w, double from, double to)
+  {
+    const double r = w.distance(from) - w.sigma;
+    return r > 0. ? w.distance(from) + (from - w.x) / r * (to - from) : w.distance(to);
   }
 
   const Geodesic_results& geodesics_;
@@ -151,7 +167,7 @@ private:
   mutable std::vector<Known_direction> directions_;
   // of the halfedge in work
   Index a_ = 0, b_ = 0;
-  double length_ = 0., least_angle_ = 0.;
+  double length_ = 0., distance_ = 0., least_angle_ = 0.; // the last for paths that part at the source
 };
 
 } // namespace internal

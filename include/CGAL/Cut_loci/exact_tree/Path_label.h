@@ -87,10 +87,21 @@ public:
   /// for paths that leave their origins in the given directions
   double operator()(Index a, double a_direction, Index b, double b_direction) const
   {
+    return parting(a, a_direction, b, b_direction).angle;
+  }
+
+  struct Parting
+  {
+    double angle;
+    double distance; // of the point where they part, from the source
+  };
+
+  Parting parting(Index a, double a_direction, Index b, double b_direction) const
+  {
     while(a != b)
     {
       if(geodesics_.is_source(a) && geodesics_.is_source(b))
-        return (std::numeric_limits<double>::infinity)();
+        return {(std::numeric_limits<double>::infinity)(), 0.};
       // the farther origin comes last on its path
       if(distance(a) >= distance(b))
         a_direction = step_back(a);
@@ -99,12 +110,12 @@ public:
     }
     const double difference = std::fabs(a_direction - b_direction);
     if(!geodesics_.is_source(a))
-      return difference;
+      return {difference, distance(a)};
     const double full = geodesics_.source_angle(a);
     if(geodesics_.is_source_on_border(a))
-      return (std::min)(difference, full);
+      return {(std::min)(difference, full), 0.};
     const double rest = difference < full ? difference : std::fmod(difference, full);
-    return (std::min)(rest, full - rest);
+    return {(std::min)(rest, full - rest), 0.};
   }
 
 private:
