@@ -48,6 +48,7 @@ public:
     Image images[2];
     double gaps[2];   // at the nodes: the angle at which the two paths part
     Index first_node; // of the face
+    bool is_bisector; // whether it follows the bisector of the images, and not a straight line for want of a better one
   };
 
   struct Face
@@ -320,7 +321,11 @@ private:
 
   void add_piece(const Face& face, const Face_ridges::Ridge& r)
   {
-    Piece piece{{position_[r.nodes[0]], position_[r.nodes[1]]}, {r.images[0], r.images[1]}, {0., 0.}, face.first_node};
+    Piece piece{{position_[r.nodes[0]], position_[r.nodes[1]]},
+                {r.images[0], r.images[1]},
+                {0., 0.},
+                face.first_node,
+                !drawing_.is_doubtful};
     for(int k = 0; k < 2; ++k)
     {
       Node& node = nodes_[face.first_node + piece.nodes[k]];

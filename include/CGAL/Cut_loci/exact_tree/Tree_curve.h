@@ -249,6 +249,8 @@ private:
     if(e.piece == null_index)
       return;
     const Ridges::Piece& piece = tree_.ridges().piece(e.piece);
+    if(!piece.is_bisector)
+      return;
     samples_.clear();
     sample_bisector(piece.images[0], piece.images[1], tree_.ridges().piece_end(e.piece, 0),
                     tree_.ridges().piece_end(e.piece, 1), tolerance(), samples_);
