@@ -65,26 +65,60 @@ private:
   /// Where more pieces than two meet, or at a vertex, pieces of no length may be between them: they become one node.
   void contract(const std::vector<Tree_branches::Edge>& kept)
   {
-    merged_.assign(tree_.graph().nodes.size(), null_index);
+    const std::vector<Tree_graph::Node>& nodes = tree_.graph().nodes;
+    merged_.assign(nodes.size(), null_index);
+    vertex_.resize(nodes.size());
+    for(Index i = 0; i < nodes.size(); ++i)
+      vertex_[i] = nodes[i].vertex;
     is_drawn_.assign(tree_.graph().edges.size(), 0);
     for(const Tree_branches::Edge& b : kept)
       if(is_nothing(b.edge))
-      {
-        is_drawn_[b.edge] = 1;
-        Index i = representative(b.outer), j = representative(b.inner);
-        if(i == j)
-          continue;
-        if(rank(i) < rank(j))
-          std::swap(i, j);
-        merged_[j] = i;
-      }
+        is_drawn_[b.edge] = merge(representative(b.outer), representative(b.inner));
+  }
+
+  /// Makes one node of two, unless its place would be in no common face with what is joined to either.
+  bool merge(Index i, Index j)
+  {
+    if(i == j)
+      return true;
+    if(rank(i) < rank(j))
+      std::swap(i, j);
+    const Tree_graph::Node &a = tree_.graph().nodes[i], &b = tree_.graph().nodes[j];
+    if(rank(i) == 2 && (rank(j) == 2 ? vertex_[i] != vertex_[j] : !is_beside(b, vertex_[i])))
+      return false;
+    if(rank(i) == 1 && rank(j) == 1 && a.halfedge != b.halfedge)
+    {
+      // at the vertex between two edges, but at none of the border: what passes there does not end there
+      vertex_[i] = common_vertex(a.halfedge, b.halfedge);
+      if(vertex_[i] == null_index)
+        return false;
+    }
+    merged_[j] = i;
+    return true;
   }
 
   /// of several nodes at a point, the one that is at a vertex or on an edge says so for all
   int rank(Index i) const
   {
-    const Tree_graph::Node& n = tree_.graph().nodes[i];
-    return n.vertex != null_index ? 2 : n.halfedge != null_index ? 1 : 0;
+    return vertex_[i] != null_index ? 2 : tree_.graph().nodes[i].halfedge != null_index ? 1 : 0;
+  }
+
+  /// whether a node is on an edge or in a face of the mesh at a vertex
+  bool is_beside(const Tree_graph::Node& n, Index v) const
+  {
+    if(n.halfedge != null_index)
+      return mesh_.source(n.halfedge) == v || mesh_.target(n.halfedge) == v;
+    const std::array<Index, 3>& t = mesh_.triangles[n.face];
+    return std::find(t.begin(), t.end(), v) != t.end();
+  }
+
+  /// of two edges, if it is not on the border
+  Index common_vertex(Index h, Index g) const
+  {
+    for(Index v : {mesh_.source(h), mesh_.target(h)})
+      if((mesh_.source(g) == v || mesh_.target(g) == v) && !connectivity_.is_border(v))
+        return v;
+    return null_index;
   }
 
   Index representative(Index i) const
@@ -125,8 +159,8 @@ private:
     {
       number_[i] = static_cast<Index>(graph.nodes.size());
       const Tree_graph::Node& n = tree_.graph().nodes[i];
-      graph.nodes.push_back(
-        {n.vertex != null_index ? location_of_vertex(connectivity_, n.vertex) : location(n), n.vertex, n.distance});
+      const Index v = vertex_[i];
+      graph.nodes.push_back({v != null_index ? location_of_vertex(connectivity_, v) : location(n), v, n.distance});
     }
     return number_[i];
   }
@@ -183,7 +217,8 @@ private:
   bool is_passed(Index i) const
   {
     const Tree_graph::Node& n = tree_.graph().nodes[i];
-    return degree_[i] == 2 && n.vertex == null_index && n.halfedge == null_index && n.loop == null_index && i != root_;
+    return degree_[i] == 2 && vertex_[i] == null_index && n.halfedge == null_index && n.loop == null_index &&
+           i != root_;
   }
 
   void add_chain(Index first)
@@ -288,10 +323,9 @@ private:
   bool are_on_one_edge(Index i, Index j) const
   {
     const Tree_graph::Node &a = tree_.graph().nodes[i], &b = tree_.graph().nodes[j];
-    for(const Tree_graph::Node* n : {&a, &b})
-      if(n->halfedge == null_index && n->vertex == null_index)
-        return false;
-    if(a.vertex == null_index && b.vertex == null_index)
+    if(rank(i) == 0 || rank(j) == 0)
+      return false;
+    if(rank(i) == 1 && rank(j) == 1)
       return a.halfedge == b.halfedge;
     return true; // at a vertex
   }
@@ -347,6 +381,7 @@ private:
   Exact_tree& tree_;
   Index root_ = null_index;
   std::vector<Index> number_, merged_;       // of nodes
+  std::vector<Index> vertex_;                // at which a node is, or what has been merged into it
   std::vector<Index> degree_, exclusive_or_; // of nodes
   std::vector<unsigned char> is_drawn_;      // edges
   std::vector<Point> points_;                // of the chain in work
