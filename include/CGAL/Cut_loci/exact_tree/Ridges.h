@@ -187,6 +187,7 @@ private:
         add_change_at_vertex(at_vertices[next_at_vertex]);
       add_changes_on_edge(h);
     }
+    fit_labels_at_corners();
     const double size = (std::max)({geodesics_->faces().length(3 * f), geodesics_->faces().length(3 * f + 1),
                                     geodesics_->faces().length(3 * f + 2)});
     // a path that is wrong by an angle is too long by the angle times its way through the face, at most
@@ -206,6 +207,42 @@ private:
     Node node;
     node.vertex = c.is_shadow ? null_index : v;
     nodes_of_changes_.push_back(node);
+  }
+
+  /*
+   * A path that passes several vertices on one line, as along an edge of the mesh, comes from the image of any of them.
+   * At a corner, where the labels of the edges end, it may have been given different ones: they become the same, that
+   * of the edge, or change there.
+   */
+  void fit_labels_at_corners()
+  {
+    for(std::size_t i = 0; i < local_changes_.size(); ++i)
+    {
+      const std::size_t next = i + 1 < local_changes_.size() ? i + 1 : 0;
+      Face_ridges::Change &a = local_changes_[i], &b = local_changes_[next];
+      if(is_same_image(a.after, b.before))
+        continue;
+      const bool is_corner = a.edge == null_index || b.edge == null_index;
+      const Plane_point p =
+        a.edge == null_index ? a.point : b.edge == null_index ? b.point : corners_[(a.edge + 1) % 3];
+      if(a.edge == b.edge || !(gap(a.after, b.before, p) < 1e-7) || !is_on_one_line(a.after, b.before, p))
+        continue;
+      if(b.edge == null_index)
+        b.before = a.after;
+      else if(is_corner)
+        a.after = b.before;
+      else
+      {
+        local_changes_.insert(local_changes_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                              {p, null_index, a.after, b.before, true, true});
+        nodes_of_changes_.insert(nodes_of_changes_.begin() + static_cast<std::ptrdiff_t>(i) + 1, Node());
+      }
+    }
+  }
+
+  static bool is_on_one_line(const Image& a, const Image& b, const Plane_point& p)
+  {
+    return angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y) < 1e-7;
   }
 
   void add_changes_on_edge(Index h)
