@@ -40,9 +40,7 @@ namespace internal {
 class Mesh_edge_curve
 {
 public:
-  Indexed_cut_locus graph;
-  /// how many corridors are open at another place than they should be, since they are narrower than a face
-  Index number_of_narrow_corridors = 0;
+  Indexed_cut_locus graph; ///< it counts the corridors that are opened elsewhere
 
   /// @param kept the edges of the tree that the curve stands for
   /// @param source a vertex that is not on the curve, or null
@@ -103,7 +101,7 @@ private:
       if(!link_faces(h / 3, mesh_.opposite[h] / 3))
         candidates_.push_back(c);
       else
-        ++number_of_narrow_corridors;
+        ++graph.number_of_narrow_corridors;
     }
   }
 
