@@ -297,4 +297,41 @@ TEST(Exact_tree_corridors, are_counted_where_a_curve_of_mesh_edges_closes_them)
   }
 }
 
+Mesh_data octahedron()
+{
+  return {{{{1., 0., 0.}}, {{-1., 0., 0.}}, {{0., 1., 0.}}, {{0., -1., 0.}}, {{0., 0., 1.}}, {{0., 0., -1.}}},
+          {{{0, 2, 4}}, {{2, 1, 4}}, {{1, 3, 4}}, {{3, 0, 4}}, {{2, 0, 5}}, {{1, 2, 5}}, {{3, 1, 5}}, {{0, 3, 5}}}};
+}
+
+// On symmetric polyhedra the curve through the faces follows edges of the mesh.
+TEST(Exact_tree_along_edges, the_surface_is_cut_open_to_a_disk)
+{
+  for(const auto method : {CGAL::Cut_loci::Method::DIRECTION, CGAL::Cut_loci::Method::POLYHEDRAL})
+  {
+    std::size_t along = 0;
+    for(const Mesh_data& data : {test_meshes::cube(1), test_meshes::cube(2), test_meshes::cube(4), octahedron()})
+    {
+      const Mesh mesh = to_surface_mesh(data);
+      CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(method));
+      for(const auto v : mesh.vertices())
+      {
+        SCOPED_TRACE(std::to_string(mesh.number_of_faces()) + " faces, vertex " + std::to_string(v));
+        solver.set_source(v);
+        const auto curve = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+        for(const auto e : CGAL::make_range(edges(curve.graph())))
+          along += curve.graph()[e].mesh_halfedge != Mesh::null_halfedge();
+        Mesh disk;
+        ASSERT_NO_THROW(CGAL::cut_along_curve(mesh, curve, disk));
+        EXPECT_TRUE(disk.is_valid());
+        EXPECT_EQ(disk.number_of_vertices() + disk.number_of_faces(), disk.number_of_edges() + 1);
+        const curve_measures::Measures measures = curve_measures::measure(mesh, curve);
+        EXPECT_EQ(measures.measuring_failed, "");
+        EXPECT_EQ(measures.topology_fault, "");
+        EXPECT_LT(measures.max, 1e-3);
+      }
+    }
+    EXPECT_GT(along, 100u);
+  }
+}
+
 } // namespace
