@@ -567,12 +567,11 @@ private:
     ridges.push_back({{f.node, node}, {f.before, f.after}, f.is_shadow, true});
   }
 
-  /// by a piece, and removes both; whether its two paths are one depends on their images alone, and a node near the
-  /// vertex that casts the shadow may be too inaccurate to tell
+  /// by a piece, and removes both
   void connect(Index i, Index j)
   {
     Front &a = fronts_[i], &b = fronts_[j];
-    ridges.push_back({{a.node, b.node}, {a.before, a.after}, a.is_shadow || b.is_shadow, true});
+    ridges.push_back({{a.node, b.node}, {a.before, a.after}, a.is_shadow && b.is_shadow, true});
     fronts_[a.previous].next = b.next;
     fronts_[b.next].previous = a.previous;
     a.is_alive = b.is_alive = false;
