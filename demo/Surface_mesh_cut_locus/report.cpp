@@ -69,6 +69,7 @@ void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Mes
   report["components"] = statistics.components;
   report["leaves"] = statistics.leaves;
   report["branchings"] = statistics.branchings;
+  report["narrow_corridors"] = statistics.narrow_corridors;
   report["length"] = statistics.length;
   report["injectivity_radius"] = statistics.injectivity_radius;
 

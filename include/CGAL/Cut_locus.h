@@ -100,9 +100,10 @@ public:
   using Distance_function = std::function<double(mesh_vertex_descriptor)>;
 
   Cut_locus(Graph graph, Vertex source, mesh_vertex_descriptor farthest,
-            std::shared_ptr<const Cut_loci::internal::Source_result> result, Distance_function distance)
+            std::shared_ptr<const Cut_loci::internal::Source_result> result, Distance_function distance,
+            std::size_t number_of_narrow_corridors = 0)
     : graph_(std::move(graph)), source_(std::move(source)), farthest_(farthest), result_(std::move(result)),
-      distance_(std::move(distance))
+      distance_(std::move(distance)), number_of_narrow_corridors_(number_of_narrow_corridors)
   {
   }
 
@@ -128,12 +129,18 @@ public:
   /// the number of border loops of the source's component
   std::size_t number_of_border_loops() const { return result_->number_of_border_loops; }
 
+  /// how many corridors between branches are narrower than a face, so that a curve of mesh edges closes them, and is open
+  /// beside them instead: shortest paths through these cross the curve, and what is behind them is reached by a detour.
+  /// It is 0 for a curve through the faces, and with `Cut_loci::Method::LAPLACIAN`, which does not know them
+  std::size_t number_of_narrow_corridors() const { return number_of_narrow_corridors_; }
+
 private:
   Graph graph_;
   Vertex source_;
   mesh_vertex_descriptor farthest_;
   std::shared_ptr<const Cut_loci::internal::Source_result> result_;
   Distance_function distance_;
+  std::size_t number_of_narrow_corridors_;
 };
 
 } // namespace CGAL

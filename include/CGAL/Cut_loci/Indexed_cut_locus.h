@@ -43,6 +43,7 @@ struct Indexed_cut_locus
 
   std::vector<Node> nodes; ///< the root first
   std::vector<Edge> edges;
+  Index number_of_narrow_corridors = 0; ///< see `Cut_locus::number_of_narrow_corridors()`
 };
 
 namespace internal {

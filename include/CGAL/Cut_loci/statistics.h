@@ -59,11 +59,12 @@ struct Cut_locus_statistics
   Cut_locus_status status = Cut_locus_status::BRANCHES;
   std::size_t vertices = 0;
   std::size_t edges = 0;
-  std::size_t components = 0; ///< connected components of the graph
-  std::size_t cycles = 0;     ///< independent cycles: edges - vertices + components
-  std::size_t leaves = 0;     ///< vertices of degree 1
-  std::size_t branchings = 0; ///< vertices of degree 3 or more
-  double length = 0.;         ///< the sum of the lengths of the edges
+  std::size_t components = 0;       ///< connected components of the graph
+  std::size_t cycles = 0;           ///< independent cycles: edges - vertices + components
+  std::size_t leaves = 0;           ///< vertices of degree 1
+  std::size_t branchings = 0;       ///< vertices of degree 3 or more
+  double length = 0.;               ///< the sum of the lengths of the edges
+  std::size_t narrow_corridors = 0; ///< see `Cut_locus::number_of_narrow_corridors()`
   /// as by `CGAL::Cut_loci::injectivity_radius()`; infinity if the cut locus is empty
   double injectivity_radius = (std::numeric_limits<double>::infinity)();
 };
@@ -83,6 +84,7 @@ Cut_locus_statistics compute_statistics(const Cut_locus<TriangleMesh, Point_3>& 
   if(result.edges == 0)
     result.status =
       cut_locus.number_of_border_loops() > 0 ? Cut_locus_status::ONLY_A_BORDER : Cut_locus_status::ONE_POINT;
+  result.narrow_corridors = cut_locus.number_of_narrow_corridors();
   std::vector<std::size_t> component(result.vertices);
   if(!component.empty())
     result.components = boost::connected_components(graph, component.data());

@@ -133,9 +133,9 @@ private:
     if(windows_.front().begin > margin)
       pieces_.push_back({0., windows_.front().begin, vertex_labels_.at_source(h)});
     // rays that bound a shadow are that inaccurate, and what shows in between is not there
-    for(const Piece& w : windows_)
-      if(w.end - w.begin > 10. * margin || windows_.size() == 1)
-        add(w);
+    for(std::size_t i = 0; i < windows_.size(); ++i)
+      if((windows_[i].end - windows_[i].begin > 10. * margin && !is_leap(i)) || windows_.size() == 1)
+        add(windows_[i]);
     if(pieces_.empty())
       add(windows_.front());
     if(windows_.back().end < length_ - margin)
@@ -149,6 +149,18 @@ private:
     pieces_.back().end = length_;
     for(std::size_t i = 1; i < pieces_.size(); ++i)
       pieces_[i - 1].end = pieces_[i].begin = 0.5 * (pieces_[i - 1].end + pieces_[i].begin);
+  }
+
+  /// whether the distance leaps up to a window from both of its neighbors: a gap between these that rounding has left,
+  /// and that shows what is behind
+  bool is_leap(std::size_t i) const
+  {
+    if(i == 0 || i + 1 == windows_.size())
+      return false;
+    const Piece &previous = windows_[i - 1], &window = windows_[i], &next = windows_[i + 1];
+    const double width = next.begin - previous.end, least = width + 1e-9 * length_;
+    return window.label.distance(window.begin) > previous.label.distance(previous.end) + least &&
+           window.label.distance(window.end) > next.label.distance(next.begin) + least;
   }
 
   void add(const Piece& piece)

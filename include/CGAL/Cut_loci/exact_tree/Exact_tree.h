@@ -111,6 +111,14 @@ public:
     }));
   }
 
+  /// whether labels say of all these edges where they are, and not the topology alone that there is something
+  bool is_known(const std::vector<Tree_branches::Edge>& edges) const
+  {
+    return std::all_of(edges.begin(), edges.end(),
+                       [this](const Tree_branches::Edge& b)
+                       { return graph_->edges[b.edge].piece != null_index || graph_->edges[b.edge].is_virtual; });
+  }
+
   /// the largest separation of the two shortest paths to the points of a piece
   double width(Index edge)
   {

@@ -106,7 +106,14 @@ public:
   {
     if(thresholds.gap < least_.gap || thresholds.width < least_.width)
       compute_more(thresholds);
-    const std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds);
+    std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds);
+    // Cycles stay whatever their strength. Where one is weaker than what has been looked for, nothing is known of it but
+    // that it is there: then once more, with all that is.
+    if(!tree_->is_known(kept) && (least_.gap > 0. || least_.width > 0.))
+    {
+      compute_more(Branch_strength());
+      kept = tree_->kept(thresholds);
+    }
     edges = Mesh_edge_curve(mesh_, connectivity_, geodesics_, *tree_, kept, source_.vertex, lone_vertex()).graph;
     const bool drops_branches = thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.;
     if(curve == Curve::MESH_EDGES)

@@ -30,17 +30,17 @@ namespace internal {
  * is the cut locus made of edges of the mesh.
  *
  * A face that the cut locus divides belongs to the cell that holds its centroid. Two faces are on the same side if
- * these cells touch along the edge between them. A spanning tree of the faces stays on one side as far as it can, and
- * crosses the cut locus where it is weakest else: where a corridor is narrower than a face. The edges of the mesh that
- * the tree does not cross form a graph whose complement is an open disk. What of it stands for no piece, and has
- * nothing behind it that does, is no part of the curve.
+ * these cells touch along the edge between them. A spanning tree of the faces stays on one side as far as it can. What
+ * is behind a corridor narrower than a face has to be opened elsewhere: across the cut locus, where it is nearest to the
+ * source, which is beside the corridor. There both sides are at the same distance, so that ways become longer by about
+ * what it takes from there to the corridor. The edges of the mesh that the tree does not cross form a graph whose
+ * complement is an open disk. What of it stands for no piece, and has nothing behind it that does, is no part of the
+ * curve.
  */
 class Mesh_edge_curve
 {
 public:
-  Indexed_cut_locus graph;
-  /// how many corridors are open at another place than they should be, since they are narrower than a face
-  Index number_of_narrow_corridors = 0;
+  Indexed_cut_locus graph; ///< it counts the corridors that are opened elsewhere
 
   /// @param kept the edges of the tree that the curve stands for
   /// @param source a vertex that is not on the curve, or null
@@ -74,7 +74,7 @@ private:
     for(Index h = 0; h < mesh_.number_of_halfedges() && source != null_index; ++h)
       if(is_at_source(h) && !mesh_.is_border_edge(h))
         link_faces(h / 3, mesh_.opposite[h] / 3);
-    // edges between cells that touch come first, in any order, then the others by the barrier between their cells
+    // edges between cells that touch come first, in any order, then the others by the distance of their middle
     std::vector<Candidate> barred;
     for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
     {
@@ -87,15 +87,21 @@ private:
       else if(!link_faces(h / 3, mesh_.opposite[h] / 3))
         candidates_.push_back(c);
     }
+    const auto way = [&](const Candidate& c)
+    {
+      const Index h = connectivity_.halfedge_of_edge[c.edge];
+      return geodesics_.distance(mesh_.source(h)) + geodesics_.distance(mesh_.target(h));
+    };
     std::sort(barred.begin(), barred.end(),
-              [](const Candidate& a, const Candidate& b) { return a.gap != b.gap ? a.gap < b.gap : a.edge < b.edge; });
+              [&](const Candidate& a, const Candidate& b)
+              { return way(a) != way(b) ? way(a) < way(b) : a.edge < b.edge; });
     for(const Candidate& c : barred)
     {
       const Index h = connectivity_.halfedge_of_edge[c.edge];
       if(!link_faces(h / 3, mesh_.opposite[h] / 3))
         candidates_.push_back(c);
       else
-        ++number_of_narrow_corridors;
+        ++graph.number_of_narrow_corridors;
     }
   }
 

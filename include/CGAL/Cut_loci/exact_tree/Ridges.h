@@ -48,6 +48,7 @@ public:
     Image images[2];
     double gaps[2];   // at the nodes: the angle at which the two paths part
     Index first_node; // of the face
+    bool is_bisector; // of the images, or else straight, see `Face_ridges`
   };
 
   struct Face
@@ -186,6 +187,7 @@ private:
         add_change_at_vertex(at_vertices[next_at_vertex]);
       add_changes_on_edge(h);
     }
+    fit_labels_at_corners();
     const double size = (std::max)({geodesics_->faces().length(3 * f), geodesics_->faces().length(3 * f + 1),
                                     geodesics_->faces().length(3 * f + 2)});
     // a path that is wrong by an angle is too long by the angle times its way through the face, at most
@@ -205,6 +207,43 @@ private:
     Node node;
     node.vertex = c.is_shadow ? null_index : v;
     nodes_of_changes_.push_back(node);
+  }
+
+  /*
+   * A path that passes several vertices on one line, as along an edge of the mesh, comes from the image of any of them.
+   * At a corner, where the labels of the edges end, it may have been given different ones: they become the same, that
+   * of the edge, or change there.
+   */
+  void fit_labels_at_corners()
+  {
+    for(std::size_t i = 0; i < local_changes_.size(); ++i)
+    {
+      const std::size_t next = i + 1 < local_changes_.size() ? i + 1 : 0;
+      Face_ridges::Change &a = local_changes_[i], &b = local_changes_[next];
+      if(is_same_image(a.after, b.before))
+        continue;
+      const bool is_corner = a.edge == null_index || b.edge == null_index;
+      const Plane_point p = a.edge == null_index   ? a.point
+                            : b.edge == null_index ? b.point
+                                                   : corners_[(a.edge + 1) % 3];
+      if(a.edge == b.edge || !(gap(a.after, b.before, p) < 1e-7) || !is_on_one_line(a.after, b.before, p))
+        continue;
+      if(b.edge == null_index)
+        b.before = a.after;
+      else if(is_corner)
+        a.after = b.before;
+      else
+      {
+        local_changes_.insert(local_changes_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                              {p, null_index, a.after, b.before, true, true});
+        nodes_of_changes_.insert(nodes_of_changes_.begin() + static_cast<std::ptrdiff_t>(i) + 1, Node());
+      }
+    }
+  }
+
+  static bool is_on_one_line(const Image& a, const Image& b, const Plane_point& p)
+  {
+    return angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y) < 1e-7;
   }
 
   void add_changes_on_edge(Index h)
@@ -320,7 +359,11 @@ private:
 
   void add_piece(const Face& face, const Face_ridges::Ridge& r)
   {
-    Piece piece{{position_[r.nodes[0]], position_[r.nodes[1]]}, {r.images[0], r.images[1]}, {0., 0.}, face.first_node};
+    Piece piece{{position_[r.nodes[0]], position_[r.nodes[1]]},
+                {r.images[0], r.images[1]},
+                {0., 0.},
+                face.first_node,
+                r.is_bisector};
     for(int k = 0; k < 2; ++k)
     {
       Node& node = nodes_[face.first_node + piece.nodes[k]];

@@ -12,11 +12,13 @@
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Image_bisector.h>
+#include <CGAL/Cut_loci/exact_tree/Polyline_crossings.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -28,7 +30,7 @@ namespace internal {
  * turns the edges of an `Exact_tree` that are left into a curve through the faces.
  *
  * In a face, pieces that follow each other become one polyline that leaves them by a small share of an edge of the mesh
- * at most.
+ * at most, and by less where it would cross others: corridors between branches may be of any width.
  */
 class Tree_curve
 {
@@ -51,7 +53,10 @@ public:
       node(root); // it comes first
     for(const Tree_branches::Edge& b : kept)
       if(!is_drawn_[b.edge] && !tree_.graph().edges[b.edge].is_virtual)
-        add_chain(b.edge);
+        find_chain(b.edge);
+    set_tolerances();
+    for(const Chain& c : chains_)
+      draw(c);
     if(graph.edges.empty())
       graph.nodes.assign(1, lone_node(lone));
   }
@@ -65,26 +70,60 @@ private:
   /// Where more pieces than two meet, or at a vertex, pieces of no length may be between them: they become one node.
   void contract(const std::vector<Tree_branches::Edge>& kept)
   {
-    merged_.assign(tree_.graph().nodes.size(), null_index);
+    const std::vector<Tree_graph::Node>& nodes = tree_.graph().nodes;
+    merged_.assign(nodes.size(), null_index);
+    vertex_.resize(nodes.size());
+    for(Index i = 0; i < nodes.size(); ++i)
+      vertex_[i] = nodes[i].vertex;
     is_drawn_.assign(tree_.graph().edges.size(), 0);
     for(const Tree_branches::Edge& b : kept)
       if(is_nothing(b.edge))
-      {
-        is_drawn_[b.edge] = 1;
-        Index i = representative(b.outer), j = representative(b.inner);
-        if(i == j)
-          continue;
-        if(rank(i) < rank(j))
-          std::swap(i, j);
-        merged_[j] = i;
-      }
+        is_drawn_[b.edge] = merge(representative(b.outer), representative(b.inner));
+  }
+
+  /// Makes one node of two, unless its place would be in no common face with what is joined to either.
+  bool merge(Index i, Index j)
+  {
+    if(i == j)
+      return true;
+    if(rank(i) < rank(j))
+      std::swap(i, j);
+    const Tree_graph::Node &a = tree_.graph().nodes[i], &b = tree_.graph().nodes[j];
+    if(rank(i) == 2 && (rank(j) == 2 ? vertex_[i] != vertex_[j] : !is_beside(b, vertex_[i])))
+      return false;
+    if(rank(i) == 1 && rank(j) == 1 && a.halfedge != b.halfedge)
+    {
+      // at the vertex between two edges, but at none of the border: what passes there does not end there
+      vertex_[i] = common_vertex(a.halfedge, b.halfedge);
+      if(vertex_[i] == null_index)
+        return false;
+    }
+    merged_[j] = i;
+    return true;
   }
 
   /// of several nodes at a point, the one that is at a vertex or on an edge says so for all
   int rank(Index i) const
   {
-    const Tree_graph::Node& n = tree_.graph().nodes[i];
-    return n.vertex != null_index ? 2 : n.halfedge != null_index ? 1 : 0;
+    return vertex_[i] != null_index ? 2 : tree_.graph().nodes[i].halfedge != null_index ? 1 : 0;
+  }
+
+  /// whether a node is on an edge or in a face of the mesh at a vertex
+  bool is_beside(const Tree_graph::Node& n, Index v) const
+  {
+    if(n.halfedge != null_index)
+      return mesh_.source(n.halfedge) == v || mesh_.target(n.halfedge) == v;
+    const std::array<Index, 3>& t = mesh_.triangles[n.face];
+    return std::find(t.begin(), t.end(), v) != t.end();
+  }
+
+  /// of two edges, if it is not on the border
+  Index common_vertex(Index h, Index g) const
+  {
+    for(Index v : {mesh_.source(h), mesh_.target(h)})
+      if((mesh_.source(g) == v || mesh_.target(g) == v) && !connectivity_.is_border(v))
+        return v;
+    return null_index;
   }
 
   Index representative(Index i) const
@@ -125,8 +164,8 @@ private:
     {
       number_[i] = static_cast<Index>(graph.nodes.size());
       const Tree_graph::Node& n = tree_.graph().nodes[i];
-      graph.nodes.push_back(
-        {n.vertex != null_index ? location_of_vertex(connectivity_, n.vertex) : location(n), n.vertex, n.distance});
+      const Index v = vertex_[i];
+      graph.nodes.push_back({v != null_index ? location_of_vertex(connectivity_, v) : location(n), v, n.distance});
     }
     return number_[i];
   }
@@ -183,10 +222,24 @@ private:
   bool is_passed(Index i) const
   {
     const Tree_graph::Node& n = tree_.graph().nodes[i];
-    return degree_[i] == 2 && n.vertex == null_index && n.halfedge == null_index && n.loop == null_index && i != root_;
+    return degree_[i] == 2 && vertex_[i] == null_index && n.halfedge == null_index && n.loop == null_index &&
+           i != root_;
   }
 
-  void add_chain(Index first)
+  /// is a polyline in a face.
+  struct Chain
+  {
+    Index begin, end, widest; // nodes, and the edge with the largest gap
+    std::size_t first_step, end_step;
+    double tolerance; // by which it leaves the cut locus at most; infinite if it follows the nodes alone
+  };
+
+  struct Step
+  {
+    Index edge, from;
+  };
+
+  void find_chain(Index first)
   {
     // back to where it starts, then forth
     Index edge = first, from = representative(tree_.graph().edges[first].nodes[0]);
@@ -197,24 +250,63 @@ private:
         break; // a cycle within the face, which is not possible up to rounding
       from = other_end(edge, from);
     }
-    const Index begin = from;
-    points_.clear();
-    add_point(begin, edge);
-    Index widest = edge;
+    Chain chain{from, from, edge, steps_.size(), 0, tolerance()};
     while(true)
     {
       is_drawn_[edge] = 1;
-      if(tree_.graph().edges[edge].gap > tree_.graph().edges[widest].gap)
-        widest = edge;
-      const Index to = other_end(edge, from);
-      add_points_between(edge, from);
-      add_point(to, edge);
-      from = to;
+      if(tree_.graph().edges[edge].gap > tree_.graph().edges[chain.widest].gap)
+        chain.widest = edge;
+      steps_.push_back({edge, from});
+      from = other_end(edge, from);
       if(!is_passed(from) || is_drawn_[edge ^ exclusive_or_[from]])
         break;
       edge ^= exclusive_or_[from];
     }
-    draw(begin, from, widest);
+    chain.end = from;
+    chain.end_step = steps_.size();
+    chains_.push_back(chain);
+  }
+
+  Index face_of(const Chain& c) const { return tree_.graph().edges[c.widest].face; }
+
+  /// smaller ones in faces in which chains cross each other else
+  void set_tolerances()
+  {
+    std::vector<Index> order(chains_.size());
+    for(Index i = 0; i < order.size(); ++i)
+      order[i] = i;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return face_of(chains_[a]) < face_of(chains_[b]); });
+    for(std::size_t first = 0, last; first < order.size(); first = last)
+    {
+      for(last = first + 1; last < order.size() && face_of(chains_[order[last]]) == face_of(chains_[order[first]]);)
+        ++last;
+      // down to the accuracy of the nodes, and then the lines between these, which do not cross each other
+      constexpr double finest = 1e-8, all = (std::numeric_limits<double>::infinity)();
+      for(double t = tolerance(); last - first > 1 && t < all && cross_each_other(order, first, last);)
+      {
+        t = t > finest * connectivity_.mean_edge_length ? 0.1 * t : all;
+        for(std::size_t i = first; i < last; ++i)
+          chains_[order[i]].tolerance = t;
+      }
+    }
+  }
+
+  bool cross_each_other(const std::vector<Index>& order, std::size_t first, std::size_t last)
+  {
+    crossings_.clear();
+    for(std::size_t i = first; i < last; ++i)
+    {
+      lay_out(chains_[order[i]]);
+      std::size_t previous = 0;
+      for(std::size_t k = 1; k < points_.size(); ++k)
+        if(is_left_[k])
+        {
+          crossings_.add(points_[previous].point, points_[k].point);
+          previous = k;
+        }
+    }
+    return crossings_.has_any();
   }
 
   Index other_end(Index edge, Index i) const
@@ -237,21 +329,49 @@ private:
     double distance;
   };
 
+  /// the points of a chain, and which of them are left
+  void lay_out(const Chain& c)
+  {
+    points_.clear();
+    add_point(c.begin, steps_[c.first_step].edge);
+    for(std::size_t i = c.first_step; i < c.end_step; ++i)
+    {
+      if(c.tolerance < (std::numeric_limits<double>::infinity)())
+        add_points_between(steps_[i].edge, steps_[i].from, c.tolerance);
+      add_point(other_end(steps_[i].edge, steps_[i].from), steps_[i].edge);
+    }
+    is_left_.assign(points_.size(), c.tolerance < (std::numeric_limits<double>::infinity)() ? 0 : 1);
+    is_left_.front() = is_left_.back() = 1;
+    starts_and_ends_on_edge_ = are_on_one_edge(c.begin, c.end);
+    simplify(0, points_.size() - 1, c.tolerance);
+  }
+
   void add_point(Index i, Index edge)
   {
     const Index own = own_end(i, edge);
-    points_.push_back({position(own, tree_.graph().edges[edge].face), tree_.graph().nodes[own].distance});
+    points_.push_back({place(i, tree_.graph().edges[edge].face), tree_.graph().nodes[own].distance});
   }
 
-  void add_points_between(Index edge, Index from)
+  /// where a node is drawn, in the frame of the first halfedge of a face
+  Plane_point place(Index i, Index f) const
+  {
+    for(Index k = 0; k < 3; ++k)
+      if(vertex_[i] != null_index && mesh_.triangles[f][k] == vertex_[i])
+        return tree_.ridges().layout(f)[k];
+    return position(i, f);
+  }
+
+  void add_points_between(Index edge, Index from, double tolerance)
   {
     const Tree_graph::Edge& e = tree_.graph().edges[edge];
     if(e.piece == null_index)
       return;
     const Ridges::Piece& piece = tree_.ridges().piece(e.piece);
+    if(!piece.is_bisector)
+      return;
     samples_.clear();
     sample_bisector(piece.images[0], piece.images[1], tree_.ridges().piece_end(e.piece, 0),
-                    tree_.ridges().piece_end(e.piece, 1), tolerance(), samples_);
+                    tree_.ridges().piece_end(e.piece, 1), tolerance, samples_);
     const Plane_point p = position(own_end(from, edge), e.face), q = tree_.ridges().piece_end(e.piece, 0),
                       r = tree_.ridges().piece_end(e.piece, 1);
     if(std::hypot(p.x - q.x, p.y - q.y) > std::hypot(p.x - r.x, p.y - r.y))
@@ -263,15 +383,13 @@ private:
   /// by which the curve leaves the cut locus at most: small beside what a face differs from any surface it stands for
   double tolerance() const { return 1e-4 * connectivity_.mean_edge_length; }
 
-  void draw(Index begin, Index end, Index widest)
+  void draw(const Chain& c)
   {
-    is_left_.assign(points_.size(), 0);
-    starts_and_ends_on_edge_ = are_on_one_edge(begin, end);
-    simplify(0, points_.size() - 1);
-    const Tree_graph::Edge& e = tree_.graph().edges[widest];
-    const float width = static_cast<float>(tree_.width(widest));
-    const Index last = node(end);
-    Index previous = node(begin);
+    lay_out(c);
+    const Tree_graph::Edge& e = tree_.graph().edges[c.widest];
+    const float width = static_cast<float>(tree_.width(c.widest));
+    const Index last = node(c.end);
+    Index previous = node(c.begin);
     for(std::size_t i = 1; i + 1 < points_.size(); ++i)
       if(is_left_[i])
       {
@@ -286,16 +404,15 @@ private:
   bool are_on_one_edge(Index i, Index j) const
   {
     const Tree_graph::Node &a = tree_.graph().nodes[i], &b = tree_.graph().nodes[j];
-    for(const Tree_graph::Node* n : {&a, &b})
-      if(n->halfedge == null_index && n->vertex == null_index)
-        return false;
-    if(a.vertex == null_index && b.vertex == null_index)
+    if(rank(i) == 0 || rank(j) == 0)
+      return false;
+    if(rank(i) == 1 && rank(j) == 1)
       return a.halfedge == b.halfedge;
     return true; // at a vertex
   }
 
   /// marks the points between two that are needed (Douglas and Peucker)
-  void simplify(std::size_t first, std::size_t last)
+  void simplify(std::size_t first, std::size_t last, double tolerance)
   {
     const Plane_point &p = points_[first].point, &q = points_[last].point;
     const double ux = q.x - p.x, uy = q.y - p.y, uu = ux * ux + uy * uy;
@@ -313,11 +430,11 @@ private:
       }
     }
     // between points of one edge of the mesh even the flattest arc stays: shortest paths may follow the edge
-    if(most <= tolerance() && !(first == 0 && last + 1 == points_.size() && starts_and_ends_on_edge_ && most > 0.))
+    if(most <= tolerance && !(first == 0 && last + 1 == points_.size() && starts_and_ends_on_edge_ && most > 0.))
       return;
     is_left_[farthest] = 1;
-    simplify(first, farthest);
-    simplify(farthest, last);
+    simplify(first, farthest, tolerance);
+    simplify(farthest, last, tolerance);
   }
 
   void add_segment(Index i, Index j, const Tree_graph::Edge& e, float width)
@@ -345,9 +462,13 @@ private:
   Exact_tree& tree_;
   Index root_ = null_index;
   std::vector<Index> number_, merged_;       // of nodes
+  std::vector<Index> vertex_;                // at which a node is, or what has been merged into it
   std::vector<Index> degree_, exclusive_or_; // of nodes
   std::vector<unsigned char> is_drawn_;      // edges
-  std::vector<Point> points_;                // of the chain in work
+  std::vector<Chain> chains_;
+  std::vector<Step> steps_; // of all chains
+  Polyline_crossings crossings_;
+  std::vector<Point> points_; // of the chain in work
   std::vector<Plane_point> samples_;
   std::vector<unsigned char> is_left_;
   bool starts_and_ends_on_edge_ = false;

@@ -72,7 +72,7 @@ public:
       return i == null_index ? (std::numeric_limits<double>::infinity)() : shared->distance[i];
     };
     return Result(std::move(graph), make_vertex(source.location, source.vertex, 0.), read_->vertices[shared->farthest],
-                  shared, distance);
+                  shared, distance, cut_locus.number_of_narrow_corridors);
   }
 
 private:
