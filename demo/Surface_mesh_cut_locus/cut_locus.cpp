@@ -169,7 +169,7 @@ bool run(const Options& options)
   const bool is_right = !checked || checked->topology_fault.empty();
   if(!options.is_quiet)
   {
-    std::cerr << summary(mesh, cut_locus) << std::endl;
+    std::cerr << summary(fill_in_defaults(options, *solver), curve, mesh, cut_locus) << std::endl;
     if(atlas)
       std::cerr << summary(*atlas) << std::endl;
     if(unfolding)

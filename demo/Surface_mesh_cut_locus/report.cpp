@@ -127,13 +127,38 @@ void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Mes
     throw std::runtime_error("cannot write to '" + options.report + "'");
 }
 
-std::string summary(const Mesh& mesh, const Cut_locus& cut_locus)
+namespace {
+
+// What decides which points belong to the curve, and so its smallest distance.
+std::string basis_of_radius(const Options& options, CGAL::Cut_loci::Curve curve)
+{
+  std::ostringstream text;
+  text << std::setprecision(3) << options.method_name << ", "
+       << (curve == CGAL::Cut_loci::Curve::MESH_EDGES ? "mesh edges" : "through faces");
+  const auto add = [&](const char* name, const std::optional<double>& value)
+  {
+    if(value)
+      text << ", " << name << " " << *value;
+  };
+  add("angle", options.angle);
+  add("laplacian", options.laplacian);
+  add("width", options.minimum_branch_width);
+  add("gap", options.minimum_branch_gap);
+  return text.str();
+}
+
+} // namespace
+
+std::string summary(const Options& options, CGAL::Cut_loci::Curve curve, const Mesh& mesh, const Cut_locus& cut_locus)
 {
   const CGAL::Cut_loci::Cut_locus_statistics statistics = CGAL::Cut_loci::compute_statistics(cut_locus);
   std::ostringstream text;
   text << mesh.number_of_faces() << " faces, genus " << cut_locus.genus() << "; cut locus: " << statistics.edges
-       << " edges, " << statistics.cycles << " cycles, " << statistics.leaves << " leaves, injectivity radius "
-       << statistics.injectivity_radius;
+       << " edges, " << statistics.cycles << " cycles, " << statistics.leaves << " leaves";
+  // It is off by a part of an edge, which more digits would hide. That of a lone vertex says nothing.
+  if(statistics.edges > 0)
+    text << ", injectivity radius " << std::setprecision(3) << statistics.injectivity_radius << " ("
+         << basis_of_radius(options, curve) << ")";
   const std::string doubt = CGAL::Cut_loci::description(statistics.status);
   if(!doubt.empty())
     text << "\nnote: " << doubt;

@@ -20,8 +20,8 @@
 void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Mesh& mesh, const Cut_locus& cut_locus,
                   const std::optional<Atlas>& atlas, const std::optional<Check>& check, const Progress& progress);
 
-// One line for people.
-std::string summary(const Mesh& mesh, const Cut_locus& cut_locus);
+// One line for people; `options` have all defaults filled in.
+std::string summary(const Options& options, CGAL::Cut_loci::Curve curve, const Mesh& mesh, const Cut_locus& cut_locus);
 std::string summary(const Atlas& atlas);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_REPORT_H

@@ -41,6 +41,14 @@ public:
     distances = propagation_->distances();
   }
 
+#ifndef DOXYGEN_RUNNING
+  // the shortest paths of the last call
+  const Cut_loci::internal::Geodesic_results& geodesics() const
+  {
+    return *propagation_;
+  }
+#endif
+
 private:
   std::shared_ptr<Cut_loci::internal::Exact_geodesic_propagation> propagation_;
 };

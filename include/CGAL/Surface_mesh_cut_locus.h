@@ -423,8 +423,8 @@ private:
                      const VertexDistanceMap& map)
   {
     std::vector<double> distance;
-    compute_distances(component, source, distance, map);
-    solver.set_distance(source, std::move(distance));
+    const Cut_loci::internal::Geodesic_results* geodesics = compute_distances(component, source, distance, map);
+    solver.set_distance(source, std::move(distance), geodesics);
   }
 
   // The package's own solver also finds the directions.
@@ -456,23 +456,29 @@ private:
     return *component;
   }
 
-  void compute_distances(Component& component, const Cut_loci::Indexed_source& source, std::vector<double>& distance,
-                         internal_np::Param_not_found)
+  // The paths that the solver found, or null.
+  const Cut_loci::internal::Geodesic_results* compute_distances(Component& component,
+                                                                const Cut_loci::Indexed_source& source,
+                                                                std::vector<double>& distance,
+                                                                internal_np::Param_not_found)
   {
     if(component.geodesic_solver.empty())
       component.geodesic_solver = solver_.bound_to(*component.mesh);
     component.geodesic_solver.compute_distances(source, distance);
     check_distances(component, distance, "the geodesic solver returned");
+    return component.geodesic_solver.geodesics();
   }
 
   template <typename VertexDistanceMap>
-  void compute_distances(Component& component, const Cut_loci::Indexed_source&, std::vector<double>& distance,
-                         const VertexDistanceMap& map)
+  const Cut_loci::internal::Geodesic_results* compute_distances(Component& component, const Cut_loci::Indexed_source&,
+                                                                std::vector<double>& distance,
+                                                                const VertexDistanceMap& map)
   {
     distance.resize(component.mesh->number_of_vertices());
     for(Index v = 0; v < distance.size(); ++v)
       distance[v] = to_double(get(internal_np::get_reference(map), read_->vertices[component.vertex(v)]));
     check_distances(component, distance, "the vertex distance map holds");
+    return nullptr;
   }
 
   void check_distances(const Component& component, const std::vector<double>& distance, const std::string& who) const

@@ -11,11 +11,16 @@
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/descent_forest.h>
 #include <CGAL/Cut_loci/homology.h>
+#include <CGAL/Cut_loci/internal/Exact_descent.h>
 #include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/internal/geodesic_path_tracing.h>
+#include <CGAL/Cut_loci/internal/surface_location.h>
+#include <CGAL/Cut_loci/internal/vector_3.h>
 #include <CGAL/Cut_loci/region_growing_tree.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <random>
@@ -48,10 +53,11 @@ private:
   std::vector<Index> parent_;
 };
 
-void expect_room(const Mesh& mesh, const std::vector<double>& distance, const Indexed_source& source)
+void expect_room(const Mesh& mesh, const std::vector<double>& distance, const Indexed_source& source,
+                 const internal::Geodesic_results* geodesics = nullptr)
 {
   const Mesh_connectivity connectivity(mesh);
-  const std::vector<unsigned char> crossed = edges_crossed_by_descents(mesh, connectivity, distance, source);
+  const std::vector<unsigned char> crossed = edges_crossed_by_descents(mesh, connectivity, distance, source, geodesics);
   Parts faces(mesh.number_of_faces());
   for(Index e = 0; e < crossed.size(); ++e)
     if(crossed[e])
@@ -106,6 +112,7 @@ TEST(Descent_forest, leaves_a_tree_and_generators)
       exact.run({source.location});
       std::vector<double> distance = exact.distances();
       expect_room(mesh, distance, source);
+      expect_room(mesh, distance, source, &exact);
       for(double& d : distance) // with pits all over
         d += 0.5 * (engine() / 4294967296.);
       expect_room(mesh, distance, source);
@@ -113,6 +120,61 @@ TEST(Descent_forest, leaves_a_tree_and_generators)
         d = static_cast<double>(engine() % 3);
       expect_room(mesh, distance, source);
     }
+}
+
+// The points at which the steps of `Exact_descent` cross edges or meet vertices, up to the faces of the source.
+std::vector<internal::Vector> points_of_descent(const Mesh& mesh, const Mesh_connectivity& connectivity,
+                                                const internal::Exact_geodesic_propagation& exact, Index v,
+                                                Index source)
+{
+  using namespace CGAL::Cut_loci::internal;
+  const Exact_descent descent(mesh, connectivity, exact);
+  std::vector<Vector> result;
+  Exact_descent::Way way = descent.leave(v);
+  while(way.exists() && result.size() < mesh.number_of_faces())
+  {
+    if(way.vertex != null_index)
+    {
+      result.push_back(mesh.points[way.vertex]);
+      way = way.vertex == source ? Exact_descent::Way() : descent.leave(way.vertex);
+      continue;
+    }
+    const Index h = way.halfedge;
+    result.push_back((1. - way.place) * mesh.points[mesh.source(h)] + way.place * mesh.points[mesh.target(h)]);
+    const Mesh::Triangle& t = mesh.triangles[mesh.opposite[h] / 3];
+    way = std::find(t.begin(), t.end(), source) != t.end() ? Exact_descent::Way() : descent.across(way);
+  }
+  return result;
+}
+
+TEST(Exact_descent, goes_where_the_shortest_paths_go)
+{
+  using namespace CGAL::Cut_loci::internal;
+  for(const Mesh& mesh : {indexed_meshes::bumpy_sphere(10), indexed_meshes::torus(24, 10), indexed_meshes::needles(6)})
+  {
+    const Mesh_connectivity connectivity(mesh);
+    Indexed_location location;
+    location.face = 0;
+    location.coordinates = {{1., 0., 0.}};
+    const Index source = mesh.triangles[0][0];
+    Exact_geodesic_propagation exact(mesh);
+    exact.run({location});
+    Geodesic_path_tracing tracing(exact);
+    std::size_t crossings = 0;
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+    {
+      if(v == source || connectivity.valence(v) == 0)
+        continue;
+      const std::vector<Indexed_location> path = tracing.path_from_vertex(v);
+      const std::vector<Vector> points = points_of_descent(mesh, connectivity, exact, v, source);
+      ASSERT_LE(points.size() + 1, path.size()) << v;
+      EXPECT_LE(path.size(), points.size() + 2) << v << ": all but the ends";
+      for(std::size_t i = 0; i < points.size(); ++i)
+        EXPECT_LT(norm(points[i] - position(mesh, path[i + 1])), 1e-6 * connectivity.mean_edge_length) << v;
+      crossings += points.size();
+    }
+    EXPECT_GT(crossings, mesh.number_of_vertices());
+  }
 }
 
 } // namespace

@@ -300,7 +300,44 @@ TEST_P(Laplacian_detour, Square_with_holes)
   }
 }
 
-// An annulus, an open cylinder and a hemisphere have the half line opposite to the source, or nothing.
+// On slim faces, the distances at the ends of their long edges do not tell where paths cross these: the paths must be
+// followed.
+TEST(Laplacian_detour_of_slim_faces, Wavy_surface)
+{
+  for(std::size_t ny : {60, 150})
+  {
+    const std::size_t nx = 6;
+    Mesh_data data;
+    for(std::size_t j = 0; j <= ny; ++j)
+      for(std::size_t i = 0; i <= nx; ++i)
+      {
+        const double x = double(i) / double(nx), y = double(j) / double(ny);
+        data.points.push_back({{x, y, 0.15 * std::sin(9. * x) * std::sin(11. * y + 1.)}});
+      }
+    for(std::size_t j = 0; j < ny; ++j)
+      for(std::size_t i = 0; i < nx; ++i)
+      {
+        const std::size_t a = (nx + 1) * j + i, b = a + 1, c = b + nx + 1, d = a + nx + 1;
+        data.triangles.push_back((i + j) % 2 == 1 ? Triangle{{a, b, c}} : Triangle{{a, b, d}});
+        data.triangles.push_back((i + j) % 2 == 1 ? Triangle{{a, c, d}} : Triangle{{b, c, d}});
+      }
+    const Built_mesh<Mesh> built(data);
+    CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
+    double mean = 0., max = 0.;
+    for(std::size_t i : {1, 3, 5, 7})
+    {
+      cut_loci.set_source(built.vertices[i * data.points.size() / 8]);
+      const Measures m = curve_measures::measure(built.mesh, cut_loci.cut_locus());
+      EXPECT_EQ(m.topology_fault, "");
+      mean += 0.25 * m.mean;
+      max = (std::max)(max, m.max);
+    }
+    EXPECT_LT(mean, 0.004); // by distances alone .005 and .011
+    EXPECT_LT(max, 0.5);    // .82 and .70
+  }
+}
+
+// An annulus and an open cylinder have the half line opposite to the source.
 TEST(Laplacian_with_border, Closed_forms)
 {
   const std::size_t n = 48, m = 12;

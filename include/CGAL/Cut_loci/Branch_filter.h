@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -47,8 +48,8 @@ struct Branch_thresholds
  * selects the cut locus from a tree of candidates and the part of the cut locus that the homology demands.
  *
  * That part is a graph which cuts the surface into one open disk. The tree hangs on it, so removing vertices of
- * degree 1 from the union keeps the disk, and the filter does nothing else: it keeps the root, the demanded part, and
- * the branches that pass the thresholds. The answer to both policies is stored with each vertex, the largest strength
+ * degree 1 from the union keeps the disk, and the filter does nothing else: it keeps the demanded part, the branches that
+ * pass the thresholds, and the root, from which a surface with a border allows it to cut a weak end. The answer to both policies is stored with each vertex, the largest strength
  * below it and the smallest above, so that a new threshold costs time in proportion to the size of the result.
  */
 class Branch_filter
@@ -63,7 +64,7 @@ public:
   };
   struct Result
   {
-    std::vector<Index> vertices; ///< the root first
+    std::vector<Index> vertices; ///< the root first, or where that has been cut off, the vertex after it
     std::vector<Edge> edges;     ///< the generators last
   };
 
@@ -108,6 +109,8 @@ public:
       remove_needless_joins(parent_position, result);
     if(thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.)
       remove_short_branches(mesh, thresholds, parent_position, result);
+    if(!own_.empty())
+      trim_root(mesh, thresholds, result);
     for(Index h : generators_)
       result.edges.push_back({mesh.source(h), mesh.target(h), h, (std::numeric_limits<float>::max)()});
     return result;
@@ -204,6 +207,8 @@ private:
       }
       else
         below_[v] = above_[v] = {gradient_angle[v], -laplacian[v]};
+    if(connectivity.number_of_border_loops > 0)
+      own_ = above_;
     for(std::size_t i = tree.order.size(); i-- > 1;)
     {
       const Strength& s = below_[tree.order[i]];
@@ -247,6 +252,30 @@ private:
     result.vertices.resize(size);
     result.edges.resize(size - 1);
     parent_position.resize(size);
+  }
+
+  // With a border the root is a guess: the way from there to the border is kept to join them, and shortened to what passes
+  // the thresholds, as any branch from its tip.
+  void trim_root(const Indexed_triangle_mesh& mesh, const Branch_thresholds& thresholds, Result& result) const
+  {
+    const auto is_at_generator = [&](Index v)
+    {
+      return std::any_of(generators_.begin(), generators_.end(),
+                         [&](Index h) { return mesh.source(h) == v || mesh.target(h) == v; });
+    };
+    std::size_t n = 0;
+    for(; n < result.edges.size(); ++n)
+    {
+      const Index v = result.vertices[n]; // the others hang on it
+      const bool has_one_child = n + 1 == result.edges.size() || result.edges[n + 1].parent != v;
+      const bool is_strong =
+        own_[v].gradient_angle >= thresholds.gradient_angle && own_[v].laplacian >= thresholds.laplacian;
+      if(only_joins_[v] || is_strong || !has_one_child || is_at_generator(v))
+        break;
+    }
+    const auto end = static_cast<std::ptrdiff_t>(n);
+    result.vertices.erase(result.vertices.begin(), result.vertices.begin() + end);
+    result.edges.erase(result.edges.begin(), result.edges.begin() + end);
   }
 
   // Where branches meet, the longest one continues and the others end, and at the root all of them: those that are
@@ -306,6 +335,7 @@ private:
   std::vector<bool> only_joins_; // border vertices; empty if there are none
   std::vector<Index> child_begin_;
   std::vector<Child> children_;
+  std::vector<Strength> own_;   // of each vertex; empty if there is no border
   std::vector<Strength> below_; // the largest strength in the subtree of each vertex
   std::vector<Strength> above_; // the smallest on the way to what is kept at any threshold
 };

@@ -9,6 +9,9 @@
 
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/internal/Exact_descent.h>
+#include <CGAL/Cut_loci/internal/Geodesic_results.h>
+#include <CGAL/Cut_loci/internal/Path_flow.h>
 #include <CGAL/Cut_loci/internal/Steepest_descent.h>
 #include <CGAL/Cut_loci/internal/vector_3.h>
 #include <CGAL/Cut_loci/internal/vertex_queue.h>
@@ -17,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numeric>
 #include <vector>
 
@@ -24,16 +28,20 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-// Follows the steepest descent of the distance, linear in each face, from every vertex to the source.
+// Follows the ways down from every vertex to the source: the shortest paths where these are known, or else the steepest
+// descent of the distance, linear in each face.
 class Descent_tracer
 {
 public:
+  // `geodesics` may be null
   Descent_tracer(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                 const std::vector<double>& distance, const Indexed_source& source)
+                 const std::vector<double>& distance, const Indexed_source& source, const Geodesic_results* geodesics)
     : mesh_(mesh), connectivity_(connectivity), distance_(distance), descent_(mesh, connectivity, distance_),
-      exit_(mesh.number_of_faces(), null_index), is_claimed_(mesh.number_of_faces(), 0),
-      is_at_source_(mesh.number_of_vertices(), 0)
+      flow_(mesh, connectivity), place_on_path_(mesh.number_of_halfedges(), null_index),
+      is_root_(mesh.number_of_faces(), 0), is_at_source_(mesh.number_of_vertices(), 0)
   {
+    if(geodesics != nullptr)
+      exact_.reset(new Exact_descent(mesh, connectivity, *geodesics));
     claim_source(source);
     fill_pits();
   }
@@ -49,17 +57,22 @@ public:
     for(Index v : order)
       if(!is_at_source_[v])
         descend(v);
-    std::vector<unsigned char> result(connectivity_.number_of_edges(), 0);
-    for(Index f = 0; f < exit_.size(); ++f)
-      if(is_claimed_[f] && exit_[f] != null_index)
-        result[connectivity_.edge_of_halfedge[exit_[f]]] = 1;
-    return result;
+    return flow_.forest(root_crossings_);
   }
 
 private:
   using Outflow = Steepest_descent::Outflow;
   using Slope = Steepest_descent::Slope;
-  enum class Turn { AT_GOAL, CLAIMED, STUCK };
+  enum class Turn { AT_GOAL, ARRIVED, STUCK };
+
+  // How a path leaves a vertex: along an edge to another one, or through a face.
+  struct Start
+  {
+    Index face = null_index;
+    Index along = null_index;
+    Exact_descent::Way way; // `image` means nothing unless it is exact
+    bool is_exact = false;
+  };
 
   // The source's faces are the root: those around a vertex, the two of an edge.
   void claim_source(const Indexed_source& source)
@@ -75,7 +88,7 @@ private:
         return;
       const Index inside = h / 3 == source.location.face ? h : mesh_.opposite[h], o = mesh_.opposite[inside];
       claim_root(o / 3);
-      exit_[o / 3] = o;
+      root_crossings_.push_back(o);
       return;
     }
     is_at_source_[element.vertex] = 1;
@@ -86,15 +99,15 @@ private:
       is_at_source_[connectivity_.ring_vertex[k]] = 1;
       if(mesh_.source(h) != element.vertex)
         continue; // the last edge at a border
-      is_claimed_[h / 3] = 1;
+      is_root_[h / 3] = 1;
       if(k > connectivity_.ring_begin[element.vertex])
-        exit_[h / 3] = h;
+        root_crossings_.push_back(h);
     }
   }
 
   void claim_root(Index f)
   {
-    is_claimed_[f] = 1;
+    is_root_[f] = 1;
     for(Index v : mesh_.triangles[f])
       is_at_source_[v] = 1;
   }
@@ -142,68 +155,121 @@ private:
     return false;
   }
 
-  // Records the path from `v` until it meets a face that has one. What is recorded again overwrites the way that led
-  // in a circle.
+  // Records the path from `v`. An exact one may end in rounding errors: then the other kind does.
   void descend(Index v)
   {
-    const Outflow out = descent_.outflow(v);
-    if(out.halfedge == null_index)
-      return;
-    const Index start = out.halfedge / 3;
-    Index f = start, steps = 0;
-    if(is_claimed_[f])
-      return;
-    const bool arrives = out.is_along ? arrive(f, other_end(out.halfedge, v), steps)
-                                      : cross_faces(f, mesh_.next(out.halfedge), out.place, steps);
-    if(!arrives)
-      return;
-    for(f = start; !is_claimed_[f]; f = mesh_.opposite[exit_[f]] / 3)
-      is_claimed_[f] = 1;
+    is_exact_ = exact_ != nullptr;
+    bool arrives = trace(v);
+    if(!arrives && is_exact_)
+    {
+      is_exact_ = false;
+      arrives = trace(v);
+    }
+    if(arrives && !path_.empty())
+      flow_.add(path_);
   }
 
-  Index other_end(Index h, Index v) const { return mesh_.source(h) == v ? mesh_.target(h) : mesh_.source(h); }
+  // Sets the path from `v` to the source, or to an older path.
+  bool trace(Index v)
+  {
+    path_.clear();
+    const Start start = leave(v);
+    if(start.face == null_index)
+      return false;
+    Index f = start.face, steps = 0;
+    const bool arrives = is_root_[f] || (start.along != null_index ? arrive(f, start.way.vertex, steps)
+                                                                   : cross_faces(f, start.way, start.is_exact, steps));
+    for(Index h : path_)
+      place_on_path_[h] = null_index;
+    return arrives;
+  }
 
-  // Leaves `f` across its halfedge `h`; whether there is another face, and where.
+  Start leave(Index v) const
+  {
+    Start result;
+    if(is_exact_)
+      result.way = exact_->leave(v);
+    result.is_exact = result.way.exists();
+    if(!result.is_exact)
+    {
+      const Outflow out = descent_.outflow(v);
+      if(out.halfedge == null_index)
+        return result;
+      if(out.is_along)
+        result.way.vertex = mesh_.source(out.halfedge) == v ? mesh_.target(out.halfedge) : mesh_.source(out.halfedge);
+      else
+      {
+        result.way.halfedge = mesh_.next(out.halfedge);
+        result.way.place = out.place;
+      }
+    }
+    if(result.way.vertex == null_index)
+      result.face = result.way.halfedge / 3;
+    else
+      for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
+        if(connectivity_.ring_vertex[k] == result.way.vertex)
+        {
+          result.along = connectivity_.ring_halfedge[k];
+          result.face = result.along / 3;
+        }
+    return result;
+  }
+
+  // Leaves `f` across its halfedge `h`; whether there is another face, and where. What leads in a circle is forgotten.
   bool step(Index& f, Index h)
   {
     if(mesh_.is_border_edge(h))
       return false;
-    exit_[f] = h;
+    while(place_on_path_[h] < path_.size())
+    {
+      place_on_path_[path_.back()] = null_index;
+      path_.pop_back();
+    }
+    place_on_path_[h] = static_cast<Index>(path_.size());
+    path_.push_back(h);
     f = mesh_.opposite[h] / 3;
     return true;
   }
 
-  // Goes on in face `f` towards the point at `place` of its halfedge `h`; false if the source is out of reach.
-  bool cross_faces(Index f, Index h, double place, Index& steps)
+  // Goes on in face `f` towards the end of `way`; false if the source is out of reach.
+  bool cross_faces(Index f, Exact_descent::Way way, bool is_exact, Index& steps)
   {
     while(++steps < mesh_.number_of_halfedges())
     {
+      const Index h = way.halfedge;
       const Index lower = distance_[mesh_.target(h)] < distance_[mesh_.source(h)] ? mesh_.target(h) : mesh_.source(h);
       if(mesh_.is_border_edge(h))
         return arrive(f, lower, steps); // along the border
       const Index o = mesh_.opposite[h];
-      if(is_claimed_[o / 3])
+      if(is_root_[o / 3] || flow_.is_recorded(h))
         return step(f, h);
-      const Slope s = descent_.slope(o);
-      if(!(s.y > 0.))
+      Exact_descent::Way next;
+      if(is_exact)
+        next = exact_->across(way);
+      is_exact = next.exists();
+      if(!is_exact && !descend_across(o, way.place, next))
         return arrive(f, lower, steps); // the faces on both sides lead to the edge, which leads on
-      step(f, h);
-      const double x = (1. - place) * s.length, side = s.x * s.apex_y - s.y * (s.apex_x - x);
-      // the distances of the ends of the edge that is left from the line of descent
-      if(side > 0.)
-      {
-        const double below = s.y * (s.length - x);
-        h = mesh_.next(o);
-        place = below / (below + side);
-      }
-      else
-      {
-        const double below = s.y * x;
-        h = mesh_.previous(o);
-        place = -side / (below - side);
-      }
+      if(next.vertex == null_index || (next.vertex != mesh_.source(h) && next.vertex != mesh_.target(h)))
+        step(f, h);
+      if(next.vertex != null_index)
+        return arrive(f, next.vertex, steps);
+      way = next;
     }
     return false;
+  }
+
+  // The steepest descent in the face of `o`, from the point at `place` of its opposite.
+  bool descend_across(Index o, double place, Exact_descent::Way& next) const
+  {
+    const Slope s = descent_.slope(o);
+    if(!(s.y > 0.))
+      return false;
+    const double x = (1. - place) * s.length, side = s.x * s.apex_y - s.y * (s.apex_x - x);
+    // the distances of the ends of the edge that is left from the line of descent
+    const double below = s.y * (side > 0. ? s.length - x : x);
+    next.halfedge = side > 0. ? mesh_.next(o) : mesh_.previous(o);
+    next.place = side > 0. ? below / (below + side) : -side / (below - side);
+    return true;
   }
 
   // Goes on from vertex `w`, a corner of `f`, around it to where its own way down starts.
@@ -212,17 +278,17 @@ private:
     while(++steps < mesh_.number_of_halfedges())
     {
       if(is_at_source_[w])
-        return turn_to_claimed(f, w);
-      const Outflow out = descent_.outflow(w);
-      if(out.halfedge == null_index)
+        return turn(f, w, [](Index) { return false; }) == Turn::ARRIVED;
+      const Start start = leave(w);
+      if(start.face == null_index)
         return false;
-      const Index goal = out.halfedge / 3;
-      const Turn turned = turn(f, w, [&](Index g) { return g == goal || (out.is_along && has_edge(g, out.halfedge)); });
+      const Turn turned =
+        turn(f, w, [&](Index g) { return g == start.face || (start.along != null_index && has_edge(g, start.along)); });
       if(turned != Turn::AT_GOAL)
-        return turned == Turn::CLAIMED;
-      if(!out.is_along)
-        return cross_faces(f, mesh_.next(out.halfedge), out.place, steps);
-      w = other_end(out.halfedge, w);
+        return turned == Turn::ARRIVED;
+      if(start.along == null_index)
+        return cross_faces(f, start.way, start.is_exact, steps);
+      w = start.way.vertex;
     }
     return false;
   }
@@ -230,12 +296,6 @@ private:
   bool has_edge(Index f, Index h) const
   {
     return f == h / 3 || (!mesh_.is_border_edge(h) && f == mesh_.opposite[h] / 3);
-  }
-
-  // At a corner of the source's faces, one of which is there.
-  bool turn_to_claimed(Index& f, Index w)
-  {
-    return turn(f, w, [](Index) { return false; }) == Turn::CLAIMED;
   }
 
   // the face after `f` around `w`, and the halfedge of `f` between
@@ -249,12 +309,13 @@ private:
     return mesh_.is_border_edge(h) ? null_index : mesh_.opposite[h] / 3;
   }
 
-  // Walks around `w` to the first face that is a goal, or claimed, on the way with fewer faces.
+  // Walks around `w` to the first face that is a goal, or one of the source, on the way with fewer faces. An older path
+  // may be met on the way.
   template <typename Is_goal>
   Turn turn(Index& f, Index w, const Is_goal& is_goal)
   {
-    if(is_claimed_[f])
-      return Turn::CLAIMED;
+    if(is_root_[f])
+      return Turn::ARRIVED;
     if(is_goal(f))
       return Turn::AT_GOAL;
     Index best_steps = null_index;
@@ -266,7 +327,7 @@ private:
       {
         g = neighbor(g, w, way, h);
         ++n;
-      } while(g != null_index && g != f && !is_goal(g) && !is_claimed_[g]);
+      } while(g != null_index && g != f && !is_goal(g) && !is_root_[g]);
       if(g != null_index && g != f && n < best_steps)
       {
         best_steps = n;
@@ -279,17 +340,24 @@ private:
     {
       Index h;
       neighbor(f, w, best_way, h);
+      const bool is_recorded = flow_.is_recorded(h);
       step(f, h);
+      if(is_recorded)
+        return Turn::ARRIVED;
     }
-    return is_claimed_[f] ? Turn::CLAIMED : Turn::AT_GOAL;
+    return is_root_[f] ? Turn::ARRIVED : Turn::AT_GOAL;
   }
 
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   std::vector<double> distance_; // without pits
   Steepest_descent descent_;
-  std::vector<Index> exit_;
-  std::vector<unsigned char> is_claimed_, is_at_source_;
+  std::unique_ptr<const Exact_descent> exact_; // if shortest paths are known
+  bool is_exact_ = false;                      // whether they are followed
+  Path_flow flow_;
+  std::vector<Index> path_, place_on_path_; // the halfedges that the present one crosses, and the inverse
+  std::vector<Index> root_crossings_;
+  std::vector<unsigned char> is_root_, is_at_source_; // faces and vertices
 };
 
 } // namespace internal
@@ -297,23 +365,28 @@ private:
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * follows the steepest descent of the distance from each vertex to the source, and tells for each edge whether such a
- * path crosses it. No shortest path crosses the cut locus: so the cut locus is looked for among the other edges.
+ * follows the way down from each vertex to the source, and tells for each edge whether such a path crosses it. No
+ * shortest path crosses the cut locus: so the cut locus is looked for among the other edges.
  *
- * The distance is taken as linear in each face, whatever it comes from; pits that an approximate one may have are
- * filled first. A path that meets a face with a path follows that one from there on. So the faces and the edges that
- * are crossed form a tree with the faces of the source as root, and the other edges hold a tree of all vertices and 2g
- * edges more on a surface of genus g, each border loop being one node. Along the border, paths run in its faces. Time
- * is O(n log n).
+ * The paths are the shortest ones if an exact solver has found them. Else they are the steepest descents of the distance,
+ * taken as linear in each face, whatever it comes from; pits that an approximate one may have are filled first. A path
+ * that crosses an edge as an older one did follows that one from there on.
+ *
+ * The faces and the edges that are crossed must form a forest, so that the other edges hold a tree of all vertices and 2g
+ * edges more on a surface of genus g, each border loop being one node. Where paths pass something on both sides, the
+ * crossings by the fewest are given up. Along the border, paths run in its faces. Time is O(n log n).
+ *
+ * @param geodesics what the exact solver found with `distance`, or null
  *
  * @return 1 for each edge of `connectivity` that is crossed, 0 for the others
  */
 inline std::vector<unsigned char> edges_crossed_by_descents(const Indexed_triangle_mesh& mesh,
                                                             const Mesh_connectivity& connectivity,
                                                             const std::vector<double>& distance,
-                                                            const Indexed_source& source)
+                                                            const Indexed_source& source,
+                                                            const internal::Geodesic_results* geodesics = nullptr)
 {
-  return internal::Descent_tracer(mesh, connectivity, distance, source)();
+  return internal::Descent_tracer(mesh, connectivity, distance, source, geodesics)();
 }
 
 } // namespace Cut_loci

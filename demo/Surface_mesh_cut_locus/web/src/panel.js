@@ -168,7 +168,8 @@ export class Panel {
       ['cycles', count(cycles)],
       ['ends, branchings', `${count(leaves)}, ${count(branchings)}`],
       ['length', number(length)],
-      ['injectivity radius', edges > 0 ? number(radius) : '–'],
+      // off by a part of an edge, and that of the curve shown: other thresholds give another one
+      ['injectivity radius', edges > 0 ? `${number(radius, 3)} (with these thresholds)` : '–'],
       ['farthest distance', number(source.farthestDistance)],
     ]);
     const { threshold } = times;

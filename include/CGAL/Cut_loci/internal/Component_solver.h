@@ -17,6 +17,7 @@
 #include <CGAL/Cut_loci/descent_forest.h>
 #include <CGAL/Cut_loci/gradient_angles.h>
 #include <CGAL/Cut_loci/homology.h>
+#include <CGAL/Cut_loci/internal/Geodesic_results.h>
 #include <CGAL/Cut_loci/internal/vector_3.h>
 #include <CGAL/Cut_loci/region_growing_tree.h>
 #include <CGAL/Cut_loci/smoothing.h>
@@ -45,9 +46,13 @@ public:
   }
 
   // once per source, in three parts
-  void set_distance(const Indexed_source& source, std::vector<double> distance)
+  //
+  // `geodesics` is what the exact solver found: null, or there until the tree has grown.
+  void set_distance(const Indexed_source& source, std::vector<double> distance,
+                    const Geodesic_results* geodesics = nullptr)
   {
     source_ = source;
+    geodesics_ = geodesics;
     distance_ = std::move(distance);
     farthest_ = source.vertex == 0 ? 1 : 0;
     for(Index v = farthest_ + 1; v < distance_.size(); ++v) // the source is not it even if all distances are equal
@@ -80,7 +85,7 @@ public:
 
   void grow_tree()
   {
-    crossed_ = edges_crossed_by_descents(mesh_, connectivity_, distance_, source_);
+    crossed_ = edges_crossed_by_descents(mesh_, connectivity_, distance_, source_, geodesics_);
     spanning_tree_ =
       region_growing_tree(connectivity_, laplacian_, choose_root(), Source_element(connectivity_, source_), crossed_);
     tree_ = spanning_tree_;
@@ -206,6 +211,7 @@ private:
 
   Indexed_source source_;
   std::vector<double> distance_;
+  const Geodesic_results* geodesics_ = nullptr;
   Index farthest_ = null_index;
   std::vector<float> angle_, laplacian_;
   std::vector<unsigned char> crossed_; // edges, by descents of the distance

@@ -12,6 +12,7 @@
 #include <CGAL/Cut_loci/internal/Geodesic_faces.h>
 #include <CGAL/Cut_loci/internal/Geodesic_windows.h>
 #include <CGAL/Cut_loci/internal/geodesic_window_kernels.h>
+#include <CGAL/Cut_loci/internal/geodesic_window_trimming.h>
 
 #include <algorithm>
 #include <array>

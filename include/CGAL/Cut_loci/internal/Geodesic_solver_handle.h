@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/internal/Geodesic_results.h>
 
 #include <memory>
 #include <vector>
@@ -52,6 +53,9 @@ public:
     model_->compute_distances(source, distances);
   }
 
+  // what the package's exact solver found in the last call, or null
+  const Geodesic_results* geodesics() const { return model_->geodesics(); }
+
 private:
   struct Concept
   {
@@ -59,6 +63,7 @@ private:
     virtual std::unique_ptr<Concept> copy() const = 0;
     virtual void set_mesh(const Indexed_triangle_mesh& mesh) = 0;
     virtual void compute_distances(const Indexed_source& source, std::vector<double>& distances) = 0;
+    virtual const Geodesic_results* geodesics() const = 0;
   };
 
   template <typename Solver>
@@ -71,6 +76,7 @@ private:
     {
       solver.compute_distances(source, distances);
     }
+    const Geodesic_results* geodesics() const override { return own_geodesics(solver, 0); }
     Solver solver;
   };
 
@@ -95,6 +101,17 @@ private:
   {
     return Method::LAPLACIAN;
   } // takes any distances
+
+  template <typename Solver>
+  static auto own_geodesics(const Solver& solver, int) -> decltype(&solver.geodesics()) // if it has them
+  {
+    return &solver.geodesics();
+  }
+  template <typename Solver>
+  static const Geodesic_results* own_geodesics(const Solver&, long)
+  {
+    return nullptr;
+  }
 
   std::unique_ptr<Concept> model_;
   double gradient_angle_threshold_ = 0.;
