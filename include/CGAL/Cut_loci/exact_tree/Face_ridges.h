@@ -56,7 +56,6 @@ public:
     Index nodes[2];
     Image images[2];
     bool is_shadow;
-    bool is_bisector; // of the images; else a straight line for want of a better one
   };
 
   /// the nodes: first one for each change, then those inside
@@ -86,19 +85,17 @@ public:
     entries_ = &entries();
     if(join_all(are_one_path))
       return;
-    // Labels that do not fit, or nodes that rounding has put on the wrong side. What has not met does so in one point. If
-    // that crosses something, pieces that end each other, and a star of the rest, are good to the size of the face and
-    // do not cross each other.
+    // Labels that do not fit, or nodes that rounding has put on the wrong side: pieces that end each other, and a star
+    // of the rest, are good to the size of the face and do not cross each other either.
     is_doubtful = true;
-    if(draw_star() && !ridges_cross())
-      return;
     start(changes);
     while(size_ > 2 && join_ends())
     {
     }
-    draw_star();
-    for(Ridge& r : ridges)
-      r.is_bisector = false;
+    if(size_ == 2)
+      connect(first_, fronts_[first_].next);
+    else if(size_ > 2)
+      draw_star();
   }
 
 private:
@@ -466,43 +463,31 @@ private:
     return true;
   }
 
-  /// Of what fits nowhere, the cut locus meets in one point: several images at the same distance, up to the tolerance.
-  /// Returns whether there is any.
-  bool draw_star()
+  /// what fits nowhere meets in one point: several images at the same distance, up to the tolerance
+  void draw_star()
   {
-    real_.clear();
-    Index i = first_;
-    for(Index k = 0; k < size_; ++k, i = fronts_[i].next)
-      if(!fronts_[i].is_shadow)
-        real_.push_back(i);
-    if(real_.empty())
-      return false;
     Plane_point point{0., 0.};
-    const double n = static_cast<double>(real_.size());
-    for(Index k : real_)
+    std::array<Index, 3> three;
+    Index number = 0;
+    for(Index i = first_; number < size_; i = fronts_[i].next, ++number)
     {
-      point.x += nodes[fronts_[k].node].x / n;
-      point.y += nodes[fronts_[k].node].y / n;
+      three[number % 3] = i;
+      point.x += nodes[fronts_[i].node].x / size_;
+      point.y += nodes[fronts_[i].node].y / size_;
     }
-    if(real_.size() == 1)
-      point = {(corners_[0].x + corners_[1].x + corners_[2].x) / 3.,
-               (corners_[0].y + corners_[1].y + corners_[2].y) / 3.};
-    if(real_.size() == 3)
+    if(size_ == 3)
     {
-      const Front &a = fronts_[real_[0]], &b = fronts_[real_[1]], &c = fronts_[real_[2]];
+      const Front &a = fronts_[three[0]], &b = fronts_[three[1]], &c = fronts_[three[2]];
       std::array<Plane_point, 2> candidates;
-      const std::size_t number = equidistant_points(a.before, b.before, c.before, candidates);
-      for(std::size_t k = 0; k < number; ++k)
-        if(is_among(candidates[k], nodes[a.node], nodes[b.node], nodes[c.node]))
-          point = candidates[k];
+      const std::size_t n = equidistant_points(a.before, b.before, c.before, candidates);
+      for(std::size_t i = 0; i < n; ++i)
+        if(is_among(candidates[i], nodes[a.node], nodes[b.node], nodes[c.node]))
+          point = candidates[i];
     }
     const Index node = add_node(point);
-    for(Index k : real_)
-    {
-      add_ridge(fronts_[k], node);
-      ridges.back().is_bisector = false;
-    }
-    return true;
+    Index i = first_;
+    for(Index k = 0; k < size_; ++k, i = fronts_[i].next)
+      add_ridge(fronts_[i], node);
   }
 
   /// whether a point is in a triangle
@@ -562,16 +547,13 @@ private:
     return static_cast<Index>(nodes.size() - 1);
   }
 
-  void add_ridge(const Front& f, Index node)
-  {
-    ridges.push_back({{f.node, node}, {f.before, f.after}, f.is_shadow, true});
-  }
+  void add_ridge(const Front& f, Index node) { ridges.push_back({{f.node, node}, {f.before, f.after}, f.is_shadow}); }
 
   /// by a piece, and removes both
   void connect(Index i, Index j)
   {
     Front &a = fronts_[i], &b = fronts_[j];
-    ridges.push_back({{a.node, b.node}, {a.before, a.after}, a.is_shadow && b.is_shadow, true});
+    ridges.push_back({{a.node, b.node}, {a.before, a.after}, a.is_shadow && b.is_shadow});
     fronts_[a.previous].next = b.next;
     fronts_[b.next].previous = a.previous;
     a.is_alive = b.is_alive = false;
@@ -592,7 +574,6 @@ private:
   Index first_ = 0, size_ = 0;    // one of the ring, and the number of them
   std::vector<Meeting> meetings_; // a heap
   std::vector<Interval> intervals_;
-  std::vector<Index> real_; // fronts of the cut locus
 };
 
 } // namespace internal

@@ -48,7 +48,7 @@ public:
     Image images[2];
     double gaps[2];   // at the nodes: the angle at which the two paths part
     Index first_node; // of the face
-    bool is_bisector; // of the images, or else straight, see `Face_ridges`
+    bool is_bisector; // whether it follows the bisector of the images, and not a straight line for want of a better one
   };
 
   struct Face
@@ -223,9 +223,8 @@ private:
       if(is_same_image(a.after, b.before))
         continue;
       const bool is_corner = a.edge == null_index || b.edge == null_index;
-      const Plane_point p = a.edge == null_index   ? a.point
-                            : b.edge == null_index ? b.point
-                                                   : corners_[(a.edge + 1) % 3];
+      const Plane_point p =
+        a.edge == null_index ? a.point : b.edge == null_index ? b.point : corners_[(a.edge + 1) % 3];
       if(a.edge == b.edge || !(gap(a.after, b.before, p) < 1e-7) || !is_on_one_line(a.after, b.before, p))
         continue;
       if(b.edge == null_index)
@@ -363,7 +362,7 @@ private:
                 {r.images[0], r.images[1]},
                 {0., 0.},
                 face.first_node,
-                r.is_bisector};
+                !drawing_.is_doubtful};
     for(int k = 0; k < 2; ++k)
     {
       Node& node = nodes_[face.first_node + piece.nodes[k]];
