@@ -223,8 +223,9 @@ private:
       if(is_same_image(a.after, b.before))
         continue;
       const bool is_corner = a.edge == null_index || b.edge == null_index;
-      const Plane_point p =
-        a.edge == null_index ? a.point : b.edge == null_index ? b.point : corners_[(a.edge + 1) % 3];
+      const Plane_point p = a.edge == null_index   ? a.point
+                            : b.edge == null_index ? b.point
+                                                   : corners_[(a.edge + 1) % 3];
       if(a.edge == b.edge || !(gap(a.after, b.before, p) < 1e-7) || !is_on_one_line(a.after, b.before, p))
         continue;
       if(b.edge == null_index)
