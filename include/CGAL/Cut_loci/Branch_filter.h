@@ -48,9 +48,10 @@ struct Branch_thresholds
  * selects the cut locus from a tree of candidates and the part of the cut locus that the homology demands.
  *
  * That part is a graph which cuts the surface into one open disk. The tree hangs on it, so removing vertices of
- * degree 1 from the union keeps the disk, and the filter does nothing else: it keeps the demanded part, the branches that
- * pass the thresholds, and the root, from which a surface with a border allows it to cut a weak end. The answer to both policies is stored with each vertex, the largest strength
- * below it and the smallest above, so that a new threshold costs time in proportion to the size of the result.
+ * degree 1 from the union keeps the disk, and the filter does nothing else: it keeps the demanded part, the branches
+ * that pass the thresholds, and the root, from which a surface with a border allows it to cut a weak end. The answer to
+ * both policies is stored with each vertex, the largest strength below it and the smallest above, so that a new
+ * threshold costs time in proportion to the size of the result.
  */
 class Branch_filter
 {

@@ -294,8 +294,8 @@ private:
       const int high = (std::min)((std::max)(a[i], b[i]), (std::max)(c[i], d[i]));
       const double x = a[i] + part * (b[i] - a[i]);
       // the first coordinate, what is left, gets no less than 0 if one of the others is rounded down
-      const double down = i == 1 ? std::lround(x) : (std::min)(double(std::lround(x)), double(n_ - crossing[1]));
-      crossing[i] = (std::max)(low, (std::min)(high, static_cast<int>(down)));
+      const int most = i == 1 ? n_ : n_ - crossing[1];
+      crossing[i] = (std::max)(low, (std::min)({high, most, static_cast<int>(std::lround(x))}));
     }
     crossing[0] = n_ - crossing[1] - crossing[2];
     return true;

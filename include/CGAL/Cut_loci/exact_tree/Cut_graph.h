@@ -32,8 +32,8 @@ namespace internal {
  * which link those parts of its boundary that they touch. This graph is embedded, and each of its faces holds one tree
  * of pieces, or is a face of the mesh without any, or a border loop that a disk closes. So, as for the edges of a mesh
  * \cgalCite{cgal:ew-gohhb-05}, what is dual to the links outside of a spanning tree joins all trees to a graph of 2g
- * cycles. The tree of least weight, up to a quarter of it, where that is the angle at which paths meet, does without all links that cross the cut locus if
- * that is possible; it is, where all crossings are known.
+ * cycles. The weight of a link is the angle at which paths meet there. The tree of least weight, up to a quarter of it,
+ * does without all links that cross the cut locus if that is possible; it is, where all crossings are known.
  *
  * A face that is not drawn holds one star instead of its trees. It joins what leads into it only if the topology asks
  * for that.

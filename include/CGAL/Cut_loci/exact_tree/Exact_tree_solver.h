@@ -109,7 +109,7 @@ public:
     std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds);
     // Cycles stay whatever their strength. Where one is weaker than what has been looked for, nothing is known of it but
     // that it is there: then once more, with all that is.
-    if(!tree_->is_known(kept) && (least_.gap > 0. || least_.width > 0.))
+    if(!tree_->is_known(kept) && !least_.is_none())
     {
       compute_more(Branch_strength());
       kept = tree_->kept(thresholds);
