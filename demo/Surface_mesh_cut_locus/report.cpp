@@ -137,7 +137,7 @@ std::string basis_of_radius(const Options& options, CGAL::Cut_loci::Curve curve)
        << (curve == CGAL::Cut_loci::Curve::MESH_EDGES ? "mesh edges" : "through faces");
   const auto add = [&](const char* name, const std::optional<double>& value)
   {
-    if(value)
+    if(value && *value > 0.) // 0 asks for nothing
       text << ", " << name << " " << *value;
   };
   add("angle", options.angle);
