@@ -14,8 +14,15 @@ target_include_directories(Surface_mesh_cut_locus INTERFACE
 target_link_libraries(Surface_mesh_cut_locus INTERFACE CGAL::CGAL CGAL::Eigen3_support)
 target_compile_features(Surface_mesh_cut_locus INTERFACE cxx_std_17)
 
-add_library(Surface_mesh_cut_locus_compiled STATIC EXCLUDE_FROM_ALL
-  ${SURFACE_MESH_CUT_LOCUS_ROOT}/src/Exact_geodesic_propagation.cpp ${SURFACE_MESH_CUT_LOCUS_ROOT}/src/make_solver.cpp)
+set(impl_sources)
+foreach(header exact_geodesics/Exact_geodesic_propagation_impl.h face_graph/make_solver_impl.h)
+  get_filename_component(name ${header} NAME_WE)
+  set(impl_source ${CMAKE_CURRENT_BINARY_DIR}/compiled/${name}.cpp)
+  file(GENERATE OUTPUT ${impl_source} CONTENT "#include <CGAL/Cut_loci/${header}>\n")
+  set_source_files_properties(${impl_source} PROPERTIES GENERATED ON)
+  list(APPEND impl_sources ${impl_source})
+endforeach()
+add_library(Surface_mesh_cut_locus_compiled STATIC EXCLUDE_FROM_ALL ${impl_sources})
 add_library(CGAL::Surface_mesh_cut_locus_compiled ALIAS Surface_mesh_cut_locus_compiled)
 target_link_libraries(Surface_mesh_cut_locus_compiled PUBLIC Surface_mesh_cut_locus)
 target_compile_definitions(Surface_mesh_cut_locus_compiled PUBLIC CGAL_CUT_LOCI_SEPARATE_COMPILATION)

@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_HELPERS_UNION_FIND_H
 #define CGAL_CUT_LOCI_HELPERS_UNION_FIND_H
 
-#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <cstddef>
 #include <numeric>

@@ -9,12 +9,12 @@
 
 #include "Union_find.h"
 
-#include <CGAL/Cut_loci/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/Local_geodesics.h>
-#include <CGAL/Cut_loci/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/internal/flat_triangles.h>
-#include <CGAL/Cut_loci/internal/surface_location.h>
+#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Local_geodesics.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCUS_H
 #define CGAL_CUT_LOCUS_H
 
-#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <CGAL/Kernel_traits.h>
 

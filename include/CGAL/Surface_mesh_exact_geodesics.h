@@ -8,9 +8,9 @@
 #define CGAL_SURFACE_MESH_EXACT_GEODESICS_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/internal/geodesic_path_tracing.h>
-#include <CGAL/Cut_loci/internal/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/exact_geodesics/geodesic_path_tracing.h>
+#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -7,8 +7,8 @@
 #ifndef CGAL_CUT_LOCI_TEST_INDEXED_MESHES_H
 #define CGAL_CUT_LOCI_TEST_INDEXED_MESHES_H
 
-#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/internal/vector_3.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_TEST_POLYHEDRAL_ORACLE_H
 #define CGAL_CUT_LOCI_TEST_POLYHEDRAL_ORACLE_H
 
-#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 
 #include "direction_meshes.h"
 
-#include <CGAL/Cut_loci/internal/geodesic_path_tracing.h>
+#include <CGAL/Cut_loci/exact_geodesics/geodesic_path_tracing.h>
 
 namespace {
 

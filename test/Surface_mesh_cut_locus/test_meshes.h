@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_TEST_MESHES_H
 #define CGAL_CUT_LOCI_TEST_MESHES_H
 
-#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
 #include <array>

@@ -11,11 +11,11 @@
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Cut_loci/exact_tree/Unfolded_polygon.h>
-#include <CGAL/Cut_loci/internal/Surface_component.h>
-#include <CGAL/Cut_loci/internal/connected_components.h>
-#include <CGAL/Cut_loci/internal/read_source.h>
-#include <CGAL/Cut_loci/internal/read_triangle_mesh.h>
-#include <CGAL/Cut_loci/internal/vector_3.h>
+#include <CGAL/Cut_loci/face_graph/Surface_component.h>
+#include <CGAL/Cut_loci/surface/connected_components.h>
+#include <CGAL/Cut_loci/face_graph/read_source.h>
+#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/vector_3.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 #include <CGAL/Cut_locus.h>
 

@@ -9,7 +9,7 @@
 
 #include "../../Mesh.h"
 
-#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <memory>
 #include <vector>

@@ -8,8 +8,8 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_DRAWN_FACES_H
 
 #include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
-#include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/method_thresholds.h>
+#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/method/method_thresholds.h>
 
 #include <algorithm>
 #include <vector>

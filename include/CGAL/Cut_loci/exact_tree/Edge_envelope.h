@@ -9,8 +9,8 @@
 
 #include <CGAL/Cut_loci/exact_tree/Path_label.h>
 #include <CGAL/Cut_loci/exact_tree/Vertex_labels.h>
-#include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/internal/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
 
 #include <algorithm>
 #include <cmath>

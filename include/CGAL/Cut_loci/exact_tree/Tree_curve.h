@@ -7,9 +7,9 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_TREE_CURVE_H
 #define CGAL_CUT_LOCI_EXACT_TREE_TREE_CURVE_H
 
-#include <CGAL/Cut_loci/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Image_bisector.h>
 #include <CGAL/Cut_loci/exact_tree/Polyline_crossings.h>

@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_INTERNAL_ROUGH_SORT_H
 #define CGAL_CUT_LOCI_INTERNAL_ROUGH_SORT_H
 
-#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Index.h>
 
 #include <array>
 #include <cstdint>

@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_INTERNAL_VERTEX_QUEUE_H
 #define CGAL_CUT_LOCI_INTERNAL_VERTEX_QUEUE_H
 
-#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Index.h>
 
 #include <boost/heap/d_ary_heap.hpp>
 

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_CURVE_INDEXED_CUT_LOCUS_H
+#define CGAL_CUT_LOCI_CURVE_INDEXED_CUT_LOCUS_H
+
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * is a cut locus on an `Indexed_triangle_mesh`: a graph whose edges are edges of the mesh, or straight segments in
+ * its faces.
+ */
+struct Indexed_cut_locus
+{
+  struct Node
+  {
+    Indexed_location location;
+    Index vertex = null_index; ///< the vertex of the mesh it is at, if any
+    double distance = 0.;      ///< to the source
+  };
+  struct Edge
+  {
+    Index source, target;        ///< nodes
+    Index halfedge = null_index; ///< the edge of the mesh it is, if any
+    float strength = 0.f;        ///< of the branch, in the unit of the method
+    Index origin = null_index;   ///< the edge of the graph of mesh edges that it replaces, or is
+    float width = 0.f;           ///< the largest separation of the two shortest paths, a length; if the method knows it
+  };
+
+  std::vector<Node> nodes; ///< the root first
+  std::vector<Edge> edges;
+  Index number_of_narrow_corridors = 0; ///< see `Cut_locus::number_of_narrow_corridors()`
+};
+
+namespace internal {
+
+inline Indexed_location location_of_vertex(const Mesh_connectivity& connectivity, Index v)
+{
+  const Index h = connectivity.ring_halfedge[connectivity.ring_begin[v]]; // outgoing
+  Indexed_location result;
+  result.face = h / 3;
+  result.coordinates[h % 3] = 1.;
+  return result;
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_CURVE_INDEXED_CUT_LOCUS_H

@@ -1,0 +1,236 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_CURVE_SHORT_BRANCHES_H
+#define CGAL_CUT_LOCI_CURVE_SHORT_BRANCHES_H
+
+#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/vector_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// A graph on a mesh as a core - its cycles, the border loops and what joins them, or the root if there is neither - and
+// the trees that hang on it. Each border loop counts as one point.
+class Hanging_trees
+{
+public:
+  struct Twig
+  {
+    Index edge, outer, inner; // an edge of the graph; its ends, of which the inner one is nearer to the core
+    Index parent;             // the twig at the inner end, or null_index at the core
+    double length;
+  };
+
+  Hanging_trees(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                const Indexed_cut_locus& graph, Index root)
+  {
+    const Index n = static_cast<Index>(graph.nodes.size());
+    const Index number_of_points = n + connectivity.number_of_border_loops;
+    const auto point_of = [&](Index node)
+    {
+      const Index loop = border_loop(mesh, connectivity, graph.nodes[node]);
+      return loop == null_index ? node : n + loop;
+    };
+    std::vector<Index> degree(number_of_points, 0), exclusive_or(number_of_points, 0);
+    for(Index e = 0; e < graph.edges.size(); ++e)
+      for(Index p : {point_of(graph.edges[e].source), point_of(graph.edges[e].target)})
+      {
+        ++degree[p];
+        exclusive_or[p] ^= e; // with one edge left, this is the edge
+      }
+    for(Index p = n; p < number_of_points; ++p)
+      degree[p] += 2; // no leaves
+    // Edges form cycles unless they can be peeled down to one point: then the root is that point.
+    if(number_of_points == n && graph.edges.size() + 1 == n)
+      degree[root] += 2;
+
+    std::vector<Index> stack, twig_at(number_of_points, null_index);
+    for(Index p = 0; p < n; ++p)
+      if(degree[p] == 1)
+        stack.push_back(p);
+    while(!stack.empty())
+    {
+      const Index p = stack.back();
+      stack.pop_back();
+      const Index e = exclusive_or[p];
+      const Index a = point_of(graph.edges[e].source), b = point_of(graph.edges[e].target), q = a == p ? b : a;
+      twig_at[p] = static_cast<Index>(twigs_.size());
+      twigs_.push_back({e, p, q, null_index,
+                        norm(position(mesh, graph.nodes[graph.edges[e].source]) -
+                             position(mesh, graph.nodes[graph.edges[e].target]))});
+      exclusive_or[q] ^= e;
+      if(--degree[q] == 1)
+        stack.push_back(q);
+    }
+    for(Twig& t : twigs_)
+      t.parent = twig_at[t.inner];
+  }
+
+  // from the outside in: each after those that hang on it
+  const std::vector<Twig>& twigs() const { return twigs_; }
+
+  // the border loop that a node is on, or null_index
+  static Index border_loop(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                           const Indexed_cut_locus::Node& node)
+  {
+    if(node.vertex != null_index)
+      return connectivity.is_border(node.vertex) ? connectivity.border_loop[node.vertex] : null_index;
+    for(Index i = 0; i < 3; ++i)
+    {
+      const Index h = 3 * node.location.face + i;
+      if(node.location.coordinates[(i + 2) % 3] == 0. && mesh.is_border_edge(h))
+        return connectivity.border_loop[mesh.source(h)];
+    }
+    return null_index;
+  }
+
+private:
+  static Vector position(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus::Node& node)
+  {
+    Vector result = {{0., 0., 0.}};
+    for(int i = 0; i < 3; ++i)
+      result = result + node.location.coordinates[i] * mesh.points[mesh.triangles[node.location.face][i]];
+    return result;
+  }
+
+  std::vector<Twig> twigs_;
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * tells for each edge of a graph of mesh edges whether it belongs to a branch of fewer than `minimum_edges` edges or
+ * one that is shorter than `minimum_length`. Where branches meet, the longest one continues and the others end; at
+ * the cycles, the border and the root, which are never removed, all of them end. This is the rule of `Branch_filter`.
+ * Linear time.
+ */
+inline std::vector<unsigned char> short_branches(const Indexed_triangle_mesh& mesh,
+                                                 const Mesh_connectivity& connectivity, const Indexed_cut_locus& graph,
+                                                 Index minimum_edges, double minimum_length)
+{
+  std::vector<unsigned char> result(graph.edges.size(), 0);
+  const internal::Hanging_trees trees(mesh, connectivity, graph, 0);
+  const auto& twigs = trees.twigs();
+  struct Height
+  {
+    double length = 0.;
+    Index edges = 0;
+  };
+  std::vector<Height> branch(twigs.size());
+  std::vector<Index> continuation(twigs.size(), null_index); // the twig that continues each one outward
+  for(std::size_t i = 0; i < twigs.size(); ++i)
+  {
+    const Height behind = continuation[i] == null_index ? Height() : branch[continuation[i]];
+    branch[i] = {behind.length + twigs[i].length, behind.edges + 1};
+    const Index p = twigs[i].parent;
+    if(p != null_index && (continuation[p] == null_index || branch[i].length > branch[continuation[p]].length))
+      continuation[p] = static_cast<Index>(i);
+  }
+  for(std::size_t i = twigs.size(); i-- > 0;)
+  {
+    const Index p = twigs[i].parent;
+    const bool ends = p == null_index || continuation[p] != i;
+    const bool is_short = branch[i].edges < minimum_edges || branch[i].length < minimum_length;
+    result[twigs[i].edge] = (ends && is_short) || (p != null_index && result[twigs[p].edge] != 0);
+  }
+  return result;
+}
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * tells for each segment of a curve through the faces whether it belongs to a branch of which most does not
+ * correspond, by `origin`, to a branch of `mesh_edges` that is kept: to removed edges, or to those of the cycles and
+ * joins. A branch is judged as a whole, since near a branching a segment may correspond to an edge of another branch.
+ * Linear time.
+ */
+inline std::vector<unsigned char> corresponding_branches(const Indexed_triangle_mesh& mesh,
+                                                         const Mesh_connectivity& connectivity,
+                                                         const Indexed_cut_locus& mesh_edges,
+                                                         const std::vector<unsigned char>& is_removed,
+                                                         const Indexed_cut_locus& curve)
+{
+  std::vector<unsigned char> is_branch(mesh_edges.edges.size(), 0);
+  const internal::Hanging_trees branches(mesh, connectivity, mesh_edges, 0);
+  for(const auto& t : branches.twigs())
+    is_branch[t.edge] = 1;
+  const auto is_kept = [&](const Indexed_cut_locus::Edge& e)
+  { return e.origin != null_index && is_branch[e.origin] && !is_removed[e.origin]; };
+  const auto first = std::find_if(curve.edges.begin(), curve.edges.end(), is_kept);
+  const internal::Hanging_trees trees(mesh, connectivity, curve, first == curve.edges.end() ? 0 : first->source);
+  const auto& twigs = trees.twigs();
+  std::vector<unsigned char> result(curve.edges.size(), 0);
+  std::vector<double> value(twigs.size(), 0.); // of the twig and what hangs on it
+  for(std::size_t i = 0; i < twigs.size(); ++i)
+  {
+    value[i] += is_kept(curve.edges[twigs[i].edge]) ? twigs[i].length : -twigs[i].length;
+    if(twigs[i].parent != null_index)
+      value[twigs[i].parent] += (std::max)(0., value[i]);
+  }
+  for(std::size_t i = twigs.size(); i-- > 0;)
+  {
+    const Index p = twigs[i].parent;
+    result[twigs[i].edge] = !(value[i] > 0.) || (p != null_index && result[twigs[p].edge] != 0);
+  }
+  return result;
+}
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * removes edges from a graph, and the nodes that have no edge then. If all edges are removed, one node stays: the first
+ * one, or one on the border, if there is any. The origins of the edges stay as they are.
+ */
+inline void remove_edges(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                         Indexed_cut_locus& graph, const std::vector<unsigned char>& is_removed)
+{
+  std::vector<Index> new_node(graph.nodes.size(), null_index);
+  std::vector<Indexed_cut_locus::Edge> edges;
+  for(std::size_t i = 0; i < graph.edges.size(); ++i)
+    if(!is_removed[i])
+    {
+      edges.push_back(graph.edges[i]);
+      new_node[graph.edges[i].source] = new_node[graph.edges[i].target] = 0;
+    }
+  if(edges.empty())
+  {
+    const auto on_border = std::find_if(graph.nodes.begin(), graph.nodes.end(),
+                                        [&](const Indexed_cut_locus::Node& node) {
+      return internal::Hanging_trees::border_loop(mesh, connectivity, node) != null_index;
+    });
+    new_node[on_border == graph.nodes.end() ? 0 : static_cast<std::size_t>(on_border - graph.nodes.begin())] = 0;
+  }
+  Index size = 0;
+  for(Index i = 0; i < graph.nodes.size(); ++i)
+    if(new_node[i] != null_index)
+    {
+      graph.nodes[size] = graph.nodes[i];
+      new_node[i] = size++;
+    }
+  graph.nodes.resize(size);
+  for(Indexed_cut_locus::Edge& e : edges)
+  {
+    e.source = new_node[e.source];
+    e.target = new_node[e.target];
+  }
+  graph.edges = std::move(edges);
+}
+
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_CURVE_SHORT_BRANCHES_H

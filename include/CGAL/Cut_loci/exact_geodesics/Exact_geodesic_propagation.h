@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_GEODESICS_EXACT_GEODESIC_PROPAGATION_H
+#define CGAL_CUT_LOCI_EXACT_GEODESICS_EXACT_GEODESIC_PROPAGATION_H
+
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_batches.h>
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_windows.h>
+#include <CGAL/Cut_loci/internal/separate_compilation.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/// is shown the windows while they are propagated.
+class Geodesic_window_observer
+{
+public:
+  virtual ~Geodesic_window_observer() = default;
+  /// the windows up to the distance `d` have been shown, up to some that come late
+  virtual void advance(double /* d */) {}
+  /// gets the windows of the halfedge `h`, in order, when they cross its face. It may keep the list, which it then says by
+  /// returning `true`, until it hands it back to `Exact_geodesic_propagation::release()`.
+  virtual bool take(Index h, Geodesic_window_list& list) = 0;
+  /// gets, to keep, windows that reach the border halfedge `h` from its face, in the frame of the opposite that it has not
+  virtual void take_on_border(Index h, Geodesic_window_list* list) = 0;
+};
+
+/*!
+ * computes exact geodesic distances on a triangle mesh by propagating windows.
+ *
+ * Windows \cgalCite{mmp-dgp-87} cross the faces in batches, one per halfedge, in the order of the distance
+ * \cgalCite{xu-fwp-15}. In the face entered, only the window with the shortest path to the apex goes on to both other
+ * edges \cgalCite{ch-spp-90}; the ends of a batch lose the windows to which a path through a vertex of the face is
+ * preferable \cgalCite{xw-ich-09}. Neighbouring windows are trimmed as described in `geodesic_window_trimming.h`.
+ * Batches are forgotten once they have been propagated. If an error is allowed, neighbouring windows are merged as
+ * described in `Geodesic_merging.h`; what is the direction otherwise, is then the error.
+ *
+ * The mesh geometry is read by the constructor. All memory is reused from one run to the next. Queries after a run
+ * are const.
+ */
+class Exact_geodesic_propagation : public Geodesic_results
+{
+public:
+  /// \throws Invalid_input see `Geodesic_faces`
+  ///
+  /// `positions` are the numbers by which messages name the vertices, if not by their index.
+  explicit Exact_geodesic_propagation(const Indexed_triangle_mesh& mesh, const std::vector<Index>* positions = nullptr)
+    : Geodesic_results(mesh, positions),
+      batches_(faces_.number_of_halfedges(), faces_.number_of_vertices(), 0.5 * faces_.mean_edge_length())
+  {
+  }
+
+  /// \throws Invalid_input if there is no source, or a location is none on the mesh
+  void run(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options = {})
+  {
+    run(sources, options, nullptr);
+  }
+
+  /// the same with directions, and shows the windows to an observer
+  void run(const std::vector<Indexed_location>& sources, Exact_geodesic_options options,
+           Geodesic_window_observer& observer)
+  {
+    options.directions = true;
+    run(sources, options, &observer);
+  }
+
+  /// hands back a list that an observer has kept
+  void release(Geodesic_window_list* list) { batches_.release(list); }
+  /// a list with room for `n` windows with directions
+  Geodesic_window_list* allocate(std::size_t n) { return batches_.allocate<7>(n); }
+  /// whether windows wait to cross the face of `h`
+  bool waits(Index h) const { return batches_.waits(h); }
+
+  /// with a vertex as the only source
+  void run(Index source, const Exact_geodesic_options& options = {}) { run({vertex_location(source)}, options); }
+
+  /// the number of windows that have been propagated across a face in the last run
+  std::size_t number_of_windows() const { return number_of_windows_; }
+
+private:
+  using Mesh = Indexed_triangle_mesh;
+
+  void run(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options,
+           Geodesic_window_observer* observer);
+  void start(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options);
+  template <int columns>
+  void propagate();
+  template <int columns>
+  void start_at_vertex(std::size_t number);
+  /// for sources on edges and in faces
+  template <int columns>
+  void start_in_face(std::size_t number);
+  /// starts across all halfedges but `skipped` of the face of `h`, in whose frame the source is given
+  template <int columns>
+  void start_in_face(std::size_t number, Index h, const Plane_point& p, double turn, Index skipped);
+  /// sends the paths through the corner at the source of `h` with angles in `[from, to]` into the next face
+  template <int columns>
+  void emit(Index h, double from, double to, double sigma, double turn, Index origin);
+  /// hands a window that leaves the face of `g` to the opposite of `g`, in whose frame it is given
+  template <int columns>
+  void send(Index g, const Geodesic_window& w);
+  /// the same for a list of windows; `side` and `key` as for `Geodesic_batches::store()`
+  template <int columns>
+  void send(Index g, std::size_t side, Geodesic_window_list* list, double key);
+  /// continues the shortest path to `v`, at which it may bend, into its shadow
+  template <int columns>
+  void bend(Index v);
+  /// a path of length `d` to the vertex `v` has been found
+  void reach(Index v, double d, const Geodesic_arrival& arrival);
+  void prefetch(Index far, Index near) const;
+  /// takes the windows of `h` across the face of `h`
+  template <int columns>
+  void cross_face(Index h);
+  bool goes_left(std::size_t w, std::size_t first, std::size_t winner) const;
+  bool goes_right(std::size_t w, std::size_t first, std::size_t winner) const;
+
+  Geodesic_batches batches_;
+  Geodesic_window_observer* observer_ = nullptr; // in the run in work
+  std::vector<unsigned char> sides_;             // of the apex, for the windows in work
+  double maximum_distance_ = infinity, tolerance_ = 0.;
+  std::size_t number_of_windows_ = 0;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#ifndef CGAL_CUT_LOCI_SEPARATE_COMPILATION
+#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation_impl.h>
+#endif
+
+#endif // CGAL_CUT_LOCI_EXACT_GEODESICS_EXACT_GEODESIC_PROPAGATION_H

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_MERGING_H
+#define CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_MERGING_H
+
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_windows.h>
+#include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * replaces runs of neighbouring windows by one window each, whose distances are a little shorter.
+ *
+ * The new window has the distances of the old ones at the two ends of the run and never longer ones in between. So
+ * every old path through the run has a new one that is not longer, to the same point of the halfedge; and no shortest
+ * path bends at an end of the run, since the old paths, as short there, do not. The propagation therefore finds for
+ * every point a path that is not longer than the shortest one.
+ *
+ * How much shorter the paths of a window may be than true ones is kept with it, in `Geodesic_window::turn`, as there
+ * are no directions then. It stays below `tolerance` times the distance.
+ */
+template <int columns>
+class Geodesic_merging
+{
+public:
+  Geodesic_merging(Geodesic_window_list& list, double length, double tolerance)
+    : list_(list), narrow_(geodesic_narrow * length), tolerance_(tolerance)
+  {
+  }
+
+  void operator()()
+  {
+    const double *a = list_.column(0), *b = list_.column(1), *origin = list_.column(columns - 1);
+    const auto is_run = [&](std::size_t i)
+    { return a[i] - b[i - 1] <= narrow_ && (columns < 7 || origin[i] == origin[i - 1]); };
+    const std::size_t end = list_.end;
+    top_ = list_.begin;
+    for(std::size_t first = list_.begin, last; first < end; first = last)
+    {
+      for(last = first + 1; last < end && is_run(last); ++last)
+      {
+      }
+      merge(first, last);
+    }
+    list_.end = static_cast<std::uint32_t>(top_);
+  }
+
+private:
+  /// replaces the windows of `[first, last)`, a run without gaps, by one or, in halves, by a few
+  void merge(std::size_t first, std::size_t last)
+  {
+    Geodesic_window w;
+    if(last - first == 1)
+      list_.template set<columns>(top_++, list_.template get<columns>(first));
+    else if(find(first, last, w))
+      list_.template set<columns>(top_++, w);
+    else
+    {
+      const std::size_t middle = first + (last - first) / 2;
+      merge(first, middle);
+      merge(middle, last);
+    }
+  }
+
+  /// one window for all of `[first, last)`
+  bool find(std::size_t first, std::size_t last, Geodesic_window& w) const
+  {
+    const Geodesic_window left = list_.template get<columns>(first), right = list_.template get<columns>(last - 1);
+    const double at_left = left.distance(left.a), at_right = right.distance(right.b);
+    const double width = right.b - left.a, rise = at_left - at_right;
+    const double free = width * width - rise * rise;
+    if(!(free > 0.))
+      return false;
+    // The distances at the ends put the image on a hyperbola. It may be no further away than where its rays through the
+    // ends are the old ones, or some of its distances would be longer; and sigma is not negative.
+    const double reach_left = at_left - left.sigma, reach_right = at_right - right.sigma;
+    const double bend_left = width * (left.x - left.a) / reach_left - rise;
+    const double bend_right = width * (right.b - right.x) / reach_right + rise;
+    double reach = at_left; // from the image to the left end
+    if(bend_left > 0.)
+      reach = (std::min)(reach, 0.5 * free / bend_left);
+    if(bend_right > 0.)
+      reach = (std::min)(reach, 0.5 * free / bend_right + rise);
+    const double least = 0.5 * (width + rise); // the image is on the halfedge
+    // nearer images have shorter distances between the ends; a few steps are tried, of which the first one mostly does
+    for(int i = 0; i < 4; ++i, reach = 0.5 * (reach + least))
+    {
+      w = left;
+      w.b = right.b;
+      w.sigma = at_left - reach;
+      const double other = reach - rise;
+      const double foot = (reach * reach - other * other + width * width) / (2. * width);
+      const double square = reach * reach - foot * foot;
+      if(!(square > 0.) || !(w.sigma >= 0.))
+        return false;
+      w.x = left.a + foot;
+      w.y = -std::sqrt(square);
+      const Fit fit = check(first, last, w);
+      if(fit != too_long)
+        return fit == good;
+    }
+    return false;
+  }
+
+  enum Fit { good, too_long, too_short };
+
+  /// compares the distances of `w` with those of `[first, last)`, and finds its error
+  Fit check(std::size_t first, std::size_t last, Geodesic_window& w) const
+  {
+    double error = 0., old_error = 0.;
+    const double nearest = w.sigma - w.y; // no distance is shorter
+    for(std::size_t i = first; i < last; ++i)
+    {
+      const Geodesic_window old = list_.template get<columns>(i);
+      old_error = (std::max)(old_error, old.turn);
+      const double slack = 1e-15 * (nearest + w.b); // for rounding
+      // the difference has its extrema at the ends and where both paths are parallel
+      const double extremum = (w.x * old.y - old.x * w.y) / (old.y - w.y);
+      const double places[3] = {old.a, old.b, extremum};
+      for(int k = 0; k < 3; ++k)
+        if(k < 2 || (extremum > old.a && extremum < old.b))
+        {
+          const double gain = old.distance(places[k]) - w.distance(places[k]);
+          if(gain < -slack)
+            return too_long;
+          error = (std::max)(error, gain);
+        }
+    }
+    w.turn = old_error + error;
+    return w.turn <= tolerance_ * nearest ? good : too_short;
+  }
+
+  Geodesic_window_list& list_;
+  double narrow_, tolerance_;
+  std::size_t top_ = 0;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_MERGING_H

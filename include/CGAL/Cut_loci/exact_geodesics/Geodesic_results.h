@@ -1,0 +1,529 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_RESULTS_H
+#define CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_RESULTS_H
+
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_windows.h>
+#include <CGAL/Cut_loci/exact_geodesics/geodesic_window_kernels.h>
+#include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/// says what a run of `Exact_geodesic_propagation` computes.
+struct Exact_geodesic_options
+{
+  double maximum_distance = (std::numeric_limits<double>::infinity)(); ///< nothing beyond it is reached
+  bool directions = false;                                             ///< whether directions at the source are wanted
+  double maximum_relative_error = 0.;                                  ///< by which distances may be too long
+  bool all_centroids = false;                                          ///< whether face centroids are query locations
+  std::vector<Indexed_location> queries;                               ///< further points whose distance is wanted
+};
+
+/// is the end of a shortest path: its last straight piece, in the frame of a halfedge of the face in which it ends.
+struct Geodesic_arrival
+{
+  double x = 0., y = 0.;         // the image of the (pseudo-)source
+  double sigma = 0., turn = 0.;  // as in `Geodesic_window`
+  Index halfedge = null_index;   // of the frame
+  Index origin = null_index;     // as in `Geodesic_window`
+  bool crosses_halfedge = false; // else the image lies in the face itself
+};
+
+/// is the direction of a shortest path at its end: an angle from a halfedge that leaves the end, counterclockwise.
+struct Geodesic_arrival_direction
+{
+  Index halfedge;
+  double angle;
+};
+
+/*!
+ * holds the sources of a run of `Exact_geodesic_propagation` and what it finds: the distance and the last straight
+ * piece of the shortest path of each vertex and each query location.
+ *
+ * The public functions are const and hold after a run.
+ */
+class Geodesic_results
+{
+public:
+  /// a vertex as a location
+  Indexed_location vertex_location(Index v) const
+  {
+    if(v >= faces_.number_of_vertices() || faces_.first_halfedge(v) == null_index)
+      throw Invalid_input("vertex #" + std::to_string(v) + " is on no face");
+    const Index h = faces_.first_halfedge(v);
+    Indexed_location location;
+    location.face = h / 3;
+    location.coordinates[h % 3] = 1.;
+    return location;
+  }
+
+  /// \throws Invalid_input if `location` is none on the mesh
+  void check(const Indexed_location& location) const
+  {
+    if(location.face >= faces_.number_of_faces())
+      throw Invalid_input("a location is in face " + std::to_string(location.face) + ", which does not exist");
+    double sum = 0.;
+    bool is_inside = true;
+    for(double c : location.coordinates)
+    {
+      is_inside = is_inside && c >= -1e-9; // what point location by projection may get wrong
+      sum += c;
+    }
+    if(!is_inside || !(std::fabs(sum - 1.) <= 1e-9))
+      throw Invalid_input("the coordinates of a location in face " + std::to_string(location.face) +
+                          " are not barycentric");
+  }
+
+  const Geodesic_faces& faces() const { return faces_; }
+
+  /// the distance of each vertex, infinite if not reached
+  const std::vector<double>& distances() const { return distance_; }
+  double distance(Index v) const { return distance_[v]; }
+  /// by how much the distance of `v` may be too long, if an error is allowed; it is never too short
+  double distance_error(Index v) const { return is_approximate_ && is_reached(v) ? arrival_[v].turn : 0.; }
+  /// whether an error has been allowed; there are no directions and paths then
+  bool is_approximate() const { return is_approximate_; }
+  bool is_reached(Index v) const { return distance_[v] < infinity; }
+
+  /// the direction at its source in which the shortest path to `v` starts
+  ///
+  /// It is an angle in the unrolled tangent plane of the source, counterclockwise from `source_halfedge()`, in
+  /// `[0, source_angle())`, up to and including `source_angle()` if the source is on the border.
+  /// \pre directions have been asked for, `v` is reached and no source
+  double direction_at_source(Index v) const { return direction_at_source(arrival_[v], end_in_frame(arrival_[v], v)); }
+
+  /// the direction at `v` in which the shortest path to it leads back
+  /// \pre `v` is reached and no source
+  Geodesic_arrival_direction arrival_direction(Index v) const
+  {
+    const Geodesic_arrival& arrival = arrival_[v];
+    Index h = arrival.halfedge;
+    while(faces_.source(h) != v)
+      h = Indexed_triangle_mesh::next(h);
+    const Plane_point end = end_in_frame(arrival, v);
+    Plane_point along;
+    if(h == arrival.halfedge)
+      along = {1., 0.};
+    else
+    {
+      const Geodesic_face& face = faces_.face_of(h);
+      const Index i = arrival.halfedge % 3;
+      if(h == Indexed_triangle_mesh::next(arrival.halfedge))
+      {
+        const Geodesic_face::Corner& corner = face.corner[h % 3];
+        along = {-corner.cosine, corner.sine};
+      }
+      else
+        along = {-face.corner[i].cosine, -face.corner[i].sine};
+    }
+    const double dx = arrival.x - end.x, dy = arrival.y - end.y;
+    const double angle = std::atan2(along.x * dy - along.y * dx, along.x * dx + along.y * dy);
+    // a path along an edge may turn out on the other side of it by a rounding error
+    const double corner = faces_.angle(h);
+    if(angle < 0.5 * (corner - 2. * geodesic_pi) || angle > corner)
+      return {h, corner};
+    return {h, (std::max)(angle, 0.)};
+  }
+
+  /// the same as an angle in the unrolled tangent plane of `v`, counterclockwise from its first halfedge
+  double arrival_angle(Index v) const
+  {
+    const Geodesic_arrival_direction direction = arrival_direction(v);
+    return faces_.angle_around_source(direction.halfedge) + direction.angle;
+  }
+
+  /// the number of the source nearest to `v`
+  Index nearest_source(Index v) const { return is_reached(v) ? source_of(arrival_[v]) : null_index; }
+
+  std::size_t number_of_sources() const { return sources_.size(); }
+  /// the total angle at source number `i`: two pi in faces
+  double source_angle(std::size_t i = 0) const { return sources_[i].total_angle; }
+
+  bool is_source_on_border(std::size_t i = 0) const
+  {
+    const Source& source = sources_[i];
+    return source.vertex != null_index ? faces_.is_border(source.vertex) : source.total_angle < 1.5 * geodesic_pi;
+  }
+
+  /// the halfedge along which directions at source number `i` are zero
+  Index source_halfedge(std::size_t i = 0) const
+  {
+    const Source& source = sources_[i];
+    if(source.vertex != null_index)
+      return faces_.first_halfedge(source.vertex);
+    return source.halfedge != null_index ? source.halfedge : 3 * source.location.face;
+  }
+
+  /// the number of query locations: those of the options, then one per face if centroids have been asked for
+  std::size_t number_of_queries() const { return queries_.size(); }
+  const Indexed_location& query(std::size_t i) const { return queries_[i].location; }
+  double query_distance(std::size_t i) const { return queries_[i].distance; }
+  Index query_nearest_source(std::size_t i) const
+  {
+    return queries_[i].distance < infinity ? source_of(queries_[i].arrival) : null_index;
+  }
+  double query_direction_at_source(std::size_t i) const
+  {
+    const Query& query = queries_[i];
+    return direction_at_source(query.arrival, faces_.in_frame(query.arrival.halfedge, query.location.coordinates));
+  }
+
+  /// the number of a vertex as an origin, and back; the sources come first
+  Index origin_of_vertex(Index v) const { return static_cast<Index>(sources_.size()) + v; }
+  Index vertex_of_origin(Index origin) const { return origin - static_cast<Index>(sources_.size()); }
+  bool is_source(Index origin) const { return origin < sources_.size(); }
+
+  /// the direction in which a path with the last piece `arrival` to the point `end` leaves the (pseudo-)source of that
+  /// piece: at a source as `direction_at_source()`, but not reduced; at a pseudo-source the angle from the direction
+  /// that leads back, counterclockwise
+  static double direction_at_origin(const Geodesic_arrival& arrival, const Plane_point& end)
+  {
+    return arrival.turn + std::atan2(end.y - arrival.y, end.x - arrival.x);
+  }
+
+  /// the number of the source from which a path comes
+  Index source_of(const Geodesic_arrival& arrival) const
+  {
+    if(sources_.size() == 1 || is_source(arrival.origin))
+      return sources_.size() == 1 ? 0 : arrival.origin;
+    const Index v = vertex_of_origin(arrival.origin);
+    return bends_[v].source != null_index ? bends_[v].source : source_of(arrival_[v]);
+  }
+
+  /// the last straight pieces, for tracing paths
+  const Geodesic_arrival& arrival(Index v) const { return arrival_[v]; }
+  const Geodesic_arrival& query_arrival(std::size_t i) const { return queries_[i].arrival; }
+  const Indexed_location& source_location(std::size_t i) const { return sources_[i].location; }
+  Index source_vertex(std::size_t i) const { return sources_[i].vertex; }
+  /// a halfedge of the edge it is on, if it is on one
+  Index source_edge(std::size_t i) const { return sources_[i].halfedge; }
+
+  /// a vertex of the face of `h` in the frame of `h`
+  Plane_point vertex_in_frame(Index h, Index v) const
+  {
+    if(faces_.source(h) == v)
+      return {0., 0.};
+    if(faces_.target(h) == v)
+      return {faces_.length(h), 0.};
+    return faces_.apex(h);
+  }
+  Plane_point end_in_frame(const Geodesic_arrival& arrival, Index v) const
+  {
+    return vertex_in_frame(arrival.halfedge, v);
+  }
+
+  /// source number `i` in the frame of `h`, if it lies in the face of `h`
+  bool source_in_frame(std::size_t i, Index h, Plane_point& p) const
+  {
+    const Source& source = sources_[i];
+    const Index f = h / 3;
+    if(source.vertex != null_index)
+    {
+      for(Index v : faces_.face(f).vertex)
+        if(v == source.vertex)
+        {
+          p = vertex_in_frame(h, v);
+          return true;
+        }
+      return false;
+    }
+    if(source.location.face == f)
+    {
+      p = faces_.in_frame(h, source.location.coordinates);
+      return true;
+    }
+    if(source.halfedge == null_index)
+      return false;
+    const Index o = faces_.opposite(source.halfedge);
+    if(o == null_index || o / 3 != f)
+      return false;
+    std::array<double, 3> coordinates = {{0., 0., 0.}};
+    coordinates[o % 3] = source.location.coordinates[Mesh::next(source.halfedge) % 3];
+    coordinates[Mesh::next(o) % 3] = source.location.coordinates[source.halfedge % 3];
+    p = faces_.in_frame(h, coordinates);
+    return true;
+  }
+
+protected:
+  using Mesh = Indexed_triangle_mesh;
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+
+  struct Source
+  {
+    Indexed_location location;
+    Index vertex;   // if it is at one
+    Index halfedge; // if it is on an edge
+    double total_angle;
+  };
+
+  struct Query
+  {
+    Indexed_location location;
+    double distance;
+    Geodesic_arrival arrival;
+  };
+
+  struct Bend
+  {
+    double direction;          // at the source, of the path to the vertex
+    Index source = null_index; // its number, if paths have gone on from the vertex
+  };
+
+  Geodesic_results(const Indexed_triangle_mesh& mesh, const std::vector<Index>* positions) : faces_(mesh, positions) {}
+
+  /// \throws Invalid_input if a location is none on the mesh
+  void prepare(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options)
+  {
+    if(!(options.maximum_relative_error >= 0.))
+      throw Invalid_input("the maximum relative error must not be negative");
+    is_approximate_ = options.maximum_relative_error > 0.;
+    if(is_approximate_ && options.directions)
+      throw Invalid_input("directions need exact distances: the maximum relative error must be zero");
+    sources_.clear();
+    for(const Indexed_location& location : sources)
+      sources_.push_back(classify(location));
+    has_directions_ = options.directions || (sources.size() > 1 && !is_approximate_);
+    distance_.assign(faces_.number_of_vertices(), infinity);
+    arrival_.resize(faces_.number_of_vertices());
+    bends_.clear();
+    if(has_directions_)
+      bends_.resize(faces_.number_of_vertices());
+    prepare_queries(options);
+  }
+
+  /// a path of length `d` to the vertex `v` has been found; returns whether it is the shortest so far
+  bool improve(Index v, double d, const Geodesic_arrival& arrival)
+  {
+    // a smaller gain is rounding, and may be one forever
+    if(!(d < distance_[v] * (1. - 1e-14)) && !(distance_[v] == infinity))
+      return false;
+    distance_[v] = d;
+    arrival_[v] = arrival;
+    return true;
+  }
+
+  /// forgets what is further away than `maximum_distance`
+  void cut_off(double maximum_distance)
+  {
+    for(double& d : distance_)
+      d = d <= maximum_distance ? d : infinity;
+    for(Query& query : queries_)
+      query.distance = query.distance <= maximum_distance ? query.distance : infinity;
+  }
+
+  /// turns distances that may be too short into ones that may be too long
+  void add_errors()
+  {
+    for(Index v = 0; v < faces_.number_of_vertices(); ++v)
+      distance_[v] += distance_error(v);
+    for(Query& query : queries_)
+      if(query.distance < infinity)
+        query.distance += query.arrival.turn;
+  }
+
+  /// whether there are query locations
+  bool has_queries() const { return !queries_.empty(); }
+
+  /// considers the paths to the query locations of the face that windows of `h` lead to
+  template <int columns>
+  void answer_queries(Index h, const Geodesic_window_list& list)
+  {
+    const double tolerance = geodesic_cover * faces_.length(h);
+    const double *a = list.column(0), *b = list.column(1), *x = list.column(2), *y = list.column(3);
+    for(Index q = query_first_[h / 3]; q < query_first_[h / 3 + std::size_t(1)]; ++q)
+    {
+      Query& query = queries_[query_index_[q]];
+      const Plane_point p = faces_.in_frame(h, query.location.coordinates);
+      for(std::size_t i = list.begin; i < list.end; ++i)
+      {
+        if(side_of_rays(a[i], b[i], x[i], y[i], p, tolerance) != covers)
+          continue;
+        const double d = list.column(4)[i] + std::sqrt((p.x - x[i]) * (p.x - x[i]) + (p.y - y[i]) * (p.y - y[i]));
+        if(d < query.distance)
+        {
+          const Geodesic_window w = list.get<columns>(i);
+          query.distance = d;
+          query.arrival = Geodesic_arrival{w.x, w.y, w.sigma, w.turn, h, static_cast<Index>(w.origin), true};
+        }
+      }
+    }
+  }
+
+  /// considers the paths to query locations that come from a vertex of the face, or a source in it
+  void finish_queries()
+  {
+    for(Query& query : queries_)
+    {
+      const Index f = query.location.face;
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        const Index v = faces_.source(h);
+        const Plane_point p = faces_.in_frame(h, query.location.coordinates);
+        const double d = distance_[v] + std::sqrt(p.x * p.x + p.y * p.y);
+        if(!(d < query.distance))
+          continue;
+        query.distance = d;
+        query.arrival = Geodesic_arrival();
+        query.arrival.halfedge = h;
+        query.arrival.origin = distance_[v] == 0. || is_approximate_ ? arrival_[v].origin : origin_of_vertex(v);
+        query.arrival.sigma = distance_[v];
+        if(is_approximate_)
+          query.arrival.turn = arrival_[v].turn;
+        else if(distance_[v] == 0.)
+          query.arrival.turn = faces_.angle_around_source(h);
+      }
+    }
+    for(std::size_t i = 0; i < sources_.size() && !queries_.empty(); ++i)
+    {
+      const Source& source = sources_[i];
+      if(source.vertex != null_index)
+        continue;
+      if(source.halfedge == null_index)
+      {
+        const Index h = 3 * source.location.face;
+        finish_queries(i, h, faces_.in_frame(h, source.location.coordinates), 0.);
+        continue;
+      }
+      const Index h = source.halfedge, o = faces_.opposite(h);
+      const double t = source.location.coordinates[Mesh::next(h) % 3] * faces_.length(h);
+      finish_queries(i, h, {t, 0.}, 0.);
+      if(o != null_index)
+        finish_queries(i, o, {faces_.length(h) - t, 0.}, is_approximate_ ? 0. : geodesic_pi);
+    }
+  }
+
+  /// the direction at its source in which the path with the last piece `arrival` to the point `end` starts
+  double direction_at_source(const Geodesic_arrival& arrival, const Plane_point& end) const
+  {
+    if(arrival.sigma > 0.)
+    {
+      const Index v = vertex_of_origin(arrival.origin);
+      return bends_[v].source != null_index ? bends_[v].direction : direction_at_source(v);
+    }
+    const Source& source = sources_[arrival.origin];
+    const double angle = direction_at_origin(arrival, end);
+    // rounding may lead out of the range; at a source on the border that is no full turn
+    if(is_source_on_border(arrival.origin))
+      return (std::min)((std::max)(angle, 0.), source.total_angle);
+    if(angle < 0.)
+      return angle + source.total_angle;
+    return angle >= source.total_angle ? angle - source.total_angle : angle;
+  }
+
+private:
+  Source classify(Indexed_location location) const
+  {
+    check(location);
+    // a point nearer than this to an edge is on it: no coordinate of a mesh is known any better
+    constexpr double snap = 1e-13;
+    double sum = 0.;
+    for(double& c : location.coordinates)
+    {
+      c = c < snap ? 0. : c;
+      sum += c;
+    }
+    std::size_t zeros = 0;
+    for(double& c : location.coordinates)
+    {
+      c /= sum;
+      zeros += c == 0.;
+    }
+    Source source{location, null_index, null_index, 2. * geodesic_pi};
+    const Index h = 3 * location.face;
+    for(Index i = 0; i < 3; ++i)
+      if(zeros == 2 && location.coordinates[i] != 0.)
+      {
+        source.vertex = faces_.face(location.face).vertex[i];
+        source.total_angle = faces_.total_angle(source.vertex);
+      }
+      else if(zeros == 1 && location.coordinates[i] == 0.)
+      {
+        source.halfedge = Mesh::next(h + i);
+        if(faces_.opposite(source.halfedge) == null_index)
+          source.total_angle = geodesic_pi;
+      }
+    return source;
+  }
+
+  void prepare_queries(const Exact_geodesic_options& options)
+  {
+    queries_.clear();
+    query_first_.clear();
+    query_index_.clear();
+    for(const Indexed_location& location : options.queries)
+    {
+      check(location);
+      queries_.push_back({location, infinity, Geodesic_arrival()});
+    }
+    if(options.all_centroids)
+      for(Index f = 0; f < faces_.number_of_faces(); ++f)
+      {
+        Indexed_location location;
+        location.face = f;
+        location.coordinates = {{1. / 3., 1. / 3., 1. / 3.}};
+        queries_.push_back({location, infinity, Geodesic_arrival()});
+      }
+    if(queries_.empty())
+      return;
+    query_first_.assign(faces_.number_of_faces() + std::size_t(1), 0);
+    for(const Query& query : queries_)
+      ++query_first_[query.location.face + std::size_t(1)];
+    for(std::size_t f = 0; f < faces_.number_of_faces(); ++f)
+      query_first_[f + 1] += query_first_[f];
+    query_index_.resize(queries_.size());
+    std::vector<Index> next(query_first_.begin(), query_first_.end() - 1);
+    for(std::size_t i = 0; i < queries_.size(); ++i)
+      query_index_[next[queries_[i].location.face]++] = static_cast<Index>(i);
+  }
+
+  void finish_queries(std::size_t number, Index h, const Plane_point& source, double turn)
+  {
+    for(Index q = query_first_[h / 3]; q < query_first_[h / 3 + std::size_t(1)]; ++q)
+    {
+      Query& query = queries_[query_index_[q]];
+      const Plane_point p = faces_.in_frame(h, query.location.coordinates);
+      const double d = std::hypot(p.x - source.x, p.y - source.y);
+      if(d < query.distance)
+      {
+        query.distance = d;
+        query.arrival = Geodesic_arrival{source.x, source.y, 0., turn, h, static_cast<Index>(number), false};
+      }
+    }
+  }
+
+protected:
+  Geodesic_faces faces_;
+  std::vector<Source> sources_;
+  std::vector<double> distance_;
+  std::vector<Geodesic_arrival> arrival_;
+  std::vector<Bend> bends_; // of each vertex, with directions or several sources
+  bool has_directions_ = false;
+
+private:
+  std::vector<Query> queries_;
+  std::vector<Index> query_first_, query_index_; // the queries of each face
+  bool is_approximate_ = false;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_RESULTS_H

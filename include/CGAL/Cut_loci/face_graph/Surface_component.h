@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_FACE_GRAPH_SURFACE_COMPONENT_H
+#define CGAL_CUT_LOCI_FACE_GRAPH_SURFACE_COMPONENT_H
+
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/method/Geodesic_solver_handle.h>
+#include <CGAL/Cut_loci/method/Method_solver.h>
+#include <CGAL/Cut_loci/surface/checked_mesh.h>
+#include <CGAL/Cut_loci/surface/connected_components.h>
+#include <CGAL/Cut_loci/face_graph/make_solver.h>
+#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/vector_3.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// A component of a mesh with what is computed once for it: it gets the solver of a method with the first source that
+// needs it.
+struct Surface_component
+{
+  const Indexed_triangle_mesh* mesh = nullptr; // of the whole if there is just one component
+  Mesh_component part;                         // else
+  double diagonal = 0.;
+  std::unique_ptr<Laplacian_method> laplacian;
+  std::unique_ptr<Exact_tree_method> exact_tree;
+  Geodesic_solver_handle geodesic_solver;
+
+  // Component `id` of the mesh whose faces have the components `component_of_face`.
+  Surface_component(const Indexed_triangle_mesh& whole, const std::vector<Index>& component_of_face, Index id,
+                    Index number_of_components)
+    : mesh(&whole)
+  {
+    if(number_of_components > 1)
+    {
+      part = extract_component(whole, component_of_face, id);
+      mesh = &part.mesh;
+    }
+    std::array<double, 3> low = mesh->points.front(), high = low;
+    for(const auto& p : mesh->points)
+      for(int i = 0; i < 3; ++i)
+      {
+        low[i] = (std::min)(low[i], p[i]);
+        high[i] = (std::max)(high[i], p[i]);
+      }
+    diagonal = norm(high - low);
+  }
+
+  Surface_component(const Surface_component&) = delete;
+  Surface_component& operator=(const Surface_component&) = delete;
+
+  bool is_whole() const { return part.vertices.empty(); }
+  // the indices in the whole mesh
+  Index vertex(Index local) const { return is_whole() ? local : part.vertices[local]; }
+  Index face(Index local) const { return is_whole() ? local : part.faces[local]; }
+  Index halfedge(Index h) const { return 3 * face(h / 3) + h % 3; }
+
+  // A source of the whole mesh, in this component.
+  Indexed_source local(Indexed_source source) const
+  {
+    if(is_whole())
+      return source;
+    const auto position = [](const std::vector<Index>& sorted, Index global)
+    { return static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), global) - sorted.begin()); };
+    source.location.face = position(part.faces, source.location.face);
+    if(source.vertex != null_index)
+      source.vertex = position(part.vertices, source.vertex);
+    return source;
+  }
+
+  bool has_solver(Method method) const
+  {
+    return method == Method::LAPLACIAN ? laplacian != nullptr : exact_tree != nullptr;
+  }
+
+  // `positions` of the vertices of the whole mesh, for messages.
+  void make_solver(Method method, Laplacian_operator laplacian_operator, const Indexed_triangle_mesh& whole,
+                   const std::vector<Index>& positions)
+  {
+    name_faults(whole, positions,
+                [&]
+                {
+      if(method == Method::LAPLACIAN)
+        laplacian = make_laplacian_solver(*mesh, laplacian_operator);
+      else
+        exact_tree = make_exact_tree_solver(*mesh);
+    });
+  }
+
+  // what `read_mesh` throws, in the numbers of the whole mesh
+  template <typename Function>
+  void name_faults(const Indexed_triangle_mesh& whole, const std::vector<Index>& positions,
+                   const Function& read_mesh) const
+  {
+    try
+    {
+      read_mesh();
+    }
+    catch(const Face_without_area& error)
+    {
+      const Index f = face(error.face);
+      std::string name = face_name(f) + " (vertices";
+      for(Index v : whole.triangles[f])
+        name += " " + std::to_string(positions[v]);
+      throw Invalid_input(name + ") has no area, or in this unit of length one that is not a normal number: it must be "
+                                 "removed or repaired first "
+                                 "(CGAL::Polygon_mesh_processing::remove_degenerate_faces() does)");
+    }
+    catch(const Non_manifold_vertex& error)
+    {
+      throw Invalid_input(vertex_name(positions[vertex(error.vertex)]) +
+                          " is not manifold: its faces form several "
+                          "fans (CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() splits it)");
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_FACE_GRAPH_SURFACE_COMPONENT_H

@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_FACE_GRAPH_CURVE_ON_MESH_H
+#define CGAL_CUT_LOCI_FACE_GRAPH_CURVE_ON_MESH_H
+
+#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/cut_open.h>
+#include <CGAL/Cut_loci/surface/connected_components.h>
+#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
+#include <CGAL/Cut_locus.h>
+
+#include <CGAL/Iterator_range.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// A cut locus in the dense indices of a mesh.
+struct Curve_on_mesh
+{
+  Indexed_cut_locus graph;
+  Indexed_location source;
+  Index source_vertex = null_index;
+  bool is_of_mesh_edges = true; // or else through the faces
+};
+
+[[noreturn]] inline void throw_foreign_cut_locus(const std::string& what)
+{
+  throw Invalid_input("the cut locus does not belong to the mesh: " + what);
+}
+
+// Descriptors of another mesh must not be used for a look-up: those of this one are looked up among them.
+template <typename TriangleMesh, typename Point_3>
+Curve_on_mesh curve_on_mesh(const Read_triangle_mesh<TriangleMesh>& read, const TriangleMesh& tm,
+                            const Cut_locus<TriangleMesh, Point_3>& cut_locus)
+{
+  using Traits = boost::graph_traits<TriangleMesh>;
+  using Vertex = typename Cut_locus<TriangleMesh, Point_3>::Vertex;
+  const auto& graph = cut_locus.graph();
+  if(num_vertices(graph) == 0)
+    throw Invalid_input("the cut locus is empty");
+
+  std::map<typename Traits::vertex_descriptor, Index> vertex_index;
+  std::map<typename Traits::halfedge_descriptor, Index> halfedge_index;
+  std::map<typename Traits::face_descriptor, Index> face_index;
+  const auto add = [&](const Vertex& v)
+  {
+    face_index[v.location.first] = null_index;
+    if(v.mesh_vertex != Traits::null_vertex())
+      vertex_index[v.mesh_vertex] = null_index;
+  };
+  add(cut_locus.source());
+  for(auto v : CGAL::make_range(vertices(graph)))
+    add(graph[v]);
+  for(auto e : CGAL::make_range(edges(graph)))
+    if(graph[e].mesh_halfedge != Traits::null_halfedge())
+      halfedge_index[graph[e].mesh_halfedge] = null_index;
+  const auto find = [](auto& indices, const auto& descriptors)
+  {
+    for(std::size_t i = 0; i < descriptors.size(); ++i)
+    {
+      const auto found = indices.find(descriptors[i]);
+      if(found != indices.end())
+        found->second = static_cast<Index>(i);
+    }
+  };
+  find(vertex_index, read.vertices);
+  find(halfedge_index, read.halfedges);
+  for(Index f = 0; f < read.mesh.number_of_faces(); ++f)
+  {
+    const auto found = face_index.find(face(read.halfedges[3 * std::size_t(f)], tm));
+    if(found != face_index.end())
+      found->second = f;
+  }
+
+  const auto location_of = [&](const Vertex& v)
+  {
+    Indexed_location result;
+    result.face = face_index.at(v.location.first);
+    if(result.face == null_index)
+      throw_foreign_cut_locus("a face that it runs through is not there");
+    double sum = 0.;
+    for(int i = 0; i < 3; ++i)
+      sum += result.coordinates[i] = CGAL::to_double(v.location.second[i]);
+    if(!(std::abs(sum - 1.) < snapping_tolerance))
+      throw_foreign_cut_locus("barycentric coordinates do not sum up to one");
+    return result;
+  };
+  const auto vertex_of = [&](const Vertex& v)
+  {
+    if(v.mesh_vertex == Traits::null_vertex())
+      return null_index;
+    const Index i = vertex_index.at(v.mesh_vertex);
+    if(i == null_index)
+      throw_foreign_cut_locus("a vertex that it runs through is not there");
+    return i;
+  };
+
+  Curve_on_mesh result;
+  result.source = location_of(cut_locus.source());
+  result.source_vertex = vertex_of(cut_locus.source());
+  for(auto v : CGAL::make_range(vertices(graph)))
+  {
+    result.graph.nodes.push_back({location_of(graph[v]), vertex_of(graph[v]), graph[v].distance});
+    result.is_of_mesh_edges = result.is_of_mesh_edges && result.graph.nodes.back().vertex != null_index;
+  }
+  for(auto e : CGAL::make_range(edges(graph)))
+  {
+    Indexed_cut_locus::Edge edge;
+    edge.source = static_cast<Index>(source(e, graph));
+    edge.target = static_cast<Index>(target(e, graph));
+    edge.strength = static_cast<float>(graph[e].strength);
+    edge.origin = null_index;
+    if(graph[e].mesh_halfedge == Traits::null_halfedge())
+      result.is_of_mesh_edges = false;
+    else
+    {
+      const Index h = edge.halfedge = halfedge_index.at(graph[e].mesh_halfedge);
+      if(h == null_index)
+        throw_foreign_cut_locus("an edge that it follows is not there");
+      const Index a = result.graph.nodes[edge.source].vertex, b = result.graph.nodes[edge.target].vertex;
+      const Index c = read.mesh.source(h), d = read.mesh.target(h);
+      if(!((a == c && b == d) || (a == d && b == c)))
+        throw_foreign_cut_locus("an edge that it follows has other ends");
+    }
+    result.graph.edges.push_back(edge);
+  }
+  return result;
+}
+
+// The component of a mesh that a curve is in, with the curve in its indices, and all that a cut needs.
+struct Curve_on_component
+{
+  Mesh_component component;
+  Curve_on_mesh curve;
+};
+
+inline Curve_on_component on_component(const Indexed_triangle_mesh& mesh, Curve_on_mesh curve)
+{
+  Index number_of_components = 0;
+  const std::vector<Index> label = face_components(mesh, number_of_components);
+  Curve_on_component result;
+  result.component = extract_component(mesh, label, label[curve.source.face]);
+  std::vector<Index> vertex(mesh.number_of_vertices(), null_index), face(mesh.number_of_faces(), null_index);
+  for(Index v = 0; v < result.component.vertices.size(); ++v)
+    vertex[result.component.vertices[v]] = v;
+  for(Index f = 0; f < result.component.faces.size(); ++f)
+    face[result.component.faces[f]] = f;
+  const auto renumber = [](Index& i, const std::vector<Index>& indices)
+  {
+    if(i != null_index && (i = indices[i]) == null_index)
+      throw_foreign_cut_locus("it is not in the component of its source");
+  };
+  renumber(curve.source.face, face);
+  renumber(curve.source_vertex, vertex);
+  for(Indexed_cut_locus::Node& node : curve.graph.nodes)
+  {
+    renumber(node.location.face, face);
+    renumber(node.vertex, vertex);
+  }
+  for(Indexed_cut_locus::Edge& e : curve.graph.edges)
+    if(e.halfedge != null_index)
+    {
+      Index f = e.halfedge / 3;
+      renumber(f, face);
+      e.halfedge = 3 * f + e.halfedge % 3;
+    }
+  result.curve = std::move(curve);
+  return result;
+}
+
+inline void throw_unless_of_mesh_edges(const Curve_on_mesh& curve)
+{
+  if(!curve.is_of_mesh_edges)
+    throw Invalid_input("the cut locus runs through faces: cut by CGAL::cut_along_curve(), which splits these, "
+                        "or compute it on the edges of the mesh (Curve::MESH_EDGES, without smoothing)");
+}
+
+inline Mesh_connectivity manifold_connectivity(const Indexed_triangle_mesh& mesh)
+{
+  Mesh_connectivity result(mesh);
+  if(!result.first_non_manifold.empty())
+    throw Invalid_input("the faces around a vertex form more than one fan: the mesh is not manifold");
+  return result;
+}
+
+// The seams along a curve of edges of the mesh.
+inline Seams seams_of_mesh_edges(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                                 const Curve_on_mesh& curve)
+{
+  Seams seams(mesh.number_of_halfedges(), 0);
+  for(const Indexed_cut_locus::Edge& e : curve.graph.edges)
+    add_seam(mesh, e.halfedge, seams);
+  complete_seams(mesh, connectivity, curve.graph.nodes.front().vertex, curve.source_vertex, seams);
+  return seams;
+}
+
+inline Cut_mesh cut_open_to_disk(const Indexed_triangle_mesh& mesh, const Seams& seams)
+{
+  Cut_mesh result = cut_open(mesh, seams);
+  if(!is_disk(result.mesh))
+    throw_foreign_cut_locus("its complement is no disk");
+  return result;
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_FACE_GRAPH_CURVE_ON_MESH_H

@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_FACE_GRAPH_METHOD_PARAMETERS_H
+#define CGAL_CUT_LOCI_FACE_GRAPH_METHOD_PARAMETERS_H
+
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/method/method_thresholds.h>
+#include <CGAL/Cut_loci/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// The named parameters that depend on the method: which of them it takes, and their values.
+
+template <typename NamedParameters, typename Tag>
+constexpr bool is_given()
+{
+  return !parameters::is_default_parameter<NamedParameters, Tag>::value;
+}
+
+inline void refuse_parameter(const std::string& name, Method method, const std::string& remedy)
+{
+  throw Invalid_input("the parameter " + name + " has no meaning for the method " + name_of(method) +
+                      ", which is in force: " + remedy);
+}
+
+[[noreturn]] inline void refuse_distances(Method method)
+{
+  throw Invalid_input("the method " + std::string(name_of(method)) +
+                      " needs the paths of the package's own exact solver, and not distances alone: leave "
+                      "geodesic_solver and vertex_distance_map away, or pass "
+                      "cut_locus_method(Cut_loci::Method::LAPLACIAN)");
+}
+
+// A parameter of another method would be ignored, and the caller would take the result for what it asked for.
+template <typename NamedParameters>
+void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
+{
+  namespace np = internal_np;
+  const auto refuse_unless = [&](bool is_right, const std::string& name, const std::string& remedy)
+  {
+    if(!is_right)
+      refuse_parameter(name, method, remedy);
+  };
+  const bool is_laplacian = method == Method::LAPLACIAN;
+  const std::string use_laplacian = "leave it away, or pass cut_locus_method(Cut_loci::Method::LAPLACIAN)";
+  if(is_given<NamedParameters, np::gradient_angle_threshold_t>())
+    refuse_unless(is_laplacian, "gradient_angle_threshold", use_laplacian);
+  if(is_given<NamedParameters, np::laplacian_threshold_t>())
+    refuse_unless(is_laplacian, "laplacian_threshold", use_laplacian);
+  if(is_given<NamedParameters, np::filter_policy_t>())
+    refuse_unless(is_laplacian, "filter_policy", use_laplacian);
+  if(is_given<NamedParameters, np::laplacian_operator_t>())
+    refuse_unless(is_laplacian, "laplacian_operator", use_laplacian);
+  const std::string use_paths =
+    "leave it away, or pass cut_locus_method(Cut_loci::Method::DIRECTION), which needs exact distances";
+  if(is_given<NamedParameters, np::minimum_branch_gap_t>())
+    refuse_unless(!is_laplacian, "minimum_branch_gap", use_paths);
+  if(is_given<NamedParameters, np::minimum_branch_width_t>())
+    refuse_unless(!is_laplacian, "minimum_branch_width", use_paths);
+}
+
+template <typename Number>
+std::size_t to_count(Number value, const char* name)
+{
+  if(static_cast<double>(value) < 0.)
+    throw Invalid_input(std::string("the parameter ") + name + " must not be negative");
+  return static_cast<std::size_t>(value);
+}
+
+// The thresholds of both methods but for their own one. `minimum_length` is in units of `diagonal`.
+template <typename Thresholds, typename NamedParameters>
+void read_least_branch(const NamedParameters& np, std::size_t default_edges, double diagonal, Thresholds& thresholds)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const std::size_t edges = to_count(
+    choose_parameter(get_parameter(np, internal_np::minimum_branch_edges), default_edges), "minimum_branch_edges");
+  thresholds.minimum_edges = static_cast<Index>((std::min)(edges, static_cast<std::size_t>(null_index)));
+  thresholds.minimum_length = choose_parameter(get_parameter(np, internal_np::minimum_branch_length), 0.);
+  if(!(thresholds.minimum_length >= 0.))
+    throw Invalid_input("the minimum length of a branch must be a number that is not negative");
+  thresholds.minimum_length *= diagonal;
+}
+
+template <typename NamedParameters>
+Branch_thresholds read_branch_thresholds(const NamedParameters& np, double default_angle, std::size_t default_edges,
+                                         double diagonal)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Branch_thresholds result;
+  result.gradient_angle = choose_parameter(get_parameter(np, internal_np::gradient_angle_threshold), default_angle);
+  result.laplacian = choose_parameter(get_parameter(np, internal_np::laplacian_threshold), result.laplacian);
+  result.policy = choose_parameter(get_parameter(np, internal_np::filter_policy), result.policy);
+  if(!(result.gradient_angle >= 0.))
+    throw Invalid_input("the threshold for the gradient angle must be a number that is not negative");
+  if(std::isnan(result.laplacian))
+    throw Invalid_input("the threshold for the Laplacian is not a number");
+  read_least_branch(np, default_edges, diagonal, result);
+  return result;
+}
+
+// The width is in units of `diagonal`, but for that of `by_default`, a length. Who asks for one of both gets all that
+// passes it.
+template <typename NamedParameters>
+Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, const Exact_tree_thresholds& by_default,
+                                                 double diagonal)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  constexpr bool is_asked = is_given<NamedParameters, internal_np::minimum_branch_gap_t>() ||
+                            is_given<NamedParameters, internal_np::minimum_branch_width_t>();
+  Exact_tree_thresholds result = by_default;
+  if(is_asked)
+  {
+    result.gap = choose_parameter(get_parameter(np, internal_np::minimum_branch_gap), 0.);
+    result.width = diagonal * choose_parameter(get_parameter(np, internal_np::minimum_branch_width), 0.);
+  }
+  if(!(result.gap >= 0. && result.gap <= geodesic_pi))
+    throw Invalid_input("the minimum gap of a branch must be an angle from 0 to pi");
+  if(!(result.width >= 0. && result.width <= (std::numeric_limits<double>::max)()))
+    throw Invalid_input("the minimum width of a branch must be a number that is not negative");
+  read_least_branch(np, 0, diagonal, result);
+  return result;
+}
+
+struct Curve_parameters
+{
+  Curve curve;
+  std::size_t iterations; // of smoothing, for the method that needs it
+};
+
+// A curve through the faces is asked for by its name, or by a number of smoothing steps.
+template <typename NamedParameters>
+Curve_parameters read_curve(const NamedParameters& np, Method method)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  constexpr std::size_t enough = 4;
+  constexpr bool has_curve = is_given<NamedParameters, internal_np::cut_locus_curve_t>();
+  constexpr bool has_iterations = is_given<NamedParameters, internal_np::number_of_iterations_t>();
+  const std::size_t iterations = to_count(
+    choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(0)), "number_of_iterations");
+  const Curve by_iterations = iterations > 0 ? Curve::THROUGH_FACES : Curve::MESH_EDGES;
+  const Curve by_default = method == Method::POLYHEDRAL && !has_iterations ? Curve::THROUGH_FACES : by_iterations;
+  const Curve curve = choose_parameter(get_parameter(np, internal_np::cut_locus_curve), by_default);
+  if(has_curve && has_iterations && curve != by_iterations)
+    throw Invalid_input("the parameters cut_locus_curve and number_of_iterations contradict each other: no iterations "
+                        "leave edges of the mesh, and one or more of them give a curve through the faces");
+  return {curve, curve == Curve::THROUGH_FACES && iterations == 0 ? enough : iterations};
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_FACE_GRAPH_METHOD_PARAMETERS_H

@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_FACE_GRAPH_READ_TRIANGLE_MESH_H
+#define CGAL_CUT_LOCI_FACE_GRAPH_READ_TRIANGLE_MESH_H
+
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/Invalid_input.h>
+
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// The dense copy of a FaceListGraph, with the way back to its descriptors. Isolated vertices are left out: they have a
+// position in `vertices` but the index `null_index`.
+template <typename TriangleMesh>
+struct Read_triangle_mesh
+{
+  using Traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Traits::vertex_descriptor;
+  using halfedge_descriptor = typename Traits::halfedge_descriptor;
+  using face_descriptor = typename Traits::face_descriptor;
+  using Vertex_index_map =
+    typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<Index>>::const_type;
+  using Face_index_map = typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Index>>::const_type;
+
+  Indexed_triangle_mesh mesh;
+  std::vector<vertex_descriptor> vertices;    // the vertex of each index
+  std::vector<Index> positions;               // its position in the range vertices(mesh), for messages and output
+  std::vector<halfedge_descriptor> halfedges; // halfedge `3 * f + i` of the dense mesh
+  Vertex_index_map index_of_vertex;           // dense index, or null_index for isolated vertices
+  Face_index_map index_of_face;
+};
+
+inline std::string vertex_name(Index position)
+{
+  return "vertex #" + std::to_string(position);
+}
+inline std::string face_name(Index position)
+{
+  return "face #" + std::to_string(position);
+}
+
+// This is the one place that touches the mesh: everything after it runs on dense indices.
+template <typename TriangleMesh, typename VertexPointMap>
+Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, VertexPointMap vpm)
+{
+  using Result = Read_triangle_mesh<TriangleMesh>;
+  using vertex_descriptor = typename Result::vertex_descriptor;
+  using halfedge_descriptor = typename Result::halfedge_descriptor;
+  using face_descriptor = typename Result::face_descriptor;
+
+  Result result;
+  result.index_of_vertex = get(CGAL::dynamic_vertex_property_t<Index>(), tm);
+  result.index_of_face = get(CGAL::dynamic_face_property_t<Index>(), tm);
+
+  bool has_vertices = false;
+  for(vertex_descriptor v : CGAL::make_range(vertices(tm)))
+  {
+    put(result.index_of_vertex, v, null_index);
+    has_vertices = true;
+  }
+  if(!has_vertices)
+    throw Invalid_input("the mesh is empty: it has no vertices");
+
+  auto index_of_halfedge = get(CGAL::dynamic_halfedge_property_t<Index>(), tm);
+  result.halfedges.reserve(3 * num_faces(tm)); // at least as many as there are: some meshes count removed ones
+  Index nf = 0;
+  for(face_descriptor f : CGAL::make_range(faces(tm)))
+  {
+    const halfedge_descriptor h0 = halfedge(f, tm);
+    const halfedge_descriptor h1 = next(h0, tm), h2 = next(h1, tm);
+    if(h1 == h0 || h2 == h0 || next(h2, tm) != h0)
+    {
+      std::size_t sides = 1;
+      for(halfedge_descriptor h = h1; h != h0; h = next(h, tm))
+        ++sides;
+      throw Invalid_input(face_name(nf) + " has " + std::to_string(sides) +
+                          " sides: all faces must be triangles "
+                          "(CGAL::Polygon_mesh_processing::triangulate_faces() makes them so)");
+    }
+    put(result.index_of_face, f, nf);
+    for(halfedge_descriptor h : {h0, h1, h2})
+    {
+      put(index_of_halfedge, h, static_cast<Index>(result.halfedges.size()));
+      result.halfedges.push_back(h);
+      put(result.index_of_vertex, source(h, tm), Index(0));
+    }
+    ++nf;
+  }
+  if(nf == 0)
+    throw Invalid_input("the mesh has no faces");
+
+  result.mesh.points.reserve(num_vertices(tm));
+  result.vertices.reserve(num_vertices(tm));
+  result.positions.reserve(num_vertices(tm));
+  Index position = 0;
+  for(vertex_descriptor v : CGAL::make_range(vertices(tm)))
+  {
+    if(get(result.index_of_vertex, v) != null_index)
+    {
+      const auto& p = get(vpm, v);
+      const Indexed_triangle_mesh::Point point = {
+        {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
+      if(!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+        throw Invalid_input(vertex_name(position) + " has a coordinate that is not finite");
+      put(result.index_of_vertex, v, result.mesh.number_of_vertices());
+      result.mesh.points.push_back(point);
+      result.vertices.push_back(v);
+      result.positions.push_back(position);
+    }
+    ++position;
+  }
+
+  result.mesh.triangles.resize(nf);
+  result.mesh.opposite.resize(3 * std::size_t(nf));
+  for(Index h = 0; h < 3 * nf; ++h)
+  {
+    const halfedge_descriptor o = opposite(result.halfedges[h], tm);
+    result.mesh.triangles[h / 3][h % 3] = get(result.index_of_vertex, target(o, tm));
+    result.mesh.opposite[h] = is_border(o, tm) ? null_index : get(index_of_halfedge, o);
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_FACE_GRAPH_READ_TRIANGLE_MESH_H

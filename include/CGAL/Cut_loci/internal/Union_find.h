@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_INTERNAL_UNION_FIND_H
+#define CGAL_CUT_LOCI_INTERNAL_UNION_FIND_H
+
+#include <CGAL/Cut_loci/Index.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// Disjoint sets of the indices from 0 on: those of Boost, with their storage.
+class Union_find
+{
+public:
+  explicit Union_find(std::size_t n) : rank_(n, 0), parent_(n) { std::iota(parent_.begin(), parent_.end(), Index(0)); }
+
+  Index find(Index i) { return sets().find_set(i); }
+
+  // whether they were not in one set before
+  bool unite(Index i, Index k)
+  {
+    auto s = sets();
+    i = s.find_set(i);
+    k = s.find_set(k);
+    if(i == k)
+      return false;
+    s.link(i, k);
+    return true;
+  }
+
+private:
+  boost::disjoint_sets<unsigned char*, Index*> sets() { return {rank_.data(), parent_.data()}; }
+
+  std::vector<unsigned char> rank_;
+  std::vector<Index> parent_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_INTERNAL_UNION_FIND_H

@@ -1,0 +1,193 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_LAPLACIAN_SOLVER_H
+#define CGAL_CUT_LOCI_LAPLACIAN_METHOD_LAPLACIAN_SOLVER_H
+
+#include <CGAL/Cut_loci/laplacian_method/Branch_filter.h>
+#include <CGAL/Cut_loci/laplacian_method/Differential_operators.h>
+#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/laplacian_method/Tangent_directions.h>
+#include <CGAL/Cut_loci/laplacian_method/descent_forest.h>
+#include <CGAL/Cut_loci/laplacian_method/gradient_angles.h>
+#include <CGAL/Cut_loci/laplacian_method/homology.h>
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
+#include <CGAL/Cut_loci/method/Method_solver.h>
+#include <CGAL/Cut_loci/surface/checked_mesh.h>
+#include <CGAL/Cut_loci/surface/vector_3.h>
+#include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
+#include <CGAL/Cut_loci/laplacian_method/smoothing.h>
+#include <CGAL/Cut_loci/laplacian_method/thinning.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// The pipeline of the paper on one connected component: the stages in their order, on dense indices.
+class Laplacian_solver : public Laplacian_method
+{
+public:
+  // once per mesh
+  Laplacian_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type)
+    : mesh_(mesh), connectivity_(mesh), tangent_(checked_mesh(mesh, connectivity_), connectivity_),
+      operators_(mesh, connectivity_, type), genus_(connectivity_.genus(mesh))
+  {
+    tangent_.align(mesh, connectivity_, operators_.frames);
+  }
+
+  // once per source, in three parts
+  //
+  // `geodesics` is what the exact solver found: null, or there until the tree has grown.
+  void set_distance(const Indexed_source& source, std::vector<double> distance,
+                    const Geodesic_results* geodesics = nullptr) override
+  {
+    source_ = source;
+    geodesics_ = geodesics;
+    distance_ = std::move(distance);
+    farthest_ = source.vertex == 0 ? 1 : 0;
+    for(Index v = farthest_ + 1; v < distance_.size(); ++v) // the source is not it even if all distances are equal
+      if(v != source.vertex && distance_[v] > distance_[farthest_])
+        farthest_ = v;
+  }
+
+  void compute_strengths() override
+  {
+    const Eigen::Map<const Eigen::VectorXd> d(distance_.data(), static_cast<Eigen::Index>(distance_.size()));
+    Eigen::VectorXd gradient = operators_.gradient * d;
+    for(Index v : vertices_that_see_the_source())
+      gradient[2 * v] = gradient[2 * v + 1] = 0.;
+    angle_ = gradient_angles(connectivity_, tangent_, gradient);
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
+      if(angle_[v] * distance_[v] < longest_edge(v))
+        angle_[v] = 0.f;
+    const Eigen::VectorXd laplacian = operators_.laplacian * d;
+    laplacian_.resize(distance_.size());
+    const double h = connectivity_.mean_edge_length; // makes the Laplacian free of the unit of length
+    for(std::size_t v = 0; v < distance_.size(); ++v)
+      laplacian_[v] = static_cast<float>(h * laplacian[static_cast<Eigen::Index>(v)]);
+    if(source_.vertex != null_index)
+    {
+      // never on the cut locus, however the operators see this singularity
+      angle_[source_.vertex] = -1.f;
+      laplacian_[source_.vertex] = (std::numeric_limits<float>::max)();
+    }
+  }
+
+  void grow_tree() override
+  {
+    crossed_ = edges_crossed_by_descents(mesh_, connectivity_, distance_, source_, geodesics_);
+    spanning_tree_ =
+      region_growing_tree(connectivity_, laplacian_, choose_root(), Source_element(connectivity_, source_), crossed_);
+    tree_ = spanning_tree_;
+    thin(tree_, connectivity_, laplacian_, 2);
+  }
+
+  // What the homology demands is found once per source, whatever the thresholds.
+  void close_cycles() override
+  {
+    const std::vector<Index> generators =
+      homology_generators(mesh_, connectivity_, spanning_tree_, distance_, source_, crossed_);
+    filter_ = Branch_filter(mesh_, connectivity_, tree_, spanning_tree_, generators, angle_, laplacian_);
+  }
+
+  // once per threshold
+  Indexed_cut_locus filter(const Branch_thresholds& thresholds) const override
+  {
+    return mesh_edge_graph(connectivity_, distance_, filter_(mesh_, thresholds));
+  }
+
+  Indexed_cut_locus smoothed(const Indexed_cut_locus& cut_locus, const Smoothing_parameters& parameters) const override
+  {
+    return smoothed_cut_locus(mesh_, connectivity_, distance_, cut_locus, parameters);
+  }
+
+  const Indexed_triangle_mesh& mesh() const { return mesh_; }
+  const Mesh_connectivity& connectivity() const { return connectivity_; }
+  const Differential_operators& operators() const { return operators_; }
+  const std::vector<double>& distance() const override { return distance_; }
+  const std::vector<float>& gradient_angle() const { return angle_; }
+  const std::vector<float>& laplacian() const { return laplacian_; }
+  Index number_of_border_loops() const override { return connectivity_.number_of_border_loops; }
+  Index genus() const override { return genus_; }
+  Index root() const override { return tree_.root; }
+  Index farthest() const override { return farthest_; }
+
+private:
+  // Around the source the distance is that to a point: the gradient turns by l / d along an edge of length l at the
+  // distance d, and its estimate has errors of that order. A smaller angle is no evidence of anything else.
+  double longest_edge(Index v) const
+  {
+    double result = 0.;
+    for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
+      result = (std::max)(result, norm(mesh_.points[connectivity_.ring_vertex[k]] - mesh_.points[v]));
+    return result;
+  }
+
+  // The vertices to whose neighborhood quadrics are fitted across the source, where the distance has a tip: no gradient
+  // comes of that. They are its neighbors, and those on the other side of the edges between neighbors.
+  std::vector<Index> vertices_that_see_the_source() const
+  {
+    std::vector<Index> result;
+    const auto add_across = [&](Index h)
+    {
+      result.push_back(mesh_.source(h));
+      result.push_back(mesh_.target(h));
+      if(!mesh_.is_border_edge(h))
+        result.push_back(mesh_.source(mesh_.previous(mesh_.opposite[h])));
+    };
+    if(source_.vertex == null_index)
+      for(Index i = 0; i < 3; ++i)
+        add_across(3 * source_.location.face + i);
+    else
+      for(Index k = connectivity_.ring_begin[source_.vertex]; k < connectivity_.ring_begin[source_.vertex + 1]; ++k)
+        if(mesh_.source(connectivity_.ring_halfedge[k]) == source_.vertex)
+          add_across(Indexed_triangle_mesh::next(connectivity_.ring_halfedge[k]));
+    return result;
+  }
+
+  // The farthest vertex is on the cut locus of a closed surface. A border vertex may be farthest without being on it:
+  // then the lowest Laplacian is the best guess.
+  Index choose_root() const
+  {
+    if(!connectivity_.is_border(farthest_))
+      return farthest_;
+    Index best = null_index;
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
+      if(!connectivity_.is_border(v) && v != source_.vertex && (best == null_index || laplacian_[v] < laplacian_[best]))
+        best = v;
+    return best != null_index ? best : farthest_;
+  }
+
+  const Indexed_triangle_mesh& mesh_;
+  Mesh_connectivity connectivity_;
+  Tangent_directions tangent_;
+  Differential_operators operators_;
+  Index genus_;
+
+  Indexed_source source_;
+  std::vector<double> distance_;
+  const Geodesic_results* geodesics_ = nullptr;
+  Index farthest_ = null_index;
+  std::vector<float> angle_, laplacian_;
+  std::vector<unsigned char> crossed_; // edges, by descents of the distance
+  Spanning_tree spanning_tree_;
+  Spanning_tree tree_; // the same, thinned
+  Branch_filter filter_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_LAPLACIAN_METHOD_LAPLACIAN_SOLVER_H

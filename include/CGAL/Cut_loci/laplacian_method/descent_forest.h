@@ -1,0 +1,395 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_DESCENT_FOREST_H
+#define CGAL_CUT_LOCI_LAPLACIAN_METHOD_DESCENT_FOREST_H
+
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/laplacian_method/Exact_descent.h>
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
+#include <CGAL/Cut_loci/laplacian_method/Path_flow.h>
+#include <CGAL/Cut_loci/laplacian_method/Steepest_descent.h>
+#include <CGAL/Cut_loci/surface/vector_3.h>
+#include <CGAL/Cut_loci/internal/vertex_queue.h>
+#include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// Follows the ways down from every vertex to the source: the shortest paths where these are known, or else the steepest
+// descent of the distance, linear in each face.
+class Descent_tracer
+{
+public:
+  // `geodesics` may be null
+  Descent_tracer(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                 const std::vector<double>& distance, const Indexed_source& source, const Geodesic_results* geodesics)
+    : mesh_(mesh), connectivity_(connectivity), distance_(distance), descent_(mesh, connectivity, distance_),
+      flow_(mesh, connectivity), place_on_path_(mesh.number_of_halfedges(), null_index),
+      is_root_(mesh.number_of_faces(), 0), is_at_source_(mesh.number_of_vertices(), 0)
+  {
+    if(geodesics != nullptr)
+      exact_.reset(new Exact_descent(mesh, connectivity, *geodesics));
+    claim_source(source);
+    fill_pits();
+  }
+
+  // whether a path crosses each edge
+  std::vector<unsigned char> operator()()
+  {
+    // From the farthest down: long paths come first, and later ones end where they meet one. So hardly any path is
+    // made of many short pieces, each starting anew at a vertex, which would add up to a drift along edges of the mesh.
+    std::vector<Index> order(mesh_.number_of_vertices());
+    std::iota(order.begin(), order.end(), Index(0));
+    std::stable_sort(order.begin(), order.end(), [&](Index v, Index w) { return distance_[v] > distance_[w]; });
+    for(Index v : order)
+      if(!is_at_source_[v])
+        descend(v);
+    return flow_.forest(root_crossings_);
+  }
+
+private:
+  using Outflow = Steepest_descent::Outflow;
+  using Slope = Steepest_descent::Slope;
+  enum class Turn { AT_GOAL, ARRIVED, STUCK };
+
+  // How a path leaves a vertex: along an edge to another one, or through a face.
+  struct Start
+  {
+    Index face = null_index;
+    Index along = null_index;
+    Exact_descent::Way way; // `image` means nothing unless it is exact
+    bool is_exact = false;
+  };
+
+  // The source's faces are the root: those around a vertex, the two of an edge.
+  void claim_source(const Indexed_source& source)
+  {
+    const Source_element element(connectivity_, source);
+    if(element.vertex == null_index)
+    {
+      claim_root(source.location.face);
+      if(element.edge == null_index)
+        return;
+      const Index h = connectivity_.halfedge_of_edge[element.edge];
+      if(mesh_.is_border_edge(h))
+        return;
+      const Index inside = h / 3 == source.location.face ? h : mesh_.opposite[h], o = mesh_.opposite[inside];
+      claim_root(o / 3);
+      root_crossings_.push_back(o);
+      return;
+    }
+    is_at_source_[element.vertex] = 1;
+    // The tree takes the source by the first edge in its ring (see `region_growing_tree()`): no path crosses that one.
+    for(Index k = connectivity_.ring_begin[element.vertex]; k < connectivity_.ring_begin[element.vertex + 1]; ++k)
+    {
+      const Index h = connectivity_.ring_halfedge[k];
+      is_at_source_[connectivity_.ring_vertex[k]] = 1;
+      if(mesh_.source(h) != element.vertex)
+        continue; // the last edge at a border
+      is_root_[h / 3] = 1;
+      if(k > connectivity_.ring_begin[element.vertex])
+        root_crossings_.push_back(h);
+    }
+  }
+
+  void claim_root(Index f)
+  {
+    is_root_[f] = 1;
+    for(Index v : mesh_.triangles[f])
+      is_at_source_[v] = 1;
+  }
+
+  // Where the distance has minima of its own, as that of an approximate solver may, it is raised until it flows over.
+  void fill_pits()
+  {
+    const Index nv = mesh_.number_of_vertices();
+    bool has_pit = false;
+    for(Index v = 0; v < nv && !has_pit; ++v)
+      has_pit = !is_at_source_[v] && !has_lower_neighbor(v);
+    if(!has_pit)
+      return;
+    // a slope that is far below any other, and far above rounding
+    const double step = 1e-6 * connectivity_.mean_edge_length;
+    Vertex_queue queue;
+    std::vector<unsigned char> is_reached(nv, 0);
+    for(Index v = 0; v < nv; ++v)
+      if(is_at_source_[v])
+      {
+        is_reached[v] = 1;
+        queue.push({distance_[v], v});
+      }
+    while(!queue.empty())
+    {
+      const Index v = queue.top().vertex;
+      queue.pop();
+      for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
+      {
+        const Index w = connectivity_.ring_vertex[k];
+        if(is_reached[w])
+          continue;
+        is_reached[w] = 1;
+        distance_[w] = (std::max)(distance_[w], distance_[v] + step);
+        queue.push({distance_[w], w});
+      }
+    }
+  }
+
+  bool has_lower_neighbor(Index v) const
+  {
+    for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
+      if(distance_[connectivity_.ring_vertex[k]] < distance_[v])
+        return true;
+    return false;
+  }
+
+  // Records the path from `v`. An exact one may end in rounding errors: then the other kind does.
+  void descend(Index v)
+  {
+    is_exact_ = exact_ != nullptr;
+    bool arrives = trace(v);
+    if(!arrives && is_exact_)
+    {
+      is_exact_ = false;
+      arrives = trace(v);
+    }
+    if(arrives && !path_.empty())
+      flow_.add(path_);
+  }
+
+  // Sets the path from `v` to the source, or to an older path.
+  bool trace(Index v)
+  {
+    path_.clear();
+    const Start start = leave(v);
+    if(start.face == null_index)
+      return false;
+    Index f = start.face, steps = 0;
+    const bool arrives = is_root_[f] || (start.along != null_index ? arrive(f, start.way.vertex, steps)
+                                                                   : cross_faces(f, start.way, start.is_exact, steps));
+    for(Index h : path_)
+      place_on_path_[h] = null_index;
+    return arrives;
+  }
+
+  Start leave(Index v) const
+  {
+    Start result;
+    if(is_exact_)
+      result.way = exact_->leave(v);
+    result.is_exact = result.way.exists();
+    if(!result.is_exact)
+    {
+      const Outflow out = descent_.outflow(v);
+      if(out.halfedge == null_index)
+        return result;
+      if(out.is_along)
+        result.way.vertex = mesh_.source(out.halfedge) == v ? mesh_.target(out.halfedge) : mesh_.source(out.halfedge);
+      else
+      {
+        result.way.halfedge = mesh_.next(out.halfedge);
+        result.way.place = out.place;
+      }
+    }
+    if(result.way.vertex == null_index)
+      result.face = result.way.halfedge / 3;
+    else
+      for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
+        if(connectivity_.ring_vertex[k] == result.way.vertex)
+        {
+          result.along = connectivity_.ring_halfedge[k];
+          result.face = result.along / 3;
+        }
+    return result;
+  }
+
+  // Leaves `f` across its halfedge `h`; whether there is another face, and where. What leads in a circle is forgotten.
+  bool step(Index& f, Index h)
+  {
+    if(mesh_.is_border_edge(h))
+      return false;
+    while(place_on_path_[h] < path_.size())
+    {
+      place_on_path_[path_.back()] = null_index;
+      path_.pop_back();
+    }
+    place_on_path_[h] = static_cast<Index>(path_.size());
+    path_.push_back(h);
+    f = mesh_.opposite[h] / 3;
+    return true;
+  }
+
+  // Goes on in face `f` towards the end of `way`; false if the source is out of reach.
+  bool cross_faces(Index f, Exact_descent::Way way, bool is_exact, Index& steps)
+  {
+    while(++steps < mesh_.number_of_halfedges())
+    {
+      const Index h = way.halfedge;
+      const Index lower = distance_[mesh_.target(h)] < distance_[mesh_.source(h)] ? mesh_.target(h) : mesh_.source(h);
+      if(mesh_.is_border_edge(h))
+        return arrive(f, lower, steps); // along the border
+      const Index o = mesh_.opposite[h];
+      if(is_root_[o / 3] || flow_.is_recorded(h))
+        return step(f, h);
+      Exact_descent::Way next;
+      if(is_exact)
+        next = exact_->across(way);
+      is_exact = next.exists();
+      if(!is_exact && !descend_across(o, way.place, next))
+        return arrive(f, lower, steps); // the faces on both sides lead to the edge, which leads on
+      if(next.vertex == null_index || (next.vertex != mesh_.source(h) && next.vertex != mesh_.target(h)))
+        step(f, h);
+      if(next.vertex != null_index)
+        return arrive(f, next.vertex, steps);
+      way = next;
+    }
+    return false;
+  }
+
+  // The steepest descent in the face of `o`, from the point at `place` of its opposite.
+  bool descend_across(Index o, double place, Exact_descent::Way& next) const
+  {
+    const Slope s = descent_.slope(o);
+    if(!(s.y > 0.))
+      return false;
+    const double x = (1. - place) * s.length, side = s.x * s.apex_y - s.y * (s.apex_x - x);
+    // the distances of the ends of the edge that is left from the line of descent
+    const double below = s.y * (side > 0. ? s.length - x : x);
+    next.halfedge = side > 0. ? mesh_.next(o) : mesh_.previous(o);
+    next.place = side > 0. ? below / (below + side) : -side / (below - side);
+    return true;
+  }
+
+  // Goes on from vertex `w`, a corner of `f`, around it to where its own way down starts.
+  bool arrive(Index f, Index w, Index& steps)
+  {
+    while(++steps < mesh_.number_of_halfedges())
+    {
+      if(is_at_source_[w])
+        return turn(f, w, [](Index) { return false; }) == Turn::ARRIVED;
+      const Start start = leave(w);
+      if(start.face == null_index)
+        return false;
+      const Turn turned =
+        turn(f, w, [&](Index g) { return g == start.face || (start.along != null_index && has_edge(g, start.along)); });
+      if(turned != Turn::AT_GOAL)
+        return turned == Turn::ARRIVED;
+      if(start.along == null_index)
+        return cross_faces(f, start.way, start.is_exact, steps);
+      w = start.way.vertex;
+    }
+    return false;
+  }
+
+  bool has_edge(Index f, Index h) const
+  {
+    return f == h / 3 || (!mesh_.is_border_edge(h) && f == mesh_.opposite[h] / 3);
+  }
+
+  // the face after `f` around `w`, and the halfedge of `f` between
+  Index neighbor(Index f, Index w, bool is_counterclockwise, Index& h) const
+  {
+    h = 3 * f;
+    while(mesh_.source(h) != w)
+      ++h;
+    if(is_counterclockwise)
+      h = mesh_.previous(h);
+    return mesh_.is_border_edge(h) ? null_index : mesh_.opposite[h] / 3;
+  }
+
+  // Walks around `w` to the first face that is a goal, or one of the source, on the way with fewer faces. An older path
+  // may be met on the way.
+  template <typename Is_goal>
+  Turn turn(Index& f, Index w, const Is_goal& is_goal)
+  {
+    if(is_root_[f])
+      return Turn::ARRIVED;
+    if(is_goal(f))
+      return Turn::AT_GOAL;
+    Index best_steps = null_index;
+    bool best_way = true;
+    for(bool way : {true, false})
+    {
+      Index g = f, h, n = 0;
+      do
+      {
+        g = neighbor(g, w, way, h);
+        ++n;
+      } while(g != null_index && g != f && !is_goal(g) && !is_root_[g]);
+      if(g != null_index && g != f && n < best_steps)
+      {
+        best_steps = n;
+        best_way = way;
+      }
+    }
+    if(best_steps == null_index)
+      return Turn::STUCK;
+    for(Index n = 0; n < best_steps; ++n)
+    {
+      Index h;
+      neighbor(f, w, best_way, h);
+      const bool is_recorded = flow_.is_recorded(h);
+      step(f, h);
+      if(is_recorded)
+        return Turn::ARRIVED;
+    }
+    return is_root_[f] ? Turn::ARRIVED : Turn::AT_GOAL;
+  }
+
+  const Indexed_triangle_mesh& mesh_;
+  const Mesh_connectivity& connectivity_;
+  std::vector<double> distance_; // without pits
+  Steepest_descent descent_;
+  std::unique_ptr<const Exact_descent> exact_; // if shortest paths are known
+  bool is_exact_ = false;                      // whether they are followed
+  Path_flow flow_;
+  std::vector<Index> path_, place_on_path_; // the halfedges that the present one crosses, and the inverse
+  std::vector<Index> root_crossings_;
+  std::vector<unsigned char> is_root_, is_at_source_; // faces and vertices
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * follows the way down from each vertex to the source, and tells for each edge whether such a path crosses it. No
+ * shortest path crosses the cut locus: so the cut locus is looked for among the other edges.
+ *
+ * The paths are the shortest ones if an exact solver has found them. Else they are the steepest descents of the distance,
+ * taken as linear in each face, whatever it comes from; pits that an approximate one may have are filled first. A path
+ * that crosses an edge as an older one did follows that one from there on.
+ *
+ * The faces and the edges that are crossed must form a forest, so that the other edges hold a tree of all vertices and 2g
+ * edges more on a surface of genus g, each border loop being one node. Where paths pass something on both sides, the
+ * crossings by the fewest are given up. Along the border, paths run in its faces. Time is O(n log n).
+ *
+ * @param geodesics what the exact solver found with `distance`, or null
+ *
+ * @return 1 for each edge of `connectivity` that is crossed, 0 for the others
+ */
+inline std::vector<unsigned char> edges_crossed_by_descents(const Indexed_triangle_mesh& mesh,
+                                                            const Mesh_connectivity& connectivity,
+                                                            const std::vector<double>& distance,
+                                                            const Indexed_source& source,
+                                                            const internal::Geodesic_results* geodesics = nullptr)
+{
+  return internal::Descent_tracer(mesh, connectivity, distance, source, geodesics)();
+}
+
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_LAPLACIAN_METHOD_DESCENT_FOREST_H

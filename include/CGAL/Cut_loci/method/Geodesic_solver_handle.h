@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_METHOD_GEODESIC_SOLVER_HANDLE_H
+#define CGAL_CUT_LOCI_METHOD_GEODESIC_SOLVER_HANDLE_H
+
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
+
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// Holds a model of GeodesicSolver of any type.
+class Geodesic_solver_handle
+{
+public:
+  Geodesic_solver_handle() = default;
+
+  template <typename Solver>
+  explicit Geodesic_solver_handle(const Solver& solver)
+    : model_(new Model<Solver>(solver)), gradient_angle_threshold_(own_threshold<Solver>(0)),
+      method_(own_method<Solver>(0))
+  {
+  }
+
+  bool empty() const { return !model_; }
+
+  // the default that the solver asks for, or 0
+  double gradient_angle_threshold() const { return gradient_angle_threshold_; }
+
+  // the method for distances of this solver
+  Method cut_locus_method() const { return method_; }
+
+  // a solver of the same kind for another mesh, which must stay where it is
+  Geodesic_solver_handle bound_to(const Indexed_triangle_mesh& mesh) const
+  {
+    Geodesic_solver_handle result;
+    result.model_ = model_->copy();
+    result.model_->set_mesh(mesh);
+    return result;
+  }
+
+  void compute_distances(const Indexed_source& source, std::vector<double>& distances)
+  {
+    model_->compute_distances(source, distances);
+  }
+
+  // what the package's exact solver found in the last call, or null
+  const Geodesic_results* geodesics() const { return model_->geodesics(); }
+
+private:
+  struct Concept
+  {
+    virtual ~Concept() = default;
+    virtual std::unique_ptr<Concept> copy() const = 0;
+    virtual void set_mesh(const Indexed_triangle_mesh& mesh) = 0;
+    virtual void compute_distances(const Indexed_source& source, std::vector<double>& distances) = 0;
+    virtual const Geodesic_results* geodesics() const = 0;
+  };
+
+  template <typename Solver>
+  struct Model : public Concept
+  {
+    explicit Model(const Solver& s) : solver(s) {}
+    std::unique_ptr<Concept> copy() const override { return std::unique_ptr<Concept>(new Model(solver)); }
+    void set_mesh(const Indexed_triangle_mesh& mesh) override { solver.set_mesh(mesh); }
+    void compute_distances(const Indexed_source& source, std::vector<double>& distances) override
+    {
+      solver.compute_distances(source, distances);
+    }
+    const Geodesic_results* geodesics() const override { return own_geodesics(solver, 0); }
+    Solver solver;
+  };
+
+  template <typename Solver>
+  static auto own_threshold(int) -> decltype(double(Solver::gradient_angle_threshold())) // if it has that
+  {
+    return Solver::gradient_angle_threshold();
+  }
+  template <typename Solver>
+  static double own_threshold(long)
+  {
+    return 0.;
+  }
+
+  template <typename Solver>
+  static auto own_method(int) -> decltype(Method(Solver::cut_locus_method())) // if it has that
+  {
+    return Solver::cut_locus_method();
+  }
+  template <typename Solver>
+  static Method own_method(long)
+  {
+    return Method::LAPLACIAN;
+  } // takes any distances
+
+  template <typename Solver>
+  static auto own_geodesics(const Solver& solver, int) -> decltype(&solver.geodesics()) // if it has them
+  {
+    return &solver.geodesics();
+  }
+  template <typename Solver>
+  static const Geodesic_results* own_geodesics(const Solver&, long)
+  {
+    return nullptr;
+  }
+
+  std::unique_ptr<Concept> model_;
+  double gradient_angle_threshold_ = 0.;
+  Method method_ = Method::LAPLACIAN;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_METHOD_GEODESIC_SOLVER_HANDLE_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_SURFACE_CONNECTED_COMPONENTS_H
+#define CGAL_CUT_LOCI_SURFACE_CONNECTED_COMPONENTS_H
+
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// Labels the faces by edge-connected component, in the order of their first faces.
+inline std::vector<Index> face_components(const Indexed_triangle_mesh& mesh, Index& number_of_components)
+{
+  std::vector<Index> label(mesh.number_of_faces(), null_index), stack;
+  number_of_components = 0;
+  for(Index seed = 0; seed < mesh.number_of_faces(); ++seed)
+  {
+    if(label[seed] != null_index)
+      continue;
+    label[seed] = number_of_components;
+    stack.push_back(seed);
+    while(!stack.empty())
+    {
+      const Index f = stack.back();
+      stack.pop_back();
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        const Index o = mesh.opposite[h];
+        if(o != null_index && label[o / 3] == null_index)
+        {
+          label[o / 3] = number_of_components;
+          stack.push_back(o / 3);
+        }
+      }
+    }
+    ++number_of_components;
+  }
+  return label;
+}
+
+// One component of a mesh as a mesh of its own, with the way back to the indices of the whole.
+struct Mesh_component
+{
+  Indexed_triangle_mesh mesh;
+  std::vector<Index> vertices;
+  std::vector<Index> faces;
+};
+
+inline Mesh_component extract_component(const Indexed_triangle_mesh& mesh, const std::vector<Index>& label,
+                                        Index component)
+{
+  Mesh_component result;
+  std::vector<Index> new_vertex(mesh.number_of_vertices(), null_index), new_face(mesh.number_of_faces(), null_index);
+  for(Index f = 0; f < mesh.number_of_faces(); ++f)
+  {
+    if(label[f] != component)
+      continue;
+    new_face[f] = static_cast<Index>(result.faces.size());
+    result.faces.push_back(f);
+    for(Index v : mesh.triangles[f])
+      new_vertex[v] = 0;
+  }
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+  {
+    if(new_vertex[v] == null_index)
+      continue;
+    new_vertex[v] = static_cast<Index>(result.vertices.size());
+    result.vertices.push_back(v);
+    result.mesh.points.push_back(mesh.points[v]);
+  }
+  result.mesh.triangles.reserve(result.faces.size());
+  result.mesh.opposite.reserve(3 * result.faces.size());
+  for(Index f : result.faces)
+  {
+    const Indexed_triangle_mesh::Triangle& t = mesh.triangles[f];
+    result.mesh.triangles.push_back({{new_vertex[t[0]], new_vertex[t[1]], new_vertex[t[2]]}});
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const Index o = mesh.opposite[h];
+      result.mesh.opposite.push_back(o == null_index ? null_index : 3 * new_face[o / 3] + o % 3);
+    }
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_SURFACE_CONNECTED_COMPONENTS_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_SURFACE_FLAT_TRIANGLES_H
+#define CGAL_CUT_LOCI_SURFACE_FLAT_TRIANGLES_H
+
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/vector_3.h>
+
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// Faces laid out in the plane: the halfedge `h` from the origin along the positive x-axis, its face above.
+
+using Planar_vector = std::array<double, 2>;
+
+inline Planar_vector operator+(const Planar_vector& a, const Planar_vector& b)
+{
+  return {{a[0] + b[0], a[1] + b[1]}};
+}
+inline Planar_vector operator-(const Planar_vector& a, const Planar_vector& b)
+{
+  return {{a[0] - b[0], a[1] - b[1]}};
+}
+inline Planar_vector operator*(double s, const Planar_vector& a)
+{
+  return {{s * a[0], s * a[1]}};
+}
+inline double dot(const Planar_vector& a, const Planar_vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1];
+}
+inline double cross(const Planar_vector& a, const Planar_vector& b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
+inline double norm(const Planar_vector& a)
+{
+  return std::sqrt(dot(a, a));
+}
+
+inline double edge_length(const Indexed_triangle_mesh& mesh, Index h)
+{
+  return norm(mesh.points[mesh.target(h)] - mesh.points[mesh.source(h)]);
+}
+
+// the vertex opposite to `h`
+inline Planar_vector apex(const Indexed_triangle_mesh& mesh, Index h)
+{
+  const Vector& p = mesh.points[mesh.source(h)];
+  const Vector a = mesh.points[mesh.target(h)] - p, b = mesh.points[mesh.source(mesh.previous(h))] - p;
+  const double length = norm(a);
+  return {{dot(a, b) / length, norm(cross(a, b)) / length}};
+}
+
+// the point of given barycentric coordinates in the face of `h`
+inline Planar_vector flat_position(const Indexed_triangle_mesh& mesh, Index h, const std::array<double, 3>& coordinates)
+{
+  const Index i = h % 3;
+  const double along = coordinates[(i + 1) % 3], up = coordinates[(i + 2) % 3];
+  const Planar_vector top = apex(mesh, h);
+  return {{along * edge_length(mesh, h) + up * top[0], up * top[1]}};
+}
+
+inline Vector position(const Indexed_triangle_mesh& mesh, const Indexed_location& location)
+{
+  const Indexed_triangle_mesh::Triangle& t = mesh.triangles[location.face];
+  const std::array<double, 3>& c = location.coordinates;
+  return c[0] * mesh.points[t[0]] + (c[1] * mesh.points[t[1]] + c[2] * mesh.points[t[2]]);
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_SURFACE_FLAT_TRIANGLES_H
