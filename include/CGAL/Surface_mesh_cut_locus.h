@@ -257,16 +257,16 @@ public:
    *   \cgalParamNBegin{cut_locus_curve}
    *     \cgalParamDescription{whether the result is made of edges of the mesh or of segments through its faces}
    *     \cgalParamType{`Cut_loci::Curve`}
-   *     \cgalParamDefault{`Cut_loci::Curve::MESH_EDGES`, unless there is a `number_of_iterations`;
+   *     \cgalParamDefault{`Cut_loci::Curve::MESH_EDGES`, unless there is a `number_of_iterations` above 0;
    *                       `Cut_loci::Curve::THROUGH_FACES` with `Cut_loci::Method::POLYHEDRAL`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{number_of_iterations}
    *     \cgalParamDescription{the number of steps that move the curves from the edges of the mesh onto the cut locus,
-   *                           through the faces, with `Cut_loci::Method::LAPLACIAN`. The other methods find the curve
-   *                           through the faces at once, and any number but 0 asks for it}
+   *                           through the faces}
    *     \cgalParamType{`unsigned int`}
    *     \cgalParamDefault{0, or 4 if `cut_locus_curve` is `Cut_loci::Curve::THROUGH_FACES`}
-   *     \cgalParamExtra{Each step leaves half of the way that the one before has left; 4 are enough.}
+   *     \cgalParamExtra{for `Cut_loci::Method::LAPLACIAN` only: the others find the curve through the faces at once. Each
+   *                     step leaves half of the way that the one before has left; 4 are enough.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{edge_is_constrained_map}
    *     \cgalParamDescription{a property map that is set to `true` for the edges of the mesh on the cut locus; the

@@ -371,17 +371,27 @@ TEST(Bad_input, parameters_that_contradict_each_other_about_the_curve_are_refuse
 {
   using CGAL::Cut_loci::Curve;
   const Built built(jittered_sphere(4, 0.2, 1));
-  for(Method method : {Method::LAPLACIAN, Method::DIRECTION})
+  Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
+  solver.set_source(built.vertices[0]);
+  expect_refused([&] { solver.cut_locus(params::cut_locus_curve(Curve::MESH_EDGES).number_of_iterations(4)); },
+                 {"cut_locus_curve", "number_of_iterations", "contradict"});
+  expect_refused([&] { solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES).number_of_iterations(0)); },
+                 {"cut_locus_curve", "number_of_iterations", "contradict"});
+  EXPECT_EQ(
+    message_of([&] { solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES).number_of_iterations(2)); }),
+    "nothing was thrown");
+}
+
+TEST(Bad_input, iterations_are_refused_by_methods_that_need_none)
+{
+  const Built built(jittered_sphere(4, 0.2, 1));
+  for(Method method : {Method::DIRECTION, Method::POLYHEDRAL})
   {
     Solver solver(built.mesh, params::cut_locus_method(method));
     solver.set_source(built.vertices[0]);
-    expect_refused([&] { solver.cut_locus(params::cut_locus_curve(Curve::MESH_EDGES).number_of_iterations(4)); },
-                   {"cut_locus_curve", "number_of_iterations", "contradict"});
-    expect_refused([&] { solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES).number_of_iterations(0)); },
-                   {"cut_locus_curve", "number_of_iterations", "contradict"});
-    EXPECT_EQ(
-      message_of([&] { solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES).number_of_iterations(2)); }),
-      "nothing was thrown");
+    for(int n : {0, 4})
+      expect_refused([&] { solver.cut_locus(params::number_of_iterations(n)); },
+                     {"number_of_iterations", "THROUGH_FACES", "LAPLACIAN"});
   }
 }
 

@@ -245,7 +245,8 @@ TEST(Cut_open, Bad_input_gives_an_error)
     EXPECT_TRUE(contains(error(Built_mesh<Mesh>(data).mesh, cut_locus), "does not belong to the mesh"));
   EXPECT_NE(error(Mesh(), cut_locus), "");
 
-  const Cut_locus smooth = CGAL::compute_cut_locus(built.mesh, built.vertices[0], params::number_of_iterations(4));
+  const Cut_locus smooth = CGAL::compute_cut_locus(built.mesh, built.vertices[0],
+                                                   params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
   EXPECT_TRUE(contains(error(built.mesh, smooth), "cut_along_curve"));
 
   // a graph of its own: empty, or a part of a cut locus

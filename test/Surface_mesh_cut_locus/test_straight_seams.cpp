@@ -201,7 +201,8 @@ TEST(Straight_seams, Faces_off_the_curve_stay)
 TEST(Straight_seams, Bad_input_gives_an_error)
 {
   const Built_mesh<Mesh> built(torus(1., 0.4, 24, 12, 0.2, 3)), other(jittered_sphere(5, 0.1, 1));
-  const Cut_locus curve = CGAL::compute_cut_locus(built.mesh, built.vertices[0], params::number_of_iterations(4));
+  const Cut_locus curve = CGAL::compute_cut_locus(built.mesh, built.vertices[0],
+                                                  params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
   Mesh output;
   EXPECT_THROW(CGAL::cut_along_curve(other.mesh, curve, output), CGAL::Cut_loci::Invalid_input);
   for(double tolerance : {-1., 0., 1e-9, 0.6, std::nan("")})

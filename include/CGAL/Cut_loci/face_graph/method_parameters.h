@@ -67,6 +67,10 @@ void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
     refuse_unless(is_laplacian, "filter_policy", use_laplacian);
   if(is_given<NamedParameters, np::laplacian_operator_t>())
     refuse_unless(is_laplacian, "laplacian_operator", use_laplacian);
+  if(is_given<NamedParameters, np::number_of_iterations_t>())
+    refuse_unless(is_laplacian, "number_of_iterations",
+                  "pass cut_locus_curve(Cut_loci::Curve::THROUGH_FACES), which needs no iterations, or "
+                  "cut_locus_method(Cut_loci::Method::LAPLACIAN)");
   const std::string use_paths =
     "leave it away, or pass cut_locus_method(Cut_loci::Method::DIRECTION), which needs exact distances";
   if(is_given<NamedParameters, np::minimum_branch_gap_t>())
@@ -158,7 +162,7 @@ Curve_parameters read_curve(const NamedParameters& np, Method method)
   const std::size_t iterations = to_count(
     choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(0)), "number_of_iterations");
   const Curve by_iterations = iterations > 0 ? Curve::THROUGH_FACES : Curve::MESH_EDGES;
-  const Curve by_default = method == Method::POLYHEDRAL && !has_iterations ? Curve::THROUGH_FACES : by_iterations;
+  const Curve by_default = method == Method::POLYHEDRAL ? Curve::THROUGH_FACES : by_iterations;
   const Curve curve = choose_parameter(get_parameter(np, internal_np::cut_locus_curve), by_default);
   if(has_curve && has_iterations && curve != by_iterations)
     throw Invalid_input("the parameters cut_locus_curve and number_of_iterations contradict each other: no iterations "
