@@ -25,7 +25,8 @@ struct Polygon_soup
 struct Repairs
 {
   std::size_t merged_vertices = 0;     // at the place of another one, both on a border
-  std::size_t removed_faces = 0;       // without area, or twice in the file
+  std::size_t removed_faces = 0;       // twice in the file, or of less than three vertices
+  std::size_t flat_faces = 0;          // without area: collapsed, or an edge flipped
   std::size_t reversed_faces = 0;      // so that neighbors agree
   std::size_t duplicated_vertices = 0; // where the surface is not manifold
   std::size_t triangulated_faces = 0;

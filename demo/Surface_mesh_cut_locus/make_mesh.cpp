@@ -26,6 +26,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <unordered_set>
 #include <utility>
@@ -198,13 +199,6 @@ void triangulate(Exact_mesh& mesh, Repairs& repairs)
       triangulate_as_fan(f, mesh);
 }
 
-void remove_flat_faces(Exact_mesh& mesh, Repairs& repairs)
-{
-  const std::size_t before = mesh.number_of_faces();
-  PMP::remove_degenerate_faces(mesh);
-  repairs.removed_faces += before - (std::min)(before, std::size_t(mesh.number_of_faces()));
-}
-
 bool has_flat_face(const Polygon_soup& soup)
 {
   return std::any_of(soup.polygons.begin(), soup.polygons.end(),
@@ -212,9 +206,15 @@ bool has_flat_face(const Polygon_soup& soup)
                      { return !has_area(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]); });
 }
 
-// The numbers of the vertices that get new ones are in `number` first.
+// Makes `polygons` those of a mesh. Vertices that get new ones keep the numbers in `number`. What is a mesh already, as a
+// polygon with two sides, is left as it is.
 void repair_soup(std::vector<std::size_t>& number, Polygons& polygons, Repairs& repairs)
 {
+  if(PMP::is_polygon_soup_a_polygon_mesh(polygons))
+  {
+    PMP::remove_isolated_points_in_polygon_soup(number, polygons);
+    return;
+  }
   const std::size_t faces = polygons.size();
   PMP::repair_polygon_soup(number, polygons, CGAL::parameters::geom_traits(Number_traits()));
   repairs.removed_faces = faces - (std::min)(faces, polygons.size()); // one that touches itself becomes several
@@ -331,8 +331,12 @@ Input_mesh repaired_mesh(const Polygon_soup& soup, const std::vector<std::size_t
     input.repairs.merged_vertices += first[v] != v;
   input.repairs.unused_vertices = static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), false));
 
-  std::vector<std::size_t> number = first;
+  std::vector<std::size_t> number(soup.points.size());
+  std::iota(number.begin(), number.end(), std::size_t(0));
   Polygons polygons = soup.polygons;
+  for(Polygon& polygon : polygons)
+    for(std::size_t& v : polygon)
+      v = first[v];
   repair_soup(number, polygons, input.repairs);
   Exact_mesh mesh = exact_mesh(soup.points, number, polygons);
   triangulate(mesh, input.repairs);
@@ -342,8 +346,9 @@ Input_mesh repaired_mesh(const Polygon_soup& soup, const std::vector<std::size_t
     const Exact_mesh::Halfedge_index h = mesh.halfedge(f);
     return !has_area(point(mesh.source(h)), point(mesh.target(h)), point(mesh.target(mesh.next(h))));
   };
-  if(std::any_of(mesh.faces().begin(), mesh.faces().end(), is_flat))
-    remove_flat_faces(mesh, input.repairs);
+  input.repairs.flat_faces = static_cast<std::size_t>(std::count_if(mesh.faces().begin(), mesh.faces().end(), is_flat));
+  if(input.repairs.flat_faces > 0)
+    PMP::remove_degenerate_faces(mesh);
 
   // vertices that have lost their faces are left behind
   input.vertex.assign(soup.points.size(), Mesh::null_vertex());
@@ -362,7 +367,7 @@ Input_mesh repaired_mesh(const Polygon_soup& soup, const std::vector<std::size_t
   for(std::size_t v = 0; v < first.size(); ++v)
     input.vertex[v] = input.vertex[first[v]];
   input.is_added.assign(input.mesh.number_of_edges(), false);
-  if(input.repairs.triangulated_faces > 0 || input.repairs.removed_faces > 0)
+  if(input.repairs.triangulated_faces > 0 || input.repairs.flat_faces > 0)
     find_added_edges(input, soup.polygons, first);
   return input;
 }
@@ -388,7 +393,9 @@ std::string description(const Repairs& repairs)
   add(repairs.reversed_faces, "face reversed", "faces reversed");
   add(repairs.duplicated_vertices, "vertex added where the surface was not manifold",
       "vertices added where the surface was not manifold");
-  add(repairs.removed_faces, "face removed that was flat or double", "faces removed that were flat or double");
+  add(repairs.removed_faces, "face removed that was double or had a vertex twice",
+      "faces removed that were double or had a vertex twice");
+  add(repairs.flat_faces, "flat face removed", "flat faces removed");
   add(repairs.unused_vertices, "unused vertex dropped", "unused vertices dropped");
   return text;
 }

@@ -50,6 +50,7 @@ Json to_json(const Repairs& repairs, bool may_repair)
   json["reversed_faces"] = repairs.reversed_faces;
   json["added_vertices"] = repairs.duplicated_vertices;
   json["removed_faces"] = repairs.removed_faces;
+  json["flat_faces"] = repairs.flat_faces;
   json["unused_vertices"] = repairs.unused_vertices;
   return json;
 }
