@@ -7,6 +7,8 @@
 #include "Input_mesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -14,6 +16,7 @@
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Projection_traits_3.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
@@ -172,12 +175,7 @@ double scale_to_unit(const Points& points)
   return std::ldexp(1., -exponent);
 }
 
-bool is_triangle(Exact_mesh::Face_index f, const Exact_mesh& mesh)
-{
-  return CGAL::is_triangle(mesh.halfedge(f), mesh);
-}
-
-// Diagonals from one corner: what is left for polygons that fold over themselves.
+// Diagonals from one corner: what is left for polygons that meet themselves.
 void triangulate_as_fan(Exact_mesh::Face_index f, Exact_mesh& mesh)
 {
   const Exact_mesh::Halfedge_index h = mesh.halfedge(f);
@@ -185,17 +183,27 @@ void triangulate_as_fan(Exact_mesh::Face_index f, Exact_mesh& mesh)
     CGAL::Euler::split_face(h, mesh.next(mesh.next(h)), mesh);
 }
 
+// Seen along its normal, as CGAL triangulates it: one that is not simple spoils the mesh.
+bool is_simple(Exact_mesh::Face_index f, const Exact_mesh& mesh)
+{
+  const Exact_kernel::Vector_3 normal = PMP::compute_face_normal(f, mesh);
+  if(normal == CGAL::NULL_VECTOR)
+    return false;
+  std::vector<Exact_kernel::Point_3> corners;
+  for(Exact_mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+    corners.push_back(mesh.point(v));
+  return CGAL::is_simple_2(corners.begin(), corners.end(), CGAL::Projection_traits_3<Exact_kernel>(normal));
+}
+
 void triangulate(Exact_mesh& mesh, Repairs& repairs)
 {
   std::vector<Exact_mesh::Face_index> polygons;
   for(Exact_mesh::Face_index f : mesh.faces())
-    if(!is_triangle(f, mesh))
+    if(!CGAL::is_triangle(mesh.halfedge(f), mesh))
       polygons.push_back(f);
   repairs.triangulated_faces = polygons.size();
-  if(polygons.empty() || PMP::triangulate_faces(polygons, mesh))
-    return;
   for(Exact_mesh::Face_index f : polygons)
-    if(!mesh.is_removed(f) && !is_triangle(f, mesh))
+    if(!(is_simple(f, mesh) && PMP::triangulate_face(f, mesh)))
       triangulate_as_fan(f, mesh);
 }
 
