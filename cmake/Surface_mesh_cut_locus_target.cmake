@@ -1,4 +1,5 @@
-# The package is its headers: a target without files to compile.
+# The package is its headers: a target without files to compile. The second target compiles what does not depend on the
+# type of the mesh once, for projects with many programs.
 get_filename_component(SURFACE_MESH_CUT_LOCUS_ROOT ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
 
 add_library(Surface_mesh_cut_locus INTERFACE)
@@ -12,3 +13,9 @@ target_include_directories(Surface_mesh_cut_locus INTERFACE
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(Surface_mesh_cut_locus INTERFACE CGAL::CGAL CGAL::Eigen3_support)
 target_compile_features(Surface_mesh_cut_locus INTERFACE cxx_std_17)
+
+add_library(Surface_mesh_cut_locus_compiled STATIC EXCLUDE_FROM_ALL
+  ${SURFACE_MESH_CUT_LOCUS_ROOT}/src/Exact_geodesic_propagation.cpp ${SURFACE_MESH_CUT_LOCUS_ROOT}/src/make_solver.cpp)
+add_library(CGAL::Surface_mesh_cut_locus_compiled ALIAS Surface_mesh_cut_locus_compiled)
+target_link_libraries(Surface_mesh_cut_locus_compiled PUBLIC Surface_mesh_cut_locus)
+target_compile_definitions(Surface_mesh_cut_locus_compiled PUBLIC CGAL_CUT_LOCI_SEPARATE_COMPILATION)

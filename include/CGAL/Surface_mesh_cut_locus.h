@@ -303,7 +303,7 @@ public:
     }
     else
     {
-      Exact_tree_solver& solver = *component_->exact_tree;
+      Exact_tree_method& solver = *component_->exact_tree;
       found = solver.filter(read_exact_tree_thresholds(np, default_thresholds(solver), component_->diagonal),
                             curve.curve, mesh_edges);
     }
@@ -317,7 +317,7 @@ public:
   /// the default of `gradient_angle_threshold`, in radians
   static double default_gradient_angle_threshold()
   {
-    return Cut_loci::internal::Component_solver::default_gradient_angle_threshold();
+    return Cut_loci::internal::Laplacian_method::default_gradient_angle_threshold();
   }
   /// the default of `gradient_angle_threshold` for the current source: the geodesic solver may ask for one of its own
   double gradient_angle_threshold() const { return source_angle_threshold_; }
@@ -353,7 +353,7 @@ private:
   bool has_exact_tree() const { return source_result_ && method_ != Cut_loci::Method::LAPLACIAN; }
 
   Cut_loci::internal::Exact_tree_thresholds
-  default_thresholds(const Cut_loci::internal::Exact_tree_solver& solver) const
+  default_thresholds(const Cut_loci::internal::Exact_tree_method& solver) const
   {
     return method_ == Cut_loci::Method::POLYHEDRAL ? Cut_loci::internal::Exact_tree_thresholds()
                                                    : solver.default_thresholds();
@@ -406,7 +406,7 @@ private:
     result->root = component.vertex(solver.root());
     result->farthest = component.vertex(solver.farthest());
     result->genus = solver.genus();
-    result->number_of_border_loops = solver.connectivity().number_of_border_loops;
+    result->number_of_border_loops = solver.number_of_border_loops();
     if(component.is_whole())
       result->distance = solver.distance();
     else
@@ -418,9 +418,9 @@ private:
     source_result_ = result;
   }
 
-  template <typename Solver, typename VertexDistanceMap>
-  void set_distances(Component& component, Solver& solver, const Cut_loci::Indexed_source& source,
-                     const VertexDistanceMap& map)
+  template <typename VertexDistanceMap>
+  void set_distances(Component& component, Cut_loci::internal::Laplacian_method& solver,
+                     const Cut_loci::Indexed_source& source, const VertexDistanceMap& map)
   {
     std::vector<double> distance;
     const Cut_loci::internal::Geodesic_results* geodesics = compute_distances(component, source, distance, map);
@@ -428,20 +428,20 @@ private:
   }
 
   // The package's own solver also finds the directions.
-  void set_distances(Component& component, Cut_loci::internal::Exact_tree_solver& solver,
+  void set_distances(Component& component, Cut_loci::internal::Exact_tree_method& solver,
                      const Cut_loci::Indexed_source& source, internal_np::Param_not_found)
   {
     if(has_own_solver_)
-      Cut_loci::internal::Exact_tree_solver::refuse_distances(method_);
+      Cut_loci::internal::refuse_distances(method_);
     solver.compute_distance(source);
     check_distances(component, solver.distance(), "the geodesic solver returned");
   }
 
   template <typename VertexDistanceMap>
-  void set_distances(Component&, Cut_loci::internal::Exact_tree_solver&, const Cut_loci::Indexed_source&,
+  void set_distances(Component&, Cut_loci::internal::Exact_tree_method&, const Cut_loci::Indexed_source&,
                      const VertexDistanceMap&)
   {
-    Cut_loci::internal::Exact_tree_solver::refuse_distances(method_);
+    Cut_loci::internal::refuse_distances(method_);
   }
 
   Component& component_at(Index id)

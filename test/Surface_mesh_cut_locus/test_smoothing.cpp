@@ -6,7 +6,7 @@
 
 #include "indexed_meshes.h"
 
-#include <CGAL/Cut_loci/internal/Component_solver.h>
+#include <CGAL/Cut_loci/internal/Laplacian_solver.h>
 #include <CGAL/Cut_loci/internal/insert_vertex.h>
 #include <CGAL/Cut_loci/internal/surface_mesh_copy.h>
 #include <CGAL/Cut_loci/smoothing.h>
@@ -318,7 +318,7 @@ struct Smoothed
 template <typename Solver>
 Smoothed smoothed(const Mesh& mesh, Index source_vertex, double angle, Index iterations = 4)
 {
-  Component_solver component(mesh, CGAL::Cut_loci::Laplacian_operator::QUADRATIC_FIT);
+  Laplacian_solver component(mesh, CGAL::Cut_loci::Laplacian_operator::QUADRATIC_FIT);
   Indexed_source source;
   source.vertex = source_vertex;
   source.location = location_of_vertex(component.connectivity(), source_vertex);

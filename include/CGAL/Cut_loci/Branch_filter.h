@@ -7,40 +7,22 @@
 #ifndef CGAL_CUT_LOCI_BRANCH_FILTER_H
 #define CGAL_CUT_LOCI_BRANCH_FILTER_H
 
+#include <CGAL/Cut_loci/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/internal/vector_3.h>
+#include <CGAL/Cut_loci/method_thresholds.h>
 #include <CGAL/Cut_loci/region_growing_tree.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Cut_loci {
-
-/// \ingroup PkgSurfaceMeshCutLocusRef
-/// how a threshold on the strength of the vertices selects a part of the tree
-enum class Filter_policy {
-  PRUNING, ///< leaves below the threshold are removed again and again: a branch stays up to its last strong vertex
-  GROWING  ///< the tree is followed from its root as long as the vertices are above the threshold
-};
-
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
- * holds the thresholds of `Branch_filter`.
- */
-struct Branch_thresholds
-{
-  double gradient_angle = 0.;                                    ///< in radians
-  double laplacian = -(std::numeric_limits<double>::infinity)(); ///< for minus the Laplacian times the mean edge length
-  Filter_policy policy = Filter_policy::PRUNING;
-  Index minimum_edges = 0;    ///< branches of fewer edges are removed
-  double minimum_length = 0.; ///< branches that are shorter are removed
-};
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
@@ -341,6 +323,33 @@ private:
   std::vector<Strength> above_; // the smallest on the way to what is kept at any threshold
 };
 
+namespace internal {
+
+// the graph of mesh edges that a filter has selected
+inline Indexed_cut_locus mesh_edge_graph(const Mesh_connectivity& connectivity, const std::vector<double>& distance,
+                                         const Branch_filter::Result& filtered)
+{
+  Indexed_cut_locus result;
+  result.nodes.resize(filtered.vertices.size());
+  // The vertices of the result are few: a search in a sorted copy costs no table over the mesh.
+  std::vector<std::pair<Index, Index>> position(filtered.vertices.size());
+  for(Index i = 0; i < filtered.vertices.size(); ++i)
+  {
+    const Index v = filtered.vertices[i];
+    result.nodes[i] = {location_of_vertex(connectivity, v), v, distance[v]};
+    position[i] = {v, i};
+  }
+  std::sort(position.begin(), position.end());
+  const auto node = [&](Index v)
+  { return std::lower_bound(position.begin(), position.end(), std::make_pair(v, Index(0)))->second; };
+  result.edges.reserve(filtered.edges.size());
+  for(const Branch_filter::Edge& e : filtered.edges)
+    result.edges.push_back(
+      {node(e.vertex), node(e.parent), e.halfedge, e.strength, static_cast<Index>(result.edges.size())});
+  return result;
+}
+
+} // namespace internal
 } // namespace Cut_loci
 } // namespace CGAL
 

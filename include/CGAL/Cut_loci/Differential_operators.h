@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/method_thresholds.h>
 #include <CGAL/Cut_loci/internal/quadratic_fit.h>
 #include <CGAL/Cut_loci/internal/vector_3.h>
 
@@ -20,13 +21,6 @@
 
 namespace CGAL {
 namespace Cut_loci {
-
-/// \ingroup PkgSurfaceMeshCutLocusRef
-/// the discretization of the Laplace-Beltrami operator
-enum class Laplacian_operator {
-  QUADRATIC_FIT, ///< from a quadric fitted to the extended neighborhood of each vertex \cgalCite{cgal:wylc-dlbod-13}
-  COTANGENT      ///< the cotangent formula \cgalCite{cgal:pp-cdmsc-93} over a third of the area of the faces around
-};
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages

@@ -7,7 +7,6 @@
 #ifndef CGAL_CUT_LOCI_INDEXED_CUT_LOCUS_H
 #define CGAL_CUT_LOCI_INDEXED_CUT_LOCUS_H
 
-#include <CGAL/Cut_loci/Branch_filter.h>
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 
@@ -54,30 +53,6 @@ inline Indexed_location location_of_vertex(const Mesh_connectivity& connectivity
   Indexed_location result;
   result.face = h / 3;
   result.coordinates[h % 3] = 1.;
-  return result;
-}
-
-// the graph of mesh edges that a filter has selected
-inline Indexed_cut_locus mesh_edge_graph(const Mesh_connectivity& connectivity, const std::vector<double>& distance,
-                                         const Branch_filter::Result& filtered)
-{
-  Indexed_cut_locus result;
-  result.nodes.resize(filtered.vertices.size());
-  // The vertices of the result are few: a search in a sorted copy costs no table over the mesh.
-  std::vector<std::pair<Index, Index>> position(filtered.vertices.size());
-  for(Index i = 0; i < filtered.vertices.size(); ++i)
-  {
-    const Index v = filtered.vertices[i];
-    result.nodes[i] = {location_of_vertex(connectivity, v), v, distance[v]};
-    position[i] = {v, i};
-  }
-  std::sort(position.begin(), position.end());
-  const auto node = [&](Index v)
-  { return std::lower_bound(position.begin(), position.end(), std::make_pair(v, Index(0)))->second; };
-  result.edges.reserve(filtered.edges.size());
-  for(const Branch_filter::Edge& e : filtered.edges)
-    result.edges.push_back(
-      {node(e.vertex), node(e.parent), e.halfedge, e.strength, static_cast<Index>(result.edges.size())});
   return result;
 }
 

@@ -15,6 +15,7 @@
 #include <CGAL/Cut_loci/internal/One_sided_distances.h>
 #include <CGAL/Cut_loci/internal/Smoothing_limits.h>
 #include <CGAL/Cut_loci/internal/surface_location.h>
+#include <CGAL/Cut_loci/method_thresholds.h>
 #include <CGAL/Cut_loci/straightest_geodesic.h>
 
 #include <algorithm>
@@ -24,18 +25,6 @@
 
 namespace CGAL {
 namespace Cut_loci {
-
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
- * holds the parameters of `smoothed_cut_locus()`.
- */
-struct Smoothing_parameters
-{
-  Index number_of_iterations = 4;
-  double damping = 0.5;            ///< the part of the way that an iteration leaves: halved with each one
-  Index number_of_relaxations = 1; ///< steps of smoothing in the tangent plane at the end
-};
 
 namespace internal {
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Cut_loci/exact_tree/Unfolded_polygon.h>
 #include <CGAL/Cut_loci/internal/Surface_component.h>
 #include <CGAL/Cut_loci/internal/connected_components.h>
@@ -84,9 +85,8 @@ namespace internal {
 
 // Without vertices at which shortest paths bend, what is left without the cut locus is flat.
 template <typename Read>
-void throw_if_paths_bend(const Read& read, const Surface_component& component)
+void throw_if_paths_bend(const Read& read, const Surface_component& component, const Geodesic_faces& faces)
 {
-  const Geodesic_faces& faces = component.exact_tree->geodesics().faces();
   for(Index v = 0; v < faces.number_of_vertices(); ++v)
   {
     if(!faces.is_pseudo_source(v))
@@ -119,9 +119,9 @@ inline double fold_angle(const Indexed_triangle_mesh& mesh, Index h)
 
 // A source that is placed symmetrically may have branches too close to each other to be told apart. Then it is moved, by
 // more each time.
-inline Unfolded_polygon unfolded_polygon(Surface_component& component, const Indexed_source& wanted)
+inline Unfolded_polygon unfolded_polygon(const Indexed_triangle_mesh& mesh, Exact_tree_solver& solver,
+                                         const Indexed_source& wanted)
 {
-  Exact_tree_solver& solver = *component.exact_tree;
   constexpr std::array<double, 3> part = {{0.4723, 0.1919, 0.3358}};
   for(double shift = 0.;; shift = shift == 0. ? 4e-6 : 4. * shift)
   {
@@ -135,7 +135,7 @@ inline Unfolded_polygon unfolded_polygon(Surface_component& component, const Ind
       solver.grow_tree();
       if(shift > 0. && wanted.vertex != null_index)
         solver.tree().remove_branch_to(wanted.vertex);
-      return Unfolded_polygon(*component.mesh, solver.connectivity(), solver.geodesics(), solver.tree(), wanted);
+      return Unfolded_polygon(mesh, solver.connectivity(), solver.geodesics(), solver.tree(), wanted);
     }
     catch(const Unfolding_failure&)
     {
@@ -303,11 +303,13 @@ auto source_unfolding(const TriangleMesh& tm, const Source& source,
   Index number_of_components = 0;
   const std::vector<Index> labels = internal::face_components(read.mesh, number_of_components);
   internal::Surface_component component(read.mesh, labels, labels[in_mesh.location.face], number_of_components);
-  component.make_solver(Method::POLYHEDRAL, Laplacian_operator::QUADRATIC_FIT, read.mesh, read.positions);
-  internal::throw_if_paths_bend(read, component);
+  std::unique_ptr<internal::Exact_tree_solver> solver;
+  component.name_faults(read.mesh, read.positions,
+                        [&] { solver.reset(new internal::Exact_tree_solver(*component.mesh)); });
+  internal::throw_if_paths_bend(read, component, solver->geodesics().faces());
 
   const Indexed_source in_component = component.local(in_mesh);
-  const internal::Unfolded_polygon polygon = internal::unfolded_polygon(component, in_component);
+  const internal::Unfolded_polygon polygon = internal::unfolded_polygon(*component.mesh, *solver, in_component);
   return internal::Source_unfolding_builder<TriangleMesh, Vertex_point_map>(tm, vpm, read, component)(polygon,
                                                                                                       in_component);
 }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
 #include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/method_thresholds.h>
 
 #include <algorithm>
 #include <vector>
@@ -24,11 +25,9 @@ namespace internal {
  * It is an observer of `Exact_geodesic_propagation`, and keeps no windows. Which faces matter is known at the end only:
  * `Edge_crossings` gets the windows of their edges from a second run.
  */
-class Drawn_faces
+class Drawn_faces : public Geodesic_window_observer
 {
 public:
-  static constexpr bool is_active = true;
-
   std::vector<unsigned char> is_drawn; ///< by face
   /// for other edges, by halfedge of smaller index: see `Label_jumps::bend()`
   std::vector<float> bend;
@@ -40,9 +39,7 @@ public:
   {
   }
 
-  void advance(double) {}
-
-  bool take(Index h, const Geodesic_window_list& list)
+  bool take(Index h, Geodesic_window_list& list) override
   {
     const Index o = faces_.opposite(h);
     is_crossed_[h] = 1;
@@ -57,7 +54,7 @@ public:
   }
 
   /// see `Exact_geodesic_propagation::run()`
-  void take_on_border(Index h, Geodesic_window_list* list)
+  void take_on_border(Index h, Geodesic_window_list* list) override
   {
     jumps_.start(faces_.target(h), faces_.source(h), faces_.length(h)); // in the frame of the opposite
     if(!is_drawn[h / 3] && (jumps_.between_windows(*list) || has_jump_at_end(*list, h, h)))

@@ -45,11 +45,9 @@ struct Edge_ends
  * It is an observer of `Exact_geodesic_propagation`. It keeps the windows of an edge until the front has passed it, so
  * that they take the memory of the front. An edge on which windows arrive after that is late.
  */
-class Edge_crossings
+class Edge_crossings : public Geodesic_window_observer
 {
 public:
-  static constexpr bool is_active = true;
-
   /// @param is_drawn by face; of their edges all changes become known, of other edges none
   /// @param slack how far beyond an edge the front has to be, in sizes of its faces, for its windows to be complete
   Edge_crossings(Exact_geodesic_propagation& geodesics, const std::vector<unsigned char>& is_drawn, double slack)
@@ -61,7 +59,7 @@ public:
 
   // -- while the windows are propagated --------------------------------------------------------------------------------
 
-  void advance(double front)
+  void advance(double front) override
   {
     while(next_ < waiting_.size() && waiting_[next_].until < front)
       divide(waiting_[next_++].halfedge);
@@ -73,7 +71,7 @@ public:
     front_ = front;
   }
 
-  bool take(Index h, Geodesic_window_list& list)
+  bool take(Index h, Geodesic_window_list& list) override
   {
     const Index o = faces_.opposite(h);
     if(!is_needed(h, o))
@@ -97,7 +95,7 @@ public:
 
   /// windows reach the border halfedge `h` from its face; they are given in the frame of the opposite of `h`, which is
   /// not there. Takes over the list.
-  void take_on_border(Index h, Geodesic_window_list* list)
+  void take_on_border(Index h, Geodesic_window_list* list) override
   {
     const bool is_late = (state_[h] & divided) != 0;
     if(is_late || !is_drawn_[h / 3])

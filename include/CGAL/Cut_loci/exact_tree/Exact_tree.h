@@ -18,6 +18,7 @@
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
 #include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/method_thresholds.h>
 
 #include <algorithm>
 #include <cstddef>

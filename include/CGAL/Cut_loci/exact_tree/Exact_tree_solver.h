@@ -18,8 +18,9 @@
 #include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_edge_curve.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
-#include <CGAL/Cut_loci/internal/Component_solver.h>
 #include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/internal/Method_solver.h>
+#include <CGAL/Cut_loci/internal/checked_mesh.h>
 #include <CGAL/Cut_loci/internal/vector_3.h>
 #include <CGAL/Cut_loci/short_branches.h>
 
@@ -36,42 +37,27 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-struct Exact_tree_thresholds : Branch_strength
-{
-  Index minimum_edges = 0;    // branches of fewer edges of the mesh are removed
-  double minimum_length = 0.; // branches that are shorter are removed
-};
-
 // The cut locus of the polyhedron, all of it or pruned, on one connected component.
-class Exact_tree_solver
+class Exact_tree_solver : public Exact_tree_method
 {
 public:
   // once per mesh
   explicit Exact_tree_solver(const Indexed_triangle_mesh& mesh)
-    : mesh_(mesh), connectivity_(mesh), geodesics_(Component_solver::checked(mesh, connectivity_)),
-      diagonal_(diagonal(mesh))
+    : mesh_(mesh), connectivity_(mesh), geodesics_(checked_mesh(mesh, connectivity_)), diagonal_(diagonal(mesh))
   {
     const Default_branch_strength strength(mesh, connectivity_, geodesics_.faces(), diagonal_);
     default_.gap = strength.gap;
     default_.width = strength.width;
   }
 
-  [[noreturn]] static void refuse_distances(Method method)
-  {
-    throw Invalid_input("the method " + std::string(name_of(method)) +
-                        " needs the paths of the package's own exact solver, and not distances alone: leave "
-                        "geodesic_solver and vertex_distance_map away, or pass "
-                        "cut_locus_method(Cut_loci::Method::LAPLACIAN)");
-  }
-
   // for the cut locus of the surface that the polyhedron stands for
-  const Exact_tree_thresholds& default_thresholds() const { return default_; }
+  const Exact_tree_thresholds& default_thresholds() const override { return default_; }
 
   // What does not pass may be left out; `filter()` computes it if it is asked for.
-  void expect(const Branch_strength& least) { least_ = least; }
+  void expect(const Branch_strength& least) override { least_ = least; }
 
   // once per source, in four parts
-  void compute_distance(const Indexed_source& source)
+  void compute_distance(const Indexed_source& source) override
   {
     source_ = source;
     start(source.location);
@@ -79,7 +65,7 @@ public:
     find_farthest();
   }
 
-  void compute_strengths() { tree_->draw_ridges(); }
+  void compute_strengths() override { tree_->draw_ridges(); }
 
   /*
    * Where several shortest paths lead to a vertex at which they bend, all points behind it have several, and where such
@@ -87,7 +73,7 @@ public:
    * need a symmetric placement of the source. Then it is moved, unless what is left out matters more: by far less than
    * the accuracy of any mesh, and far more than that of the windows.
    */
-  void grow_tree()
+  void grow_tree() override
   {
     tree_->join();
     for(int number = 1; number <= 2 && least_.is_none() && !tree_->is_sure(); ++number)
@@ -99,10 +85,10 @@ public:
     }
   }
 
-  void close_cycles() { tree_->order_branches(); }
+  void close_cycles() override { tree_->order_branches(); }
 
   // once per threshold; `edges` becomes the curve of mesh edges, whichever curve is asked for
-  Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges)
+  Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges) override
   {
     if(thresholds.gap < least_.gap || thresholds.width < least_.width)
       compute_more(thresholds);
@@ -132,11 +118,12 @@ public:
   const Mesh_connectivity& connectivity() const { return connectivity_; }
   const Exact_geodesic_propagation& geodesics() const { return geodesics_; }
   Exact_tree& tree() { return *tree_; }
-  const std::vector<double>& distance() const { return distance_; }
-  Index farthest() const { return farthest_; }
-  Index genus() const { return connectivity_.genus(mesh_); }
+  const std::vector<double>& distance() const override { return distance_; }
+  Index farthest() const override { return farthest_; }
+  Index number_of_border_loops() const override { return connectivity_.number_of_border_loops; }
+  Index genus() const override { return connectivity_.genus(mesh_); }
   // the farthest vertex: on a closed surface it is on the cut locus
-  Index root() const { return farthest_; }
+  Index root() const override { return farthest_; }
 
 private:
   static double diagonal(const Indexed_triangle_mesh& mesh)

@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/exact_tree/Path_label.h>
 #include <CGAL/Cut_loci/internal/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/method_thresholds.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,26 +19,6 @@
 namespace CGAL {
 namespace Cut_loci {
 namespace internal {
-
-/// is how strong a branch must be at least, to matter.
-struct Branch_strength
-{
-  double gap = 0.;   // an angle
-  double width = 0.; // a length
-
-  bool is_none() const { return gap == 0. && width == 0.; }
-
-  /*
-   * Of the gap, at this distance from where the paths part. Where the curvature is not negative, two paths of the length
-   * d that part at an angle are never farther apart than that angle times d. Half of it is for places where it is. A gap
-   * needs no such margin, but cycles, which stay whatever the strength, have weak parts; a tenth of a radian finds most
-   * of them.
-   */
-  double least_angle(double distance) const
-  {
-    return (std::min)(0.1, (std::max)(0.1 * gap, distance > 0. ? 0.5 * width / distance : 0.));
-  }
-};
 
 /*!
  * tells whether the cut locus crosses a halfedge where it matters, from the windows alone: where the two paths part at

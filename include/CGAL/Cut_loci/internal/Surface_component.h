@@ -10,10 +10,11 @@
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
-#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
-#include <CGAL/Cut_loci/internal/Component_solver.h>
 #include <CGAL/Cut_loci/internal/Geodesic_solver_handle.h>
+#include <CGAL/Cut_loci/internal/Method_solver.h>
+#include <CGAL/Cut_loci/internal/checked_mesh.h>
 #include <CGAL/Cut_loci/internal/connected_components.h>
+#include <CGAL/Cut_loci/internal/make_solver.h>
 #include <CGAL/Cut_loci/internal/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/internal/vector_3.h>
 
@@ -34,8 +35,8 @@ struct Surface_component
   const Indexed_triangle_mesh* mesh = nullptr; // of the whole if there is just one component
   Mesh_component part;                         // else
   double diagonal = 0.;
-  std::unique_ptr<Component_solver> laplacian;
-  std::unique_ptr<Exact_tree_solver> exact_tree;
+  std::unique_ptr<Laplacian_method> laplacian;
+  std::unique_ptr<Exact_tree_method> exact_tree;
   Geodesic_solver_handle geodesic_solver;
 
   // Component `id` of the mesh whose faces have the components `component_of_face`.
@@ -89,14 +90,26 @@ struct Surface_component
   void make_solver(Method method, Laplacian_operator laplacian_operator, const Indexed_triangle_mesh& whole,
                    const std::vector<Index>& positions)
   {
+    name_faults(whole, positions,
+                [&]
+                {
+      if(method == Method::LAPLACIAN)
+        laplacian = make_laplacian_solver(*mesh, laplacian_operator);
+      else
+        exact_tree = make_exact_tree_solver(*mesh);
+    });
+  }
+
+  // what `read_mesh` throws, in the numbers of the whole mesh
+  template <typename Function>
+  void name_faults(const Indexed_triangle_mesh& whole, const std::vector<Index>& positions,
+                   const Function& read_mesh) const
+  {
     try
     {
-      if(method == Method::LAPLACIAN)
-        laplacian.reset(new Component_solver(*mesh, laplacian_operator));
-      else
-        exact_tree.reset(new Exact_tree_solver(*mesh));
+      read_mesh();
     }
-    catch(const Component_solver::Face_without_area& error)
+    catch(const Face_without_area& error)
     {
       const Index f = face(error.face);
       std::string name = face_name(f) + " (vertices";
@@ -106,7 +119,7 @@ struct Surface_component
                                  "removed or repaired first "
                                  "(CGAL::Polygon_mesh_processing::remove_degenerate_faces() does)");
     }
-    catch(const Component_solver::Non_manifold_vertex& error)
+    catch(const Non_manifold_vertex& error)
     {
       throw Invalid_input(vertex_name(positions[vertex(error.vertex)]) +
                           " is not manifold: its faces form several "

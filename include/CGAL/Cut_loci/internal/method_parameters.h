@@ -7,11 +7,10 @@
 #ifndef CGAL_CUT_LOCI_INTERNAL_METHOD_PARAMETERS_H
 #define CGAL_CUT_LOCI_INTERNAL_METHOD_PARAMETERS_H
 
-#include <CGAL/Cut_loci/Branch_filter.h>
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
-#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
+#include <CGAL/Cut_loci/method_thresholds.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -38,6 +37,14 @@ inline void refuse_parameter(const std::string& name, Method method, const std::
 {
   throw Invalid_input("the parameter " + name + " has no meaning for the method " + name_of(method) +
                       ", which is in force: " + remedy);
+}
+
+[[noreturn]] inline void refuse_distances(Method method)
+{
+  throw Invalid_input("the method " + std::string(name_of(method)) +
+                      " needs the paths of the package's own exact solver, and not distances alone: leave "
+                      "geodesic_solver and vertex_distance_map away, or pass "
+                      "cut_locus_method(Cut_loci::Method::LAPLACIAN)");
 }
 
 // A parameter of another method would be ignored, and the caller would take the result for what it asked for.

@@ -4,20 +4,21 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_INTERNAL_COMPONENT_SOLVER_H
-#define CGAL_CUT_LOCI_INTERNAL_COMPONENT_SOLVER_H
+#ifndef CGAL_CUT_LOCI_INTERNAL_LAPLACIAN_SOLVER_H
+#define CGAL_CUT_LOCI_INTERNAL_LAPLACIAN_SOLVER_H
 
 #include <CGAL/Cut_loci/Branch_filter.h>
 #include <CGAL/Cut_loci/Differential_operators.h>
 #include <CGAL/Cut_loci/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/Tangent_directions.h>
 #include <CGAL/Cut_loci/descent_forest.h>
 #include <CGAL/Cut_loci/gradient_angles.h>
 #include <CGAL/Cut_loci/homology.h>
 #include <CGAL/Cut_loci/internal/Geodesic_results.h>
+#include <CGAL/Cut_loci/internal/Method_solver.h>
+#include <CGAL/Cut_loci/internal/checked_mesh.h>
 #include <CGAL/Cut_loci/internal/vector_3.h>
 #include <CGAL/Cut_loci/region_growing_tree.h>
 #include <CGAL/Cut_loci/smoothing.h>
@@ -34,12 +35,12 @@ namespace Cut_loci {
 namespace internal {
 
 // The pipeline of the paper on one connected component: the stages in their order, on dense indices.
-class Component_solver
+class Laplacian_solver : public Laplacian_method
 {
 public:
   // once per mesh
-  Component_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type)
-    : mesh_(mesh), connectivity_(mesh), tangent_(checked(mesh, connectivity_), connectivity_),
+  Laplacian_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type)
+    : mesh_(mesh), connectivity_(mesh), tangent_(checked_mesh(mesh, connectivity_), connectivity_),
       operators_(mesh, connectivity_, type), genus_(connectivity_.genus(mesh))
   {
     tangent_.align(mesh, connectivity_, operators_.frames);
@@ -49,7 +50,7 @@ public:
   //
   // `geodesics` is what the exact solver found: null, or there until the tree has grown.
   void set_distance(const Indexed_source& source, std::vector<double> distance,
-                    const Geodesic_results* geodesics = nullptr)
+                    const Geodesic_results* geodesics = nullptr) override
   {
     source_ = source;
     geodesics_ = geodesics;
@@ -60,7 +61,7 @@ public:
         farthest_ = v;
   }
 
-  void compute_strengths()
+  void compute_strengths() override
   {
     const Eigen::Map<const Eigen::VectorXd> d(distance_.data(), static_cast<Eigen::Index>(distance_.size()));
     Eigen::VectorXd gradient = operators_.gradient * d;
@@ -83,7 +84,7 @@ public:
     }
   }
 
-  void grow_tree()
+  void grow_tree() override
   {
     crossed_ = edges_crossed_by_descents(mesh_, connectivity_, distance_, source_, geodesics_);
     spanning_tree_ =
@@ -93,25 +94,20 @@ public:
   }
 
   // What the homology demands is found once per source, whatever the thresholds.
-  void close_cycles()
+  void close_cycles() override
   {
     const std::vector<Index> generators =
       homology_generators(mesh_, connectivity_, spanning_tree_, distance_, source_, crossed_);
     filter_ = Branch_filter(mesh_, connectivity_, tree_, spanning_tree_, generators, angle_, laplacian_);
   }
 
-  // In radians. Around the end of a branch, gradients are focused before they cross: a few edges beyond the end they
-  // still meet at half a radian. On tori of 7 K to 113 K faces thresholds from 0.5 to 1 put the ends within 2.5
-  // edges.
-  static double default_gradient_angle_threshold() { return 0.7; }
-
   // once per threshold
-  Indexed_cut_locus filter(const Branch_thresholds& thresholds) const
+  Indexed_cut_locus filter(const Branch_thresholds& thresholds) const override
   {
     return mesh_edge_graph(connectivity_, distance_, filter_(mesh_, thresholds));
   }
 
-  Indexed_cut_locus smoothed(const Indexed_cut_locus& cut_locus, const Smoothing_parameters& parameters) const
+  Indexed_cut_locus smoothed(const Indexed_cut_locus& cut_locus, const Smoothing_parameters& parameters) const override
   {
     return smoothed_cut_locus(mesh_, connectivity_, distance_, cut_locus, parameters);
   }
@@ -119,31 +115,13 @@ public:
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
   const Mesh_connectivity& connectivity() const { return connectivity_; }
   const Differential_operators& operators() const { return operators_; }
-  const std::vector<double>& distance() const { return distance_; }
+  const std::vector<double>& distance() const override { return distance_; }
   const std::vector<float>& gradient_angle() const { return angle_; }
   const std::vector<float>& laplacian() const { return laplacian_; }
-  Index genus() const { return genus_; }
-  Index root() const { return tree_.root; }
-  Index farthest() const { return farthest_; }
-
-  // Faces without area have no tangent plane. Coordinates of the size of a face resolve 2^-53 of it: at 100 times that,
-  // the direction of its normal is noise.
-  static const Indexed_triangle_mesh& checked(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity)
-  {
-    if(!connectivity.first_non_manifold.empty())
-      throw Non_manifold_vertex{connectivity.first_non_manifold.front()};
-    for(Index f = 0; f < mesh.number_of_faces(); ++f)
-    {
-      const Vector &p = mesh.points[mesh.triangles[f][0]], &q = mesh.points[mesh.triangles[f][1]],
-                   &r = mesh.points[mesh.triangles[f][2]];
-      const Vector a = q - p, b = r - p, c = r - q;
-      const double longest = (std::max)({dot(a, a), dot(b, b), dot(c, c)});
-      const double twice_area = norm(cross(a, b));
-      if(!(twice_area > 1e-14 * longest) || !std::isfinite(twice_area))
-        throw Face_without_area{f};
-    }
-    return mesh;
-  }
+  Index number_of_border_loops() const override { return connectivity_.number_of_border_loops; }
+  Index genus() const override { return genus_; }
+  Index root() const override { return tree_.root; }
+  Index farthest() const override { return farthest_; }
 
 private:
   // Around the source the distance is that to a point: the gradient turns by l / d along an edge of length l at the
@@ -191,18 +169,6 @@ private:
     return best != null_index ? best : farthest_;
   }
 
-public:
-  // thrown with the component's index, for the caller to name the element of the input
-  struct Face_without_area
-  {
-    Index face;
-  };
-  struct Non_manifold_vertex
-  {
-    Index vertex;
-  };
-
-private:
   const Indexed_triangle_mesh& mesh_;
   Mesh_connectivity connectivity_;
   Tangent_directions tangent_;
@@ -224,4 +190,4 @@ private:
 } // namespace Cut_loci
 } // namespace CGAL
 
-#endif // CGAL_CUT_LOCI_INTERNAL_COMPONENT_SOLVER_H
+#endif // CGAL_CUT_LOCI_INTERNAL_LAPLACIAN_SOLVER_H

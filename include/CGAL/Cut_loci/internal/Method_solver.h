@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_INTERNAL_METHOD_SOLVER_H
+#define CGAL_CUT_LOCI_INTERNAL_METHOD_SOLVER_H
+
+#include <CGAL/Cut_loci/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/method_thresholds.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+class Geodesic_results;
+
+// What a method does on one connected component, on dense indices. The mesh is read by the constructor; the functions
+// are called in this order, those of a stage once per source.
+class Method_solver
+{
+public:
+  virtual ~Method_solver() = default;
+
+  virtual void compute_strengths() = 0;
+  virtual void grow_tree() = 0;
+  virtual void close_cycles() = 0;
+
+  virtual const std::vector<double>& distance() const = 0;
+  virtual Index root() const = 0;
+  virtual Index farthest() const = 0;
+  virtual Index genus() const = 0;
+  virtual Index number_of_border_loops() const = 0;
+};
+
+// for `Method::LAPLACIAN`
+class Laplacian_method : public Method_solver
+{
+public:
+  // comes first; `geodesics` is what the exact solver found: null, or there until the tree has grown
+  virtual void set_distance(const Indexed_source& source, std::vector<double> distance,
+                            const Geodesic_results* geodesics = nullptr) = 0;
+  virtual Indexed_cut_locus filter(const Branch_thresholds& thresholds) const = 0;
+  virtual Indexed_cut_locus smoothed(const Indexed_cut_locus& cut_locus,
+                                     const Smoothing_parameters& parameters) const = 0;
+
+  // In radians. Around the end of a branch, gradients are focused before they cross: a few edges beyond the end they
+  // still meet at half a radian. On tori of 7 K to 113 K faces thresholds from 0.5 to 1 put the ends within 2.5
+  // edges.
+  static double default_gradient_angle_threshold() { return 0.7; }
+};
+
+// for the others
+class Exact_tree_method : public Method_solver
+{
+public:
+  // for the cut locus of the surface that the polyhedron stands for
+  virtual const Exact_tree_thresholds& default_thresholds() const = 0;
+  // What does not pass may be left out; `filter()` computes it if it is asked for.
+  virtual void expect(const Branch_strength& least) = 0;
+  // comes first, or, of the sources, after `expect()`
+  virtual void compute_distance(const Indexed_source& source) = 0;
+  // `edges` becomes the curve of mesh edges, whichever curve is asked for
+  virtual Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges) = 0;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_INTERNAL_METHOD_SOLVER_H

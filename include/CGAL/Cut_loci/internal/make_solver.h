@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_INTERNAL_MAKE_SOLVER_H
+#define CGAL_CUT_LOCI_INTERNAL_MAKE_SOLVER_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/internal/Method_solver.h>
+#include <CGAL/Cut_loci/internal/separate_compilation.h>
+#include <CGAL/Cut_loci/method_thresholds.h>
+
+#include <memory>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// The mesh must stay where it is.
+std::unique_ptr<Laplacian_method> make_laplacian_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type);
+std::unique_ptr<Exact_tree_method> make_exact_tree_solver(const Indexed_triangle_mesh& mesh);
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#ifndef CGAL_CUT_LOCI_SEPARATE_COMPILATION
+#include <CGAL/Cut_loci/internal/make_solver_impl.h>
+#endif
+
+#endif // CGAL_CUT_LOCI_INTERNAL_MAKE_SOLVER_H

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_INTERNAL_MAKE_SOLVER_IMPL_H
+#define CGAL_CUT_LOCI_INTERNAL_MAKE_SOLVER_IMPL_H
+
+#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
+#include <CGAL/Cut_loci/internal/Laplacian_solver.h>
+#include <CGAL/Cut_loci/internal/make_solver.h>
+
+#include <memory>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+CGAL_CUT_LOCI_INLINE std::unique_ptr<Laplacian_method> make_laplacian_solver(const Indexed_triangle_mesh& mesh,
+                                                                             Laplacian_operator type)
+{
+  return std::unique_ptr<Laplacian_method>(new Laplacian_solver(mesh, type));
+}
+
+CGAL_CUT_LOCI_INLINE std::unique_ptr<Exact_tree_method> make_exact_tree_solver(const Indexed_triangle_mesh& mesh)
+{
+  return std::unique_ptr<Exact_tree_method>(new Exact_tree_solver(mesh));
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_INTERNAL_MAKE_SOLVER_IMPL_H

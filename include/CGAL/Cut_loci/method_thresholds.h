@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_METHOD_THRESHOLDS_H
+#define CGAL_CUT_LOCI_METHOD_THRESHOLDS_H
+
+#include <CGAL/Cut_loci/Indexed_triangle_mesh.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace CGAL {
+namespace Cut_loci {
+
+/// \ingroup PkgSurfaceMeshCutLocusRef
+/// the discretization of the Laplace-Beltrami operator
+enum class Laplacian_operator {
+  QUADRATIC_FIT, ///< from a quadric fitted to the extended neighborhood of each vertex \cgalCite{cgal:wylc-dlbod-13}
+  COTANGENT      ///< the cotangent formula \cgalCite{cgal:pp-cdmsc-93} over a third of the area of the faces around
+};
+
+/// \ingroup PkgSurfaceMeshCutLocusRef
+/// how a threshold on the strength of the vertices selects a part of the tree
+enum class Filter_policy {
+  PRUNING, ///< leaves below the threshold are removed again and again: a branch stays up to its last strong vertex
+  GROWING  ///< the tree is followed from its root as long as the vertices are above the threshold
+};
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * holds the thresholds of `Branch_filter`.
+ */
+struct Branch_thresholds
+{
+  double gradient_angle = 0.;                                    ///< in radians
+  double laplacian = -(std::numeric_limits<double>::infinity)(); ///< for minus the Laplacian times the mean edge length
+  Filter_policy policy = Filter_policy::PRUNING;
+  Index minimum_edges = 0;    ///< branches of fewer edges are removed
+  double minimum_length = 0.; ///< branches that are shorter are removed
+};
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * holds the parameters of `smoothed_cut_locus()`.
+ */
+struct Smoothing_parameters
+{
+  Index number_of_iterations = 4;
+  double damping = 0.5;            ///< the part of the way that an iteration leaves: halved with each one
+  Index number_of_relaxations = 1; ///< steps of smoothing in the tangent plane at the end
+};
+
+namespace internal {
+
+/// is how strong a branch must be at least, to matter.
+struct Branch_strength
+{
+  double gap = 0.;   // an angle
+  double width = 0.; // a length
+
+  bool is_none() const { return gap == 0. && width == 0.; }
+
+  /*
+   * Of the gap, at this distance from where the paths part. Where the curvature is not negative, two paths of the length
+   * d that part at an angle are never farther apart than that angle times d. Half of it is for places where it is. A gap
+   * needs no such margin, but cycles, which stay whatever the strength, have weak parts; a tenth of a radian finds most
+   * of them.
+   */
+  double least_angle(double distance) const
+  {
+    return (std::min)(0.1, (std::max)(0.1 * gap, distance > 0. ? 0.5 * width / distance : 0.));
+  }
+};
+
+struct Exact_tree_thresholds : Branch_strength
+{
+  Index minimum_edges = 0;    // branches of fewer edges of the mesh are removed
+  double minimum_length = 0.; // branches that are shorter are removed
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_METHOD_THRESHOLDS_H
