@@ -16,7 +16,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
-#include <map>
 #include <sstream>
 #include <utility>
 
@@ -95,19 +94,20 @@ void check_overwriting(const Options& options)
   if(!options.uv.empty()) // it has two files more
     for(const char* extension : {".mtl", ".png"})
       outputs.emplace_back(fs::path(options.uv).replace_extension(extension), "--uv");
-  const auto place = [](const fs::path& path)
+  const auto is_same = [](const fs::path& a, const fs::path& b)
   {
     std::error_code error;
-    const fs::path result = fs::weakly_canonical(path, error);
-    return error ? path : result;
+    return fs::equivalent(a, b, error) || fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
   };
-  std::map<fs::path, std::string> option_of = {{place(options.mesh), ""}};
+  std::vector<std::pair<fs::path, std::string>> earlier = {{options.mesh, "the mesh"}};
   for(const auto& [path, option] : outputs)
   {
-    const auto [other, is_new] = option_of.emplace(place(path), option);
-    if(!is_new && !(fs::exists(path) && !fs::is_regular_file(path))) // as /dev/null, which takes several
-      throw Usage_error(option + " would overwrite '" + path.string() + "', " +
-                        (other->second.empty() ? "the mesh" : "which " + other->second + " writes, too"));
+    std::error_code error;
+    const bool is_device = fs::exists(path, error) && !fs::is_regular_file(path, error); // takes several
+    for(const auto& [other, what] : earlier)
+      if(!is_device && is_same(path, other))
+        throw Usage_error(option + " would overwrite '" + path.string() + "', " + what);
+    earlier.emplace_back(path, "which " + option + " writes, too");
   }
 }
 

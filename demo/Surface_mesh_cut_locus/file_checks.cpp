@@ -18,7 +18,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -328,7 +327,9 @@ namespace {
 
 std::string read_all(std::istream& is)
 {
-  return std::string(std::istreambuf_iterator<char>(is), std::istreambuf_iterator<char>());
+  std::ostringstream text;
+  text << is.rdbuf();
+  return text.str();
 }
 
 // The position after comments, where the keyword of the format starts.
@@ -358,4 +359,22 @@ std::string without_attributes(std::istream& is)
   if(keyword != std::string::npos)
     text.replace(start, keyword - start, text.find('4', start) < keyword ? "4" : "");
   return text;
+}
+
+std::string plain_obj(std::istream& is)
+{
+  std::string text = read_all(is);
+  std::replace(text.begin(), text.end(), '\t', ' ');
+  for(std::size_t i = text.find("\\\n"); i != std::string::npos; i = text.find("\\\n", i))
+    text.replace(i, 2, "  ");
+  std::string plain;
+  plain.reserve(text.size());
+  for(std::size_t start = 0, end = 0; start < text.size(); start = end)
+  {
+    end = (std::min)(text.find('\n', start), text.size() - 1) + 1;
+    const std::size_t word = text.find_first_not_of(' ', start);
+    if(word + 1 < end && (text[word] == 'v' || text[word] == 'f') && text[word + 1] == ' ')
+      plain.append(text, word, end - word);
+  }
+  return plain;
 }

@@ -34,4 +34,8 @@ std::string with_swapped_bytes(std::istream& is);
 // fewer numbers than these letters announce.
 std::string without_attributes(std::istream& is);
 
+// The vertices and faces of an OBJ file, one a line, with blanks between words: CGAL refuses keywords that it does not
+// know, as those of lines, and knows neither tabs nor lines that go on in the next one.
+std::string plain_obj(std::istream& is);
+
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_FILE_CHECKS_H

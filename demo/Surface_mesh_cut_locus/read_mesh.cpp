@@ -64,9 +64,14 @@ bool read_binary_OFF(std::istream& is, std::vector<Kernel::Point_3>& points, std
 bool read_file(const std::string& filename, std::vector<Kernel::Point_3>& points,
                std::vector<Bounded_polygon>& polygons)
 {
+  std::ifstream is(filename, std::ios_base::binary);
+  if(file_extension(filename) == ".obj")
+  {
+    std::istringstream plain(plain_obj(is));
+    return CGAL::IO::read_OBJ(plain, points, polygons, CGAL::parameters::verbose(false));
+  }
   if(file_extension(filename) != ".off")
     return CGAL::IO::read_polygon_soup(filename, points, polygons, CGAL::parameters::verbose(false));
-  std::ifstream is(filename, std::ios_base::binary);
   switch(off_layout(filename))
   {
   case Off_layout::BINARY: {

@@ -286,6 +286,12 @@ TEST_F(Input, Binary_OFF_in_both_byte_orders)
     }
 }
 
+TEST_F(Input, OBJ_with_lines_tabs_and_continued_lines)
+{
+  write("a.obj", "o name\nv\t0 0 0\nv 1 0 0 .5 .5 .5\n v 0 1 0\nvt 0 0\nl 1 2\nunknown\nf 1/1 \\\n2//1 3/1/1");
+  EXPECT_EQ(report_on("a.obj").at("faces"), 1);
+}
+
 TEST_F(Input, Broken_files)
 {
   const auto run_on_ply = [&](const std::string& text)
