@@ -209,29 +209,10 @@ std::vector<Sample> samples()
           {"TS", ".ts", text_file("GOCAD TSurf 1\nTFACE\n", "VRTX ", "", "TRGL ", 1, true) + "END\n"}};
 }
 
-const Words nasty_words = {"-1",
-                           "0",
-                           "1",
-                           "3",
-                           "99999",
-                           "4000000000",
-                           "99999999999999999999",
-                           "1e400",
-                           "1e-320",
-                           "nan",
-                           "inf",
-                           "1e7",
-                           "#",
-                           "x",
-                           "end_header",
-                           "property",
-                           "element",
-                           "list",
-                           "OFF",
-                           "f",
-                           "v",
-                           "l 1 2",
-                           "BINARY"};
+const Words nasty_words = {"-1",         "0",        "1",       "3",    "99999", "4000000000", "99999999999999999999",
+                           "1e400",      "1e-320",   "nan",     "inf",  "1e7",   "#",          "x",
+                           "end_header", "property", "element", "list", "OFF",   "f",          "v",
+                           "l 1 2",      "BINARY"};
 
 void damage(std::string& content, Random& random)
 {
