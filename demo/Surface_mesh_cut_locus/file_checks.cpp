@@ -373,7 +373,7 @@ std::string plain_obj(std::istream& is)
   {
     end = (std::min)(text.find('\n', start), text.size() - 1) + 1;
     const std::size_t word = text.find_first_not_of(' ', start);
-    if(word + 1 < end && (text[word] == 'v' || text[word] == 'f') && text[word + 1] == ' ')
+    if(word < end - 1 && (text[word] == 'v' || text[word] == 'f') && text[word + 1] == ' ')
       plain.append(text, word, end - word);
   }
   return plain;
