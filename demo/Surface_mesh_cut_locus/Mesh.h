@@ -13,16 +13,12 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <array>
-#include <string>
 #include <utility>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Location = std::pair<Mesh::Face_index, std::array<double, 3>>;
 using Cut_locus = CGAL::Cut_locus<Mesh, Kernel::Point_3>;
-
-// Reads a mesh whose vertices have the numbers that they have in the file. Throws `std::runtime_error` with the cause.
-Mesh read_mesh(const std::string& filename);
 
 // The point of the mesh that is closest to `p`.
 Location closest_location(const Mesh& mesh, const Kernel::Point_3& p);

@@ -17,10 +17,13 @@
 #include <filesystem>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace po = boost::program_options;
 
 namespace {
+
+constexpr std::size_t maximum_smoothing = 1000;
 
 // Numbers are read as text, so that a message can quote what was given: the library takes -1 for an unsigned number.
 double to_number(const std::string& text, const std::string& option)
@@ -65,6 +68,9 @@ void check_output_path(const std::string& path, const std::string& option)
   namespace fs = std::filesystem;
   if(path.empty())
     throw Usage_error(option + " takes the name of a file, not an empty one");
+  if(path[0] == '-')
+    throw Usage_error(option + " takes the name of a file, not '" + path + "': write './" + path +
+                      "' if that is its name");
   const fs::path folder = fs::path(path).parent_path();
   std::error_code ignored;
   if(!folder.empty() && !fs::is_directory(folder, ignored))
@@ -73,12 +79,49 @@ void check_output_path(const std::string& path, const std::string& option)
     throw Usage_error(option + ": '" + path + "' is a folder");
 }
 
+// No output may replace the mesh, nor another output.
+void check_overwriting(const Options& options)
+{
+  namespace fs = std::filesystem;
+  std::vector<std::pair<fs::path, std::string>> outputs;
+  for(const std::string& output : options.outputs)
+    outputs.emplace_back(output, "-o");
+  for(const auto& [path, option] :
+      {std::make_pair(options.edges, "--edges"), std::make_pair(options.uv, "--uv"),
+       std::make_pair(options.unfold, "--unfold"), std::make_pair(options.report, "--report")})
+    if(!path.empty())
+      outputs.emplace_back(path, option);
+  if(!options.uv.empty()) // it has two files more
+    for(const char* extension : {".mtl", ".png"})
+      outputs.emplace_back(fs::path(options.uv).replace_extension(extension), "--uv");
+  const auto is_same = [](const fs::path& a, const fs::path& b)
+  {
+    std::error_code error;
+    return fs::equivalent(a, b, error) || fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+  };
+  std::vector<std::pair<fs::path, std::string>> earlier = {{options.mesh, "the mesh"}};
+  for(const auto& [path, option] : outputs)
+  {
+    std::error_code error;
+    const bool is_device = fs::exists(path, error) && !fs::is_regular_file(path, error); // takes several
+    for(const auto& [other, what] : earlier)
+      if(!is_device && is_same(path, other))
+        throw Usage_error(option + " would overwrite '" + path.string() + "', " + what);
+    earlier.emplace_back(path, "which " + option + " writes, too");
+  }
+}
+
 po::options_description visible_options()
 {
   constexpr unsigned columns = 110;
   po::options_description description("Options", columns, columns / 2);
-  description.add_options()("source", po::value<std::string>()->value_name("V"),
-                            "vertex of the mesh, counted from 0 (default: the first one that belongs to a face)")(
+  description.add_options()(
+    "repair", po::value<std::string>()->value_name("auto|none")->default_value("auto"),
+    "auto: of any file with faces a mesh of triangles is made, and a line says how; the vertices "
+    "keep the numbers of the file, and edges that are not in it are marked. none: a file that "
+    "needs it is refused")(
+    "source", po::value<std::string>()->value_name("V"),
+    "vertex of the file, counted from 0 (default: the first one of the component with the most faces)")(
     "source-point", po::value<std::string>()->value_name("X,Y,Z"), "the point of the surface closest to x,y,z")(
     "solver", po::value<std::string>()->value_name("NAME")->default_value(default_solver_name()),
     ("geodesic distances by:\n" + solver_descriptions()).c_str())(
@@ -115,13 +158,14 @@ po::options_description visible_options()
     "branches that are shorter are removed, in units of the diagonal of the bounding box (default: 0)")(
     "smooth", po::value<std::string>()->value_name("N"),
     "N steps that move the curves off the edges of the mesh, onto the cut locus, with the method laplacian (default: "
-    "0, or 4 with --curve faces; 4 are enough)")(
+    "0, or 4 with --curve faces; 4 are enough, 1000 the most)")(
     "output,o", po::value<std::vector<std::string>>()->value_name("FILE")->composing(),
     ("write the cut locus; may be given several times. By extension:\n" + output_descriptions()).c_str())(
     "view", po::value<std::string>()->value_name("X,Y,Z"),
     "pictures look from this direction only (default: two that show most)")(
     "edges", po::value<std::string>()->value_name("FILE"),
-    "write its edges as pairs of vertices of the mesh, counted from 0")(
+    "write its edges as pairs of vertices of the file, counted from 0, with the word 'marked' if the edge is not in "
+    "the file")(
     "uv", po::value<std::string>()->value_name("FILE.obj"),
     "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a texture")(
     "parameterization", po::value<std::string>()->value_name("NAME")->default_value("arap"),
@@ -198,7 +242,7 @@ std::string usage()
 {
   std::ostringstream text;
   text << "Usage: cut_locus MESH [OPTION]...\n"
-          "Computes the cut locus of a point on a triangle mesh (.off, .obj, .ply, .stl, .ts).\n\n"
+          "Computes the cut locus of a point on a mesh (.off, .obj, .ply, .stl, .ts).\n\n"
        << visible_options();
   return text.str();
 }
@@ -242,6 +286,10 @@ Options parse_command_line(int argc, char* argv[])
     throw Usage_error("one mesh at a time: '" + meshes[1] + "' is too much");
   options.mesh = meshes.front();
 
+  const std::string repair = text("repair");
+  if(repair != "auto" && repair != "none")
+    throw Usage_error("--repair takes auto or none, not '" + repair + "'");
+  options.may_repair = repair == "auto";
   if(given.count("source"))
     options.source = to_count(text("source"), "--source");
   if(given.count("source-point"))
@@ -276,6 +324,9 @@ Options parse_command_line(int argc, char* argv[])
     options.minimum_branch_width = to_non_negative_number(text("min-branch-width"), "--min-branch-width");
   if(given.count("smooth"))
     options.smoothing = to_count(text("smooth"), "--smooth");
+  if(options.smoothing && *options.smoothing > maximum_smoothing)
+    throw Usage_error("--smooth takes at most " + std::to_string(maximum_smoothing) +
+                      " steps, and 4 are enough: not '" + text("smooth") + "'");
   if(given.count("curve"))
     read_curve(text("curve"), options);
 
@@ -314,5 +365,6 @@ Options parse_command_line(int argc, char* argv[])
   }
   if(given.count("report"))
     check_output_path(options.report = text("report"), "--report");
+  check_overwriting(options);
   return options;
 }

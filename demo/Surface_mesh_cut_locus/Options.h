@@ -20,6 +20,7 @@
 struct Options
 {
   std::string mesh;
+  bool may_repair = true;
   std::optional<std::size_t> source;
   std::optional<std::array<double, 3>> source_point;
   std::string solver;

@@ -6,7 +6,7 @@
 
 // Computes the cut locus of a point on a mesh, and writes it in several formats.
 
-#include "Mesh.h"
+#include "Input_mesh.h"
 #include "Options.h"
 #include "Progress.h"
 #include "atlas.h"
@@ -16,6 +16,7 @@
 #include "solvers.h"
 #include "unfolding.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -32,8 +33,29 @@ using CGAL::Cut_loci::Method;
 
 constexpr std::size_t enough_smoothing = 4; // steps
 
-void set_source(const Options& options, const Mesh& mesh, Cut_locus_solver& solver)
+// The vertex of the mesh with a number of the file.
+Mesh::Vertex_index find_vertex(std::size_t number, const Input_mesh& input)
 {
+  if(number >= input.vertex.size())
+    throw Usage_error("--source " + std::to_string(number) + " is out of range: the mesh has the vertices 0 to " +
+                      std::to_string(input.vertex.size() - 1));
+  const Mesh::Vertex_index v = input.vertex[number];
+  if(v == Mesh::null_vertex())
+    throw Usage_error("--source " + std::to_string(number) +
+                      ": this vertex belongs to no face that has an area, and is not in the repaired mesh (" +
+                      description(input.repairs) + "): another vertex, or --source-point, is needed");
+  return v;
+}
+
+std::size_t largest_component(const Input_mesh& input)
+{
+  const auto& size = input.component_size;
+  return static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+}
+
+void set_source(const Options& options, const Input_mesh& input, Cut_locus_solver& solver)
+{
+  const Mesh& mesh = input.mesh;
   if(options.source_point)
   {
     const auto& p = *options.source_point;
@@ -42,15 +64,18 @@ void set_source(const Options& options, const Mesh& mesh, Cut_locus_solver& solv
   }
   if(options.source)
   {
-    if(*options.source >= mesh.number_of_vertices())
-      throw Usage_error("--source " + std::to_string(*options.source) +
-                        " is out of range: the mesh has the vertices 0 to " +
-                        std::to_string(mesh.number_of_vertices() - 1));
-    solver.set_source(Mesh::Vertex_index(static_cast<Mesh::size_type>(*options.source)));
+    solver.set_source(find_vertex(*options.source, input));
     return;
   }
+  const std::size_t component = largest_component(input);
   Mesh::Vertex_index v(0);
-  while(mesh.is_isolated(v)) // there is a face, thus an end
+  const auto is_in_component = [&]()
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(v); // on the border if there is one
+    const Mesh::Face_index f = h.is_valid() ? mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h) : Mesh::null_face();
+    return f != Mesh::null_face() && input.component[f] == component;
+  };
+  while(!is_in_component()) // it has a face, thus there is an end
     ++v;
   solver.set_source(v);
 }
@@ -118,13 +143,25 @@ Unfolding unfolded(const Mesh& mesh, const Cut_locus& cut_locus)
   return CGAL::Cut_loci::source_unfolding(mesh, source.location);
 }
 
+std::string component_note(const Options& options, const Input_mesh& input, const Cut_locus& cut_locus)
+{
+  const bool is_chosen = options.source || options.source_point;
+  return "the mesh has " + std::to_string(input.component_size.size()) + " components; this is about the one " +
+         (is_chosen ? "of the source" : "with the most faces") + ", " +
+         std::to_string(input.component_size[component_of_source(input, cut_locus)]) + " of " +
+         std::to_string(input.mesh.number_of_faces());
+}
+
 // whether the result is right, as far as it is checked
 bool run(const Options& options)
 {
   Progress progress(options.is_quiet);
-  const Mesh mesh = progress.run("read", [&]() { return read_mesh(options.mesh); });
+  const Input_mesh input = progress.run("read", [&]() { return read_mesh(options.mesh, options.may_repair); });
+  const Mesh& mesh = input.mesh;
+  if(!options.is_quiet && !input.repairs.is_empty())
+    std::cerr << "repaired: " << description(input.repairs) << std::endl;
   const std::unique_ptr<Cut_locus_solver> solver = make_solver(options.solver, options.method, mesh, progress);
-  set_source(options, mesh, *solver);
+  set_source(options, input, *solver);
   // the curve that all is about but files that are for one of the two
   const Curve curve =
     options.curve.value_or(options.smoothing.value_or(0) > 0 ? Curve::THROUGH_FACES : Curve::MESH_EDGES);
@@ -141,9 +178,9 @@ bool run(const Options& options)
                [&]()
                {
     if(drawn)
-      write_outputs(options.outputs, *drawn, mesh, options.view);
+      write_outputs(options.outputs, *drawn, input, options.view);
     if(mesh_edges)
-      write_edges(options.edges, *mesh_edges, mesh);
+      write_edges(options.edges, *mesh_edges, input);
   });
   std::optional<Atlas> atlas;
   if(!options.uv.empty())
@@ -165,10 +202,12 @@ bool run(const Options& options)
   if(options.check)
     progress.run("check", [&]() { checked = check(mesh, cut_locus); });
   if(!options.report.empty())
-    write_report(fill_in_defaults(options, *solver), curve, mesh, cut_locus, atlas, checked, progress);
+    write_report(fill_in_defaults(options, *solver), curve, input, cut_locus, atlas, checked, progress);
   const bool is_right = !checked || checked->topology_fault.empty();
   if(!options.is_quiet)
   {
+    if(input.component_size.size() > 1)
+      std::cerr << component_note(options, input, cut_locus) << std::endl;
     std::cerr << summary(fill_in_defaults(options, *solver), curve, mesh, cut_locus) << std::endl;
     if(atlas)
       std::cerr << summary(*atlas) << std::endl;
@@ -204,6 +243,10 @@ int main(int argc, char* argv[])
   catch(const Usage_error& error)
   {
     return fail(error.what(), wrong_usage);
+  }
+  catch(const Needs_repair& error)
+  {
+    return fail(error.what() + std::string(" (--repair auto takes it)"), EXIT_FAILURE);
   }
   catch(const std::bad_alloc&)
   {

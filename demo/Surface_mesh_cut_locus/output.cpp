@@ -13,6 +13,9 @@
 #include <CGAL/Cut_loci/IO/write_cut_locus.h>
 #include <CGAL/Cut_loci/extract_polylines.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -94,6 +97,20 @@ std::vector<picture::Rendered_view> draw(const Cut_locus& cut_locus, const Mesh&
   return rendered;
 }
 
+bool has_added_edges(const Input_mesh& input)
+{
+  return std::find(input.is_added.begin(), input.is_added.end(), true) != input.is_added.end();
+}
+
+// Marks the edges of the curve that follow edges that are none of the file.
+auto marks(const Cut_locus& cut_locus, const Input_mesh& input)
+{
+  const Cut_locus::Graph& graph = cut_locus.graph();
+  return CGAL::parameters::edge_is_constrained_map(
+    boost::make_function_property_map<boost::graph_traits<Cut_locus::Graph>::edge_descriptor>(
+      [&](const auto& e) { return is_added(graph[e], input); }));
+}
+
 void throw_unless(bool is_written, const std::string& filename)
 {
   if(!is_written)
@@ -123,7 +140,7 @@ std::string output_descriptions()
   return result;
 }
 
-void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& cut_locus, const Mesh& mesh,
+void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& cut_locus, const Input_mesh& input,
                    const std::optional<std::array<double, 3>>& view)
 {
   std::vector<picture::Rendered_view> views; // drawn once for all pictures
@@ -131,17 +148,22 @@ void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& c
   {
     const Format* const format = find_format(filename);
     if(format == nullptr || format->write_picture == nullptr)
-      throw_unless(CGAL::IO::write_cut_locus(filename, cut_locus), filename);
+      throw_unless(has_added_edges(input) ? CGAL::IO::write_cut_locus(filename, cut_locus, marks(cut_locus, input))
+                                          : CGAL::IO::write_cut_locus(filename, cut_locus),
+                   filename);
     else
     {
       if(views.empty())
-        views = draw(cut_locus, mesh, view);
+        views = draw(cut_locus, input.mesh, view);
       format->write_picture(filename, views);
     }
   }
 }
 
-void write_edges(const std::string& filename, const Cut_locus& cut_locus, const Mesh& mesh)
+void write_edges(const std::string& filename, const Cut_locus& cut_locus, const Input_mesh& input)
 {
-  throw_unless(CGAL::IO::write_edges(filename, cut_locus, mesh), filename);
+  const auto number =
+    boost::make_function_property_map<Mesh::Vertex_index>([&](Mesh::Vertex_index v) { return input.number[v]; });
+  throw_unless(CGAL::IO::write_edges(filename, cut_locus, input.mesh, marks(cut_locus, input).vertex_index_map(number)),
+               filename);
 }

@@ -4,95 +4,116 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "Mesh.h"
+#include "Input_mesh.h"
+#include "file_checks.h"
 
+#include <CGAL/IO/OFF/File_scanner_OFF.h>
 #include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 
-#include <algorithm>
-#include <cctype>
-#include <cerrno>
-#include <cstddef>
-#include <cstring>
-
-#include <filesystem>
 #include <fstream>
+#include <istream>
+#include <iterator>
+#include <limits>
+#include <sstream>
 #include <stdexcept>
-#include <vector>
+#include <utility>
 
 namespace {
 
-using Points = std::vector<Kernel::Point_3>;
-using Polygons = std::vector<std::vector<std::size_t>>;
-
-void check_file(const std::string& filename)
+// CGAL's readers make room for as many corners as a damaged file announces.
+class Bounded_polygon : public std::vector<std::size_t>
 {
-  if(std::filesystem::is_directory(filename))
-    throw std::runtime_error("cannot read '" + filename + "': it is a directory");
-  errno = 0;
-  if(!std::ifstream(filename))
-    throw std::runtime_error("cannot read '" + filename + "'" +
-                             (errno ? std::string(": ") + std::strerror(errno) : ""));
-  std::string extension = std::filesystem::path(filename).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  std::vector<std::string> known = {".off", ".obj", ".stl", ".ply", ".ts"};
-#ifdef CGAL_USE_VTK
-  known.push_back(".vtp");
-#endif
-  if(std::find(known.begin(), known.end(), extension) != known.end())
-    return;
-  std::string list;
-  for(const std::string& e : known)
-    list += " " + e;
-  throw std::runtime_error("cannot read '" + filename + "': its extension must be one of" + list);
+public:
+  void resize(std::size_t n)
+  {
+    if(n > maximum)
+      throw std::length_error("a face has more corners than its file has bytes");
+    std::vector<std::size_t>::resize(n);
+  }
+
+  static std::size_t maximum;
+};
+
+std::size_t Bounded_polygon::maximum = (std::numeric_limits<std::size_t>::max)();
+
+// CGAL 5.5 leaves the colors that end a face in the stream, so the faces are read one by one.
+bool read_binary_OFF(std::istream& is, std::vector<Kernel::Point_3>& points, std::vector<Bounded_polygon>& polygons)
+{
+  CGAL::File_scanner_OFF scanner(is);
+  for(std::size_t i = 0; is && i < scanner.size_of_vertices(); ++i)
+  {
+    double x = 0., y = 0., z = 0., w = 1.;
+    scanner.scan_vertex(x, y, z, w);
+    points.emplace_back(x / w, y / w, z / w);
+    scanner.skip_to_next_vertex(i);
+  }
+  for(std::size_t i = 0; is && i < scanner.size_of_facets(); ++i)
+  {
+    std::size_t n = 0;
+    scanner.scan_facet(n, i);
+    polygons.emplace_back();
+    polygons.back().resize(n);
+    for(std::size_t j = 0; is && j < n; ++j)
+      scanner.scan_facet_vertex_index(polygons.back()[j], j + 1, i);
+    if(is)
+      scanner.skip_to_next_facet(i);
+  }
+  return !is.fail();
 }
 
-void check_polygons(const std::string& filename, const Points& points, const Polygons& polygons)
+bool read_file(const std::string& filename, std::vector<Kernel::Point_3>& points,
+               std::vector<Bounded_polygon>& polygons)
 {
-  const std::string where = "'" + filename + "': ";
-  if(points.empty())
-    throw std::runtime_error(where + "there are no vertices in it");
-  if(polygons.empty())
-    throw std::runtime_error(where + "there are no faces in it");
-  for(std::size_t i = 0; i < polygons.size(); ++i)
+  std::ifstream is(filename, std::ios_base::binary);
+  if(file_extension(filename) == ".obj")
   {
-    const std::string face = where + "face #" + std::to_string(i);
-    for(std::size_t v : polygons[i])
-      if(v >= points.size())
-        throw std::runtime_error(face + " refers to a vertex that does not exist");
-    if(polygons[i].size() != 3)
-      throw std::runtime_error(face + " has " + std::to_string(polygons[i].size()) + " sides; all must be triangles");
-    const std::vector<std::size_t>& t = polygons[i];
-    if(t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
-      throw std::runtime_error(face + " has a vertex twice");
+    std::istringstream plain(plain_obj(is));
+    return CGAL::IO::read_OBJ(plain, points, polygons, CGAL::parameters::verbose(false));
   }
-  if(!CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(polygons))
-    throw std::runtime_error(where + "an edge belongs to more than two faces, or to two of opposite orientation");
+  if(file_extension(filename) != ".off")
+    return CGAL::IO::read_polygon_soup(filename, points, polygons, CGAL::parameters::verbose(false));
+  switch(off_layout(filename))
+  {
+  case Off_layout::BINARY: {
+    CGAL::IO::set_binary_mode(is);
+    return read_binary_OFF(is, points, polygons);
+  }
+  case Off_layout::BINARY_LITTLE_ENDIAN: {
+    std::istringstream swapped(with_swapped_bytes(is));
+    CGAL::IO::set_binary_mode(swapped);
+    return read_binary_OFF(swapped, points, polygons);
+  }
+  case Off_layout::TEXT_WITH_ATTRIBUTES: {
+    std::istringstream plain(without_attributes(is));
+    return CGAL::IO::read_OFF(plain, points, polygons, CGAL::parameters::verbose(false));
+  }
+  default:
+    return CGAL::IO::read_OFF(is, points, polygons, CGAL::parameters::verbose(false));
+  }
 }
 
 } // namespace
 
-// A polygon soup keeps the order of the vertices, isolated ones included, and allows to tell what is wrong.
-Mesh read_mesh(const std::string& filename)
+Polygon_soup read_polygon_soup(const std::string& filename)
 {
-  check_file(filename);
-  Points points;
-  Polygons polygons;
-  if(!CGAL::IO::read_polygon_soup(filename, points, polygons, CGAL::parameters::verbose(false)))
-    throw std::runtime_error("cannot read '" + filename + "': it is damaged, or not of the format of its extension");
-  check_polygons(filename, points, polygons);
-
-  Mesh mesh;
-  mesh.reserve(points.size(), 3 * polygons.size(), polygons.size());
-  for(const Kernel::Point_3& p : points)
-    mesh.add_vertex(p);
-  for(std::size_t i = 0; i < polygons.size(); ++i)
+  Bounded_polygon::maximum = check_file(filename);
+  Polygon_soup soup;
+  std::vector<Bounded_polygon> polygons;
+  bool is_read = false;
+  try
   {
-    const auto vertex = [&](int j) { return Mesh::Vertex_index(static_cast<Mesh::size_type>(polygons[i][j])); };
-    if(mesh.add_face(vertex(0), vertex(1), vertex(2)) == Mesh::null_face())
-      throw std::runtime_error("'" + filename + "': face #" + std::to_string(i) +
-                               " meets others at a vertex that is not manifold");
+    is_read = read_file(filename, soup.points, polygons);
   }
-  return mesh;
+  catch(const std::length_error&) // as if it could not be read
+  {
+  }
+  if(!is_read)
+    throw std::runtime_error("cannot read '" + filename + "': it is damaged, or not of the format of its extension");
+  soup.polygons.assign(std::make_move_iterator(polygons.begin()), std::make_move_iterator(polygons.end()));
+  return soup;
+}
+
+Input_mesh read_mesh(const std::string& filename, bool may_repair)
+{
+  return make_mesh(read_polygon_soup(filename), may_repair, filename);
 }

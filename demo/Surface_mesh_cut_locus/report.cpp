@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iomanip>
@@ -39,11 +40,38 @@ double mean_edge_length(const Mesh& mesh)
   return sum / static_cast<double>(mesh.number_of_edges());
 }
 
+Json to_json(const Repairs& repairs, bool may_repair)
+{
+  Json json;
+  json["option"] = may_repair ? "auto" : "none";
+  json["done"] = description(repairs);
+  json["triangulated_polygons"] = repairs.triangulated_faces;
+  json["merged_vertices"] = repairs.merged_vertices;
+  json["reversed_faces"] = repairs.reversed_faces;
+  json["added_vertices"] = repairs.duplicated_vertices;
+  json["removed_faces"] = repairs.removed_faces;
+  json["flat_faces"] = repairs.flat_faces;
+  json["unused_vertices"] = repairs.unused_vertices;
+  return json;
+}
+
+std::size_t count_added_edges(const Input_mesh& input, const Cut_locus& cut_locus)
+{
+  const Cut_locus::Graph& graph = cut_locus.graph();
+  const auto all = CGAL::make_range(edges(graph));
+  return static_cast<std::size_t>(
+    std::count_if(all.begin(), all.end(), [&](const auto& e) { return is_added(graph[e], input); }));
+}
+
 } // namespace
 
-void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Mesh& mesh, const Cut_locus& cut_locus,
-                  const std::optional<Atlas>& atlas, const std::optional<Check>& check, const Progress& progress)
+void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Input_mesh& input,
+                  const Cut_locus& cut_locus, const std::optional<Atlas>& atlas, const std::optional<Check>& check,
+                  const Progress& progress)
 {
+  const Mesh& mesh = input.mesh;
+  const auto number = [&](Mesh::Vertex_index v)
+  { return v == Mesh::null_vertex() ? Json(nullptr) : Json(input.number[v]); };
   const CGAL::Cut_loci::Cut_locus_statistics statistics = CGAL::Cut_loci::compute_statistics(cut_locus);
   const Cut_locus::Vertex& source = cut_locus.source();
   const Mesh::Vertex_index farthest = cut_locus.farthest_vertex();
@@ -54,17 +82,21 @@ void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Mes
   report["vertices"] = mesh.number_of_vertices();
   report["faces"] = mesh.number_of_faces();
   report["mean_edge_length"] = mean_edge_length(mesh);
+  report["repair"] = to_json(input.repairs, options.may_repair);
+  report["components_of_mesh"] = input.component_size.size();
+  report["faces_of_component"] = input.component_size[component_of_source(input, cut_locus)];
   report["genus"] = cut_locus.genus();
   report["border_loops"] = cut_locus.number_of_border_loops();
 
-  report["source"] = source.mesh_vertex == Mesh::null_vertex() ? Json(nullptr) : Json(source.mesh_vertex.idx());
+  report["source"] = number(source.mesh_vertex);
   report["source_point"] = to_json(source.point);
-  report["farthest"] = farthest.idx();
+  report["farthest"] = number(farthest);
   report["farthest_distance"] = cut_locus.distance(farthest);
-  report["root"] = root == Mesh::null_vertex() ? Json(nullptr) : Json(root.idx());
+  report["root"] = number(root);
 
   report["note"] = CGAL::Cut_loci::description(statistics.status);
   report["edges"] = statistics.edges;
+  report["edges_not_in_file"] = count_added_edges(input, cut_locus);
   report["cycles"] = statistics.cycles;
   report["components"] = statistics.components;
   report["leaves"] = statistics.leaves;

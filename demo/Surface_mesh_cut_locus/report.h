@@ -7,7 +7,7 @@
 #ifndef SURFACE_MESH_CUT_LOCUS_DEMO_REPORT_H
 #define SURFACE_MESH_CUT_LOCUS_DEMO_REPORT_H
 
-#include "Mesh.h"
+#include "Input_mesh.h"
 #include "Options.h"
 #include "Progress.h"
 #include "atlas.h"
@@ -16,9 +16,11 @@
 #include <optional>
 #include <string>
 
-// Writes figures of a cut locus, made of edges or not, and times as JSON; `options` have all defaults filled in. Throws `std::runtime_error` if the file can not be written.
-void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Mesh& mesh, const Cut_locus& cut_locus,
-                  const std::optional<Atlas>& atlas, const std::optional<Check>& check, const Progress& progress);
+// Writes figures of a cut locus, made of edges or not, and times as JSON; vertices have the numbers of the file, and
+// `options` have all defaults filled in. Throws `std::runtime_error` if the report can not be written.
+void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Input_mesh& input,
+                  const Cut_locus& cut_locus, const std::optional<Atlas>& atlas, const std::optional<Check>& check,
+                  const Progress& progress);
 
 // One line for people; `options` have all defaults filled in.
 std::string summary(const Options& options, CGAL::Cut_loci::Curve curve, const Mesh& mesh, const Cut_locus& cut_locus);

@@ -143,7 +143,9 @@ public:
     visitor_ = Cut_loci::internal::Visitor_handle(
       choose_parameter(get_parameter(np, internal_np::visitor), Cut_loci::Default_visitor()));
     const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
-    read_ = std::make_shared<Read>(Cut_loci::internal::read_triangle_mesh(tm, vpm_));
+    const auto read = std::make_shared<Read>(Cut_loci::internal::read_triangle_mesh(tm, vpm_));
+    Cut_loci::internal::normalize_lengths(*read);
+    read_ = read;
     component_of_face_ = Cut_loci::internal::face_components(read_->mesh, number_of_components_);
   }
 
@@ -476,8 +478,9 @@ private:
   {
     distance.resize(component.mesh->number_of_vertices());
     for(Index v = 0; v < distance.size(); ++v)
-      distance[v] = to_double(get(internal_np::get_reference(map), read_->vertices[component.vertex(v)]));
+      distance[v] = to_double(get(internal_np::get_reference(map), read_->vertices[component.vertex(v)])) / read_->unit;
     check_distances(component, distance, "the vertex distance map holds");
+    check_range(component, distance);
     return nullptr;
   }
 
@@ -490,6 +493,19 @@ private:
       if(!std::isfinite(distance[v]))
         throw Cut_loci::Invalid_input(who + " a distance that is not a finite number for " +
                                       Cut_loci::internal::vertex_name(read_->positions[component.vertex(v)]));
+  }
+
+  // No shortest path is longer than one of edges, which passes each of them once at most. What is longer may also be too
+  // large to compute with.
+  void check_range(const Component& component, const std::vector<double>& distance) const
+  {
+    const double longest = component.sum_of_edge_lengths();
+    for(Index v = 0; v < distance.size(); ++v)
+      if(distance[v] < 0. || distance[v] > longest)
+        throw Cut_loci::Invalid_input("the vertex distance map holds a distance that is " +
+                                      std::string(distance[v] < 0. ? "negative" : "longer than all edges together") +
+                                      " for " + Cut_loci::internal::vertex_name(read_->positions[component.vertex(v)]) +
+                                      ": it must hold the geodesic distances to the source, in the unit of the points");
   }
 
   void mark_edges(const Cut_loci::Indexed_cut_locus&, internal_np::Param_not_found) const {}

@@ -153,7 +153,13 @@ public:
   /// @{
 
   /// stops the propagation at this distance; what is further away is not reached. Infinite by default.
-  void set_maximum_distance(FT distance) { options_.maximum_distance = distance; }
+  /// \throws Cut_loci::Invalid_input if `distance` is negative or not a number
+  void set_maximum_distance(FT distance)
+  {
+    if(!(distance >= 0.))
+      throw Cut_loci::Invalid_input("the maximum distance must not be negative");
+    options_.maximum_distance = distance;
+  }
 
   /// allows distances to be too long, by this times their length; zero by default.
   ///

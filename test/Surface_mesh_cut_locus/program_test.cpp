@@ -6,19 +6,16 @@
 
 // Runs the program as a user would, and looks at its exit status, messages and files.
 
+#include "program_fixture.h"
+
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
 
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -28,106 +25,6 @@
 #include <vector>
 
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Outcome
-{
-  int status = -1;
-  std::string messages; // both streams
-};
-
-std::string quoted(const std::string& text)
-{
-  return "'" + text + "'";
-}
-
-std::string read_file(const fs::path& path)
-{
-  std::ifstream is(path, std::ios_base::binary);
-  return std::string((std::istreambuf_iterator<char>(is)), std::istreambuf_iterator<char>());
-}
-
-class Program : public ::testing::Test
-{
-protected:
-  using Triangle = std::array<int, 3>;
-
-  void SetUp() override
-  {
-    const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder_ = fs::path(::testing::TempDir()) / ("cut_locus_program_" + name);
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    write_torus();
-  }
-
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
-
-  Outcome run(const std::string& arguments) const
-  {
-    Outcome outcome;
-    const std::string command = quoted(CUT_LOCUS_PROGRAM) + " " + arguments + " 2>&1 < /dev/null";
-    FILE* const pipe = popen(command.c_str(), "r");
-    if(pipe == nullptr)
-      return outcome;
-    std::array<char, 4096> buffer;
-    for(std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-      outcome.messages.append(buffer.data(), n);
-    const int status = pclose(pipe);
-    if(WIFEXITED(status))
-      outcome.status = WEXITSTATUS(status);
-    return outcome;
-  }
-
-  Outcome run_on_torus(const std::string& arguments) const { return run(quoted(path("torus.off")) + " " + arguments); }
-
-  // One line that starts with the program's name and holds `part`.
-  void expect_failure(const Outcome& outcome, const std::string& part) const
-  {
-    EXPECT_TRUE(outcome.status == 1 || outcome.status == 2) << outcome.status << "\n" << outcome.messages;
-    EXPECT_EQ(outcome.messages.compare(0, 11, "cut_locus: "), 0) << outcome.messages;
-    EXPECT_NE(outcome.messages.find(part), std::string::npos) << outcome.messages << "does not contain: " << part;
-    EXPECT_EQ(std::count(outcome.messages.begin(), outcome.messages.end(), '\n'), 1) << outcome.messages;
-  }
-
-  fs::path folder_;
-  int number_of_vertices_ = 0;
-  std::vector<Triangle> triangles_;
-
-private:
-  // Vertex 0 is isolated: it keeps its number.
-  void write_torus()
-  {
-    const int n = 24, m = 12;
-    std::ostringstream text;
-    text.precision(17);
-    number_of_vertices_ = n * m + 1;
-    text << "OFF\n" << number_of_vertices_ << ' ' << 2 * n * m << " 0\n9 9 9\n";
-    const double pi = std::acos(-1.);
-    for(int i = 0; i < n; ++i)
-      for(int j = 0; j < m; ++j)
-      {
-        const double u = 2. * pi * i / n, w = 2. * pi * (j + 0.1 * std::sin(5. * i)) / m, r = 1. + 0.4 * std::cos(w);
-        text << r * std::cos(u) << ' ' << r * std::sin(u) << ' ' << 0.4 * std::sin(w) << '\n';
-      }
-    const auto vertex = [&](int i, int j) { return 1 + (i % n) * m + j % m; };
-    triangles_.clear();
-    for(int i = 0; i < n; ++i)
-      for(int j = 0; j < m; ++j)
-      {
-        triangles_.push_back({{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)}});
-        triangles_.push_back({{vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)}});
-      }
-    for(const Triangle& t : triangles_)
-      text << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
-    write("torus.off", text.str());
-  }
-};
 
 class Union_find
 {
@@ -176,6 +73,7 @@ TEST_F(Program, Help)
                             "--parameterization",
                             "--report",
                             "--check",
+                            "--repair",
                             "--quiet"})
     EXPECT_NE(outcome.messages.find(option), std::string::npos) << option;
 }
@@ -659,6 +557,8 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--method laplacian --policy shrink"), "--policy takes");
   expect_failure(run_on_torus("--min-branch-edges 1.5"), "--min-branch-edges takes");
   expect_failure(run_on_torus("--min-branch-length=-2"), "--min-branch-length takes");
+  expect_failure(run_on_torus("--repair some"), "--repair takes auto or none");
+  expect_failure(run_on_torus("--method laplacian --smooth 999999999"), "--smooth takes at most");
 }
 
 TEST_F(Program, Wrong_outputs)
@@ -668,30 +568,13 @@ TEST_F(Program, Wrong_outputs)
   expect_failure(run_on_torus("-o " + quoted(path("no/such/folder/a.obj"))), "there is no folder");
   expect_failure(run_on_torus("--edges " + quoted(folder_.string())), "is a folder");
   expect_failure(run_on_torus("--report ''"), "empty");
+  expect_failure(run_on_torus("--edges --quiet"), "'--quiet'");
+  expect_failure(run_on_torus("--edges " + quoted(path("torus.off"))), "overwrite");
+  expect_failure(run_on_torus("--report " + quoted(path("a.txt")) + " --edges " + quoted(path("./a.txt"))),
+                 "which --edges writes, too");
+  fs::create_hard_link(path("torus.off"), path("torus.obj"));
+  expect_failure(run_on_torus("-o " + quoted(path("torus.obj"))), "overwrite");
+  EXPECT_EQ(run_on_torus("--quiet --edges /dev/null --report /dev/null").status, 0);
   if(fs::exists("/dev/full"))
     expect_failure(run_on_torus("--quiet --solver heat --report /dev/full"), "cannot write");
-}
-
-TEST_F(Program, Wrong_meshes)
-{
-  const auto run_on = [&](const std::string& name) { return run("--quiet " + quoted(path(name))); };
-  const auto run_on_text = [&](const std::string& text)
-  {
-    write("a.off", text);
-    return run_on("a.off");
-  };
-  expect_failure(run_on("missing.off"), "cannot read");
-  expect_failure(run_on("."), "directory");
-  write("a.xyz", "1 2 3\n");
-  expect_failure(run_on("a.xyz"), "extension");
-  expect_failure(run_on_text(""), "cannot read");
-  expect_failure(run_on_text("OFF\n3 1 0\n0 0 0\n1 0"), "cannot read");
-  expect_failure(run_on_text("OFF\n0 0 0\n"), "no vertices");
-  expect_failure(run_on_text("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"), "no faces");
-  expect_failure(run_on_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"), "cannot read");
-  expect_failure(run_on_text("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"), "triangles");
-  expect_failure(run_on_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1\n"), "twice");
-  expect_failure(run_on_text("OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n"), "edge");
-  expect_failure(run_on_text("OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n"), "no area");
-  expect_failure(run("--quiet --source 0 " + quoted(path("torus.off"))), "isolated");
 }

@@ -198,6 +198,8 @@ TEST(Bounded_error, has_no_directions_and_paths)
                                        std::array<Index, 3>{{1, 2, 3}}, std::array<Index, 3>{{2, 0, 3}}})
     mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
   CGAL::Surface_mesh_exact_geodesics<Surface_mesh> geodesics(mesh);
+  for(double bad : {-1., std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(geodesics.set_maximum_distance(bad), Invalid_input);
   EXPECT_THROW(geodesics.set_maximum_relative_error(-0.1), Invalid_input);
   EXPECT_THROW(geodesics.set_maximum_relative_error(std::numeric_limits<double>::quiet_NaN()), Invalid_input);
   geodesics.set_maximum_relative_error(0.1);

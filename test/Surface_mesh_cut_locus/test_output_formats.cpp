@@ -18,6 +18,8 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -342,6 +344,40 @@ TEST(Output_formats, Edges_of_the_mesh)
             mesh.source(on_mesh.mesh_halfedge));
   EXPECT_EQ(*std::next(mesh.vertices_begin(), static_cast<std::ptrdiff_t>(numbers[1])),
             mesh.target(on_mesh.mesh_halfedge));
+
+  const auto number =
+    boost::make_function_property_map<Mesh::Vertex_index>([&](Mesh::Vertex_index v) { return v == first ? 70 : 80; });
+  const auto always = CGAL::Static_boolean_property_map<boost::graph_traits<Graph>::edge_descriptor, true>();
+  std::ostringstream marked;
+  ASSERT_TRUE(CGAL::IO::write_edges(marked, cut_locus, mesh,
+                                    CGAL::parameters::vertex_index_map(number).edge_is_constrained_map(always)));
+  EXPECT_EQ(marked.str().substr(5), " marked\n") << marked.str();
+  EXPECT_EQ(marked.str().find_first_not_of("780 marked\n"), std::string::npos) << marked.str();
+}
+
+TEST(Output_formats, Marked_edges)
+{
+  const Cut_locus cut_locus = closed();
+  const Graph& graph = cut_locus.graph();
+  const auto is_marked = boost::make_function_property_map<boost::graph_traits<Graph>::edge_descriptor>(
+    [&](const auto& e) { return source(e, graph) == 1 || target(e, graph) == 1; });
+  const auto count = [](const std::string& text, const std::string& part)
+  {
+    std::size_t n = 0;
+    for(std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1))
+      ++n;
+    return n;
+  };
+  std::ostringstream ply, vtp, obj, plain;
+  const auto np = CGAL::parameters::edge_is_constrained_map(is_marked);
+  EXPECT_TRUE(CGAL::IO::write_PLY(ply, cut_locus, np) && CGAL::IO::write_VTP(vtp, cut_locus, np) &&
+              CGAL::IO::write_OBJ(obj, cut_locus, np) && CGAL::IO::write_PLY(plain, cut_locus));
+  EXPECT_EQ(count(ply.str(), "property uchar marked\n"), 1u);
+  EXPECT_EQ(count(ply.str(), " 1\n"), 2u);
+  EXPECT_EQ(count(ply.str(), " 0\n"), 2u);
+  EXPECT_NE(vtp.str().find("Name=\"marked\" format=\"ascii\">\n1\n1\n0\n0\n"), std::string::npos) << vtp.str();
+  EXPECT_EQ(count(obj.str(), "# marked "), 2u);
+  EXPECT_EQ(count(plain.str(), "marked"), 0u);
 }
 
 TEST(Output_formats, The_extension_names_the_format)

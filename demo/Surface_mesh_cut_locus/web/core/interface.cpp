@@ -7,6 +7,7 @@
 // The functions that the page's worker calls. All return 1, or 0 after an error, whose message `last_error` gives.
 // Results are read from arrays of the session; their numbers are those in src/arrays.js.
 
+#include "../../Input_mesh.h"
 #include "Session.h"
 #include "report_stage.h"
 #include "samples.h"
@@ -143,7 +144,7 @@ EMSCRIPTEN_KEEPALIVE std::size_t array_size(int id)
 
 EMSCRIPTEN_KEEPALIVE int load_file(const char* filename)
 {
-  return run([&] { session.load(read_mesh(filename)); });
+  return run([&] { session.load(read_mesh(filename, false).mesh); });
 }
 
 EMSCRIPTEN_KEEPALIVE int load_sample(const char* name, double number_of_faces)

@@ -36,6 +36,12 @@ namespace IO {
  *     \cgalParamType{int}
  *     \cgalParamDefault{17, with which every `double` is read back as it was}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{a property map of the edges of the graph that are to be marked, each by a comment `# marked` with its two vertices}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<Cut_locus::Graph>::%edge_descriptor`
+ *                    as key type and `bool` as value type}
+ *     \cgalParamDefault{none: nothing is written about marks}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * @return `true` if all has been written
@@ -59,6 +65,10 @@ bool write_OBJ(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_loc
       os << ' ' << v + 1;
     os << '\n';
   }
+  const auto is_marked = Cut_loci::internal::edge_marks(graph, np);
+  for(auto e : CGAL::make_range(edges(graph)))
+    if(is_marked(e))
+      os << "# marked " << source(e, graph) + 1 << ' ' << target(e, graph) + 1 << '\n';
   return os.good();
 }
 

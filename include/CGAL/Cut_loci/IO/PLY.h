@@ -34,6 +34,12 @@ namespace IO {
  *     \cgalParamType{int}
  *     \cgalParamDefault{17, with which every `double` is read back as it was}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{a property map of the edges of the graph that are to be marked, by 1 in the property `marked` of the element `edge`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<Cut_locus::Graph>::%edge_descriptor`
+ *                    as key type and `bool` as value type}
+ *     \cgalParamDefault{none: nothing is written about marks}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * @return `true` if all has been written
@@ -44,18 +50,25 @@ bool write_PLY(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_loc
 {
   const auto& graph = cut_locus.graph();
   const Cut_loci::internal::Stream_format format(os, np);
+  const auto is_marked = Cut_loci::internal::edge_marks(graph, np);
   os << "ply\nformat ascii 1.0\n"
      << "element vertex " << num_vertices(graph)
      << "\nproperty double x\nproperty double y\nproperty double z\nproperty double distance\n"
      << "element edge " << num_edges(graph)
-     << "\nproperty int vertex1\nproperty int vertex2\nproperty double strength\nend_header\n";
+     << "\nproperty int vertex1\nproperty int vertex2\nproperty double strength\n"
+     << (is_marked.is_given() ? "property uchar marked\n" : "") << "end_header\n";
   for(auto v : CGAL::make_range(vertices(graph)))
   {
     Cut_loci::internal::write_point(os, graph[v].point);
     os << ' ' << graph[v].distance << '\n';
   }
   for(auto e : CGAL::make_range(edges(graph)))
-    os << source(e, graph) << ' ' << target(e, graph) << ' ' << graph[e].strength << '\n';
+  {
+    os << source(e, graph) << ' ' << target(e, graph) << ' ' << graph[e].strength;
+    if(is_marked.is_given())
+      os << (is_marked(e) ? " 1" : " 0");
+    os << '\n';
+  }
   return os.good();
 }
 

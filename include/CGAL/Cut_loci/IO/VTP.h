@@ -37,6 +37,12 @@ namespace IO {
  *     \cgalParamType{int}
  *     \cgalParamDefault{17, with which every `double` is read back as it was}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{a property map of the edges of the graph that are to be marked, by 1 in the array `marked` of the cells}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<Cut_locus::Graph>::%edge_descriptor`
+ *                    as key type and `bool` as value type}
+ *     \cgalParamDefault{none: nothing is written about marks}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * @return `true` if all has been written
@@ -47,6 +53,7 @@ bool write_VTP(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_loc
 {
   const auto& graph = cut_locus.graph();
   const Cut_loci::internal::Stream_format format(os, np);
+  const auto is_marked = Cut_loci::internal::edge_marks(graph, np);
   std::vector<std::size_t> isolated;
   for(auto v : CGAL::make_range(vertices(graph)))
     if(degree(v, graph) == 0)
@@ -79,6 +86,15 @@ bool write_VTP(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_loc
   for(auto e : CGAL::make_range(edges(graph)))
     os << graph[e].strength << '\n';
   end_array();
+  if(is_marked.is_given())
+  {
+    start_array("UInt8", "marked");
+    for(std::size_t i = 0; i < isolated.size(); ++i)
+      os << "0\n";
+    for(auto e : CGAL::make_range(edges(graph)))
+      os << (is_marked(e) ? "1\n" : "0\n");
+    end_array();
+  }
   os << "</CellData>\n<Points>\n"
      << "<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
   for(auto v : CGAL::make_range(vertices(graph)))

@@ -33,6 +33,12 @@ namespace IO {
  *     \cgalParamType{int}
  *     \cgalParamDefault{17, with which every `double` is read back as it was}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{a property map of the edges of the graph that are to be marked, by 1 in a property `marked` of the edges (PLY, VTP) or by comments (OBJ)}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<Cut_locus::Graph>::%edge_descriptor`
+ *                    as key type and `bool` as value type}
+ *     \cgalParamDefault{none: nothing is written about marks}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * @return `true` if all has been written, `false` also if the extension is another one

@@ -55,7 +55,7 @@ public:
     {
       typename Result::Edge edge;
       edge.strength = e.strength;
-      edge.width = e.width;
+      edge.width = read_->unit * e.width;
       edge.origin = e.origin;
       if(e.halfedge != null_index)
       {
@@ -69,7 +69,7 @@ public:
     const auto distance = [shared, read](typename Result::mesh_vertex_descriptor v)
     {
       const Index i = get(read->index_of_vertex, v);
-      return i == null_index ? (std::numeric_limits<double>::infinity)() : shared->distance[i];
+      return i == null_index ? (std::numeric_limits<double>::infinity)() : read->unit * shared->distance[i];
     };
     return Result(std::move(graph), make_vertex(source.location, source.vertex, 0.), read_->vertices[shared->farthest],
                   shared, distance, cut_locus.number_of_narrow_corridors);
@@ -82,7 +82,7 @@ private:
     result.location.first = face(read_->halfedges[3 * std::size_t(component_.face(location.face))], tm_);
     for(int i = 0; i < 3; ++i)
       result.location.second[i] = FT(location.coordinates[i]);
-    result.distance = distance;
+    result.distance = read_->unit * distance;
     if(vertex != null_index)
     {
       result.mesh_vertex = read_->vertices[component_.vertex(vertex)];
@@ -94,6 +94,7 @@ private:
     std::array<double, 3> p = {{0., 0., 0.}};
     for(int i = 0; i < 3; ++i)
       p = p + location.coordinates[i] * component_.mesh->points[triangle[i]];
+    p = read_->unit * p;
     result.point = Point_3(p[0], p[1], p[2]);
     return result;
   }

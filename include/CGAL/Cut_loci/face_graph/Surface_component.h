@@ -68,6 +68,16 @@ struct Surface_component
   Index face(Index local) const { return is_whole() ? local : part.faces[local]; }
   Index halfedge(Index h) const { return 3 * face(h / 3) + h % 3; }
 
+  // edges inside count twice
+  double sum_of_edge_lengths() const
+  {
+    double sum = 0.;
+    for(const Indexed_triangle_mesh::Triangle& t : mesh->triangles)
+      for(int i = 0; i < 3; ++i)
+        sum += norm(mesh->points[t[(i + 1) % 3]] - mesh->points[t[i]]);
+    return sum;
+  }
+
   // A source of the whole mesh, in this component.
   Indexed_source local(Indexed_source source) const
   {

@@ -17,6 +17,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -39,6 +40,7 @@ struct Read_triangle_mesh
   using Face_index_map = typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Index>>::const_type;
 
   Indexed_triangle_mesh mesh;
+  double unit = 1.;                           // the length in the user's mesh of 1 in `mesh`
   std::vector<vertex_descriptor> vertices;    // the vertex of each index
   std::vector<Index> positions;               // its position in the range vertices(mesh), for messages and output
   std::vector<halfedge_descriptor> halfedges; // halfedge `3 * f + i` of the dense mesh
@@ -135,6 +137,24 @@ Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, Vert
     result.mesh.opposite[h] = is_border(o, tm) ? null_index : get(index_of_halfedge, o);
   }
   return result;
+}
+
+// Brings the largest coordinate near 1: products of lengths stay in the range of numbers, also of `float`, whatever the
+// unit of length. A power of two changes no digit.
+template <typename TriangleMesh>
+void normalize_lengths(Read_triangle_mesh<TriangleMesh>& read)
+{
+  double largest = 0.;
+  for(const Indexed_triangle_mesh::Point& p : read.mesh.points)
+    for(double x : p)
+      largest = (std::max)(largest, std::abs(x));
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  --exponent; // the unit, too, must be in the range
+  read.unit = std::ldexp(1., exponent);
+  for(Indexed_triangle_mesh::Point& p : read.mesh.points)
+    for(double& x : p)
+      x = std::ldexp(x, -exponent);
 }
 
 } // namespace internal

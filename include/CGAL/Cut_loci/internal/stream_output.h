@@ -10,10 +10,13 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <fstream>
 #include <limits>
 #include <ostream>
 #include <string>
+#include <type_traits>
 
 namespace CGAL {
 namespace Cut_loci {
@@ -46,6 +49,43 @@ private:
   std::ios_base::fmtflags flags_;
   std::streamsize precision_;
 };
+
+// Whether each edge of a graph is marked, and whether that is to be written.
+template <typename Graph, typename NamedParameters>
+class Edge_marks
+{
+  struct No_map
+  {
+  };
+  using Map =
+    typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, NamedParameters, No_map>::type;
+  using edge_descriptor = typename boost::graph_traits<Graph>::edge_descriptor;
+
+public:
+  explicit Edge_marks(const NamedParameters& np)
+    : map_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained), No_map()))
+  {
+  }
+
+  static constexpr bool is_given() { return !std::is_same<Map, No_map>::value; }
+
+  bool operator()(const edge_descriptor& e) const
+  {
+    if constexpr(is_given())
+      return get(map_, e);
+    else
+      return false;
+  }
+
+private:
+  Map map_;
+};
+
+template <typename Graph, typename NamedParameters>
+Edge_marks<Graph, NamedParameters> edge_marks(const Graph&, const NamedParameters& np)
+{
+  return Edge_marks<Graph, NamedParameters>(np);
+}
 
 template <typename Point_3>
 void write_point(std::ostream& os, const Point_3& p)

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_DEMO_INPUT_MESH_H
+#define SURFACE_MESH_CUT_LOCUS_DEMO_INPUT_MESH_H
+
+#include "Mesh.h"
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// What a file has: vertices, and faces as their numbers.
+struct Polygon_soup
+{
+  std::vector<Kernel::Point_3> points;
+  std::vector<std::vector<std::size_t>> polygons;
+};
+
+// What has been done to a soup to make a mesh of triangles of it.
+struct Repairs
+{
+  std::size_t merged_vertices = 0;     // at the place of another one, both on a border
+  std::size_t removed_faces = 0;       // twice in the file, or of less than three vertices
+  std::size_t flat_faces = 0;          // without area: collapsed, or an edge flipped
+  std::size_t reversed_faces = 0;      // so that neighbors agree
+  std::size_t duplicated_vertices = 0; // where the surface is not manifold
+  std::size_t triangulated_faces = 0;
+  std::size_t unused_vertices = 0; // dropped
+
+  bool is_empty() const;
+};
+
+// "3 faces triangulated, 1 ...", or nothing
+std::string description(const Repairs& repairs);
+
+// A mesh of triangles and the way back to the file.
+struct Input_mesh
+{
+  Mesh mesh;
+  std::vector<std::size_t> number;        // that each vertex of the mesh has in the file
+  std::vector<Mesh::Vertex_index> vertex; // one for each number, or null if there is none left
+  std::vector<bool> is_added;             // for each edge of the mesh: whether it is none of the file, as a diagonal is
+  std::vector<std::size_t> component;     // of each face, connected by edges
+  std::vector<std::size_t> component_size; // number of faces
+  Repairs repairs;
+};
+
+// whether an edge of the curve follows one of the mesh that is none of the file
+bool is_added(const Cut_locus::Edge& edge, const Input_mesh& input);
+
+std::size_t component_of_source(const Input_mesh& input, const Cut_locus& cut_locus);
+
+struct Needs_repair : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+// Throws `Needs_repair` if it is not allowed, or `std::runtime_error` with the cause if the file has no surface.
+Input_mesh read_mesh(const std::string& filename, bool may_repair);
+
+// Its two halves: the file as it is, and a mesh of it. `name` is for messages.
+Polygon_soup read_polygon_soup(const std::string& filename);
+Input_mesh make_mesh(const Polygon_soup& soup, bool may_repair, const std::string& name);
+
+#endif // SURFACE_MESH_CUT_LOCUS_DEMO_INPUT_MESH_H
