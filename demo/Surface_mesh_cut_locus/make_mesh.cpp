@@ -113,8 +113,17 @@ std::vector<Vertex_pair> border_edges(const Polygons& polygons)
   return border;
 }
 
-// The least of the vertices that stand for the same one, as the ends of border edges at the same place do: files
-// repeat vertices along seams of the texture, or for each face. What only touches in a vertex stays apart.
+// A file may repeat the vertices for each face, as STL does. Where faces share edges, a border is meant to be one.
+bool share_no_edge(const Polygons& polygons, const std::vector<Vertex_pair>& border)
+{
+  std::size_t number_of_sides = 0;
+  for(const Polygon& polygon : polygons)
+    number_of_sides += polygon.size();
+  return polygons.size() > 1 && border.size() == number_of_sides;
+}
+
+// The least of the vertices that stand for the same one, as the ends of border edges at the same place do. What only
+// touches in a vertex stays apart.
 std::vector<std::size_t> join_borders(const Points& points, const std::vector<Vertex_pair>& border)
 {
   std::map<Kernel::Point_3, std::size_t, Kernel::Less_xyz_3> vertex_at;
@@ -427,8 +436,10 @@ Input_mesh make_mesh(const Polygon_soup& soup, bool may_repair, const std::strin
     throw Needs_repair("'" + name + "': " + fault);
   if(may_repair)
   {
-    const std::vector<std::size_t> first =
-      join_borders(soup.points, fault.empty() ? border_edges(input.mesh) : border_edges(soup.polygons));
+    std::vector<Vertex_pair> border = fault.empty() ? border_edges(input.mesh) : border_edges(soup.polygons);
+    if(!share_no_edge(soup.polygons, border))
+      border.clear();
+    const std::vector<std::size_t> first = join_borders(soup.points, border);
     bool is_joined = false;
     for(std::size_t v = 0; v < first.size(); ++v)
       is_joined = is_joined || first[v] != v;
