@@ -236,7 +236,8 @@ inline void Exact_geodesic_propagation::bend(Index v)
   const bool has_error = is_approximate();
   const Index origin = has_error ? arrival_[v].origin : origin_of_vertex(v);
   if(columns > 5 && !has_error)
-    bends_[v] = {direction_at_source(v), source_of(arrival_[v])};
+    bends_[v] = {direction_at_source(v), source_of(arrival_[v]), arrival_[v].origin,
+                 direction_at_origin(arrival_[v], end_in_frame(arrival_[v], v))};
   // a shadow that is wider by the accuracy of the angle only adds a few paths that are not the shortest
   constexpr double margin = 1e-9;
   const bool is_border = faces_.is_border(v);

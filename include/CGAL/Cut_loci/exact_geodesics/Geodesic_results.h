@@ -198,6 +198,20 @@ public:
     return arrival.turn + std::atan2(end.y - arrival.y, end.x - arrival.x);
   }
 
+  /// replaces a vertex by the origin of the last piece of the path to it; returns the direction in which that piece leaves
+  /// it
+  double step_back(Index& origin) const
+  {
+    const Index v = vertex_of_origin(origin);
+    if(!bends_.empty() && bends_[v].source != null_index)
+    {
+      origin = bends_[v].origin;
+      return bends_[v].direction_at_origin;
+    }
+    origin = arrival_[v].origin;
+    return direction_at_origin(arrival_[v], end_in_frame(arrival_[v], v));
+  }
+
   /// the number of the source from which a path comes
   Index source_of(const Geodesic_arrival& arrival) const
   {
@@ -282,8 +296,10 @@ protected:
 
   struct Bend
   {
-    double direction;          // at the source, of the path to the vertex
-    Index source = null_index; // its number, if paths have gone on from the vertex
+    double direction;           // at the source, of the path to the vertex
+    Index source = null_index;  // its number, if paths have gone on from the vertex
+    Index origin = null_index;  // of the last piece of that path, and
+    double direction_at_origin; // in which that piece leaves it
   };
 
   Geodesic_results(const Indexed_triangle_mesh& mesh, const std::vector<Index>* positions) : faces_(mesh, positions) {}

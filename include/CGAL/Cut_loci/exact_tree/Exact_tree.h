@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/exact_tree/Branch_widths.h>
 #include <CGAL/Cut_loci/exact_tree/Cut_graph.h>
 #include <CGAL/Cut_loci/exact_tree/Digon_width.h>
 #include <CGAL/Cut_loci/exact_tree/Drawn_faces.h>
@@ -112,6 +113,17 @@ public:
     }));
   }
 
+  /// finds what `shown_width()` returns, for edges that are kept
+  void measure_widths(const std::vector<Tree_branches::Edge>& edges)
+  {
+    const auto measure = [this](Index e) { return static_cast<float>(width(e)); };
+    // some faces: in each it crosses, a branch has about as many pieces as there are on average
+    const std::size_t most = 1 + 16 * edges.size() / (std::max)(ridges_.faces().size(), std::size_t(1));
+    shown_width_.assign(graph_->edges.size(), 0.f);
+    Branch_widths<decltype(measure)>(edges, static_cast<Index>(graph_->nodes.size()), most, measure, shown_width_);
+  }
+  float shown_width(Index edge) const { return shown_width_[edge]; }
+
   /// whether labels say of all these edges where they are, and not the topology alone that there is something
   bool is_known(const std::vector<Tree_branches::Edge>& edges) const
   {
@@ -199,6 +211,7 @@ private:
   std::unique_ptr<Tree_graph> graph_;
   Tree_branches branches_;
   std::vector<float> width_; // of each edge, negative as long as nobody has asked for it
+  std::vector<float> shown_width_;
   std::unique_ptr<Digon_width> measure_;
 };
 

@@ -100,6 +100,7 @@ public:
       compute_more(Branch_strength());
       kept = tree_->kept(thresholds);
     }
+    tree_->measure_widths(kept);
     edges = Mesh_edge_curve(mesh_, connectivity_, geodesics_, *tree_, kept, source_.vertex, lone_vertex()).graph;
     const bool drops_branches = thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.;
     if(curve == Curve::MESH_EDGES)

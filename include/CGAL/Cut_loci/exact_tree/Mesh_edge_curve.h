@@ -243,7 +243,7 @@ private:
                                    static_cast<Index>(graph.edges.size())};
       if(c.stands_for == null_index)
         edge.strength = b.strength < (std::numeric_limits<float>::infinity)() ? b.strength : 0.f;
-      edge.width = c.stands_for != null_index ? static_cast<float>(tree_.width(c.stands_for)) : 0.f;
+      edge.width = c.stands_for != null_index ? tree_.shown_width(c.stands_for) : 0.f;
       graph.edges.push_back(edge);
     }
     if(graph.edges.empty())

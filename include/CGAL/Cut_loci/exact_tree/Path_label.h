@@ -104,9 +104,9 @@ public:
         return {(std::numeric_limits<double>::infinity)(), 0.};
       // the farther origin comes last on its path
       if(distance(a) >= distance(b))
-        a_direction = step_back(a);
+        a_direction = geodesics_.step_back(a);
       else
-        b_direction = step_back(b);
+        b_direction = geodesics_.step_back(b);
     }
     const double difference = std::fabs(a_direction - b_direction);
     if(!geodesics_.is_source(a))
@@ -122,15 +122,6 @@ private:
   double distance(Index origin) const
   {
     return geodesics_.is_source(origin) ? 0. : geodesics_.distance(geodesics_.vertex_of_origin(origin));
-  }
-
-  /// from a vertex to the origin of the shortest path to it; returns the direction of that path there
-  double step_back(Index& origin) const
-  {
-    const Index v = geodesics_.vertex_of_origin(origin);
-    const Geodesic_arrival& arrival = geodesics_.arrival(v);
-    origin = arrival.origin;
-    return Geodesic_results::direction_at_origin(arrival, geodesics_.end_in_frame(arrival, v));
   }
 
   const Geodesic_results& geodesics_;
