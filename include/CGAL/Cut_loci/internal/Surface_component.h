@@ -68,6 +68,18 @@ struct Surface_component
   Index face(Index local) const { return is_whole() ? local : part.faces[local]; }
   Index halfedge(Index h) const { return 3 * face(h / 3) + h % 3; }
 
+  // Values by vertex, those of the whole mesh. No values stay none.
+  template <typename T>
+  std::vector<T> in_whole(const std::vector<T>& values, std::size_t n, const T& elsewhere) const
+  {
+    if(is_whole() || values.empty())
+      return values;
+    std::vector<T> result(n, elsewhere);
+    for(std::size_t i = 0; i < part.vertices.size(); ++i)
+      result[part.vertices[i]] = values[i];
+    return result;
+  }
+
   // A source of the whole mesh, in this component.
   Indexed_source local(Indexed_source source) const
   {
