@@ -77,8 +77,9 @@ po::options_description visible_options()
 {
   constexpr unsigned columns = 110;
   po::options_description description("Options", columns, columns / 2);
-  description.add_options()("source", po::value<std::string>()->value_name("V"),
-                            "vertex of the mesh, counted from 0 (default: the first one that belongs to a face)")(
+  description.add_options()("source", po::value<std::vector<std::string>>()->value_name("V"),
+                            "vertex of the mesh, counted from 0 (default: the first one that belongs to a face); "
+                            "repeatable, for the Voronoi diagram of several with the cut loci in its cells")(
     "source-point", po::value<std::string>()->value_name("X,Y,Z"), "the point of the surface closest to x,y,z")(
     "solver", po::value<std::string>()->value_name("NAME")->default_value(default_solver_name()),
     ("geodesic distances by:\n" + solver_descriptions()).c_str())(
@@ -243,11 +244,15 @@ Options parse_command_line(int argc, char* argv[])
   options.mesh = meshes.front();
 
   if(given.count("source"))
-    options.source = to_count(text("source"), "--source");
+    for(const std::string& source : given["source"].as<std::vector<std::string>>())
+      options.sources.push_back(to_count(source, "--source"));
   if(given.count("source-point"))
     options.source_point = to_point(text("source-point"), "--source-point");
-  if(options.source && options.source_point)
+  if(!options.sources.empty() && options.source_point)
     throw Usage_error("--source and --source-point exclude each other");
+  for(const char* name : {"uv", "unfold", "check"})
+    if(options.sources.size() > 1 && given.count(name) && !given[name].defaulted())
+      throw Usage_error("--" + std::string(name) + " takes one source");
   options.solver = text("solver");
   if(!is_solver_name(options.solver))
     throw Usage_error("--solver takes one of" + solver_names() + ", not '" + options.solver + "'");

@@ -24,6 +24,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -40,15 +41,18 @@ void set_source(const Options& options, const Mesh& mesh, Cut_locus_solver& solv
     solver.set_source(closest_location(mesh, Kernel::Point_3(p[0], p[1], p[2])));
     return;
   }
-  if(options.source)
+  std::vector<Mesh::Vertex_index> sources;
+  for(std::size_t source : options.sources)
   {
-    if(*options.source >= mesh.number_of_vertices())
-      throw Usage_error("--source " + std::to_string(*options.source) +
-                        " is out of range: the mesh has the vertices 0 to " +
+    if(source >= mesh.number_of_vertices())
+      throw Usage_error("--source " + std::to_string(source) + " is out of range: the mesh has the vertices 0 to " +
                         std::to_string(mesh.number_of_vertices() - 1));
-    solver.set_source(Mesh::Vertex_index(static_cast<Mesh::size_type>(*options.source)));
-    return;
+    sources.push_back(Mesh::Vertex_index(static_cast<Mesh::size_type>(source)));
   }
+  if(sources.size() == 1)
+    return solver.set_source(sources.front());
+  if(!sources.empty())
+    return solver.set_sources(sources);
   Mesh::Vertex_index v(0);
   while(mesh.is_isolated(v)) // there is a face, thus an end
     ++v;

@@ -59,6 +59,8 @@ void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Mes
 
   report["source"] = source.mesh_vertex == Mesh::null_vertex() ? Json(nullptr) : Json(source.mesh_vertex.idx());
   report["source_point"] = to_json(source.point);
+  for(std::size_t i = 0; i < cut_locus.number_of_sources() && cut_locus.number_of_sources() > 1; ++i)
+    report["sources"].push_back(cut_locus.source(i).mesh_vertex.idx());
   report["farthest"] = farthest.idx();
   report["farthest_distance"] = cut_locus.distance(farthest);
   report["root"] = root == Mesh::null_vertex() ? Json(nullptr) : Json(root.idx());
