@@ -119,9 +119,10 @@ po::options_description visible_options()
     "repair", po::value<std::string>()->value_name("auto|none")->default_value("auto"),
     "auto: of any file with faces a mesh of triangles is made, and a line says how; the vertices "
     "keep the numbers of the file, and edges that are not in it are marked. none: a file that "
-    "needs it is refused")(
-    "source", po::value<std::string>()->value_name("V"),
-    "vertex of the file, counted from 0 (default: the first one of the component with the most faces)")(
+    "needs it is refused")("source", po::value<std::vector<std::string>>()->value_name("V"),
+                           "vertex of the file, counted from 0 (default: the first one of the component with the most "
+                           "faces); repeatable, for the "
+                           "Voronoi diagram of several with the cut loci in its cells")(
     "source-point", po::value<std::string>()->value_name("X,Y,Z"), "the point of the surface closest to x,y,z")(
     "solver", po::value<std::string>()->value_name("NAME")->default_value(default_solver_name()),
     ("geodesic distances by:\n" + solver_descriptions()).c_str())(
@@ -291,11 +292,15 @@ Options parse_command_line(int argc, char* argv[])
     throw Usage_error("--repair takes auto or none, not '" + repair + "'");
   options.may_repair = repair == "auto";
   if(given.count("source"))
-    options.source = to_count(text("source"), "--source");
+    for(const std::string& source : given["source"].as<std::vector<std::string>>())
+      options.sources.push_back(to_count(source, "--source"));
   if(given.count("source-point"))
     options.source_point = to_point(text("source-point"), "--source-point");
-  if(options.source && options.source_point)
+  if(!options.sources.empty() && options.source_point)
     throw Usage_error("--source and --source-point exclude each other");
+  for(const char* name : {"uv", "unfold", "check"})
+    if(options.sources.size() > 1 && given.count(name) && !given[name].defaulted())
+      throw Usage_error("--" + std::string(name) + " takes one source");
   options.solver = text("solver");
   if(!is_solver_name(options.solver))
     throw Usage_error("--solver takes one of" + solver_names() + ", not '" + options.solver + "'");

@@ -21,7 +21,7 @@ struct Options
 {
   std::string mesh;
   bool may_repair = true;
-  std::optional<std::size_t> source;
+  std::vector<std::size_t> sources;
   std::optional<std::array<double, 3>> source_point;
   std::string solver;
   std::optional<double> angle;

@@ -25,6 +25,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -62,11 +63,15 @@ void set_source(const Options& options, const Input_mesh& input, Cut_locus_solve
     solver.set_source(closest_location(mesh, Kernel::Point_3(p[0], p[1], p[2])));
     return;
   }
-  if(options.source)
+  std::vector<Mesh::Vertex_index> sources;
+  for(std::size_t source : options.sources)
   {
-    solver.set_source(find_vertex(*options.source, input));
-    return;
+    sources.push_back(find_vertex(source, input));
   }
+  if(sources.size() == 1)
+    return solver.set_source(sources.front());
+  if(!sources.empty())
+    return solver.set_sources(sources);
   const std::size_t component = largest_component(input);
   Mesh::Vertex_index v(0);
   const auto is_in_component = [&]()
@@ -145,7 +150,7 @@ Unfolding unfolded(const Mesh& mesh, const Cut_locus& cut_locus)
 
 std::string component_note(const Options& options, const Input_mesh& input, const Cut_locus& cut_locus)
 {
-  const bool is_chosen = options.source || options.source_point;
+  const bool is_chosen = !options.sources.empty() || options.source_point;
   return "the mesh has " + std::to_string(input.component_size.size()) + " components; this is about the one " +
          (is_chosen ? "of the source" : "with the most faces") + ", " +
          std::to_string(input.component_size[component_of_source(input, cut_locus)]) + " of " +

@@ -80,7 +80,8 @@ picture::Scene make_scene(const Cut_locus& cut_locus, const Mesh& mesh)
       scene.polylines.back().points.push_back(to_vector(p));
   }
   scene.dots.push_back({to_vector(mesh.point(cut_locus.farthest_vertex())), farthest_color, 7.});
-  scene.dots.push_back({to_vector(cut_locus.source().point), source_color, 9.});
+  for(std::size_t i = cut_locus.number_of_sources(); i-- > 0;) // views are chosen by the last one
+    scene.dots.push_back({to_vector(cut_locus.source(i).point), source_color, 9.});
   return scene;
 }
 

@@ -33,7 +33,8 @@ namespace internal {
 // and no faces split. A border loop is one node, and so are nodes at one point that an edge joins.
 //
 // If the graph is connected, has 2g cycles, and one walk along its sides meets all of them, a neighborhood of it has one
-// border curve and the Euler characteristic 1 - 2g: the rest of the surface is an open disk.
+// border curve and the Euler characteristic 1 - 2g: the rest of the surface is an open disk. With 2g - 1 + k cycles and k
+// walks, the rest has k border curves and the Euler characteristic k: k open disks.
 class Curve_topology
 {
   using Index = CGAL::Cut_loci::Index;
@@ -64,8 +65,8 @@ public:
       add_arc(e);
   }
 
-  // the first thing that is wrong, or nothing
-  std::string fault()
+  // the first thing that is wrong for a complement of that many disks, or nothing
+  std::string fault(std::size_t disks = 1)
   {
     Union_find parts = nodes_;
     for(Index e : arcs_)
@@ -75,12 +76,15 @@ public:
       return "the curve and the border have " + std::to_string(components) + " components";
     const std::int64_t cycles = std::int64_t(arcs_.size()) - std::int64_t(nodes_.number_of_parts()) + 1,
                        genus = connectivity_.genus(mesh_);
-    if(cycles != 2 * genus)
+    if(cycles != 2 * genus - 1 + std::int64_t(disks))
       return std::to_string(cycles) + " independent cycles on a surface of genus " + std::to_string(genus);
     if(has_crossing())
       return "the curve crosses itself";
     const std::size_t walks = number_of_walks();
-    return walks == 1 ? std::string() : "the complement is no disk: the curve has " + std::to_string(walks) + " sides";
+    if(walks == disks)
+      return std::string();
+    return (disks == 1 ? std::string("the complement is no disk") : "the complement is not one disk for each source") +
+           ": the curve has " + std::to_string(walks) + " sides";
   }
 
 private:

@@ -15,9 +15,11 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -38,7 +40,7 @@ struct Cut_locus_vertex
   std::pair<face_descriptor, std::array<FT, 3>> location;
   Point_3 point;                 ///< the point in space
   vertex_descriptor mesh_vertex; ///< the vertex of the mesh it is at, or `null_vertex()`
-  double distance = 0.;          ///< the distance to the source
+  double distance = 0.;          ///< the distance to the source, or to the nearest one
 };
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
@@ -51,10 +53,15 @@ struct Cut_locus_edge
   /// a halfedge on the edge of the mesh it follows, or `null_halfedge()`
   halfedge_descriptor mesh_halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
   /// the largest on the branch from here to its tips, in the unit of the filter: radians for an angle of gradients, or
-  /// for the gap, unless the method is `Cut_loci::Method::LAPLACIAN`
+  /// for the gap, unless the method is `Cut_loci::Method::LAPLACIAN`. Between two sources, where the paths part nowhere
+  /// and no threshold applies, it is 2 pi
   double strength = 0.;
-  /// the largest separation of the two shortest paths to a point of the edge; zero with `Cut_loci::Method::LAPLACIAN`
+  /// the largest separation of the two shortest paths to a point of the edge; zero with `Cut_loci::Method::LAPLACIAN`.
+  /// Between two sources it is the length of the way from one to the other through the edge
   double width = 0.;
+  /// the numbers of the sources nearest to the points on its two sides, the smaller one first: they differ on the Voronoi
+  /// diagram of several sources, and are the same within the cell of one
+  std::array<std::size_t, 2> sources = {{0, 0}};
   bool is_on_border = false; ///< whether it follows the border of the mesh
   std::size_t origin = 0;    ///< the edge it replaces, or is, in the graph of mesh edges of the same thresholds
 };
@@ -64,7 +71,8 @@ namespace internal {
 // What a source yields and all results for it share.
 struct Source_result
 {
-  std::vector<double> distance; // for each dense index of the whole mesh; infinity where unreached
+  std::vector<double> distance;      // for each dense index of the whole mesh; infinity where unreached
+  std::vector<Index> nearest_source; // the same; null where unreached; empty if there is one source
   Index root = null_index;
   Index farthest = null_index;
   Index genus = 0;
@@ -77,12 +85,16 @@ struct Source_result
 /*!
  * \ingroup PkgSurfaceMeshCutLocusRef
  *
- * is the cut locus of a source point on a triangle mesh: a graph, and the distances to the source. The class is an
- * immutable value; it refers to the mesh by descriptors. All functions can be called from several threads.
+ * is the cut locus of a source point, or of a set of several, on a triangle mesh: a graph, and the distances to the
+ * source, or to the nearest one. The class is an immutable value; it refers to the mesh by descriptors. All functions can
+ * be called from several threads.
  *
  * On a closed surface of genus g the graph is connected, has 2g independent cycles, and its complement in the surface
  * is one open disk. On a surface with boundary the same holds for the union of the graph and the boundary, each
  * border loop being counted as a point.
+ *
+ * With k source points it is their geodesic Voronoi diagram together with the cut locus inside each cell: the complement
+ * is k open disks, one for each source, and the graph has 2g - 1 + k independent cycles.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  * @tparam Point_3 the value type of the vertex point map
@@ -98,12 +110,22 @@ public:
   using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Vertex, Edge>;
   using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;
   using Distance_function = std::function<double(mesh_vertex_descriptor)>;
+  using Nearest_source_function = std::function<std::optional<std::size_t>(mesh_vertex_descriptor)>;
 
   Cut_locus(Graph graph, Vertex source, mesh_vertex_descriptor farthest,
             std::shared_ptr<const Cut_loci::internal::Source_result> result, Distance_function distance,
             std::size_t number_of_narrow_corridors = 0)
-    : graph_(std::move(graph)), source_(std::move(source)), farthest_(farthest), result_(std::move(result)),
-      distance_(std::move(distance)), number_of_narrow_corridors_(number_of_narrow_corridors)
+    : Cut_locus(std::move(graph), std::vector<Vertex>(1, std::move(source)), farthest, std::move(result),
+                std::move(distance), Nearest_source_function(), number_of_narrow_corridors)
+  {
+  }
+
+  Cut_locus(Graph graph, std::vector<Vertex> sources, mesh_vertex_descriptor farthest,
+            std::shared_ptr<const Cut_loci::internal::Source_result> result, Distance_function distance,
+            Nearest_source_function nearest_source, std::size_t number_of_narrow_corridors)
+    : graph_(std::move(graph)), sources_(std::move(sources)), farthest_(farthest), result_(std::move(result)),
+      distance_(std::move(distance)), nearest_source_(std::move(nearest_source)),
+      number_of_narrow_corridors_(number_of_narrow_corridors)
   {
   }
 
@@ -114,14 +136,28 @@ public:
   /// surface, the one farthest from the source
   vertex_descriptor root() const { return 0; }
 
-  /// the source
-  const Vertex& source() const { return source_; }
+  /// the source, or the first of several
+  const Vertex& source() const { return sources_.front(); }
 
-  /// the vertex of the mesh that is farthest from the source
+  /// the number of sources
+  std::size_t number_of_sources() const { return sources_.size(); }
+
+  /// source number `i`, in the order in which they were given
+  const Vertex& source(std::size_t i) const { return sources_[i]; }
+
+  /// the vertex of the mesh that is farthest from the source, or from the nearest one
   mesh_vertex_descriptor farthest_vertex() const { return farthest_; }
 
-  /// the geodesic distance of a mesh vertex to the source; infinity if no path leads there
+  /// the geodesic distance of a mesh vertex to the source, or to the nearest one; infinity if no path leads there
   double distance(mesh_vertex_descriptor v) const { return distance_(v); }
+
+  /// the number of the source nearest to a mesh vertex, if a path leads there; of several at the same distance any one
+  std::optional<std::size_t> nearest_source(mesh_vertex_descriptor v) const
+  {
+    if(nearest_source_)
+      return nearest_source_(v);
+    return std::isfinite(distance_(v)) ? std::optional<std::size_t>(0) : std::nullopt;
+  }
 
   /// the genus of the source's component
   std::size_t genus() const { return result_->genus; }
@@ -136,10 +172,11 @@ public:
 
 private:
   Graph graph_;
-  Vertex source_;
+  std::vector<Vertex> sources_;
   mesh_vertex_descriptor farthest_;
   std::shared_ptr<const Cut_loci::internal::Source_result> result_;
   Distance_function distance_;
+  Nearest_source_function nearest_source_; // if there are several sources
   std::size_t number_of_narrow_corridors_;
 };
 

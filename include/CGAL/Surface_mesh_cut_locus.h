@@ -34,6 +34,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -75,6 +76,8 @@ public:
   /// a point of the mesh: a face, and barycentric coordinates in the order of the vertices from
   /// `source(halfedge(f, tm), tm)`
   using Face_location = std::pair<face_descriptor, std::array<FT, 3>>;
+  /// a source of a set of both kinds
+  using Source = std::variant<vertex_descriptor, Face_location>;
   using Result = Cut_locus<TriangleMesh, Point_3>;
 
   /*!
@@ -180,7 +183,7 @@ public:
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_source(vertex_descriptor v, const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    solve(Cut_loci::internal::source_at_vertex(tm_, *read_, v), np);
+    solve({Cut_loci::internal::source_at_vertex(tm_, *read_, v)}, np);
   }
 
   /*!
@@ -192,14 +195,54 @@ public:
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_source(const Face_location& location, const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    const double tolerance = to_double(
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::snapping_tolerance), FT(1e-10)));
-    solve(Cut_loci::internal::source_in_face(tm_, *read_, location.first, location.second, tolerance), np);
+    solve({Cut_loci::internal::source_in_face(tm_, *read_, location.first, location.second, snapping_tolerance(np))},
+          np);
   }
 
   /*!
-   * returns the part of the cut locus that passes the thresholds, in time proportional to its size. `set_source()` must
-   * have been called. Each method has thresholds of its own: one of another method is refused, not ignored.
+   * does the same for a set of source points. Their cut locus is the closure of the set of points with several shortest
+   * paths to it: the geodesic Voronoi diagram of the sources, together with the cut locus inside each cell. Its
+   * complement is one open disk for each source, and on a closed surface of genus g the graph has 2g - 1 + k independent
+   * cycles for k sources. What is between two sources is no branch, and no threshold removes it. `distance()` of the
+   * result is that to the nearest source.
+   *
+   * In a curve of mesh edges, each source has its disk if there is a face for each of them at which it lies. If not, such
+   * a curve is refused, and one through the faces has to be asked for; the edges that `edge_is_constrained_map` is given
+   * separate what they can. A source at a vertex all of whose faces are at other sources too may lie on the curve.
+   *
+   * A set of one source is treated as by `set_source()`.
+   *
+   * @tparam SourceRange a model of `ConstRange` with `vertex_descriptor`, `Face_location` or, for both kinds in one set,
+   *         `Source` as value type
+   *
+   * @param sources the sources, which must be different points of the same component of the mesh
+   * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{snapping_tolerance}
+   *     \cgalParamDescription{a barycentric coordinate of a source up to this value is taken for zero, and sources whose
+   *                           coordinates differ by no more for the same point}
+   *     \cgalParamType{`FT`}
+   *     \cgalParamDefault{1e-10}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * @throws Cut_loci::Invalid_input where `set_source()` throws it for one of the sources, and if there is none, if two
+   *         are at the same point or in different components, or if there are several and the method is
+   *         `Cut_loci::Method::LAPLACIAN`
+   */
+  template <typename SourceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  void set_sources(const SourceRange& sources, const CGAL_NP_CLASS& np = parameters::default_values())
+  {
+    const double tolerance = snapping_tolerance(np);
+    const auto read = Cut_loci::internal::read_sources(tm_, *read_, sources, tolerance);
+    Cut_loci::internal::check_sources(read_->mesh, read, component_of_face_, tolerance);
+    solve(read, np);
+  }
+
+  /*!
+   * returns the part of the cut locus that passes the thresholds, in time proportional to its size. `set_source()` or
+   * `set_sources()` must have been called. Each method has thresholds of its own: one of another method is refused, not ignored.
    *
    * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
    *
@@ -270,6 +313,14 @@ public:
    *     \cgalParamExtra{for `Cut_loci::Method::LAPLACIAN` only: the others find the curve through the faces at once. Each
    *                     step leaves half of the way that the one before has left; 4 are enough.}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{voronoi}
+   *     \cgalParamDescription{whether to keep only the geodesic Voronoi diagram of several sources: the edges between two
+   *                           of them, without the cut locus inside the cells}
+   *     \cgalParamType{`bool`}
+   *     \cgalParamDefault{`false`}
+   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. Without the other part, the graph need not be connected,
+   *                     nor a cell a disk. Of one source, one vertex is left.}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{edge_is_constrained_map}
    *     \cgalParamDescription{a property map that is set to `true` for the edges of the mesh on the cut locus; the
    *                           others are left as they are}
@@ -310,7 +361,7 @@ public:
                             curve.curve, mesh_edges);
     }
     mark_edges(mesh_edges, parameters::get_parameter(np, internal_np::edge_is_constrained));
-    return Builder(tm_, vpm_, read_, *component_)(found, source_, source_result_);
+    return Builder(tm_, vpm_, read_, *component_)(found, sources_, source_result_);
   }
 
   /// the method that is in force: for the current source, or, if there is none, for one without a
@@ -352,6 +403,13 @@ private:
                                                                            : solver_.cut_locus_method();
   }
 
+  template <typename NamedParameters>
+  static double snapping_tolerance(const NamedParameters& np)
+  {
+    return to_double(
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::snapping_tolerance), FT(1e-10)));
+  }
+
   bool has_exact_tree() const { return source_result_ && method_ != Cut_loci::Method::LAPLACIAN; }
 
   Cut_loci::internal::Exact_tree_thresholds
@@ -362,34 +420,38 @@ private:
   }
 
   template <typename NamedParameters>
-  void solve(const Cut_loci::Indexed_source& source, const NamedParameters& np)
+  void solve(const std::vector<Cut_loci::Indexed_source>& sources, const NamedParameters& np)
   {
     const Cut_loci::Method method = method_for(np);
     Cut_loci::internal::refuse_parameters_of_other_methods(method, np);
+    if(sources.size() > 1)
+      Cut_loci::internal::refuse_several_sources(method);
     source_result_.reset();
     method_ = method;
     constexpr bool runs_solver = !Cut_loci::internal::is_given<NamedParameters, internal_np::vertex_distance_map_t>();
     source_angle_threshold_ = runs_solver && solver_.gradient_angle_threshold() > 0.
                                 ? solver_.gradient_angle_threshold()
                                 : default_gradient_angle_threshold();
-    Component& component = component_at(component_of_face_[source.location.face]);
+    Component& component = component_at(component_of_face_[sources.front().location.face]);
     component_ = &component;
-    source_ = component.local(source);
+    sources_.clear();
+    for(const Cut_loci::Indexed_source& source : sources)
+      sources_.push_back(component.local(source));
     if(method_ == Cut_loci::Method::LAPLACIAN)
-      solve(component, *component.laplacian, source_, np);
+      solve(component, *component.laplacian, np);
     else
     {
       component.exact_tree->expect(default_thresholds(*component.exact_tree));
-      solve(component, *component.exact_tree, source_, np);
+      solve(component, *component.exact_tree, np);
     }
   }
 
   template <typename Solver, typename NamedParameters>
-  void solve(Component& component, Solver& solver, const Cut_loci::Indexed_source& source, const NamedParameters& np)
+  void solve(Component& component, Solver& solver, const NamedParameters& np)
   {
     {
       const Stage_scope scope(visitor_, Cut_loci::Stage::DISTANCE);
-      set_distances(component, solver, source, parameters::get_parameter(np, internal_np::vertex_distance_map));
+      set_distances(component, solver, parameters::get_parameter(np, internal_np::vertex_distance_map));
     }
     {
       const Stage_scope scope(visitor_, Cut_loci::Stage::STRENGTH);
@@ -409,39 +471,32 @@ private:
     result->farthest = component.vertex(solver.farthest());
     result->genus = solver.genus();
     result->number_of_border_loops = solver.number_of_border_loops();
-    if(component.is_whole())
-      result->distance = solver.distance();
-    else
-    {
-      result->distance.assign(read_->vertices.size(), (std::numeric_limits<double>::infinity)());
-      for(std::size_t i = 0; i < component.part.vertices.size(); ++i)
-        result->distance[component.part.vertices[i]] = solver.distance()[i];
-    }
+    const std::size_t n = read_->vertices.size();
+    result->distance = component.in_whole(solver.distance(), n, (std::numeric_limits<double>::infinity)());
+    result->nearest_source = component.in_whole(solver.nearest_sources(), n, Cut_loci::null_index);
     source_result_ = result;
   }
 
   template <typename VertexDistanceMap>
-  void set_distances(Component& component, Cut_loci::internal::Laplacian_method& solver,
-                     const Cut_loci::Indexed_source& source, const VertexDistanceMap& map)
+  void set_distances(Component& component, Cut_loci::internal::Laplacian_method& solver, const VertexDistanceMap& map)
   {
     std::vector<double> distance;
+    const Cut_loci::Indexed_source& source = sources_.front();
     const Cut_loci::internal::Geodesic_results* geodesics = compute_distances(component, source, distance, map);
     solver.set_distance(source, std::move(distance), geodesics);
   }
 
   // The package's own solver also finds the directions.
-  void set_distances(Component& component, Cut_loci::internal::Exact_tree_method& solver,
-                     const Cut_loci::Indexed_source& source, internal_np::Param_not_found)
+  void set_distances(Component& component, Cut_loci::internal::Exact_tree_method& solver, internal_np::Param_not_found)
   {
     if(has_own_solver_)
       Cut_loci::internal::refuse_distances(method_);
-    solver.compute_distance(source);
+    solver.compute_distance(sources_);
     check_distances(component, solver.distance(), "the geodesic solver returned");
   }
 
   template <typename VertexDistanceMap>
-  void set_distances(Component&, Cut_loci::internal::Exact_tree_method&, const Cut_loci::Indexed_source&,
-                     const VertexDistanceMap&)
+  void set_distances(Component&, Cut_loci::internal::Exact_tree_method&, const VertexDistanceMap&)
   {
     Cut_loci::internal::refuse_distances(method_);
   }
@@ -533,8 +588,8 @@ private:
   Index number_of_components_ = 0;
   std::map<Index, std::unique_ptr<Component>> components_;
 
-  Component* component_ = nullptr;  // that of the source
-  Cut_loci::Indexed_source source_; // in its component
+  Component* component_ = nullptr;                // that of the sources
+  std::vector<Cut_loci::Indexed_source> sources_; // in their component
   double source_angle_threshold_ = default_gradient_angle_threshold();
   std::shared_ptr<const Cut_loci::internal::Source_result> source_result_;
 };

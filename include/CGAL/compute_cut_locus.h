@@ -9,16 +9,38 @@
 
 #include <CGAL/Surface_mesh_cut_locus.h>
 
+#include <type_traits>
+#include <utility>
+
 namespace CGAL {
+
+namespace Cut_loci {
+namespace internal {
+
+template <typename T, typename = void>
+struct Is_range : std::false_type
+{
+};
+
+template <typename T>
+struct Is_range<T, std::void_t<decltype(std::declval<const T&>().begin()), decltype(std::declval<const T&>().end())>>
+  : std::true_type
+{
+};
+
+} // namespace internal
+} // namespace Cut_loci
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusRef
  *
- * computes the cut locus of a point on a triangle mesh: the closure of the set of points that have more than one
- * shortest path to the source.
+ * computes the cut locus of a point, or of a set of points, on a triangle mesh: the closure of the set of points that
+ * have more than one shortest path to the source, or to the set. For several points that is their geodesic Voronoi
+ * diagram together with the cut locus inside each cell, see `Surface_mesh_cut_locus::set_sources()`.
  *
- * The function constructs a `Surface_mesh_cut_locus`, sets the source and returns the cut locus. For several sources
- * on a mesh or several thresholds for a source, the class does what they share only once.
+ * The function constructs a `Surface_mesh_cut_locus`, sets the source or sources and returns the cut locus. For the cut
+ * loci of one point after another on a mesh, or several thresholds for a source, the class does what they share only
+ * once.
  *
  * The method is chosen by the distances, unless `cut_locus_method` is given: `Cut_loci::Method::DIRECTION` with the
  * default solver, `Cut_loci::Method::LAPLACIAN` with others and with a `vertex_distance_map`. A threshold of the method
@@ -27,14 +49,15 @@ namespace CGAL {
  * @tparam TriangleMesh a model of `FaceListGraph`
  * @tparam Source `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or a pair of a face and barycentric
  * coordinates as
- *         in `Polygon_mesh_processing`
+ *         in `Polygon_mesh_processing`; or a model of `ConstRange` of either, or of
+ *         `Surface_mesh_cut_locus::Source` for both in one set
  *
  * @param tm a triangle mesh
- * @param source the source
+ * @param source the source, or the range of sources
  * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor, of
- *        `set_source()` and of `cut_locus()` of `Surface_mesh_cut_locus`
+ *        `set_source()` or `set_sources()` and of `cut_locus()` of `Surface_mesh_cut_locus`
  *
- * @return the graph of the cut locus, and the distances to the source
+ * @return the graph of the cut locus, and the distances to the source, or to the nearest one
  *
  * @throws Cut_loci::Invalid_input where the mesh, the source or a parameter can not be used, with a message that
  *         names the cause
@@ -45,7 +68,10 @@ auto compute_cut_locus(const TriangleMesh& tm, const Source& source,
 {
   using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::const_type;
   Surface_mesh_cut_locus<TriangleMesh, Vertex_point_map> solver(tm, np);
-  solver.set_source(source, np);
+  if constexpr(Cut_loci::internal::Is_range<Source>::value)
+    solver.set_sources(source, np);
+  else
+    solver.set_source(source, np);
   return solver.cut_locus(np);
 }
 

@@ -133,8 +133,8 @@ struct Cut
   std::size_t root = 0; // a vertex, on the cut locus also where that has no edge
 };
 
-// The first thing that is wrong, or an empty string.
-inline std::string fault(const Surface& surface, const Cut& cut)
+// The first thing that is wrong for a complement of that many open disks, or an empty string.
+inline std::string fault(const Surface& surface, const Cut& cut, std::size_t disks = 1)
 {
   std::ostringstream out;
   for(const Edge& e : cut.edges)
@@ -169,7 +169,7 @@ inline std::string fault(const Surface& surface, const Cut& cut)
     return out.str();
   }
   const long cycles = long(arcs.size()) - long(node.size()) + 1;
-  if(cycles != 2 * surface.genus())
+  if(cycles != 2 * surface.genus() - 1 + long(disks))
   {
     out << "the graph has " << cycles << " independent cycles on a surface of genus " << surface.genus();
     return out.str();
@@ -199,7 +199,7 @@ inline std::string fault(const Surface& surface, const Cut& cut)
     number_of_vertices -= corners.unite(h, next(o)) ? 1 : 0;
     number_of_vertices -= corners.unite(next(h), o) ? 1 : 0;
   }
-  if(parts != 1)
+  if(parts != disks)
   {
     out << "the complement has " << parts << " parts";
     return out.str();
@@ -213,11 +213,13 @@ inline std::string fault(const Surface& surface, const Cut& cut)
       out << "the complement of the root alone is not a disk: Euler characteristic " << euler - 1;
     return out.str();
   }
-  if(euler != 1)
+  if(euler != long(disks))
   {
-    out << "the surface cut open has Euler characteristic " << euler << " instead of 1";
+    out << "the surface cut open has Euler characteristic " << euler << " instead of " << disks;
     return out.str();
   }
+  if(disks > 1) // a connected surface with a border has at most 1: each part has that
+    return out.str();
   std::size_t first = 0, length = 0;
   while(!is_open(first))
     ++first;

@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct Indexed_cut_locus
     float strength = 0.f;        ///< of the branch, in the unit of the method
     Index origin = null_index;   ///< the edge of the graph of mesh edges that it replaces, or is
     float width = 0.f;           ///< the largest separation of the two shortest paths, a length; if the method knows it
+    std::array<Index, 2> sources = {{0, 0}}; ///< the numbers of the nearest sources on its two sides
   };
 
   std::vector<Node> nodes; ///< the root first
@@ -46,6 +48,10 @@ struct Indexed_cut_locus
 };
 
 namespace internal {
+
+// The gap, at the source, that an edge between two sources has instead of none: more than that of any branch, unless the
+// angle around a source is more than twice a full turn.
+constexpr float gap_between_sources = 6.2831853f;
 
 inline Indexed_location location_of_vertex(const Mesh_connectivity& connectivity, Index v)
 {

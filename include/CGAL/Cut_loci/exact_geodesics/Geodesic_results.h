@@ -221,6 +221,14 @@ public:
     return bends_[v].source != null_index ? bends_[v].source : source_of(arrival_[v]);
   }
 
+  /// the number of the source of the paths that come from an origin
+  Index source_of_origin(Index origin) const
+  {
+    if(sources_.size() == 1 || is_source(origin))
+      return sources_.size() == 1 ? 0 : origin;
+    return source_of(arrival_[vertex_of_origin(origin)]);
+  }
+
   /// the last straight pieces, for tracing paths
   const Geodesic_arrival& arrival(Index v) const { return arrival_[v]; }
   const Geodesic_arrival& query_arrival(std::size_t i) const { return queries_[i].arrival; }

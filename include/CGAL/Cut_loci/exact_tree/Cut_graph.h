@@ -35,6 +35,9 @@ namespace internal {
  * cycles. The weight of a link is the angle at which paths meet there. The tree of least weight, up to a quarter of it,
  * does without all links that cross the cut locus if that is possible; it is, where all crossings are known.
  *
+ * With several sources the tree is a forest with one of them in each of its trees, and 2g - 1 more cycles than sources
+ * are left. Links between points with different nearest sources come last.
+ *
  * A face that is not drawn holds one star instead of its trees. It joins what leads into it only if the topology asks
  * for that.
  */
@@ -48,20 +51,27 @@ public:
     Index element;               // the crossing; the edge of the mesh; the face in `Ridges::faces()`
     Index nodes[2];              // that it joins
     Index crossings[2] = {0, 0}; // for a cell: one on each of the two trees, numbers in the face
+    Index sources[2] = {0, 0};   // on its two sides
   };
 
   std::vector<Joint> joints;
   Index number_of_nodes = 0;
   Index first_loop = 0; ///< the nodes of the border loops
 
-  Cut_graph(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Label_changes& changes,
-            const Ridges& ridges)
-    : mesh_(mesh), connectivity_(connectivity), changes_(changes), ridges_(ridges)
+  /// @param source_vertices of several sources; of one it may be empty
+  Cut_graph(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Geodesic_results& geodesics,
+            const Label_changes& changes, const Ridges& ridges, const std::vector<Index>& source_vertices)
+    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), changes_(changes), ridges_(ridges),
+      has_several_sources_(source_vertices.size() > 1)
   {
     number_nodes();
     number_intervals();
+    if(has_several_sources_)
+      plant(source_vertices);
     link_cells();
     link_edges();
+    if(has_several_sources_)
+      name_sources();
   }
 
   /// the face of `Ridges::faces()` of a face of the mesh, or null
@@ -153,6 +163,22 @@ private:
     return c.is_reversed ? before(c.crossing) : behind_[c.crossing];
   }
 
+  /// one tree of the forest for each source
+  void plant(const std::vector<Index>& source_vertices)
+  {
+    source_.assign(parent_.size(), null_index);
+    for(Index i = 0; i < source_vertices.size(); ++i)
+      source_[source_vertices[i]] = i;
+  }
+
+  /// from the nodes beside a joint to the sources of their trees
+  void name_sources()
+  {
+    for(Joint& joint : joints)
+      for(Index& i : joint.sources)
+        i = source_[root(i)];
+  }
+
   Index root(Index i)
   {
     while(parent_[i] != i)
@@ -163,14 +189,18 @@ private:
     return i;
   }
 
-  /// whether `a` and `b` were not linked before
+  /// whether `a` and `b` were not linked before, and may be
   bool link(Index a, Index b)
   {
     a = root(a);
     b = root(b);
-    if(a == b)
+    if(a == b || (has_several_sources_ && source_[a] != null_index && source_[b] != null_index))
       return false;
-    parent_[(std::max)(a, b)] = (std::min)(a, b);
+    if(b < a)
+      std::swap(a, b);
+    parent_[b] = a;
+    if(has_several_sources_ && source_[a] == null_index)
+      source_[a] = source_[b];
     return true;
   }
 
@@ -211,6 +241,7 @@ private:
           {
             const Index end = (parts[i] + 1) % n, last = (parts.back() + 1) % n;
             joints.push_back({Joint::CELL, r, {node_of_tree(r, tree(end)), node_of_tree(r, tree(last))}, {end, last}});
+            set_sides(behind(around_[parts[i]]), behind(around_[parts[i + 1]]));
           }
       }
     }
@@ -218,7 +249,8 @@ private:
 
   void link_edges()
   {
-    // edges and crossings by weight
+    // edges and crossings by weight; an angle is at most pi
+    constexpr float last = 4.f * static_cast<float>(geodesic_pi);
     std::vector<float> weight;
     std::vector<std::pair<Index, bool>> links; // an edge, or a crossing
     for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
@@ -229,12 +261,16 @@ private:
         {
           is_crossed = true;
           links.push_back({c, true});
-          weight.push_back(static_cast<float>(changes_[c].angle));
+          const bool is_between_sources = has_several_sources_ && changes_.is_between_sources(c);
+          weight.push_back(is_between_sources ? last : static_cast<float>(changes_[c].angle));
         }
       if(!is_crossed)
       {
         links.push_back({e, false});
-        weight.push_back(changes_.bend(connectivity_.halfedge_of_edge[e]));
+        const Index h = connectivity_.halfedge_of_edge[e];
+        const bool is_between_sources = has_several_sources_ && geodesics_.nearest_source(mesh_.source(h)) !=
+                                                                  geodesics_.nearest_source(mesh_.target(h));
+        weight.push_back(is_between_sources ? last : changes_.bend(h));
       }
     }
     for(Index i : roughly_sorted(weight))
@@ -251,6 +287,7 @@ private:
       {
         const Index o = mesh_.opposite[h];
         joints.push_back({Joint::EDGE, element, {node_beside(h), o != null_index ? node_beside(o) : border_node(h)}});
+        set_sides(mesh_.source(h), mesh_.target(h));
       }
     }
   }
@@ -268,6 +305,16 @@ private:
   {
     const Index h = changes_[c].halfedge, o = mesh_.opposite[h];
     joints.push_back({Joint::CROSSING, c, {node_at(h / 3, c), o != null_index ? node_at(o / 3, c) : border_node(h)}});
+    set_sides(before(c), behind_[c]);
+  }
+
+  /// the nodes on both sides of the last joint
+  void set_sides(Index a, Index b)
+  {
+    if(!has_several_sources_)
+      return;
+    joints.back().sources[0] = a;
+    joints.back().sources[1] = b;
   }
 
   Index node_at(Index f, Index c) const
@@ -284,11 +331,14 @@ private:
 
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
+  const Geodesic_results& geodesics_;
   const Label_changes& changes_;
   const Ridges& ridges_;
   std::vector<Index> record_, first_extra_;
   std::vector<Index> behind_; // the primal node behind each crossing
   std::vector<Index> parent_;
+  bool has_several_sources_;
+  std::vector<Index> source_; // of the tree of each root, or null
   mutable std::vector<Ridges::Crossing_on_face> around_;
 };
 

@@ -179,12 +179,12 @@ private:
     pieces_.push_back(piece);
   }
 
-  /// At an end from which paths start in all directions, or in those of a shadow, the one along the edge is shorter than
-  /// the windows up to some point.
+  /// At an end from which paths start in all directions, or in those of a shadow, or at which the shortest path goes on
+  /// along the edge, the one along the edge is shorter than the windows up to some point.
   void drop_slower_windows(Index h)
   {
     const Index a = faces_.source(h), b = faces_.target(h);
-    if(emits(a))
+    if(emits(a) || goes_on_along(vertex_labels_.at_source(h), 0., length_))
     {
       std::size_t n = 0;
       while(n < windows_.size() &&
@@ -192,10 +192,16 @@ private:
         ++n;
       windows_.erase(windows_.begin(), windows_.begin() + static_cast<std::ptrdiff_t>(n));
     }
-    if(emits(b))
+    if(emits(b) || goes_on_along(vertex_labels_.at_target(h), length_, 0.))
       while(!windows_.empty() &&
             !end_slower(windows_.back(), windows_.back().begin, windows_.back().end, length_, geodesics_.distance(b)))
         windows_.pop_back();
+  }
+
+  /// whether a path to an end of the edge goes on along it to the other one, straight through the vertex
+  bool goes_on_along(const Path_label& label, double from, double to) const
+  {
+    return label.distance(from) + length_ - label.distance(to) <= geodesic_cover * length_;
   }
 
   bool emits(Index v) const { return geodesics_.distance(v) == 0. || faces_.is_pseudo_source(v); }

@@ -33,30 +33,36 @@ namespace Cut_loci {
 namespace internal {
 
 /*!
- * is the cut locus of a polyhedron for one source, with the strengths of its branches: the stages in their order.
+ * is the cut locus of a polyhedron for one source or several, with the strengths of its branches: the stages in their
+ * order.
  */
 class Exact_tree
 {
 public:
+  /// @param source_vertices those at, or right beside, several sources; of one it may be empty
   Exact_tree(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-             Exact_geodesic_propagation& geodesics)
-    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics)
+             Exact_geodesic_propagation& geodesics, const std::vector<Index>& source_vertices = {})
+    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), source_vertices_(source_vertices)
   {
   }
+
+  const Indexed_triangle_mesh& mesh() const { return mesh_; }
+  const Mesh_connectivity& connectivity() const { return connectivity_; }
+  const Exact_geodesic_propagation& geodesics() const { return geodesics_; }
 
   /// computes the distances, and where the cut locus crosses the edges of the mesh
   ///
   /// @param least what is weaker may be left out
-  void propagate(const Indexed_location& source, const Branch_strength& least)
+  void propagate(const std::vector<Indexed_location>& sources, const Branch_strength& least)
   {
     least_ = least;
-    find_drawn_faces(source);
+    find_drawn_faces(sources);
     // Windows of an edge come once the front is there, up to a face or two. If that is not enough on this mesh, once
     // more with room for more, and then for all.
     for(double slack : {4., 32., (std::numeric_limits<double>::infinity)()})
     {
       crossings_.reset(new Edge_crossings(geodesics_, is_drawn_, slack));
-      geodesics_.run({source}, Exact_geodesic_options(), *crossings_);
+      geodesics_.run(sources, Exact_geodesic_options(), *crossings_);
       crossings_->finish();
       if(crossings_->number_of_late() == 0)
         return;
@@ -72,7 +78,7 @@ public:
 
   void join()
   {
-    const Cut_graph cut(mesh_, connectivity_, changes_, ridges_);
+    const Cut_graph cut(mesh_, connectivity_, geodesics_, changes_, ridges_, source_vertices_);
     graph_.reset(new Tree_graph(mesh_, connectivity_, geodesics_, changes_, ridges_, cut));
     if(!least_.is_none())
       graph_->drop_weak_branches(least_);
@@ -89,7 +95,9 @@ public:
   {
     branches_ = Tree_branches(
       static_cast<Index>(graph_->nodes.size()), static_cast<Index>(graph_->edges.size()),
-      [&](Index e) { return graph_->edges[e].nodes; }, [&](Index e) { return graph_->edges[e].gap; },
+      [&](Index e) { return graph_->edges[e].nodes; },
+      // What is between two sources is on a cycle. On no branch it is more than rounding, so that it holds none.
+      [&](Index e) { return graph_->edges[e].is_between_sources() ? 0. : graph_->edges[e].gap; },
       connectivity_.number_of_border_loops);
     width_.assign(graph_->edges.size(), -1.f);
     measure_.reset(new Digon_width(mesh_, geodesics_));
@@ -132,10 +140,13 @@ public:
                        { return graph_->edges[b.edge].piece != null_index || graph_->edges[b.edge].is_virtual; });
   }
 
-  /// the largest separation of the two shortest paths to the points of a piece
+  /// the largest separation of the two shortest paths to the points of a piece; between two sources, where nothing is
+  /// too narrow, the length of the way from one to the other
   double width(Index edge)
   {
     const Tree_graph::Edge& e = graph_->edges[edge];
+    if(e.is_between_sources())
+      return 2. * (std::max)(graph_->nodes[e.nodes[0]].distance, graph_->nodes[e.nodes[1]].distance);
     float& result = width_[edge];
     if(result < 0.f)
     {
@@ -154,7 +165,7 @@ public:
   }
 
 private:
-  void find_drawn_faces(const Indexed_location& source)
+  void find_drawn_faces(const std::vector<Indexed_location>& sources)
   {
     if(least_.is_none())
     {
@@ -162,7 +173,12 @@ private:
       return;
     }
     Drawn_faces found(geodesics_, least_);
-    geodesics_.run({source}, Exact_geodesic_options(), found);
+    geodesics_.run(sources, Exact_geodesic_options(), found);
+    // between sources at the ends of an edge there may be no windows
+    for(Index f = 0; f < mesh_.number_of_faces() && sources.size() > 1; ++f)
+      for(Index v : mesh_.triangles[f])
+        if(geodesics_.nearest_source(v) != geodesics_.nearest_source(mesh_.triangles[f][0]))
+          found.is_drawn[f] = 1;
     is_drawn_ = std::move(found.is_drawn);
     bend_ = std::move(found.bend);
   }
@@ -202,6 +218,7 @@ private:
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   Exact_geodesic_propagation& geodesics_;
+  std::vector<Index> source_vertices_;
   Branch_strength least_;
   std::vector<unsigned char> is_drawn_; // by face, and
   std::vector<float> bend_;             // by halfedge, until the ridges are drawn

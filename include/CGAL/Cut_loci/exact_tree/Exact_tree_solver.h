@@ -17,6 +17,8 @@
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_edge_curve.h>
+#include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
+#include <CGAL/Cut_loci/exact_tree/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
@@ -56,14 +58,23 @@ public:
   // What does not pass may be left out; `filter()` computes it if it is asked for.
   void expect(const Branch_strength& least) override { least_ = least; }
 
-  // once per source, in four parts
-  void compute_distance(const Indexed_source& source) override
+  // once per source, or set of sources, in four parts
+  void compute_distance(const std::vector<Indexed_source>& sources) override
   {
-    source_ = source;
-    start(source.location);
-    distance_ = geodesics_.distances();
+    sources_ = sources;
+    tree_.reset();
+    divided_.reset();
+    if(has_source_off_vertices() && sources.size() > 1)
+      divided_.reset(new Divided_surface(mesh_, sources));
+    start();
+    distance_ = geodesics().distances();
+    distance_.resize(mesh_.number_of_vertices());
+    nearest_source_.clear();
+    for(Index v = 0; v < mesh_.number_of_vertices() && sources.size() > 1; ++v)
+      nearest_source_.push_back(geodesics().nearest_source(v));
     find_farthest();
   }
+  void compute_distance(const Indexed_source& source) { compute_distance(std::vector<Indexed_source>(1, source)); }
 
   void compute_strengths() override { tree_->draw_ridges(); }
 
@@ -71,17 +82,19 @@ public:
    * Where several shortest paths lead to a vertex at which they bend, all points behind it have several, and where such
    * paths run along edges of the mesh, it takes no more than rounding to choose other ones in neighboring faces. Both
    * need a symmetric placement of the source. Then it is moved, unless what is left out matters more: by far less than
-   * the accuracy of any mesh, and far more than that of the windows.
+   * the accuracy of any mesh, and far more than that of the windows. Of several sources all are moved, each one by
+   * another length, as they may be symmetric to each other too.
    */
   void grow_tree() override
   {
     tree_->join();
     for(int number = 1; number <= 2 && least_.is_none() && !tree_->is_sure(); ++number)
     {
-      start(moved_source(number));
+      start(number);
       tree_->draw_ridges();
       tree_->join();
-      tree_->remove_branch_to(source_.vertex);
+      for(Index v : divided_ != nullptr ? divided_->vertices() : source_vertices())
+        tree_->remove_branch_to(v);
     }
   }
 
@@ -101,23 +114,32 @@ public:
       kept = tree_->kept(thresholds);
     }
     tree_->measure_widths(kept);
-    edges = Mesh_edge_curve(mesh_, connectivity_, geodesics_, *tree_, kept, source_.vertex, lone_vertex()).graph;
+    const Source_faces at_sources(mesh_, connectivity_, sources_);
+    if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
+      throw_source_without_face(at_sources.first_without_face());
+    edges = Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, at_sources, lone_vertex()).graph;
     const bool drops_branches = thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.;
     if(curve == Curve::MESH_EDGES)
     {
       if(drops_branches)
         remove_edges(mesh_, connectivity_, edges, short_ones(thresholds, edges));
+      if(thresholds.is_voronoi)
+        remove_edges_within_cells(edges);
       return edges;
     }
-    Tree_curve result(mesh_, connectivity_, geodesics_, *tree_, kept, lone_vertex());
+    Tree_curve result(tree_->mesh(), tree_->connectivity(), geodesics(), *tree_, kept, lone_vertex());
+    if(divided_ != nullptr)
+      divided_->remove_sources(result.graph, result.face);
     set_origins(mesh_, connectivity_, edges, result.face, result.graph);
     if(drops_branches)
       remove_short_branches(thresholds, edges, result);
+    if(thresholds.is_voronoi)
+      remove_edges_within_cells(edges, result.graph);
     return std::move(result.graph);
   }
 
   const Mesh_connectivity& connectivity() const { return connectivity_; }
-  const Exact_geodesic_propagation& geodesics() const { return geodesics_; }
+  const Exact_geodesic_propagation& geodesics() const { return divided_ != nullptr ? divided_->geodesics : geodesics_; }
   Exact_tree& tree() { return *tree_; }
   const std::vector<double>& distance() const override { return distance_; }
   Index farthest() const override { return farthest_; }
@@ -125,8 +147,21 @@ public:
   Index genus() const override { return connectivity_.genus(mesh_); }
   // the farthest vertex: on a closed surface it is on the cut locus
   Index root() const override { return farthest_; }
+  std::vector<Index> nearest_sources() const override { return nearest_source_; }
 
 private:
+  // With a vertex at each source.
+  struct Divided_surface : public Mesh_with_sources
+  {
+    Mesh_connectivity connectivity;
+    Exact_geodesic_propagation geodesics;
+
+    Divided_surface(const Indexed_triangle_mesh& without, const std::vector<Indexed_source>& sources)
+      : Mesh_with_sources(without, sources), connectivity(mesh()), geodesics(mesh())
+    {
+    }
+  };
+
   static double diagonal(const Indexed_triangle_mesh& mesh)
   {
     std::array<double, 3> low = mesh.points.front(), high = low;
@@ -139,11 +174,15 @@ private:
     return norm(high - low);
   }
 
-  void start(const Indexed_location& location)
+  // `number` other than 0: with the sources moved, each time elsewhere
+  void start(int number = 0)
   {
-    tree_.reset(new Exact_tree(mesh_, connectivity_, geodesics_));
-    tree_->propagate(location, least_);
-    for(double d : geodesics_.distances())
+    if(divided_ != nullptr)
+      tree_.reset(new Exact_tree(divided_->mesh(), divided_->connectivity, divided_->geodesics, divided_->vertices()));
+    else
+      tree_.reset(new Exact_tree(mesh_, connectivity_, geodesics_, source_vertices()));
+    tree_->propagate(locations(number), least_);
+    for(double d : geodesics().distances())
       if(!(d < (std::numeric_limits<double>::infinity)()))
         throw Invalid_input("the exact solver does not reach all vertices: some faces may be too thin for it");
   }
@@ -151,7 +190,7 @@ private:
   void compute_more(const Branch_strength& least)
   {
     least_ = least;
-    start(source_.location);
+    start();
     compute_strengths();
     grow_tree();
     close_cycles();
@@ -183,14 +222,83 @@ private:
     set_origins(mesh_, connectivity_, edges, curve.face, curve.graph);
   }
 
-  // the source in the interior of its face, 1e-6 of it away, in a direction without any symmetry
-  Indexed_location moved_source(int number) const
+  // returns the new number of each edge, or null
+  std::vector<Index> remove_edges_within_cells(Indexed_cut_locus& graph) const
+  {
+    std::vector<Index> number;
+    std::vector<unsigned char> is_removed;
+    Index size = 0;
+    for(Indexed_cut_locus::Edge& e : graph.edges)
+    {
+      is_removed.push_back(e.sources[0] == e.sources[1]);
+      number.push_back(is_removed.back() ? null_index : size++);
+      e.origin = number.back();
+    }
+    remove_edges(mesh_, connectivity_, graph, is_removed);
+    return number;
+  }
+
+  // from both curves, of which the second one refers to the first
+  void remove_edges_within_cells(Indexed_cut_locus& edges, Indexed_cut_locus& curve) const
+  {
+    std::vector<Index> origin;
+    for(const Indexed_cut_locus::Edge& e : curve.edges)
+      if(e.sources[0] != e.sources[1])
+        origin.push_back(e.origin);
+    const std::vector<Index> number = remove_edges_within_cells(edges);
+    remove_edges_within_cells(curve);
+    for(std::size_t i = 0; i < curve.edges.size(); ++i)
+      curve.edges[i].origin = origin[i] != null_index ? number[origin[i]] : null_index;
+  }
+
+  bool has_source_off_vertices() const
+  {
+    return std::any_of(sources_.begin(), sources_.end(),
+                       [](const Indexed_source& source) { return source.vertex == null_index; });
+  }
+
+  std::vector<Index> source_vertices() const
+  {
+    std::vector<Index> result;
+    for(const Indexed_source& source : sources_)
+      if(source.vertex != null_index)
+        result.push_back(source.vertex);
+    return result;
+  }
+
+  std::vector<Indexed_location> locations(int number) const
+  {
+    std::vector<Indexed_location> result;
+    for(std::size_t i = 0; i < sources_.size(); ++i)
+    {
+      const Indexed_location at =
+        divided_ != nullptr ? divided_->geodesics.vertex_location(divided_->vertices()[i]) : sources_[i].location;
+      const double share = static_cast<double>(i) / static_cast<double>(sources_.size());
+      result.push_back(number == 0 ? at : moved(at, 1e-6 * number * (1. + share)));
+    }
+    return result;
+  }
+
+  // in the interior of its face, by a share of it, in a direction without any symmetry
+  static Indexed_location moved(Indexed_location result, double by)
   {
     constexpr std::array<double, 3> part = {{0.2113, 0.3301, 0.4586}};
-    Indexed_location result = source_.location;
     for(std::size_t i = 0; i < 3; ++i)
-      result.coordinates[i] = (1. - 1e-6 * number) * result.coordinates[i] + 1e-6 * number * part[i];
+      result.coordinates[i] = (1. - by) * result.coordinates[i] + by * part[i];
     return result;
+  }
+
+  [[noreturn]] void throw_source_without_face(Index i) const
+  {
+    throw Invalid_input("source " + std::to_string(i) +
+                        " has no face to itself, as other sources lie on the same ones: no curve of mesh edges "
+                        "separates them; ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
+  }
+
+  bool is_source(Index v) const
+  {
+    return std::any_of(sources_.begin(), sources_.end(),
+                       [v](const Indexed_source& source) { return source.vertex == v; });
   }
 
   // What is left if nothing else is: a point of the border if there is one, as all of a curve is joined to it, but the
@@ -198,16 +306,18 @@ private:
   Index lone_vertex() const
   {
     for(Index v = 0; v < mesh_.number_of_vertices() && connectivity_.number_of_border_loops > 0; ++v)
-      if(connectivity_.is_border(v) && v != source_.vertex)
+      if(connectivity_.is_border(v) && !is_source(v))
         return v;
     return farthest_;
   }
 
   void find_farthest()
   {
-    farthest_ = source_.vertex == 0 ? 1 : 0;
-    for(Index v = farthest_ + 1; v < distance_.size(); ++v) // the source is not it even if all distances are equal
-      if(v != source_.vertex && distance_[v] > distance_[farthest_])
+    farthest_ = 0;
+    while(farthest_ + 1 < distance_.size() && is_source(farthest_))
+      ++farthest_;
+    for(Index v = farthest_ + 1; v < distance_.size(); ++v) // no source is it even if all distances are equal
+      if(distance_[v] > distance_[farthest_] && !is_source(v))
         farthest_ = v;
   }
 
@@ -218,8 +328,10 @@ private:
   Exact_tree_thresholds default_;
   Branch_strength least_; // of what the tree has
 
-  Indexed_source source_;
+  std::vector<Indexed_source> sources_;
+  std::unique_ptr<Divided_surface> divided_; // if there are several sources, and not all of them at vertices
   std::vector<double> distance_;
+  std::vector<Index> nearest_source_; // of each vertex, if there are several
   Index farthest_ = null_index;
   std::unique_ptr<Exact_tree> tree_;
 };

@@ -50,6 +50,12 @@ public:
   const Edge_crossing& operator[](std::size_t i) const { return crossings_[i]; }
   Index number_of_crossings() const { return static_cast<Index>(crossings_.size()); }
   Index first(Index e) const { return first_[e]; }
+  /// whether the paths on its two sides come from different sources
+  bool is_between_sources(std::size_t i) const
+  {
+    return geodesics_->source_of_origin(crossings_[i].left.origin) !=
+           geodesics_->source_of_origin(crossings_[i].right.origin);
+  }
 
   /// whether all that changes in a face, and on its edges, is known
   bool is_drawn(Index f) const { return is_drawn_[f] != 0; }

@@ -12,6 +12,8 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Face_cells.h>
+#include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
+#include <CGAL/Cut_loci/exact_tree/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
@@ -20,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,6 +39,8 @@ namespace internal {
  * what it takes from there to the corridor. The edges of the mesh that the tree does not cross form a graph whose
  * complement is an open disk. What of it stands for no piece, and has nothing behind it that does, is no part of the
  * curve.
+ *
+ * With several sources the tree is a forest, with one tree for each source that has a face to itself.
  */
 class Mesh_edge_curve
 {
@@ -43,15 +48,15 @@ public:
   Indexed_cut_locus graph; ///< it counts the corridors that are opened elsewhere
 
   /// @param kept the edges of the tree that the curve stands for
-  /// @param source a vertex that is not on the curve, or null
+  /// @param divided the mesh that the tree is on, if it is another one
   /// @param lone the vertex that is left if nothing else is
   Mesh_edge_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                  const Geodesic_results& geodesics, Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept,
-                  Index source, Index lone)
-    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), tree_(tree)
+                  const Mesh_with_sources* divided, Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept,
+                  const Source_faces& sources, Index lone)
+    : mesh_(mesh), connectivity_(connectivity), divided_(divided), geodesics_(tree.geodesics()), tree_(tree)
   {
-    const Face_cells cells(mesh, connectivity, geodesics.faces(), tree.graph(), kept);
-    grow_tree(cells, source);
+    const Face_cells cells(tree.mesh(), tree.connectivity(), geodesics_.faces(), tree.graph(), kept);
+    grow_tree(cells, sources);
     drop_weak_leaves();
     draw(lone);
   }
@@ -62,24 +67,28 @@ private:
     Index edge;       // of the mesh
     Index stands_for; // an edge of the tree, or null
     double gap;
+    std::array<Index, 2> sources = {{0, 0}}; // on its two sides
   };
 
-  void grow_tree(const Face_cells& cells, Index source)
+  void grow_tree(const Face_cells& cells, const Source_faces& sources)
   {
     parent_.resize(mesh_.number_of_faces());
     for(Index f = 0; f < mesh_.number_of_faces(); ++f)
       parent_[f] = f;
+    source_.assign(mesh_.number_of_faces(), null_index);
+    for(Index i = 0; i < sources.number_of_sources(); ++i)
+      if(sources.face(i) != null_index)
+        source_[sources.face(i)] = i;
     // The faces at the source belong to its cell, wherever their centroids are.
-    const auto is_at_source = [&](Index h) { return mesh_.source(h) == source || mesh_.target(h) == source; };
-    for(Index h = 0; h < mesh_.number_of_halfedges() && source != null_index; ++h)
-      if(is_at_source(h) && !mesh_.is_border_edge(h))
+    for(Index h = 0; h < mesh_.number_of_halfedges(); ++h)
+      if(sources.is_inside(mesh_, h))
         link_faces(h / 3, mesh_.opposite[h] / 3);
     // edges between cells that touch come first, in any order, then the others by the distance of their middle
     std::vector<Candidate> barred;
     for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
     {
       const Index h = connectivity_.halfedge_of_edge[e];
-      if(mesh_.is_border_edge(h) || is_at_source(h))
+      if(mesh_.is_border_edge(h) || sources.is_inside(mesh_, h))
         continue;
       const Candidate c = barrier(cells, h);
       if(c.stands_for != null_index)
@@ -92,9 +101,12 @@ private:
       const Index h = connectivity_.halfedge_of_edge[c.edge];
       return geodesics_.distance(mesh_.source(h)) + geodesics_.distance(mesh_.target(h));
     };
+    // and between sources only where there is no other way
+    const auto is_between = [](const Candidate& c) { return c.gap == (std::numeric_limits<double>::infinity)(); };
     std::sort(barred.begin(), barred.end(),
-              [&](const Candidate& a, const Candidate& b)
-              { return way(a) != way(b) ? way(a) < way(b) : a.edge < b.edge; });
+              [&](const Candidate& a, const Candidate& b) {
+      return is_between(a) != is_between(b) ? is_between(b) : way(a) != way(b) ? way(a) < way(b) : a.edge < b.edge;
+    });
     for(const Candidate& c : barred)
     {
       const Index h = connectivity_.halfedge_of_edge[c.edge];
@@ -103,6 +115,13 @@ private:
       else
         ++graph.number_of_narrow_corridors;
     }
+    for(Candidate& c : candidates_)
+      for(std::size_t k = 0; k < 2 && sources.number_of_sources() > 1; ++k)
+      {
+        const Index h = connectivity_.halfedge_of_edge[c.edge];
+        const Index source = source_[root_of(k == 0 ? h / 3 : mesh_.opposite[h] / 3)];
+        c.sources[k] = source != null_index ? source : 0;
+      }
   }
 
   Index root_of(Index f)
@@ -119,9 +138,13 @@ private:
   {
     f = root_of(f);
     g = root_of(g);
-    if(f == g)
+    if(f == g || (source_[f] != null_index && source_[g] != null_index))
       return false;
-    parent_[(std::max)(f, g)] = (std::min)(f, g);
+    if(g < f)
+      std::swap(f, g);
+    parent_[g] = f;
+    if(source_[f] == null_index)
+      source_[f] = source_[g];
     return true;
   }
 
@@ -129,15 +152,33 @@ private:
   /// centroid is in another cell, across the interval of the edge where that is least
   Candidate barrier(const Face_cells& cells, Index h) const
   {
-    const Index e = connectivity_.edge_of_halfedge[h];
-    Candidate best{e, null_index, (std::numeric_limits<double>::infinity)()};
-    if(cells.is_whole(h / 3) && cells.is_whole(mesh_.opposite[h] / 3))
+    if(divided_ == nullptr)
+      return barrier(cells, h, h);
+    Candidate best{null_index, null_index, 0.};
+    divided_->for_each_part(h,
+                            [&](Index part)
+                            {
+      const Candidate here = barrier(cells, h, part);
+      const bool is_open = best.edge != null_index && best.stands_for == null_index;
+      if(best.edge == null_index || (!is_open && (here.stands_for == null_index || here.gap < best.gap)))
+        best = here;
+    });
+    return best;
+  }
+
+  /// the same for a part of the halfedge, in the mesh that the tree is on
+  Candidate barrier(const Face_cells& cells, Index whole, Index h) const
+  {
+    const Index name = connectivity_.edge_of_halfedge[whole], o = tree_.mesh().opposite[h];
+    Candidate best{name, null_index, (std::numeric_limits<double>::infinity)()};
+    if(cells.is_whole(h / 3) && cells.is_whole(o / 3))
       return best;
+    const Index e = tree_.connectivity().edge_of_halfedge[h];
     const Index m = cells.first_node(e + 1) - cells.first_node(e);
     for(Index k = 0; k <= m; ++k)
     {
-      Candidate here{e, null_index, 0.};
-      for(Index g : {h, mesh_.opposite[h]})
+      Candidate here{name, null_index, 0.};
+      for(Index g : {h, o})
         if(!cells.holds_centroid(g, k))
           for(Index i = cells.first_edge(g / 3); i < cells.first_edge(g / 3 + 1); ++i)
             if(here.stands_for == null_index || tree_.graph().edges[cells.edge(i)].gap > here.gap)
@@ -218,7 +259,8 @@ private:
       numbers.push_back({{number(ends(c)[0]), number(ends(c)[1])}});
     const Tree_branches branches(
       static_cast<Index>(nodes.size()), static_cast<Index>(candidates_.size()), [&](Index i) { return numbers[i]; },
-      [&](Index i) { return candidates_[i].stands_for != null_index ? candidates_[i].gap : 0.; },
+      [&](Index i)
+      { return candidates_[i].stands_for != null_index && !is_between_sources(i) ? candidates_[i].gap : 0.; },
       connectivity_.number_of_border_loops);
 
     std::vector<Index> vertices; // of the curve
@@ -244,11 +286,18 @@ private:
       if(c.stands_for == null_index)
         edge.strength = b.strength < (std::numeric_limits<float>::infinity)() ? b.strength : 0.f;
       edge.width = c.stands_for != null_index ? tree_.shown_width(c.stands_for) : 0.f;
+      edge.sources = {{(std::min)(c.sources[0], c.sources[1]), (std::max)(c.sources[0], c.sources[1])}};
+      if(is_between_sources(b.edge))
+        edge.width = static_cast<float>(2. * (std::max)(geodesics_.distance(outer), geodesics_.distance(inner)));
+      if(is_between_sources(b.edge) || edge.strength == (std::numeric_limits<float>::infinity)())
+        edge.strength = gap_between_sources;
       graph.edges.push_back(edge);
     }
     if(graph.edges.empty())
       graph.nodes.assign(1, {location_of_vertex(connectivity_, lone), lone, geodesics_.distance(lone)});
   }
+
+  bool is_between_sources(Index i) const { return candidates_[i].sources[0] != candidates_[i].sources[1]; }
 
   Index add_node(const std::vector<Index>& vertices, Index v)
   {
@@ -264,9 +313,11 @@ private:
 
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
-  const Geodesic_results& geodesics_;
+  const Mesh_with_sources* divided_;
+  const Geodesic_results& geodesics_; // of that mesh, whose first vertices are those of this one
   Exact_tree& tree_;
   std::vector<Index> parent_; // of faces
+  std::vector<Index> source_; // of the tree of each root, or null
   std::vector<Candidate> candidates_;
   std::vector<Index> position_; // of vertices of the curve in the graph
 };

@@ -161,10 +161,23 @@ private:
   /// the image of a label of `h`
   Image image(Index h, const Path_label& label) const
   {
-    const Plane_point p = to_face(h, label.x, label.y);
+    Plane_point p = to_face(h, label.x, label.y);
+    fit_to_source(h, label, p);
     const Index axis = h % 3 + (label.from_face ? 3 : 0);
     const double direction = label.turn + (label.from_face ? -0.5 : 0.5) * geodesic_pi;
     return {p.x, p.y, label.sigma, label.origin, static_cast<unsigned char>(axis), direction};
+  }
+
+  /// The image of one of several sources that is in the face is the source itself, from whichever edge it is seen.
+  void fit_to_source(Index h, const Path_label& label, Plane_point& p) const
+  {
+    Plane_point source;
+    if(geodesics_->number_of_sources() == 1 || !geodesics_->is_source(label.origin) ||
+       !geodesics_->source_in_frame(label.origin, 3 * (h / 3), source))
+      return;
+    const double rounding = 1e-9 * geodesics_->faces().length(h); // as for two images
+    if(std::fabs(p.x - source.x) + std::fabs(p.y - source.y) <= rounding)
+      p = source;
   }
 
   /// the same for a label right beside the begin of `h`, which may come from any side

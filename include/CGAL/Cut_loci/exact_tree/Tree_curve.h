@@ -440,8 +440,9 @@ private:
   void add_segment(Index i, Index j, const Tree_graph::Edge& e, float width)
   {
     Indexed_cut_locus::Edge edge{i, j, mesh_edge(graph.nodes[i].vertex, graph.nodes[j].vertex, e.face),
-                                 static_cast<float>(e.gap), null_index};
+                                 e.is_between_sources() ? gap_between_sources : static_cast<float>(e.gap), null_index};
     edge.width = width;
+    edge.sources = e.sources;
     graph.edges.push_back(edge);
     face.push_back(e.face);
   }

@@ -17,7 +17,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -46,10 +48,13 @@ public:
   struct Edge
   {
     std::array<Index, 2> nodes;
-    Index face = null_index;  // that it runs through
-    Index piece = null_index; // of `Ridges`
-    double gap = 0.;          // at its wider end
-    bool is_virtual = false;  // joins a point on the border to the node of the border loop; in no face
+    Index face = null_index;                 // that it runs through
+    Index piece = null_index;                // of `Ridges`
+    double gap = 0.;                         // at its wider end
+    bool is_virtual = false;                 // joins a point on the border to the node of the border loop; in no face
+    std::array<Index, 2> sources = {{0, 0}}; // on its two sides, the smaller one first
+
+    bool is_between_sources() const { return sources[0] != sources[1]; }
   };
 
   std::vector<Node> nodes;
@@ -229,11 +234,33 @@ private:
     return node;
   }
 
-  void add_edge(Index a, Index b, Index face, Index piece = null_index)
+  void add_piece(Index a, Index b, Index face, Index p)
   {
-    const double gap =
-      piece != null_index ? (std::max)(ridges_.piece(piece).gaps[0], ridges_.piece(piece).gaps[1]) : 0.;
-    edges.push_back({{{a, b}}, face, piece, gap, face == null_index});
+    const Ridges::Piece& piece = ridges_.piece(p);
+    Edge edge{{{a, b}}, face, p, (std::max)(piece.gaps[0], piece.gaps[1]), false};
+    edge.sources = {
+      {geodesics_.source_of_origin(piece.images[0].origin), geodesics_.source_of_origin(piece.images[1].origin)}};
+    add_between_sources(edge);
+  }
+
+  void add_joint(Index a, Index b, Index face, const Joint& joint)
+  {
+    Edge edge{{{a, b}}, face, null_index, 0., face == null_index};
+    edge.sources = {{joint.sources[0], joint.sources[1]}};
+    add_between_sources(edge);
+  }
+
+  /// Nothing is weak about what is between two sources, and what is not has a gap.
+  void add_between_sources(Edge& edge)
+  {
+    constexpr double infinity = (std::numeric_limits<double>::infinity)();
+    if(edge.sources[1] < edge.sources[0])
+      std::swap(edge.sources[0], edge.sources[1]);
+    if(edge.is_between_sources())
+      edge.gap = infinity;
+    else if(edge.gap == infinity) // labels that do not fit each other
+      edge.gap = 0.;
+    edges.push_back(edge);
   }
 
   /// the pieces in the faces; two faces share the node of a crossing if a joint joins them there
@@ -247,7 +274,7 @@ private:
         node_of_crossing_[c] = add_crossing(c);
         const Node& node = nodes[node_of_crossing_[c]];
         if(node.loop != null_index)
-          add_edge(node_of_crossing_[c], node.loop, null_index);
+          add_joint(node_of_crossing_[c], node.loop, null_index, graph_.joints[j]);
       }
     const std::vector<Ridges::Face>& faces = ridges_.faces();
     first_of_face_.resize(faces.size() + 1, 0);
@@ -258,8 +285,8 @@ private:
         node_in_face_.push_back(add_node_of_face(faces[r], i));
       for(Index p = faces[r].first_piece; p < faces[r].end_piece; ++p)
         if(node_in_face(r, ridges_.piece(p).nodes[0]) != null_index)
-          add_edge(node_in_face(r, ridges_.piece(p).nodes[0]), node_in_face(r, ridges_.piece(p).nodes[1]),
-                   faces[r].face, p);
+          add_piece(node_in_face(r, ridges_.piece(p).nodes[0]), node_in_face(r, ridges_.piece(p).nodes[1]),
+                    faces[r].face, p);
     }
   }
 
@@ -329,8 +356,8 @@ private:
       if(!is_kept_[j])
         continue;
       if(joint.kind == Joint::CELL)
-        add_edge(node_in_face(joint.element, joint.crossings[0]), node_in_face(joint.element, joint.crossings[1]),
-                 ridges_.faces()[joint.element].face);
+        add_joint(node_in_face(joint.element, joint.crossings[0]), node_in_face(joint.element, joint.crossings[1]),
+                  ridges_.faces()[joint.element].face, joint);
       if(joint.kind != Joint::EDGE)
         continue;
       const Index h = connectivity_.halfedge_of_edge[joint.element];
@@ -338,12 +365,12 @@ private:
       node.distance = 0.5 * (geodesics_.distance(mesh_.source(h)) + geodesics_.distance(mesh_.target(h)));
       node_of_joint_[j] = add_node(node);
       if(node.loop != null_index)
-        add_edge(node_of_joint_[j], node.loop, null_index);
+        add_joint(node_of_joint_[j], node.loop, null_index, joint);
       for(Index g : {h, mesh_.opposite[h]})
         if(g != null_index && graph_.record(g / 3) != null_index)
         {
           const Index r = graph_.record(g / 3);
-          add_edge(node_of_joint_[j], node_in_face(r, graph_.leaf_behind(r, g % 3)), g / 3);
+          add_joint(node_of_joint_[j], node_in_face(r, graph_.leaf_behind(r, g % 3)), g / 3, joint);
         }
     }
   }
@@ -351,29 +378,33 @@ private:
   /// faces that hold no piece and are left: they lead from one edge to another
   void add_plain_faces()
   {
-    std::unordered_map<Index, std::vector<Index>> at_face;
+    std::unordered_map<Index, std::vector<Index>> at_face; // the joints
     std::vector<Index> order;
     for(Index j = 0; j < graph_.joints.size(); ++j)
     {
       const Joint& joint = graph_.joints[j];
       if(!is_kept_[j] || joint.kind == Joint::CELL)
         continue;
-      const Index node = joint.kind == Joint::EDGE ? node_of_joint_[j] : node_of_crossing_[joint.element];
       for(Index i : joint.nodes)
         if(i < graph_.first_loop && graph_.record(i) == null_index)
         {
           std::vector<Index>& at = at_face[i];
           if(at.empty())
             order.push_back(i);
-          at.push_back(node);
+          at.push_back(j);
         }
     }
+    const auto node_of = [&](Index j)
+    {
+      const Joint& joint = graph_.joints[j];
+      return joint.kind == Joint::EDGE ? node_of_joint_[j] : node_of_crossing_[joint.element];
+    };
     for(Index f : order)
     {
       const std::vector<Index>& at = at_face[f];
       if(at.size() == 2)
       {
-        add_edge(at[0], at[1], f);
+        add_joint(node_of(at[0]), node_of(at[1]), f, graph_.joints[at[0]]);
         continue;
       }
       Node node;
@@ -386,8 +417,8 @@ private:
       for(Index v : mesh_.triangles[f])
         node.distance += geodesics_.distance(v) / 3.;
       const Index center = add_node(node);
-      for(Index i : at)
-        add_edge(center, i, f);
+      for(Index j : at)
+        add_joint(center, node_of(j), f, graph_.joints[j]);
     }
   }
 
@@ -446,7 +477,7 @@ private:
         else
           node_inside.insert({ends[k], found[k]});
       }
-    add_edge(found[0], found[1], face.face, p);
+    add_piece(found[0], found[1], face.face, p);
   }
 
   const Indexed_triangle_mesh& mesh_;

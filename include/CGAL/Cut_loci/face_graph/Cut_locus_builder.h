@@ -23,7 +23,9 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Cut_loci {
@@ -45,7 +47,7 @@ public:
   {
   }
 
-  Result operator()(const Indexed_cut_locus& cut_locus, const Indexed_source& source,
+  Result operator()(const Indexed_cut_locus& cut_locus, const std::vector<Indexed_source>& sources,
                     const std::shared_ptr<const Source_result>& shared) const
   {
     typename Result::Graph graph(cut_locus.nodes.size());
@@ -57,6 +59,7 @@ public:
       edge.strength = e.strength;
       edge.width = read_->unit * e.width;
       edge.origin = e.origin;
+      edge.sources = {{e.sources[0], e.sources[1]}};
       if(e.halfedge != null_index)
       {
         edge.mesh_halfedge = read_->halfedges[component_.halfedge(e.halfedge)];
@@ -71,8 +74,20 @@ public:
       const Index i = get(read->index_of_vertex, v);
       return i == null_index ? (std::numeric_limits<double>::infinity)() : read->unit * shared->distance[i];
     };
-    return Result(std::move(graph), make_vertex(source.location, source.vertex, 0.), read_->vertices[shared->farthest],
-                  shared, distance, cut_locus.number_of_narrow_corridors);
+    typename Result::Nearest_source_function nearest_source;
+    if(!shared->nearest_source.empty())
+      nearest_source = [shared, read](typename Result::mesh_vertex_descriptor v) -> std::optional<std::size_t>
+      {
+        const Index i = get(read->index_of_vertex, v);
+        if(i == null_index || shared->nearest_source[i] == null_index)
+          return std::nullopt;
+        return shared->nearest_source[i];
+      };
+    std::vector<typename Result::Vertex> source_points;
+    for(const Indexed_source& source : sources)
+      source_points.push_back(make_vertex(source.location, source.vertex, 0.));
+    return Result(std::move(graph), std::move(source_points), read_->vertices[shared->farthest], shared, distance,
+                  nearest_source, cut_locus.number_of_narrow_corridors);
   }
 
 private:

@@ -78,6 +78,18 @@ struct Surface_component
     return sum;
   }
 
+  // Values by vertex, those of the whole mesh. No values stay none.
+  template <typename T>
+  std::vector<T> in_whole(const std::vector<T>& values, std::size_t n, const T& elsewhere) const
+  {
+    if(is_whole() || values.empty())
+      return values;
+    std::vector<T> result(n, elsewhere);
+    for(std::size_t i = 0; i < part.vertices.size(); ++i)
+      result[part.vertices[i]] = values[i];
+    return result;
+  }
+
   // A source of the whole mesh, in this component.
   Indexed_source local(Indexed_source source) const
   {

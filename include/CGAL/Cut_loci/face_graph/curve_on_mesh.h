@@ -56,6 +56,8 @@ Curve_on_mesh curve_on_mesh(const Read_triangle_mesh<TriangleMesh>& read, const 
   const auto& graph = cut_locus.graph();
   if(num_vertices(graph) == 0)
     throw Invalid_input("the cut locus is empty");
+  if(cut_locus.number_of_sources() > 1)
+    throw Invalid_input("the cut locus is that of several sources: its complement is as many disks, and not one");
 
   std::map<typename Traits::vertex_descriptor, Index> vertex_index;
   std::map<typename Traits::halfedge_descriptor, Index> halfedge_index;

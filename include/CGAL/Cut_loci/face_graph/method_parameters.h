@@ -47,6 +47,14 @@ inline void refuse_parameter(const std::string& name, Method method, const std::
                       "cut_locus_method(Cut_loci::Method::LAPLACIAN)");
 }
 
+inline void refuse_several_sources(Method method)
+{
+  if(method == Method::LAPLACIAN)
+    throw Invalid_input("the method " + std::string(name_of(method)) +
+                        " takes one source: several need the paths of the package's own exact solver, with "
+                        "Cut_loci::Method::DIRECTION or Cut_loci::Method::POLYHEDRAL");
+}
+
 // A parameter of another method would be ignored, and the caller would take the result for what it asked for.
 template <typename NamedParameters>
 void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
@@ -77,6 +85,8 @@ void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
     refuse_unless(!is_laplacian, "minimum_branch_gap", use_paths);
   if(is_given<NamedParameters, np::minimum_branch_width_t>())
     refuse_unless(!is_laplacian, "minimum_branch_width", use_paths);
+  if(is_given<NamedParameters, np::voronoi_t>())
+    refuse_unless(!is_laplacian, "voronoi", use_paths);
 }
 
 template <typename Number>
@@ -141,6 +151,7 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
   if(!(result.width >= 0. && result.width <= (std::numeric_limits<double>::max)()))
     throw Invalid_input("the minimum width of a branch must be a number that is not negative");
   read_least_branch(np, 0, diagonal, result);
+  result.is_voronoi = choose_parameter(get_parameter(np, internal_np::voronoi), false);
   return result;
 }
 

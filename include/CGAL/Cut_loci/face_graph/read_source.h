@@ -19,6 +19,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace CGAL {
 namespace Cut_loci {
@@ -106,6 +111,91 @@ Indexed_source source_in_face(const TriangleMesh& tm, const Read_triangle_mesh<T
       source.vertex = read.mesh.triangles[source.location.face][i];
   }
   return source;
+}
+
+// One of several sources: a vertex, a face location, or a variant of both.
+template <typename TriangleMesh, typename FT>
+Indexed_source
+read_source(const TriangleMesh& tm, const Read_triangle_mesh<TriangleMesh>& read,
+            const std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<FT, 3>>& location,
+            double tolerance)
+{
+  return source_in_face(tm, read, location.first, location.second, tolerance);
+}
+
+template <typename TriangleMesh>
+Indexed_source read_source(const TriangleMesh& tm, const Read_triangle_mesh<TriangleMesh>& read,
+                           typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, double)
+{
+  return source_at_vertex(tm, read, v);
+}
+
+template <typename TriangleMesh, typename... Points>
+Indexed_source read_source(const TriangleMesh& tm, const Read_triangle_mesh<TriangleMesh>& read,
+                           const std::variant<Points...>& source, double tolerance)
+{
+  return std::visit([&](const auto& point) { return read_source(tm, read, point, tolerance); }, source);
+}
+
+template <typename TriangleMesh, typename Sources>
+std::vector<Indexed_source> read_sources(const TriangleMesh& tm, const Read_triangle_mesh<TriangleMesh>& read,
+                                         const Sources& sources, double tolerance)
+{
+  std::vector<Indexed_source> result;
+  for(const auto& source : sources)
+    try
+    {
+      result.push_back(read_source(tm, read, source, tolerance));
+    }
+    catch(const Invalid_input& error)
+    {
+      throw Invalid_input("source " + std::to_string(result.size()) + ": " + error.what());
+    }
+  if(result.empty())
+    throw Invalid_input("the range of sources is empty");
+  return result;
+}
+
+// Whether two locations are the same point, up to `tolerance` of their coordinates: they may be on an edge that they name
+// by different faces.
+inline bool is_same_point(const Indexed_triangle_mesh& mesh, const Indexed_source& a, const Indexed_source& b,
+                          double tolerance)
+{
+  if(a.vertex != null_index || b.vertex != null_index)
+    return a.vertex == b.vertex;
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    double same = 0.; // the coordinate of `b` for the same vertex
+    for(std::size_t j = 0; j < 3; ++j)
+      if(mesh.triangles[b.location.face][j] == mesh.triangles[a.location.face][i])
+        same = b.location.coordinates[j];
+    if(std::fabs(same - a.location.coordinates[i]) > tolerance)
+      return false;
+  }
+  return true;
+}
+
+// Throws if two sources are at the same point, or in different components.
+inline void check_sources(const Indexed_triangle_mesh& mesh, const std::vector<Indexed_source>& sources,
+                          const std::vector<Index>& component_of_face, double tolerance)
+{
+  const auto name = [](Index i, Index k) { return "sources " + std::to_string(i) + " and " + std::to_string(k); };
+  std::unordered_map<Index, std::vector<Index>> at_vertex; // the sources whose smallest vertex it is
+  for(Index i = 0; i < sources.size(); ++i)
+  {
+    const Indexed_location& at = sources[i].location;
+    if(component_of_face[at.face] != component_of_face[sources.front().location.face])
+      throw Invalid_input(name(0, i) + " are in different components of the mesh: each component is a surface of its "
+                                       "own, whose cut locus has to be computed for the sources in it");
+    Index smallest = null_index;
+    for(std::size_t k = 0; k < 3; ++k)
+      if(at.coordinates[k] > 0.)
+        smallest = (std::min)(smallest, mesh.triangles[at.face][k]);
+    for(Index k : at_vertex[smallest])
+      if(is_same_point(mesh, sources[k], sources[i], tolerance))
+        throw Invalid_input(name(k, i) + " are at the same point");
+    at_vertex[smallest].push_back(i);
+  }
 }
 
 } // namespace internal

@@ -36,6 +36,8 @@ public:
   virtual Index farthest() const = 0;
   virtual Index genus() const = 0;
   virtual Index number_of_border_loops() const = 0;
+  // the number of the nearest source of each vertex; empty if there is one source
+  virtual std::vector<Index> nearest_sources() const { return {}; }
 };
 
 // for `Method::LAPLACIAN`
@@ -63,8 +65,8 @@ public:
   virtual const Exact_tree_thresholds& default_thresholds() const = 0;
   // What does not pass may be left out; `filter()` computes it if it is asked for.
   virtual void expect(const Branch_strength& least) = 0;
-  // comes first, or, of the sources, after `expect()`
-  virtual void compute_distance(const Indexed_source& source) = 0;
+  // comes first, or, of the sources, after `expect()`; several sources are at different points
+  virtual void compute_distance(const std::vector<Indexed_source>& sources) = 0;
   // `edges` becomes the curve of mesh edges, whichever curve is asked for
   virtual Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges) = 0;
 };

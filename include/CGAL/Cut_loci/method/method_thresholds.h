@@ -81,6 +81,7 @@ struct Exact_tree_thresholds : Branch_strength
 {
   Index minimum_edges = 0;    // branches of fewer edges of the mesh are removed
   double minimum_length = 0.; // branches that are shorter are removed
+  bool is_voronoi = false;    // all that is not between two sources is removed
 };
 
 } // namespace internal

@@ -17,65 +17,85 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-// A copy of `mesh` with one more vertex, the last one, at `location`, which is inside a face or on an edge.
-inline Indexed_triangle_mesh insert_vertex(const Indexed_triangle_mesh& mesh, const Indexed_location& location)
+// A face at a vertex that has been inserted: the vertex and, as its halfedge 1, a halfedge of the mesh as it was.
+struct Face_at_inserted_vertex
 {
-  Indexed_triangle_mesh result = mesh;
+  Index face, base;
+};
+
+// Inserts a vertex, the last one, at `location`, which is inside a face or on an edge. The faces around it take the
+// place of those that it lies on, and further ones come last.
+inline std::vector<Face_at_inserted_vertex> insert_vertex_into(Indexed_triangle_mesh& mesh,
+                                                               const Indexed_location& location)
+{
   const Index v = mesh.number_of_vertices();
   const Index first = 3 * location.face;
   const Indexed_triangle_mesh::Triangle& t = mesh.triangles[location.face];
   const std::array<double, 3>& c = location.coordinates;
-  result.points.push_back(c[0] * mesh.points[t[0]] + (c[1] * mesh.points[t[1]] + c[2] * mesh.points[t[2]]));
+  mesh.points.push_back(c[0] * mesh.points[t[0]] + (c[1] * mesh.points[t[1]] + c[2] * mesh.points[t[2]]));
 
   // Around the new vertex, faces over the edges of the face, or of the two faces at the edge that it lies on.
-  std::vector<Index> base;
+  struct Base
+  {
+    Index halfedge, source, target, opposite;
+  };
+  std::vector<Base> base;
+  const auto add_base = [&](Index h) { base.push_back({h, mesh.source(h), mesh.target(h), mesh.opposite[h]}); };
   std::vector<Index> replaced(1, location.face);
   for(Index i = 0; i < 3; ++i)
   {
     const Index h = first + i;
     if(c[(i + 2) % 3] > 0.)
     {
-      base.push_back(h);
+      add_base(h);
       continue;
     }
     const Index o = mesh.opposite[h];
     if(o == null_index)
       continue;
     replaced.push_back(o / 3);
-    base.push_back(mesh.next(o));
-    base.push_back(mesh.previous(o));
+    add_base(mesh.next(o));
+    add_base(mesh.previous(o));
   }
 
-  // Face k is (v, a, b) over the base edge a b: halfedge 1 is the base, 0 and 2 are spokes.
-  std::vector<Index> faces = replaced;
-  for(Index f = mesh.number_of_faces(); faces.size() < base.size(); ++f)
-    faces.push_back(f);
-  result.triangles.resize(mesh.number_of_faces() + base.size() - replaced.size());
-  result.opposite.resize(3 * result.triangles.size());
+  std::vector<Face_at_inserted_vertex> result;
+  Index number_of_faces = mesh.number_of_faces();
+  for(std::size_t k = 0; k < base.size(); ++k)
+    result.push_back({k < replaced.size() ? replaced[k] : number_of_faces++, base[k].halfedge});
+  mesh.triangles.resize(number_of_faces);
+  mesh.opposite.resize(3 * mesh.triangles.size());
   for(std::size_t k = 0; k < base.size(); ++k)
   {
-    result.triangles[faces[k]] = {{v, mesh.source(base[k]), mesh.target(base[k])}};
+    mesh.triangles[result[k].face] = {{v, base[k].source, base[k].target}};
     for(Index i = 0; i < 3; ++i)
-      result.opposite[3 * faces[k] + i] = null_index;
+      mesh.opposite[3 * result[k].face + i] = null_index;
   }
   for(std::size_t k = 0; k < base.size(); ++k)
   {
-    const Index h = 3 * faces[k];
+    const Index h = 3 * result[k].face;
     for(std::size_t l = 0; l < base.size(); ++l)
-      if(l != k && mesh.source(base[l]) == mesh.target(base[k]))
+      if(l != k && base[l].source == base[k].target)
       {
-        result.opposite[h + 2] = 3 * faces[l];
-        result.opposite[3 * faces[l]] = h + 2;
+        mesh.opposite[h + 2] = 3 * result[l].face;
+        mesh.opposite[3 * result[l].face] = h + 2;
       }
-    Index outside = mesh.opposite[base[k]];
+    Index outside = base[k].opposite;
     if(outside == null_index)
       continue;
-    const auto glued = std::find(base.begin(), base.end(), outside); // a face may be its own neighbor
-    if(glued != base.end())
-      outside = 3 * faces[glued - base.begin()] + 1;
-    result.opposite[h + 1] = outside;
-    result.opposite[outside] = h + 1;
+    const auto glued = std::find_if(base.begin(), base.end(), [&](const Base& b) { return b.halfedge == outside; });
+    if(glued != base.end()) // a face may be its own neighbor
+      outside = 3 * result[static_cast<std::size_t>(glued - base.begin())].face + 1;
+    mesh.opposite[h + 1] = outside;
+    mesh.opposite[outside] = h + 1;
   }
+  return result;
+}
+
+// A copy of `mesh` with one more vertex, the last one, at `location`, which is inside a face or on an edge.
+inline Indexed_triangle_mesh insert_vertex(const Indexed_triangle_mesh& mesh, const Indexed_location& location)
+{
+  Indexed_triangle_mesh result = mesh;
+  insert_vertex_into(result, location);
   return result;
 }
 

@@ -1,0 +1,701 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "built_mesh.h"
+#include "curve_topology.h"
+#include "polyhedra.h"
+
+#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Heat_method_geodesic_solver.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_exact_geodesics.h>
+#include <CGAL/compute_cut_locus.h>
+#include <CGAL/cut_along_cut_locus.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace {
+
+using namespace test_meshes;
+using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::Index;
+using CGAL::Cut_loci::Indexed_cut_locus;
+using CGAL::Cut_loci::Invalid_input;
+using CGAL::Cut_loci::Method;
+using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using Built = Built_mesh<Mesh>;
+using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
+using Result = Solver::Result;
+using Location = Solver::Face_location;
+using Source = Solver::Source;
+namespace params = CGAL::parameters;
+
+constexpr Method methods[] = {Method::DIRECTION, Method::POLYHEDRAL};
+
+// The curve in the dense indices in which the topology is checked.
+Indexed_cut_locus indexed_curve(const Result& result, const CGAL::Cut_loci::internal::Read_triangle_mesh<Mesh>& read)
+{
+  Indexed_cut_locus curve;
+  const auto& graph = result.graph();
+  for(const auto v : CGAL::make_range(vertices(graph)))
+  {
+    Indexed_cut_locus::Node node;
+    node.location = {get(read.index_of_face, graph[v].location.first), graph[v].location.second};
+    curve.nodes.push_back(node);
+  }
+  for(const auto e : CGAL::make_range(edges(graph)))
+    curve.edges.push_back({Index(source(e, graph)), Index(target(e, graph))});
+  return curve;
+}
+
+std::string fault_through_faces(const Built& built, const Result& result)
+{
+  const auto read = CGAL::Cut_loci::internal::read_triangle_mesh(built.mesh, get(CGAL::vertex_point, built.mesh));
+  const Indexed_cut_locus curve = indexed_curve(result, read);
+  return curve_measures::internal::Curve_topology(read.mesh, curve).fault(result.number_of_sources());
+}
+
+// the number of the disk that each face is in
+std::vector<std::size_t> disks_of_faces(const Built& built, const Result& result)
+{
+  const auto& graph = result.graph();
+  std::set<Mesh::Edge_index> is_cut;
+  for(const auto e : CGAL::make_range(edges(graph)))
+    is_cut.insert(built.mesh.edge(graph[e].mesh_halfedge));
+  topology_checker::Union_find faces(built.mesh.number_of_faces());
+  for(const Mesh::Edge_index e : built.mesh.edges())
+    if(!built.mesh.is_border(e) && is_cut.count(e) == 0)
+      faces.unite(built.mesh.face(built.mesh.halfedge(e, 0)), built.mesh.face(built.mesh.halfedge(e, 1)));
+  std::vector<std::size_t> part;
+  for(std::size_t f = 0; f < built.mesh.number_of_faces(); ++f)
+    part.push_back(faces.find(f));
+  return part;
+}
+
+// each source touches a disk of its own
+std::string fault_of_cells(const Built& built, const Result& result)
+{
+  const std::vector<std::size_t> disk = disks_of_faces(built, result);
+  std::map<std::size_t, std::set<std::size_t>> at_disk;
+  for(std::size_t i = 0; i < result.number_of_sources(); ++i)
+  {
+    const Location& at = result.source(i).location;
+    at_disk[disk[at.first]].insert(i);
+    Mesh::Halfedge_index h = built.mesh.halfedge(at.first);
+    for(std::size_t k = 0; k < 3; ++k, h = built.mesh.next(h))
+    {
+      if(at.second[k] == 1.)
+        for(const Mesh::Face_index f : built.mesh.faces_around_target(built.mesh.opposite(h)))
+          if(f != Mesh::null_face())
+            at_disk[disk[f]].insert(i);
+      if(at.second[(k + 2) % 3] == 0. && !built.mesh.is_border(built.mesh.opposite(h)))
+        at_disk[disk[built.mesh.face(built.mesh.opposite(h))]].insert(i);
+    }
+  }
+  return at_disk.size() == result.number_of_sources() ? "" : "some disks hold no source";
+}
+
+std::string fault_of_mesh_edges(const Built& built, const Result& result)
+{
+  const topology_checker::Surface surface(built.data.triangles, 0);
+  const std::string fault = topology_checker::fault(surface, cut_of(built, result), result.number_of_sources());
+  return fault.empty() ? fault_of_cells(built, result) : fault;
+}
+
+double diagonal(const Built& built)
+{
+  Point low = built.data.points[0], high = low;
+  for(const Point& p : built.data.points)
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      low[i] = (std::min)(low[i], p[i]);
+      high[i] = (std::max)(high[i], p[i]);
+    }
+  return norm(high - low);
+}
+
+// The distances from each source alone, to the vertices and the nodes of a curve.
+struct Distances
+{
+  std::vector<std::vector<double>> to_vertex, to_node;
+
+  Distances(const Built& built, const std::vector<Source>& sources, const Result& result)
+  {
+    CGAL::Surface_mesh_exact_geodesics<Mesh> exact(built.mesh);
+    for(const auto v : CGAL::make_range(vertices(result.graph())))
+      exact.add_query(result.graph()[v].location);
+    for(const Source& s : sources)
+    {
+      exact.clear_sources();
+      std::visit([&](const auto& point) { exact.add_source(point); }, s);
+      exact.compute();
+      to_vertex.emplace_back();
+      for(const Mesh::Vertex_index v : built.vertices)
+        to_vertex.back().push_back(exact.distance(v));
+      to_node.emplace_back();
+      for(std::size_t i = 0; i < num_vertices(result.graph()); ++i)
+        to_node.back().push_back(exact.query_distance(i));
+    }
+  }
+
+  static double least(const std::vector<std::vector<double>>& to, std::size_t i)
+  {
+    double result = to[0][i];
+    for(const auto& d : to)
+      result = (std::min)(result, d[i]);
+    return result;
+  }
+};
+
+// distances, cells and labels against runs with one source each
+void expect_voronoi_diagram(const Built& built, const std::vector<Source>& sources, const Result& result,
+                            const std::string& what)
+{
+  const Distances d(built, sources, result);
+  // a source may have been moved by a millionth of a face, and a curve leaves the cut locus by 1e-4 edges
+  const double exact = 1e-9 * diagonal(built), drawn = 4e-4 * mean_edge_length(built.data);
+  for(std::size_t v = 0; v < built.vertices.size(); ++v)
+  {
+    ASSERT_NEAR(result.distance(built.vertices[v]), Distances::least(d.to_vertex, v), exact) << what;
+    ASSERT_TRUE(result.nearest_source(built.vertices[v]).has_value()) << what;
+    ASSERT_NEAR(d.to_vertex[*result.nearest_source(built.vertices[v])][v], Distances::least(d.to_vertex, v), exact)
+      << what;
+  }
+  // In a few faces, at symmetric places, labels do not fit each other: the curve is good to the size of the face there.
+  const auto& graph = result.graph();
+  std::size_t number_of_inexact = 0;
+  for(const auto e : CGAL::make_range(edges(graph)))
+    for(const std::size_t node : {source(e, graph), target(e, graph)})
+      for(const std::size_t s : graph[e].sources)
+      {
+        const double excess = d.to_node[s][node] - Distances::least(d.to_node, node);
+        number_of_inexact += !(excess <= drawn);
+        ASSERT_LE(excess, mean_edge_length(built.data)) << what;
+      }
+  EXPECT_LE(number_of_inexact, 4 * num_edges(graph) / 30) << what << ", of " << 4 * num_edges(graph) << " labels";
+}
+
+// Distinct vertices, points of edges and points in faces.
+std::vector<Source> random_sources(const Built& built, std::size_t k, unsigned seed)
+{
+  std::mt19937 engine(seed);
+  std::vector<Source> result;
+  std::set<std::size_t> taken;
+  while(result.size() < k)
+  {
+    const std::size_t kind = engine() % 3, f = engine() % built.faces.size();
+    const double a = 0.05 + 0.2 * (1. + random_unit(engine)), b = 0.05 + 0.2 * (1. + random_unit(engine));
+    if(kind == 0)
+    {
+      const std::size_t v = engine() % built.vertices.size();
+      if(taken.insert(v).second)
+        result.push_back(built.vertices[v]);
+    }
+    else
+      result.push_back(Location(built.faces[f], kind == 1 ? std::array<double, 3>{{1. - a - b, a, b}}
+                                                          : std::array<double, 3>{{a, 0., 1. - a}}));
+  }
+  return result;
+}
+
+struct Named_mesh
+{
+  std::string name;
+  Mesh_data data;
+};
+
+std::vector<Named_mesh> meshes()
+{
+  return {{"sphere", jittered_sphere(6, 0.2, 1)},
+          {"convex", random_convex_polyhedron(60, 1)},
+          {"cuboid", cuboid({{3., 1., 0.4}}, 2)},
+          {"bumpy sphere", bumpy_sphere(7, 0.5, 3)},
+          {"torus", torus(1., 0.4, 20, 10, 0.2, 4)},
+          {"regular torus", torus(1., 0.4, 16, 8)},
+          {"genus 2", perforated_plate(2, 1, 2, 5)},
+          {"genus 3", perforated_plate(3, 1, 2, 6)},
+          {"square", square(7, 0.2, 1)},
+          {"cylinder", cylinder(1., 14, 5, 0.1, 4)},
+          {"square with holes", square_with_holes(2, 2)},
+          {"torus with holes", punctured(torus(1., 0.4, 30, 16, 0.1, 2), {{{1.4, 0., 0.}}, {{-1., 0., 0.4}}}, 0.25)}};
+}
+
+// Two sources may lie on too few faces for a curve of mesh edges. That is said, and there is no other reason to refuse.
+void expect_valid_mesh_edges(const Built& built, const Solver& solver, const std::string& what)
+{
+  try
+  {
+    EXPECT_EQ(fault_of_mesh_edges(built, solver.cut_locus(params::cut_locus_curve(Curve::MESH_EDGES))), "") << what;
+  }
+  catch(const Invalid_input& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("has no face to itself"), std::string::npos) << what;
+  }
+}
+
+void expect_all(const Built& built, const std::vector<Source>& sources, Method method, const std::string& what)
+{
+  Solver solver(built.mesh, params::cut_locus_method(method));
+  solver.set_sources(sources);
+  const Result curve = solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES));
+  ASSERT_EQ(curve.number_of_sources(), sources.size()) << what;
+  EXPECT_EQ(fault_through_faces(built, curve), "") << what;
+  expect_valid_mesh_edges(built, solver, what);
+  expect_voronoi_diagram(built, sources, curve, what);
+  for(const auto e : CGAL::make_range(edges(curve.graph())))
+  {
+    ASSERT_TRUE(std::isfinite(curve.graph()[e].strength) && curve.graph()[e].strength <= 2. * pi + 1e-6) << what;
+    ASSERT_TRUE(curve.graph()[e].width < 1e3 * diagonal(built)) << what;
+  }
+}
+
+TEST(Several_sources, have_one_disk_each_and_the_cells_that_single_sources_say)
+{
+  for(const Named_mesh& m : meshes())
+  {
+    const Built built(m.data);
+    unsigned seed = 0;
+    for(const std::size_t k : {1, 2, 5, 30})
+      for(const Method method : methods)
+        expect_all(built, random_sources(built, k, ++seed), method,
+                   m.name + ", " + name_of(method) + ", " + std::to_string(k) + " sources");
+  }
+}
+
+TEST(Several_sources, may_be_a_hundred_in_any_place)
+{
+  for(const Named_mesh& m : meshes())
+  {
+    const Built built(m.data);
+    expect_all(built, random_sources(built, 100, 7), Method::DIRECTION, m.name + ", 100 sources");
+  }
+}
+
+// -- places where rules could end --------------------------------------------------------------------------------------
+
+TEST(Several_sources, may_be_as_close_as_the_mesh_has_places)
+{
+  std::vector<Named_mesh> all = meshes();
+  all.push_back({"plate of cubes", plate_with_holes(3, 1, 1)});
+  for(const Named_mesh& m : all)
+  {
+    const Built built(m.data);
+    const auto& t = m.data.triangles[m.data.triangles.size() / 2];
+    const Mesh::Face_index f = built.faces[m.data.triangles.size() / 2];
+    const std::vector<std::pair<std::string, std::vector<Source>>> cases = {
+      {"adjacent vertices", {built.vertices[t[0]], built.vertices[t[1]]}},
+      {"the vertices of a face", {built.vertices[t[0]], built.vertices[t[1]], built.vertices[t[2]]}},
+      {"two points of a face", {Location(f, {{0.3, 0.3, 0.4}}), Location(f, {{0.2, 0.7, 0.1}})}},
+      {"two points of an edge", {Location(f, {{0.3, 0.7, 0.}}), Location(f, {{0.6, 0.4, 0.}})}},
+      {"an edge and its ends",
+       {built.vertices[t[0]], built.vertices[t[1]], built.vertices[t[2]], Location(f, {{0.5, 0.5, 0.}}),
+        Location(f, {{0., 0.5, 0.5}})}},
+      {"one point enclosed by others in a face",
+       {Location(f, {{1. / 3., 1. / 3., 1. / 3.}}), Location(f, {{0.4, 0.3, 0.3}}), Location(f, {{0.3, 0.4, 0.3}}),
+        Location(f, {{0.3, 0.3, 0.4}})}},
+      {"a vertex and a point right beside it", {built.vertices[t[0]], Location(f, {{1. - 2e-6, 1e-6, 1e-6}})}}};
+    for(const auto& c : cases)
+      for(const Method method : methods)
+        expect_all(built, c.second, method, m.name + ", " + name_of(method) + ", " + c.first);
+  }
+}
+
+TEST(Several_sources, may_be_on_the_border)
+{
+  for(const Named_mesh& m : meshes())
+  {
+    const Built built(m.data);
+    std::vector<Source> sources;
+    for(const Mesh::Halfedge_index h : built.mesh.halfedges())
+      if(built.mesh.is_border(h) && sources.size() < 12)
+      {
+        const Mesh::Halfedge_index o = built.mesh.opposite(h);
+        std::array<double, 3> c = {{0., 0., 0.}};
+        Mesh::Halfedge_index g = built.mesh.halfedge(built.mesh.face(o));
+        for(std::size_t k = 0; k < 3; ++k, g = built.mesh.next(g))
+          c[k] = g == o ? 0.3 : g == built.mesh.next(o) ? 0.7 : 0.;
+        if(sources.size() % 3 == 0)
+          sources.push_back(Location(built.mesh.face(o), c));
+        else
+          sources.push_back(built.mesh.source(h));
+      }
+    if(!sources.empty())
+      for(const Method method : methods)
+        expect_all(built, sources, method, m.name + ", " + name_of(method));
+  }
+}
+
+TEST(Several_sources, may_be_all_vertices)
+{
+  for(const Mesh_data& data : {icosahedron(), cube(2), square(4)})
+  {
+    const Built built(data);
+    const std::vector<Source> sources(built.vertices.begin(), built.vertices.end());
+    for(const Method method : methods)
+      expect_all(built, sources, method, name_of(method));
+  }
+}
+
+TEST(Several_sources, in_symmetric_places_have_one_disk_each)
+{
+  const Built holes(square_with_holes(1, 3)), box(cuboid({{2., 1., 1.}}, 2)), ring(annulus(0.4, 1., 16, 3));
+  for(const Built* built : {&holes, &box, &ring})
+    for(const Method method : methods)
+    {
+      const std::size_t n = built->vertices.size();
+      Solver solver(built->mesh, params::cut_locus_method(method));
+      for(const auto& pair : {std::make_pair(std::size_t(0), n - 1), std::make_pair(n / 4, 3 * n / 4)})
+      {
+        solver.set_sources(std::vector<Source>{built->vertices[pair.first], built->vertices[pair.second]});
+        EXPECT_EQ(fault_through_faces(*built, solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES))), "");
+        expect_valid_mesh_edges(*built, solver, name_of(method));
+      }
+    }
+}
+
+// -- closed forms ------------------------------------------------------------------------------------------------------
+
+// the points of the Voronoi diagram, each with the sources beside it
+std::vector<std::pair<Point, std::array<std::size_t, 2>>> voronoi_points(const Result& result)
+{
+  std::vector<std::pair<Point, std::array<std::size_t, 2>>> points;
+  const auto& graph = result.graph();
+  for(const auto e : CGAL::make_range(edges(graph)))
+    if(graph[e].sources[0] != graph[e].sources[1])
+      for(const auto v : {source(e, graph), target(e, graph)})
+        points.push_back({{{graph[v].point.x(), graph[v].point.y(), graph[v].point.z()}}, graph[e].sources});
+  return points;
+}
+
+double length(const Result& result)
+{
+  double sum = 0.;
+  const auto& graph = result.graph();
+  for(const auto e : CGAL::make_range(edges(graph)))
+    sum += std::sqrt(CGAL::squared_distance(graph[source(e, graph)].point, graph[target(e, graph)].point));
+  return sum;
+}
+
+TEST(Several_sources, have_a_straight_bisector_on_a_plate)
+{
+  const Built built(square(9, 0.2, 5));
+  for(const Method method : methods)
+  {
+    const std::size_t a = nearest_vertex(built.data, {{0.2, 0.3, 0.}}),
+                      b = nearest_vertex(built.data, {{0.7, 0.6, 0.}});
+    Solver solver(built.mesh, params::cut_locus_method(method));
+    solver.set_sources(std::vector<Mesh::Vertex_index>{built.vertices[a], built.vertices[b]});
+    const Result result = solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES));
+    const Point p = built.data.points[a], q = built.data.points[b];
+    const auto points = voronoi_points(result);
+    ASSERT_FALSE(points.empty());
+    for(const auto& x : points)
+      EXPECT_NEAR(norm(x.first - p), norm(x.first - q), 1e-9);
+    EXPECT_EQ(num_edges(result.graph()), points.size() / 2) << "a plate has no other cut locus";
+    // from the side y = 0 or x = 1 to the side y = 1 or x = 0
+    const Point m = 0.5 * (p + q), d = {{q[1] - p[1], p[0] - q[0], 0.}};
+    double low = -1e9, high = 1e9;
+    for(std::size_t i = 0; i < 2; ++i)
+    {
+      low = (std::max)(low, (std::min)(-m[i] / d[i], (1. - m[i]) / d[i]));
+      high = (std::min)(high, (std::max)(-m[i] / d[i], (1. - m[i]) / d[i]));
+    }
+    EXPECT_NEAR(length(result), (high - low) * norm(d), 1e-9);
+  }
+}
+
+// of the unit square with two sides, unrolled over each of its edges
+double distance_on_doubly_covered_square(const Point& source, const Point& p, bool is_other_side)
+{
+  if(!is_other_side)
+    return norm(p - source);
+  return (std::min)({norm(Point{{-p[0], p[1], 0.}} - source), norm(Point{{2. - p[0], p[1], 0.}} - source),
+                     norm(Point{{p[0], -p[1], 0.}} - source), norm(Point{{p[0], 2. - p[1], 0.}} - source)});
+}
+
+TEST(Several_sources, have_the_known_diagram_on_a_doubly_covered_square)
+{
+  const Mesh_data front = square(8), data = doubly_covered(front);
+  const Built built(data);
+  std::vector<Source> sources;
+  std::vector<Point> points;
+  for(const Point& p : {Point{{0.25, 0.31, 0.}}, Point{{0.6, 0.7, 0.}}, Point{{0.8, 0.2, 0.}}})
+  {
+    const std::size_t v = nearest_vertex(front, p);
+    sources.push_back(built.vertices[v]);
+    points.push_back(data.points[v]);
+  }
+  for(const Method method : methods)
+  {
+    Solver solver(built.mesh, params::cut_locus_method(method));
+    solver.set_sources(sources);
+    const Result result = solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES));
+    const auto& graph = result.graph();
+    std::size_t number_on_back = 0;
+    for(const auto e : CGAL::make_range(edges(graph)))
+      for(const auto v : {source(e, graph), target(e, graph)})
+      {
+        const bool is_back = std::size_t(graph[v].location.first) >= front.triangles.size();
+        number_on_back += is_back;
+        const Point x = {{graph[v].point.x(), graph[v].point.y(), 0.}};
+        std::vector<double> d;
+        for(const Point& s : points)
+          d.push_back(distance_on_doubly_covered_square(s, x, is_back));
+        for(const std::size_t s : graph[e].sources)
+          EXPECT_NEAR(d[s], *std::min_element(d.begin(), d.end()), 1e-8);
+      }
+    EXPECT_GT(number_on_back, 0u);
+  }
+}
+
+TEST(Several_sources, have_the_known_diagram_on_a_cylinder)
+{
+  constexpr std::size_t nu = 24;
+  const Built built(cylinder(2., nu, 8, 0., 0));
+  const double girth = nu * 2. * std::sin(pi / nu); // that of the prism
+  const auto unrolled = [&](const Point& p)
+  {
+    // along the chords
+    const double u = std::atan2(p[1], p[0]) * nu / (2. * pi), k = std::floor(u), angle = 2. * pi / nu;
+    const Point a = {{std::cos(k * angle), std::sin(k * angle), 0.}};
+    return Point{{k * girth / nu + norm(Point{{p[0], p[1], 0.}} - a), p[2], 0.}};
+  };
+  const std::vector<std::size_t> at = {nu + 3, 4 * nu + 10, 6 * nu + 20};
+  std::vector<Source> sources;
+  for(const std::size_t v : at)
+    sources.push_back(built.vertices[v]);
+  for(const Method method : methods)
+  {
+    Solver solver(built.mesh, params::cut_locus_method(method));
+    solver.set_sources(sources);
+    for(const auto& x : voronoi_points(solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES))))
+    {
+      std::vector<double> d;
+      for(const std::size_t v : at)
+      {
+        d.push_back(1e9);
+        for(const double turn : {-1., 0., 1.})
+          d.back() = (std::min)(
+            d.back(), norm(unrolled(x.first) + Point{{turn * girth, 0., 0.}} - unrolled(built.data.points[v])));
+      }
+      for(const std::size_t s : x.second)
+        EXPECT_NEAR(d[s], *std::min_element(d.begin(), d.end()), 1e-8)
+          << "at " << x.first[0] << ' ' << x.first[1] << ' ' << x.first[2];
+    }
+  }
+}
+
+TEST(Several_sources, have_a_great_circle_on_a_sphere)
+{
+  double previous = 1.;
+  for(const std::size_t n : {8, 16, 32})
+  {
+    const Built built(jittered_sphere(n, 0.1, 2));
+    const std::size_t a = nearest_vertex(built.data, {{1., 0.2, 0.1}}),
+                      b = nearest_vertex(built.data, {{-0.1, 1., 0.3}});
+    const Point normal = normalized(built.data.points[a] - built.data.points[b]);
+    double most = 0.;
+    for(const auto& x : voronoi_points(
+          CGAL::compute_cut_locus(built.mesh, std::vector<Mesh::Vertex_index>{built.vertices[a], built.vertices[b]},
+                                  params::cut_locus_curve(Curve::THROUGH_FACES))))
+      most = (std::max)(most, std::fabs(dot(x.first, normal)));
+    EXPECT_LT(most, 0.1 * mean_edge_length(built.data)) << n;
+    EXPECT_LT(most, 0.7 * previous) << n;
+    previous = most;
+  }
+}
+
+// -- the interface -----------------------------------------------------------------------------------------------------
+
+TEST(Several_sources, no_threshold_removes_what_is_between_two)
+{
+  const Built built(bumpy_sphere(10, 0.5, 3));
+  Solver solver(built.mesh);
+  solver.set_sources(random_sources(built, 6, 3));
+  for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
+  {
+    const auto number = [&](const Result& result) { return voronoi_points(result).size() / 2; };
+    const std::size_t all = number(solver.cut_locus(params::cut_locus_curve(curve).minimum_branch_width(0.1)));
+    EXPECT_GT(all, 0u);
+    for(const auto& np : {params::cut_locus_curve(curve).minimum_branch_width(10.).minimum_branch_edges(100)})
+    {
+      const Result result = solver.cut_locus(np);
+      EXPECT_EQ(number(result), all);
+      EXPECT_EQ(2 * num_edges(result.graph()), voronoi_points(result).size()) << "there is no branch left";
+    }
+    const Result voronoi = solver.cut_locus(params::cut_locus_curve(curve).voronoi(true));
+    EXPECT_EQ(number(voronoi), all);
+    EXPECT_EQ(num_edges(voronoi.graph()), all);
+  }
+}
+
+TEST(Several_sources, leave_edges_of_the_voronoi_diagram_alone_if_asked_for)
+{
+  const Built built(torus(1., 0.4, 24, 12, 0.2, 4));
+  const std::vector<Source> sources = random_sources(built, 3, 1);
+  for(const Method method : methods)
+    for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
+    {
+      const auto np = params::cut_locus_method(method).cut_locus_curve(curve);
+      const Result all = CGAL::compute_cut_locus(built.mesh, sources, np),
+                   voronoi = CGAL::compute_cut_locus(built.mesh, sources, np.voronoi(true));
+      EXPECT_EQ(2 * num_edges(voronoi.graph()), voronoi_points(all).size());
+      EXPECT_LT(num_edges(voronoi.graph()), num_edges(all.graph()));
+      for(const auto v : CGAL::make_range(vertices(voronoi.graph())))
+        EXPECT_GT(out_degree(v, voronoi.graph()), 1u) << "on a closed surface it has no ends";
+      const Result mesh_edges = CGAL::compute_cut_locus(
+        built.mesh, sources, params::cut_locus_method(method).cut_locus_curve(Curve::MESH_EDGES).voronoi(true));
+      for(const auto e : CGAL::make_range(edges(voronoi.graph())))
+        EXPECT_TRUE(voronoi.graph()[e].origin < num_edges(mesh_edges.graph()) ||
+                    voronoi.graph()[e].origin == CGAL::Cut_loci::null_index);
+      const Result none = CGAL::compute_cut_locus(built.mesh, built.vertices[0], np.voronoi(true));
+      EXPECT_EQ(num_edges(none.graph()), 0u);
+      EXPECT_EQ(num_vertices(none.graph()), 1u);
+    }
+}
+
+TEST(Several_sources, one_of_them_is_a_source_as_ever)
+{
+  const Built built(torus(1., 0.4, 24, 12, 0.2, 4));
+  const Location location(built.faces[40], {{0.2, 0.3, 0.5}});
+  for(const Method method : methods)
+  {
+    const auto np = params::cut_locus_method(method).cut_locus_curve(Curve::THROUGH_FACES);
+    const Result one = CGAL::compute_cut_locus(built.mesh, location, np),
+                 set = CGAL::compute_cut_locus(built.mesh, std::vector<Location>{location}, np);
+    ASSERT_EQ(num_vertices(one.graph()), num_vertices(set.graph()));
+    ASSERT_EQ(num_edges(one.graph()), num_edges(set.graph()));
+    for(std::size_t v = 0; v < num_vertices(one.graph()); ++v)
+      EXPECT_EQ(one.graph()[v].point, set.graph()[v].point);
+    EXPECT_EQ(set.number_of_sources(), 1u);
+    for(const Mesh::Vertex_index v : built.vertices)
+      EXPECT_EQ(set.nearest_source(v), std::optional<std::size_t>(0));
+  }
+}
+
+TEST(Several_sources, are_numbered_in_their_order)
+{
+  const Built built(sphere(5));
+  const std::vector<Source> sources = random_sources(built, 5, 2);
+  const Result result = CGAL::compute_cut_locus(built.mesh, sources);
+  ASSERT_EQ(result.number_of_sources(), 5u);
+  for(std::size_t i = 0; i < 5; ++i)
+  {
+    if(std::holds_alternative<Mesh::Vertex_index>(sources[i]))
+    {
+      EXPECT_EQ(result.source(i).mesh_vertex, std::get<Mesh::Vertex_index>(sources[i]));
+      EXPECT_EQ(result.nearest_source(result.source(i).mesh_vertex), i);
+    }
+    else
+      EXPECT_EQ(result.source(i).location.first, std::get<Location>(sources[i]).first);
+  }
+}
+
+std::string message_of(const std::function<void()>& function)
+{
+  try
+  {
+    function();
+  }
+  catch(const Invalid_input& error)
+  {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+TEST(Several_sources, that_can_not_be_used_are_refused_by_their_numbers)
+{
+  const Built built(disjoint_union(sphere(3), torus(1., 0.4, 12, 8), {{5., 0., 0.}}));
+  const auto& v = built.vertices;
+  const auto message = [&](const std::vector<Source>& sources)
+  { return message_of([&] { Solver(built.mesh).set_sources(sources); }); };
+  EXPECT_EQ(message({v[0], v[5]}), "nothing was thrown");
+  EXPECT_NE(message({}).find("is empty"), std::string::npos);
+  EXPECT_NE(message({v[0], v[5], v[0]}).find("sources 0 and 2 are at the same point"), std::string::npos);
+  EXPECT_NE(message({v[0], v[1], v.back()}).find("sources 0 and 2 are in different components"), std::string::npos);
+  EXPECT_NE(message({v[0], Mesh::null_vertex()}).find("source 1: "), std::string::npos);
+
+  // the same point of an edge, named by both of its faces
+  const Mesh::Halfedge_index h = built.mesh.halfedge(v[3]), o = built.mesh.opposite(h);
+  const auto on = [&](Mesh::Halfedge_index g, double t)
+  {
+    Location result(built.mesh.face(g), {{0., 0., 0.}});
+    Mesh::Halfedge_index k = built.mesh.halfedge(result.first);
+    for(double& c : result.second)
+    {
+      c = k == g ? 1. - t : k == built.mesh.next(g) ? t : 0.;
+      k = built.mesh.next(k);
+    }
+    return result;
+  };
+  EXPECT_NE(message({on(h, 0.25), on(o, 0.75)}).find("at the same point"), std::string::npos);
+  EXPECT_NE(message({on(h, 1.), v[3]}).find("at the same point"), std::string::npos);
+  EXPECT_EQ(message({on(h, 0.25), on(o, 0.25)}), "nothing was thrown");
+  EXPECT_NE(message_of(
+              [&] {
+    CGAL::compute_cut_locus(built.mesh, std::vector<Source>{on(h, 0.3), on(h, 0.5), on(h, 0.7)});
+  }).find("has no face to itself"),
+            std::string::npos);
+}
+
+TEST(Several_sources, need_the_exact_solver)
+{
+  const Built built(sphere(4));
+  const std::vector<Mesh::Vertex_index> sources = {built.vertices[0], built.vertices[9]};
+  EXPECT_NE(message_of(
+              [&] {
+    CGAL::compute_cut_locus(built.mesh, sources, params::cut_locus_method(Method::LAPLACIAN));
+  }).find("takes one source"),
+            std::string::npos);
+  EXPECT_NE(message_of(
+              [&] {
+    CGAL::compute_cut_locus(built.mesh, sources, params::geodesic_solver(CGAL::Heat_method_geodesic_solver()));
+  }).find("takes one source"),
+            std::string::npos);
+}
+
+TEST(Several_sources, are_not_cut_open_to_one_disk)
+{
+  Built built(sphere(4));
+  const Result result =
+    CGAL::compute_cut_locus(built.mesh, std::vector<Mesh::Vertex_index>{built.vertices[0], built.vertices[9]});
+  Mesh disk;
+  EXPECT_NE(message_of([&] { CGAL::cut_along_cut_locus(built.mesh, result, disk); }).find("several sources"),
+            std::string::npos);
+}
+
+TEST(Several_sources, lie_in_a_component_and_all_else_is_unreached)
+{
+  const Built built(disjoint_union(sphere(4), torus(1., 0.4, 12, 8), {{5., 0., 0.}}));
+  const std::size_t first = sphere(4).points.size();
+  const Result result = CGAL::compute_cut_locus(
+    built.mesh, std::vector<Mesh::Vertex_index>{built.vertices[first + 3], built.vertices[first + 50]});
+  EXPECT_EQ(result.genus(), 1u);
+  for(std::size_t v = 0; v < built.vertices.size(); ++v)
+  {
+    EXPECT_EQ(result.nearest_source(built.vertices[v]).has_value(), v >= first);
+    EXPECT_EQ(std::isfinite(result.distance(built.vertices[v])), v >= first);
+  }
+}
+
+} // namespace
