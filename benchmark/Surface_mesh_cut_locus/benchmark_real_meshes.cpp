@@ -11,6 +11,7 @@
 //
 // No truth is needed, so any meshes will do. A run that is refused is a line with the cause.
 
+#include "Input_mesh.h"
 #include "Mesh.h"
 #include "completeness.h"
 #include "detour.h"
@@ -111,7 +112,7 @@ public:
     Mesh mesh;
     try
     {
-      mesh = read_mesh(file.string());
+      mesh = read_mesh(file.string(), true).mesh;
     }
     catch(const std::exception& error)
     {
