@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Ridges.h>
+#include <CGAL/Cut_loci/internal/Source_forest.h>
 #include <CGAL/Cut_loci/internal/rough_sort.h>
 
 #include <algorithm>
@@ -142,9 +143,7 @@ private:
       if(previous != null_index)
         behind_[previous] = mesh_.target(connectivity_.halfedge_of_edge[e]);
     }
-    parent_.resize(n);
-    for(Index i = 0; i < n; ++i)
-      parent_[i] = i;
+    forest_ = Source_forest(n);
   }
 
   /// the primal node before a crossing
@@ -166,9 +165,8 @@ private:
   /// one tree of the forest for each source
   void plant(const std::vector<Index>& source_vertices)
   {
-    source_.assign(parent_.size(), null_index);
     for(Index i = 0; i < source_vertices.size(); ++i)
-      source_[source_vertices[i]] = i;
+      forest_.plant(source_vertices[i], i);
   }
 
   /// from the nodes beside a joint to the sources of their trees
@@ -176,32 +174,7 @@ private:
   {
     for(Joint& joint : joints)
       for(Index& i : joint.sources)
-        i = source_[root(i)];
-  }
-
-  Index root(Index i)
-  {
-    while(parent_[i] != i)
-    {
-      parent_[i] = parent_[parent_[i]];
-      i = parent_[i];
-    }
-    return i;
-  }
-
-  /// whether `a` and `b` were not linked before, and may be
-  bool link(Index a, Index b)
-  {
-    a = root(a);
-    b = root(b);
-    if(a == b || (has_several_sources_ && source_[a] != null_index && source_[b] != null_index))
-      return false;
-    if(b < a)
-      std::swap(a, b);
-    parent_[b] = a;
-    if(has_several_sources_ && source_[a] == null_index)
-      source_[a] = source_[b];
-    return true;
+        i = forest_.source(i);
   }
 
   /*
@@ -237,7 +210,7 @@ private:
           while(tree(part) != tree(end));
         }
         for(std::size_t i = 0; i + 1 < parts.size(); ++i)
-          if(!link(behind(around_[parts[i]]), behind(around_[parts[i + 1]])))
+          if(!forest_.link(behind(around_[parts[i]]), behind(around_[parts[i + 1]])))
           {
             const Index end = (parts[i] + 1) % n, last = (parts.back() + 1) % n;
             joints.push_back({Joint::CELL, r, {node_of_tree(r, tree(end)), node_of_tree(r, tree(last))}, {end, last}});
@@ -278,12 +251,12 @@ private:
       const Index element = links[i].first;
       if(links[i].second)
       {
-        if(!link(before(element), behind_[element]))
+        if(!forest_.link(before(element), behind_[element]))
           add_crossing(element);
         continue;
       }
       const Index h = connectivity_.halfedge_of_edge[element];
-      if(!link(mesh_.source(h), mesh_.target(h)))
+      if(!forest_.link(mesh_.source(h), mesh_.target(h)))
       {
         const Index o = mesh_.opposite[h];
         joints.push_back({Joint::EDGE, element, {node_beside(h), o != null_index ? node_beside(o) : border_node(h)}});
@@ -336,9 +309,8 @@ private:
   const Ridges& ridges_;
   std::vector<Index> record_, first_extra_;
   std::vector<Index> behind_; // the primal node behind each crossing
-  std::vector<Index> parent_;
+  Source_forest forest_{0};
   bool has_several_sources_;
-  std::vector<Index> source_; // of the tree of each root, or null
   mutable std::vector<Ridges::Crossing_on_face> around_;
 };
 

@@ -17,6 +17,7 @@
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/internal/Source_forest.h>
 
 #include <algorithm>
 #include <array>
@@ -72,17 +73,14 @@ private:
 
   void grow_tree(const Face_cells& cells, const Source_faces& sources)
   {
-    parent_.resize(mesh_.number_of_faces());
-    for(Index f = 0; f < mesh_.number_of_faces(); ++f)
-      parent_[f] = f;
-    source_.assign(mesh_.number_of_faces(), null_index);
+    forest_ = Source_forest(mesh_.number_of_faces());
     for(Index i = 0; i < sources.number_of_sources(); ++i)
       if(sources.face(i) != null_index)
-        source_[sources.face(i)] = i;
+        forest_.plant(sources.face(i), i);
     // The faces at the source belong to its cell, wherever their centroids are.
     for(Index h = 0; h < mesh_.number_of_halfedges(); ++h)
       if(sources.is_inside(mesh_, h))
-        link_faces(h / 3, mesh_.opposite[h] / 3);
+        forest_.link(h / 3, mesh_.opposite[h] / 3);
     // edges between cells that touch come first, in any order, then the others by the distance of their middle
     std::vector<Candidate> barred;
     for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
@@ -93,7 +91,7 @@ private:
       const Candidate c = barrier(cells, h);
       if(c.stands_for != null_index)
         barred.push_back(c);
-      else if(!link_faces(h / 3, mesh_.opposite[h] / 3))
+      else if(!forest_.link(h / 3, mesh_.opposite[h] / 3))
         candidates_.push_back(c);
     }
     const auto way = [&](const Candidate& c)
@@ -110,7 +108,7 @@ private:
     for(const Candidate& c : barred)
     {
       const Index h = connectivity_.halfedge_of_edge[c.edge];
-      if(!link_faces(h / 3, mesh_.opposite[h] / 3))
+      if(!forest_.link(h / 3, mesh_.opposite[h] / 3))
         candidates_.push_back(c);
       else
         ++graph.number_of_narrow_corridors;
@@ -119,33 +117,9 @@ private:
       for(std::size_t k = 0; k < 2 && sources.number_of_sources() > 1; ++k)
       {
         const Index h = connectivity_.halfedge_of_edge[c.edge];
-        const Index source = source_[root_of(k == 0 ? h / 3 : mesh_.opposite[h] / 3)];
+        const Index source = forest_.source(k == 0 ? h / 3 : mesh_.opposite[h] / 3);
         c.sources[k] = source != null_index ? source : 0;
       }
-  }
-
-  Index root_of(Index f)
-  {
-    while(parent_[f] != f)
-    {
-      parent_[f] = parent_[parent_[f]];
-      f = parent_[f];
-    }
-    return f;
-  }
-
-  bool link_faces(Index f, Index g)
-  {
-    f = root_of(f);
-    g = root_of(g);
-    if(f == g || (source_[f] != null_index && source_[g] != null_index))
-      return false;
-    if(g < f)
-      std::swap(f, g);
-    parent_[g] = f;
-    if(source_[f] == null_index)
-      source_[f] = source_[g];
-    return true;
   }
 
   /// what is between the centroids of the faces of an edge: the piece of the graph with the largest gap in a face whose
@@ -316,8 +290,7 @@ private:
   const Mesh_with_sources* divided_;
   const Geodesic_results& geodesics_; // of that mesh, whose first vertices are those of this one
   Exact_tree& tree_;
-  std::vector<Index> parent_; // of faces
-  std::vector<Index> source_; // of the tree of each root, or null
+  Source_forest forest_{0}; // of faces
   std::vector<Candidate> candidates_;
   std::vector<Index> position_; // of vertices of the curve in the graph
 };

@@ -25,6 +25,8 @@ class Union_find
 public:
   explicit Union_find(std::size_t n) : rank_(n, 0), parent_(n) { std::iota(parent_.begin(), parent_.end(), Index(0)); }
 
+  std::size_t size() const { return parent_.size(); }
+
   Index find(Index i) { return sets().find_set(i); }
 
   // whether they were not in one set before
