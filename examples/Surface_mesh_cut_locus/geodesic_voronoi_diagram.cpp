@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,7 @@ int main(int argc, char* argv[])
   // farthest-point sampling: only what is nearer to the last sample than to all others has to be computed
   std::vector<Mesh::Vertex_index> samples(1, *mesh.vertices().begin());
   CGAL::Surface_mesh_exact_geodesics<Mesh> geodesics(mesh);
-  std::vector<double> distance(mesh.number_of_vertices(), geodesics.infinity());
+  std::vector<double> distance(mesh.number_of_vertices(), std::numeric_limits<double>::infinity());
   for(const std::size_t number = 20; samples.size() < number;)
   {
     geodesics.compute(samples.back());

@@ -192,6 +192,10 @@ TEST_F(Program, Sources_and_thresholds)
   EXPECT_NEAR(inside.at("source_point").at(0).get<double>(), 1.36, 0.03);
   EXPECT_EQ(report("--source-point=-2,-0.01,0.02").at("genus"), 1);
 
+  const auto three = report("--source 5 --source 40 --source 80");
+  EXPECT_EQ(three.at("cycles"), 4) << "two of the torus, and one for each cell but the first";
+  EXPECT_EQ(three.at("sources"), nlohmann::json({5, 40, 80}));
+
   const std::string laplacian = "--method laplacian ";
   const auto loose = report(laplacian + "--angle 0.05 --min-branch-edges 0"),
              tight = report(laplacian + "--angle 3.2 --min-branch-edges 0");
@@ -547,6 +551,8 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--source=-1"), "--source takes");
   expect_failure(run_on_torus("--quiet --source 99999"), "out of range");
   expect_failure(run_on_torus("--source 1 --source-point 0,0,0"), "exclude");
+  expect_failure(run_on_torus("--source 1 --source 2 --check"), "--check takes one source");
+  expect_failure(run_on_torus("--quiet --source 1 --source 1"), "sources 0 and 1 are at the same point");
   expect_failure(run_on_torus("--source-point 1,2"), "three numbers");
   expect_failure(run_on_torus("--source-point 1,2,3,4"), "three numbers");
   expect_failure(run_on_torus("--source-point 1,2,nan"), "a number");
