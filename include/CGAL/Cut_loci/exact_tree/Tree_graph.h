@@ -12,6 +12,7 @@
 #include <CGAL/Cut_loci/exact_tree/Cut_graph.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Ridges.h>
+#include <CGAL/Cut_loci/method/method_thresholds.h>
 
 #include <algorithm>
 #include <array>
