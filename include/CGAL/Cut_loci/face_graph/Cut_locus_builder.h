@@ -84,6 +84,7 @@ public:
         return shared->nearest_source[i];
       };
     std::vector<typename Result::Vertex> source_points;
+    source_points.reserve(sources.size());
     for(const Indexed_source& source : sources)
       source_points.push_back(make_vertex(source.location, source.vertex, 0.));
     return Result(std::move(graph), std::move(source_points), read_->vertices[shared->farthest], shared, distance,
