@@ -10,15 +10,15 @@
 #include "Union_find.h"
 #include "curve_topology.h"
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/curve/curve_refinement.h>
-#include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/surface/connected_components.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/connected_components.h>
+#include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 #include <CGAL/Cut_locus.h>
 

@@ -56,8 +56,9 @@ struct Cut_locus_edge
   /// for the gap, unless the method is `Cut_loci::Method::LAPLACIAN`. Between two sources, where the paths part nowhere
   /// and no threshold applies, it is 2 pi
   double strength = 0.;
-  /// the largest separation of the two shortest paths to a point of the edge; zero with `Cut_loci::Method::LAPLACIAN`.
-  /// Between two sources it is the length of the way from one to the other through the edge
+  /// the largest separation of the two shortest paths to a point of the edge, a length, up to a hundredth of it where it
+  /// changes steadily along the branch; zero with `Cut_loci::Method::LAPLACIAN`. Between two sources it is the length of the
+  /// way from one to the other through the edge
   double width = 0.;
   /// the numbers of the sources nearest to the points on its two sides, the smaller one first: they differ on the Voronoi
   /// diagram of several sources, and are the same within the cell of one

@@ -7,9 +7,9 @@
 #ifndef CGAL_EXACT_GEODESIC_SOLVER_H
 #define CGAL_EXACT_GEODESIC_SOLVER_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <memory>
 #include <vector>

@@ -7,9 +7,9 @@
 #ifndef CGAL_GRAPH_GEODESIC_SOLVER_H
 #define CGAL_GRAPH_GEODESIC_SOLVER_H
 
+#include <CGAL/Cut_loci/internal/monotone_queue.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
-#include <CGAL/Cut_loci/internal/monotone_queue.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>

@@ -7,9 +7,9 @@
 #ifndef CGAL_HEAT_METHOD_GEODESIC_SOLVER_H
 #define CGAL_HEAT_METHOD_GEODESIC_SOLVER_H
 
+#include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/insert_vertex.h>
-#include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 

@@ -7,9 +7,9 @@
 #ifndef CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
 #define CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
 
+#include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/insert_vertex.h>
-#include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
 
 #include <CGAL/Surface_mesh_shortest_path.h>
 

@@ -11,14 +11,14 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/face_graph/Cut_locus_builder.h>
-#include <CGAL/Cut_loci/method/Geodesic_solver_handle.h>
 #include <CGAL/Cut_loci/face_graph/Surface_component.h>
 #include <CGAL/Cut_loci/face_graph/Visitor_handle.h>
-#include <CGAL/Cut_loci/surface/connected_components.h>
 #include <CGAL/Cut_loci/face_graph/method_parameters.h>
 #include <CGAL/Cut_loci/face_graph/read_source.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/method/Geodesic_solver_handle.h>
 #include <CGAL/Cut_loci/named_parameters.h>
+#include <CGAL/Cut_loci/surface/connected_components.h>
 #include <CGAL/Cut_locus.h>
 #include <CGAL/Exact_geodesic_solver.h>
 

@@ -8,9 +8,9 @@
 #define CGAL_CUT_ALONG_CUT_LOCUS_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/output_maps.h>
+#include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_locus.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -9,9 +9,9 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/curve/curve_refinement.h>
-#include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/output_maps.h>
+#include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_locus.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -12,9 +12,9 @@
 
 #include "built_mesh.h"
 
+#include <CGAL/Cut_loci/statistics.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
-#include <CGAL/Cut_loci/statistics.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_cut_locus.h>
 

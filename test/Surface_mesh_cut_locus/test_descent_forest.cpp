@@ -8,15 +8,15 @@
 
 #include "indexed_meshes.h"
 
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/laplacian_method/descent_forest.h>
-#include <CGAL/Cut_loci/laplacian_method/homology.h>
-#include <CGAL/Cut_loci/laplacian_method/Exact_descent.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_path_tracing.h>
+#include <CGAL/Cut_loci/laplacian_method/Exact_descent.h>
+#include <CGAL/Cut_loci/laplacian_method/descent_forest.h>
+#include <CGAL/Cut_loci/laplacian_method/homology.h>
+#include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
-#include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
 
 #include <gtest/gtest.h>
 

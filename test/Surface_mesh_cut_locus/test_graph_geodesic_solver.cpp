@@ -6,12 +6,12 @@
 
 #include "indexed_meshes.h"
 
+#include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
+#include <CGAL/Cut_loci/surface/insert_vertex.h>
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
-#include <CGAL/Cut_loci/surface/flat_triangles.h>
-#include <CGAL/Cut_loci/surface/insert_vertex.h>
-#include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
 
 #include <gtest/gtest.h>
 

@@ -12,11 +12,11 @@
 #include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Cut_loci/exact_tree/Unfolded_polygon.h>
 #include <CGAL/Cut_loci/face_graph/Surface_component.h>
-#include <CGAL/Cut_loci/surface/connected_components.h>
 #include <CGAL/Cut_loci/face_graph/read_source.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/vector_3.h>
 #include <CGAL/Cut_loci/named_parameters.h>
+#include <CGAL/Cut_loci/surface/connected_components.h>
+#include <CGAL/Cut_loci/surface/vector_3.h>
 #include <CGAL/Cut_locus.h>
 
 #include <CGAL/Kernel_traits.h>

@@ -7,9 +7,9 @@
 #ifndef CGAL_CUT_LOCI_CURVE_CURVE_REFINEMENT_H
 #define CGAL_CUT_LOCI_CURVE_CURVE_REFINEMENT_H
 
+#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>

@@ -7,11 +7,11 @@
 #ifndef CGAL_CUT_LOCI_EXACT_GEODESICS_EXACT_GEODESIC_PROPAGATION_H
 #define CGAL_CUT_LOCI_EXACT_GEODESICS_EXACT_GEODESIC_PROPAGATION_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_batches.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_windows.h>
 #include <CGAL/Cut_loci/internal/separate_compilation.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <cstddef>
 #include <vector>

@@ -7,7 +7,6 @@
 #ifndef CGAL_CUT_LOCI_EXACT_GEODESICS_EXACT_GEODESIC_PROPAGATION_IMPL_H
 #define CGAL_CUT_LOCI_EXACT_GEODESICS_EXACT_GEODESIC_PROPAGATION_IMPL_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_batches.h>
@@ -18,6 +17,7 @@
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_filters.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_kernels.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
 #include <array>

@@ -7,11 +7,11 @@
 #ifndef CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_BATCHES_H
 #define CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_BATCHES_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_bucket_queue.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_windows.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_filters.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
 #include <cstddef>

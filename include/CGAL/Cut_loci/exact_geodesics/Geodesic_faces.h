@@ -7,8 +7,8 @@
 #ifndef CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_FACES_H
 #define CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_FACES_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
 #include <array>

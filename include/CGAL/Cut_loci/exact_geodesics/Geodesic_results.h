@@ -7,12 +7,12 @@
 #ifndef CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_RESULTS_H
 #define CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_RESULTS_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_windows.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_kernels.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
 #include <array>

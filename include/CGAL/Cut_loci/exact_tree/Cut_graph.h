@@ -7,12 +7,12 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_CUT_GRAPH_H
 #define CGAL_CUT_LOCI_EXACT_TREE_CUT_GRAPH_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Ridges.h>
 #include <CGAL/Cut_loci/internal/Source_forest.h>
 #include <CGAL/Cut_loci/internal/rough_sort.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
 #include <array>

@@ -7,9 +7,9 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_DEFAULT_BRANCH_STRENGTH_H
 #define CGAL_CUT_LOCI_EXACT_TREE_DEFAULT_BRANCH_STRENGTH_H
 
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,9 +7,9 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_DIGON_WIDTH_H
 #define CGAL_CUT_LOCI_EXACT_TREE_DIGON_WIDTH_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/exact_tree/Image_bisector.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/exact_tree/Image_bisector.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>

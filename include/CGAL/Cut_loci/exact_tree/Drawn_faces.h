@@ -7,8 +7,8 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_DRAWN_FACES_H
 #define CGAL_CUT_LOCI_EXACT_TREE_DRAWN_FACES_H
 
-#include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 
 #include <algorithm>

@@ -7,10 +7,10 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_EDGE_CROSSINGS_H
 #define CGAL_CUT_LOCI_EXACT_TREE_EDGE_CROSSINGS_H
 
-#include <CGAL/Cut_loci/exact_tree/Edge_envelope.h>
-#include <CGAL/Cut_loci/exact_tree/Path_label.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/exact_tree/Edge_envelope.h>
+#include <CGAL/Cut_loci/exact_tree/Path_label.h>
 
 #include <algorithm>
 #include <cmath>

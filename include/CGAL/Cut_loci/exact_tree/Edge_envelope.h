@@ -7,10 +7,10 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_EDGE_ENVELOPE_H
 #define CGAL_CUT_LOCI_EXACT_TREE_EDGE_ENVELOPE_H
 
-#include <CGAL/Cut_loci/exact_tree/Path_label.h>
-#include <CGAL/Cut_loci/exact_tree/Vertex_labels.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/exact_tree/Path_label.h>
+#include <CGAL/Cut_loci/exact_tree/Vertex_labels.h>
 
 #include <algorithm>
 #include <cmath>

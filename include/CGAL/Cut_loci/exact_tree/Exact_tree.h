@@ -7,8 +7,7 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_EXACT_TREE_H
 #define CGAL_CUT_LOCI_EXACT_TREE_EXACT_TREE_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/exact_tree/Branch_widths.h>
 #include <CGAL/Cut_loci/exact_tree/Cut_graph.h>
 #include <CGAL/Cut_loci/exact_tree/Digon_width.h>
@@ -18,8 +17,9 @@
 #include <CGAL/Cut_loci/exact_tree/Ridges.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
-#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -7,12 +7,12 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_EXACT_TREE_SOLVER_H
 #define CGAL_CUT_LOCI_EXACT_TREE_EXACT_TREE_SOLVER_H
 
-#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/curve/curve_correspondence.h>
+#include <CGAL/Cut_loci/curve/short_branches.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/exact_tree/Default_branch_strength.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
@@ -20,11 +20,11 @@
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/exact_tree/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
-#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/checked_mesh.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
-#include <CGAL/Cut_loci/curve/short_branches.h>
 
 #include <algorithm>
 #include <array>

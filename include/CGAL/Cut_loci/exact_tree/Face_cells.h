@@ -7,11 +7,11 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_FACE_CELLS_H
 #define CGAL_CUT_LOCI_EXACT_TREE_FACE_CELLS_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
-#include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
 #include <array>

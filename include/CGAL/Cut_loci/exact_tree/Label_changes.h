@@ -7,10 +7,10 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_LABEL_CHANGES_H
 #define CGAL_CUT_LOCI_EXACT_TREE_LABEL_CHANGES_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/exact_tree/Edge_crossings.h>
 #include <CGAL/Cut_loci/exact_tree/Vertex_labels.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
 #include <cmath>

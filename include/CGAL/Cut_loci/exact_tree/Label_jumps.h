@@ -7,8 +7,8 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_LABEL_JUMPS_H
 #define CGAL_CUT_LOCI_EXACT_TREE_LABEL_JUMPS_H
 
-#include <CGAL/Cut_loci/exact_tree/Path_label.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/exact_tree/Path_label.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 
 #include <algorithm>

@@ -8,16 +8,16 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_MESH_EDGE_CURVE_H
 
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Face_cells.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/exact_tree/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
-#include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/internal/Source_forest.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
 #include <array>

@@ -7,9 +7,9 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_MESH_WITH_SOURCES_H
 #define CGAL_CUT_LOCI_EXACT_TREE_MESH_WITH_SOURCES_H
 
+#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/surface/insert_vertex.h>
 
 #include <algorithm>

@@ -7,8 +7,8 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_POLYLINE_CROSSINGS_H
 #define CGAL_CUT_LOCI_EXACT_TREE_POLYLINE_CROSSINGS_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,12 +7,12 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_TREE_GRAPH_H
 #define CGAL_CUT_LOCI_EXACT_TREE_TREE_GRAPH_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/exact_tree/Cut_graph.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Ridges.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
 #include <array>

@@ -7,13 +7,13 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_UNFOLDED_BOUNDARY_H
 #define CGAL_CUT_LOCI_EXACT_TREE_UNFOLDED_BOUNDARY_H
 
-#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
-#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
 #include <array>

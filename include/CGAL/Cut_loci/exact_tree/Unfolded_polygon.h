@@ -8,11 +8,11 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_UNFOLDED_POLYGON_H
 
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Unfolded_boundary.h>
-#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
 #include <array>

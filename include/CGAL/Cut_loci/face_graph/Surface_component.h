@@ -7,15 +7,15 @@
 #ifndef CGAL_CUT_LOCI_FACE_GRAPH_SURFACE_COMPONENT_H
 #define CGAL_CUT_LOCI_FACE_GRAPH_SURFACE_COMPONENT_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
-#include <CGAL/Cut_loci/method/Geodesic_solver_handle.h>
-#include <CGAL/Cut_loci/method/Method_solver.h>
-#include <CGAL/Cut_loci/surface/checked_mesh.h>
-#include <CGAL/Cut_loci/surface/connected_components.h>
 #include <CGAL/Cut_loci/face_graph/make_solver.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/method/Geodesic_solver_handle.h>
+#include <CGAL/Cut_loci/method/Method_solver.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/checked_mesh.h>
+#include <CGAL/Cut_loci/surface/connected_components.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>

@@ -7,12 +7,12 @@
 #ifndef CGAL_CUT_LOCI_FACE_GRAPH_CURVE_ON_MESH_H
 #define CGAL_CUT_LOCI_FACE_GRAPH_CURVE_ON_MESH_H
 
-#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/surface/cut_open.h>
-#include <CGAL/Cut_loci/surface/connected_components.h>
+#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/connected_components.h>
+#include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_locus.h>
 

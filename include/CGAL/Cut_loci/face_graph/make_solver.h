@@ -7,10 +7,10 @@
 #ifndef CGAL_CUT_LOCI_FACE_GRAPH_MAKE_SOLVER_H
 #define CGAL_CUT_LOCI_FACE_GRAPH_MAKE_SOLVER_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/method/Method_solver.h>
 #include <CGAL/Cut_loci/internal/separate_compilation.h>
+#include <CGAL/Cut_loci/method/Method_solver.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <memory>
 

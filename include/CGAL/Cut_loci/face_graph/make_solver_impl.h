@@ -8,8 +8,8 @@
 #define CGAL_CUT_LOCI_FACE_GRAPH_MAKE_SOLVER_IMPL_H
 
 #include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
-#include <CGAL/Cut_loci/laplacian_method/Laplacian_solver.h>
 #include <CGAL/Cut_loci/face_graph/make_solver.h>
+#include <CGAL/Cut_loci/laplacian_method/Laplacian_solver.h>
 
 #include <memory>
 

@@ -7,12 +7,12 @@
 #ifndef CGAL_CUT_LOCI_FACE_GRAPH_METHOD_PARAMETERS_H
 #define CGAL_CUT_LOCI_FACE_GRAPH_METHOD_PARAMETERS_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/named_parameters.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 

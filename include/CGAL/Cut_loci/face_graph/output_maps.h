@@ -7,10 +7,10 @@
 #ifndef CGAL_CUT_LOCI_FACE_GRAPH_OUTPUT_MAPS_H
 #define CGAL_CUT_LOCI_FACE_GRAPH_OUTPUT_MAPS_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_loci/face_graph/build_face_graph.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/cut_open.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>

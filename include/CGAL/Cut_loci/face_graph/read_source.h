@@ -7,9 +7,9 @@
 #ifndef CGAL_CUT_LOCI_FACE_GRAPH_READ_SOURCE_H
 #define CGAL_CUT_LOCI_FACE_GRAPH_READ_SOURCE_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

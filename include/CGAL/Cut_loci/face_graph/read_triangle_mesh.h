@@ -7,8 +7,8 @@
 #ifndef CGAL_CUT_LOCI_FACE_GRAPH_READ_TRIANGLE_MESH_H
 #define CGAL_CUT_LOCI_FACE_GRAPH_READ_TRIANGLE_MESH_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -8,11 +8,11 @@
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_BRANCH_FILTER_H
 
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
+#include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
-#include <CGAL/Cut_loci/method/method_thresholds.h>
-#include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
 
 #include <algorithm>
 #include <array>

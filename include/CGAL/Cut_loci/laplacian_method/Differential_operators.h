@@ -7,10 +7,10 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_DIFFERENTIAL_OPERATORS_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_DIFFERENTIAL_OPERATORS_H
 
+#include <CGAL/Cut_loci/laplacian_method/quadratic_fit.h>
+#include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/method/method_thresholds.h>
-#include <CGAL/Cut_loci/laplacian_method/quadratic_fit.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <Eigen/SparseCore>

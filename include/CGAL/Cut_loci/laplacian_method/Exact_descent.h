@@ -7,9 +7,9 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_EXACT_DESCENT_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_EXACT_DESCENT_H
 
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 
 #include <algorithm>

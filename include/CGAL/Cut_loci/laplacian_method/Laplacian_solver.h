@@ -7,22 +7,22 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_LAPLACIAN_SOLVER_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_LAPLACIAN_SOLVER_H
 
+#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
 #include <CGAL/Cut_loci/laplacian_method/Branch_filter.h>
 #include <CGAL/Cut_loci/laplacian_method/Differential_operators.h>
-#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/laplacian_method/Tangent_directions.h>
 #include <CGAL/Cut_loci/laplacian_method/descent_forest.h>
 #include <CGAL/Cut_loci/laplacian_method/gradient_angles.h>
 #include <CGAL/Cut_loci/laplacian_method/homology.h>
-#include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
-#include <CGAL/Cut_loci/method/Method_solver.h>
-#include <CGAL/Cut_loci/surface/checked_mesh.h>
-#include <CGAL/Cut_loci/surface/vector_3.h>
 #include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
 #include <CGAL/Cut_loci/laplacian_method/smoothing.h>
 #include <CGAL/Cut_loci/laplacian_method/thinning.h>
+#include <CGAL/Cut_loci/method/Method_solver.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/checked_mesh.h>
+#include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,10 +7,10 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_SIDES_OF_ARRIVAL_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_SIDES_OF_ARRIVAL_H
 
+#include <CGAL/Cut_loci/curve/Curve_network.h>
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/curve/Curve_network.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/image_ray.h>
 

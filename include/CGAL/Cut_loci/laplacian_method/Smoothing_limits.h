@@ -7,14 +7,14 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_SMOOTHING_LIMITS_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_SMOOTHING_LIMITS_H
 
+#include <CGAL/Cut_loci/curve/Curve_network.h>
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/curve/crossing_edges.h>
+#include <CGAL/Cut_loci/laplacian_method/Sides_of_arrival.h>
+#include <CGAL/Cut_loci/laplacian_method/Steepest_descent.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Local_geodesics.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/curve/Curve_network.h>
-#include <CGAL/Cut_loci/laplacian_method/Sides_of_arrival.h>
-#include <CGAL/Cut_loci/laplacian_method/Steepest_descent.h>
-#include <CGAL/Cut_loci/curve/crossing_edges.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <algorithm>

@@ -7,15 +7,15 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_DESCENT_FOREST_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_DESCENT_FOREST_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/laplacian_method/Exact_descent.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
+#include <CGAL/Cut_loci/internal/vertex_queue.h>
+#include <CGAL/Cut_loci/laplacian_method/Exact_descent.h>
 #include <CGAL/Cut_loci/laplacian_method/Path_flow.h>
 #include <CGAL/Cut_loci/laplacian_method/Steepest_descent.h>
-#include <CGAL/Cut_loci/surface/vector_3.h>
-#include <CGAL/Cut_loci/internal/vertex_queue.h>
 #include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_GRADIENT_ANGLES_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_GRADIENT_ANGLES_H
 
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/laplacian_method/Tangent_directions.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <Eigen/Core>
 

@@ -7,10 +7,10 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_HOMOLOGY_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_HOMOLOGY_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/internal/vertex_queue.h>
 #include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <cstddef>
 #include <vector>

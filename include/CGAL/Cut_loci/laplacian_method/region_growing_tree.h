@@ -7,9 +7,9 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_REGION_GROWING_TREE_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_REGION_GROWING_TREE_H
 
+#include <CGAL/Cut_loci/internal/vertex_queue.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/internal/vertex_queue.h>
 
 #include <vector>
 

@@ -7,16 +7,16 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_SMOOTHING_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_SMOOTHING_H
 
+#include <CGAL/Cut_loci/curve/Curve_network.h>
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/laplacian_method/One_sided_distances.h>
+#include <CGAL/Cut_loci/laplacian_method/Smoothing_limits.h>
+#include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Local_geodesics.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/curve/Curve_network.h>
-#include <CGAL/Cut_loci/laplacian_method/One_sided_distances.h>
-#include <CGAL/Cut_loci/laplacian_method/Smoothing_limits.h>
-#include <CGAL/Cut_loci/surface/surface_location.h>
-#include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/straightest_geodesic.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <algorithm>
 #include <array>

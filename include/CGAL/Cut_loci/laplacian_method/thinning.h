@@ -7,9 +7,9 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_THINNING_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_THINNING_H
 
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/internal/vertex_queue.h>
 #include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
 #include <vector>

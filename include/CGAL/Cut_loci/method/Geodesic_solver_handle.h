@@ -7,9 +7,9 @@
 #ifndef CGAL_CUT_LOCI_METHOD_GEODESIC_SOLVER_HANDLE_H
 #define CGAL_CUT_LOCI_METHOD_GEODESIC_SOLVER_HANDLE_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <memory>
 #include <vector>

@@ -8,9 +8,9 @@
 #define CGAL_CUT_LOCI_METHOD_METHOD_SOLVER_H
 
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <vector>
 

@@ -7,8 +7,8 @@
 #ifndef CGAL_CUT_LOCI_SURFACE_CUT_OPEN_H
 #define CGAL_CUT_LOCI_SURFACE_CUT_OPEN_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
 
