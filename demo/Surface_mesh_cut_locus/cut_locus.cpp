@@ -65,24 +65,22 @@ void set_source(const Options& options, const Input_mesh& input, Cut_locus_solve
   }
   std::vector<Mesh::Vertex_index> sources;
   for(std::size_t source : options.sources)
-  {
     sources.push_back(find_vertex(source, input));
-  }
   if(sources.size() == 1)
     return solver.set_source(sources.front());
   if(!sources.empty())
     return solver.set_sources(sources);
   const std::size_t component = largest_component(input);
-  Mesh::Vertex_index v(0);
-  const auto is_in_component = [&]()
+  // the first one in the order of the file
+  const auto is_in_component = [&](Mesh::Vertex_index v)
   {
+    if(v == Mesh::null_vertex())
+      return false;
     const Mesh::Halfedge_index h = mesh.halfedge(v); // on the border if there is one
     const Mesh::Face_index f = h.is_valid() ? mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h) : Mesh::null_face();
     return f != Mesh::null_face() && input.component[f] == component;
   };
-  while(!is_in_component()) // it has a face, thus there is an end
-    ++v;
-  solver.set_source(v);
+  solver.set_source(*std::find_if(input.vertex.begin(), input.vertex.end(), is_in_component));
 }
 
 // The options with the defaults of the library for this source. What they are is not passed to it.

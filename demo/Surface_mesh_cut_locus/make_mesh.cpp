@@ -375,12 +375,13 @@ Input_mesh repaired_mesh(const Polygon_soup& soup, const std::vector<std::size_t
                           [&](const std::pair<Exact_mesh::Vertex_index, Mesh::Vertex_index>& copied)
                           {
     const std::size_t n = number[copied.first];
-    input.mesh.point(copied.second) = soup.points[n];
     input.number.resize(copied.second + std::size_t(1));
     input.number[copied.second] = n;
     if(input.vertex[n] == Mesh::null_vertex())
       input.vertex[n] = copied.second;
                         })));
+  for(Mesh::Vertex_index v : input.mesh.vertices()) // not those of the scaled copy
+    input.mesh.point(v) = soup.points[input.number[v]];
   for(std::size_t v = 0; v < first.size(); ++v)
     input.vertex[v] = input.vertex[first[v]];
   input.is_added.assign(input.mesh.number_of_edges(), false);

@@ -186,6 +186,19 @@ TEST_F(Input, Vertices_repeated_for_each_face_are_merged)
   EXPECT_EQ(report.at("components_of_mesh"), 1);
 }
 
+TEST_F(Input, Repairs_keep_the_coordinates_and_the_order_of_the_file)
+{
+  const std::string points = "OFF\n4 4 0\n0 0 0\n0 3 0\n3 3 0\n0 0 3\n";
+  const Json oriented = report_on_text(points + "3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n");
+  const Json repaired = report_on_text(points + "3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n");
+  EXPECT_EQ(oriented.at("repair").at("reversed_faces"), 0);
+  EXPECT_GT(repaired.at("repair").at("reversed_faces"), 0);
+  EXPECT_EQ(oriented.at("source"), 0);
+  EXPECT_NEAR(oriented.at("farthest_distance").get<double>(), 3. * std::sqrt(2.), 1e-12);
+  for(const char* what : {"source", "source_point", "farthest", "farthest_distance"})
+    EXPECT_EQ(repaired.at(what), oriented.at(what)) << what;
+}
+
 TEST_F(Input, What_is_not_manifold_is_separated)
 {
   const Json book = report_on_text("OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n");

@@ -91,15 +91,9 @@ public:
       graph_->remove_branch_to(vertex);
   }
 
-  void order_branches()
+  void prepare_widths()
   {
-    branches_ = Tree_branches(
-      static_cast<Index>(graph_->nodes.size()), static_cast<Index>(graph_->edges.size()),
-      [&](Index e) { return graph_->edges[e].nodes; },
-      // What is between two sources is on a cycle. On no branch it is more than rounding, so that it holds none.
-      [&](Index e) { return graph_->edges[e].is_between_sources() ? 0. : graph_->edges[e].gap; },
-      connectivity_.number_of_border_loops);
-    width_.assign(graph_->edges.size(), -1.f);
+    measured_from_ = (std::numeric_limits<double>::infinity)();
     measure_.reset(new Digon_width(mesh_, geodesics_));
   }
 
@@ -109,28 +103,32 @@ public:
   const Tree_branches& branches() const { return branches_; }
   const Ridges& ridges() const { return ridges_; }
 
-  /// the edges of the graph whose branches are at least that strong
+  /// the edges of the graph whose branches are at least that strong: those that have an edge behind them, or are one, that
+  /// passes all thresholds. So they are connected, wherever a branch is weaker than it is farther out.
   std::vector<Tree_branches::Edge> kept(const Branch_strength& least)
   {
-    return without_weak_ends(branches_([&](const Tree_branches::Edge& b)
-                                       { return graph_->edges[b.edge].piece != null_index; },
-                                       [&](const Tree_branches::Edge& b)
-                                       {
-      return b.strength >= least.gap &&
-             (least.width == 0. || (graph_->can_be(b.edge, least) && width(b.edge) >= least.width));
-    }));
+    if(least.width > 0. && least.width < measured_from_)
+      measure_widths(least);
+    branches_ = Tree_branches(
+      static_cast<Index>(graph_->nodes.size()), static_cast<Index>(graph_->edges.size()),
+      [&](Index e) { return graph_->edges[e].nodes; }, [&](Index e) { return share_of(least, e); },
+      connectivity_.number_of_border_loops);
+    const float enough = least.is_none() ? 0.f : 1.f;
+    std::vector<Tree_branches::Edge> result;
+    for(const Tree_branches::Edge& b : branches_.edges())
+      if(b.strength >= enough)
+        result.push_back(b);
+    return without_weak_ends(result);
   }
 
-  /// finds what `shown_width()` returns, for edges that are kept
-  void measure_widths(const std::vector<Tree_branches::Edge>& edges)
+  /// finds what `width()` returns
+  void measure_kept(const std::vector<Tree_branches::Edge>& edges)
   {
-    const auto measure = [this](Index e) { return static_cast<float>(width(e)); };
-    // some faces: in each it crosses, a branch has about as many pieces as there are on average
-    const std::size_t most = 1 + 16 * edges.size() / (std::max)(ridges_.faces().size(), std::size_t(1));
-    shown_width_.assign(graph_->edges.size(), 0.f);
-    Branch_widths<decltype(measure)>(edges, static_cast<Index>(graph_->nodes.size()), most, measure, shown_width_);
+    if(measured_from_ == (std::numeric_limits<double>::infinity)())
+      measure(edges);
   }
-  float shown_width(Index edge) const { return shown_width_[edge]; }
+  /// of an edge, if it has been measured
+  float width(Index edge) const { return width_.empty() ? 0.f : width_[edge]; }
 
   /// whether labels say of all these edges where they are, and not the topology alone that there is something
   bool is_known(const std::vector<Tree_branches::Edge>& edges) const
@@ -140,31 +138,58 @@ public:
                        { return graph_->edges[b.edge].piece != null_index || graph_->edges[b.edge].is_virtual; });
   }
 
+private:
+  /// how strong an edge is, as a share of what it has to be; without thresholds, its gap
+  double share_of(const Branch_strength& least, Index e) const
+  {
+    const Tree_graph::Edge& edge = graph_->edges[e];
+    if(edge.is_between_sources())
+      return 0.; // it is on a cycle, and if not, it is rounding, and holds no branch
+    if(least.is_none())
+      return edge.gap;
+    const double of_gap = least.gap > 0. ? edge.gap / least.gap : (std::numeric_limits<double>::infinity)();
+    return least.width > 0. ? (std::min)(of_gap, width(e) / least.width) : of_gap;
+  }
+
+  /// of all edges that may be that wide
+  void measure_widths(const Branch_strength& least)
+  {
+    std::vector<Tree_branches::Edge> edges;
+    for(Index e = 0; e < graph_->edges.size(); ++e)
+      if(graph_->can_be(e, least))
+        edges.push_back({e, graph_->edges[e].nodes[0], graph_->edges[e].nodes[1], 0.f});
+    measure(edges);
+    measured_from_ = least.width;
+  }
+
+  void measure(const std::vector<Tree_branches::Edge>& edges)
+  {
+    const auto measured = [this](Index e) { return static_cast<float>(exact_width(e)); };
+    // some faces: in each it crosses, a branch has about as many pieces as there are on average
+    const std::size_t most = 1 + 16 * edges.size() / (std::max)(ridges_.faces().size(), std::size_t(1));
+    width_.assign(graph_->edges.size(), 0.f);
+    Branch_widths<decltype(measured)>(edges, static_cast<Index>(graph_->nodes.size()), most, measured, width_);
+  }
+
   /// the largest separation of the two shortest paths to the points of a piece; between two sources, where nothing is
   /// too narrow, the length of the way from one to the other
-  double width(Index edge)
+  double exact_width(Index edge) const
   {
     const Tree_graph::Edge& e = graph_->edges[edge];
     if(e.is_between_sources())
       return 2. * (std::max)(graph_->nodes[e.nodes[0]].distance, graph_->nodes[e.nodes[1]].distance);
-    float& result = width_[edge];
-    if(result < 0.f)
-    {
-      result = 0.f;
-      if(e.piece != null_index)
-      {
-        // at the end where the gap is larger, or at both if it is constant
-        const Ridges::Piece& piece = ridges_.piece(e.piece);
-        for(int k = 0; k < 2; ++k)
-          if(piece.gaps[k] >= piece.gaps[1 - k] - 1e-9)
-            result = (std::max)(result, static_cast<float>((*measure_)(e.face, ridges_.piece_end(e.piece, k),
-                                                                       piece.images[0], piece.images[1])));
-      }
-    }
+    double result = 0.;
+    if(e.piece == null_index)
+      return result;
+    // at the end where the gap is larger, or at both if it is constant
+    const Ridges::Piece& piece = ridges_.piece(e.piece);
+    for(int k = 0; k < 2; ++k)
+      if(piece.gaps[k] >= piece.gaps[1 - k] - 1e-9)
+        result =
+          (std::max)(result, (*measure_)(e.face, ridges_.piece_end(e.piece, k), piece.images[0], piece.images[1]));
     return result;
   }
 
-private:
   void find_drawn_faces(const std::vector<Indexed_location>& sources)
   {
     if(least_.is_none())
@@ -227,8 +252,8 @@ private:
   Ridges ridges_;
   std::unique_ptr<Tree_graph> graph_;
   Tree_branches branches_;
-  std::vector<float> width_; // of each edge, negative as long as nobody has asked for it
-  std::vector<float> shown_width_;
+  std::vector<float> width_;  // of the edges that have been measured, else 0
+  double measured_from_ = 0.; // the least width for which it is of all
   std::unique_ptr<Digon_width> measure_;
 };
 

@@ -98,7 +98,7 @@ public:
     }
   }
 
-  void close_cycles() override { tree_->order_branches(); }
+  void close_cycles() override { tree_->prepare_widths(); }
 
   // once per threshold; `edges` becomes the curve of mesh edges, whichever curve is asked for
   Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges) override
@@ -113,7 +113,7 @@ public:
       compute_more(Branch_strength());
       kept = tree_->kept(thresholds);
     }
-    tree_->measure_widths(kept);
+    tree_->measure_kept(kept);
     const Source_faces at_sources(mesh_, connectivity_, sources_);
     if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
       throw_source_without_face(at_sources.first_without_face());

@@ -21,7 +21,7 @@ namespace Cut_loci {
 namespace internal {
 
 /*!
- * orders the edges of a graph so that each branch can be cut at any strength in time proportional to what is left.
+ * tells how strong the branches of a graph are, so that they can be cut at any strength.
  *
  * Leaves fall off in the order of their strength. What does not fall off, the cycles and the ways between `terminals`,
  * is the core. The last node of a tree without terminals is its root. The strength of an edge is the largest on the
@@ -47,68 +47,15 @@ public:
                 Index first_terminals)
   {
     peel(number_of_nodes, number_of_edges, ends, strength, first_terminals);
-    link(number_of_nodes);
   }
 
-  /// the edges from the inside out: the core first, then each behind the one that its inner node belongs to
+  /// the edges from the inside out, which is from strong to weak: the core first
   const std::vector<Edge>& edges() const { return edges_; }
   std::size_t number_of_core_edges() const { return number_of_core_edges_; }
   /// a node that is always left, or null if there is none
   Index root() const { return root_; }
 
-  /// the edges that are left, from the inside out; `is_kept(edge)` may say no only where it does so for all that is
-  /// behind the edge, and is asked for few of them; one of which `has_strength(edge)` says no is kept as the one before
-  template <typename Has_strength, typename Is_kept>
-  std::vector<Edge> operator()(const Has_strength& has_strength, const Is_kept& is_kept) const
-  {
-    std::vector<Edge> result(edges_.begin(), edges_.begin() + static_cast<std::ptrdiff_t>(number_of_core_edges_));
-    std::vector<Index> begins = first_branches_, chain;
-    for(std::size_t k = 0; k < begins.size(); ++k) // grows on the way
-    {
-      const std::size_t n = kept_part(begins[k], has_strength, is_kept, chain);
-      for(std::size_t i = 0; i < n; ++i)
-        result.push_back(edges_[chain[i]]);
-      if(n == chain.size())
-        begins.insert(begins.end(), children_.begin() + child_begin_[chain.back()],
-                      children_.begin() + child_begin_[chain.back() + std::size_t(1)]);
-    }
-    return result;
-  }
-
 private:
-  /// the edges from `first` up to the next fork, and how many of them are kept: a search in steps that double, as far as
-  /// they are kept, and then halve
-  template <typename Has_strength, typename Is_kept>
-  std::size_t kept_part(Index first, const Has_strength& has_strength, const Is_kept& is_kept,
-                        std::vector<Index>& chain) const
-  {
-    chain.assign(1, first);
-    const auto is_in = [&](std::size_t i)
-    {
-      while(i > 0 && !has_strength(edges_[chain[i]]))
-        --i;
-      return !has_strength(edges_[chain[i]]) || is_kept(edges_[chain[i]]);
-    };
-    std::size_t kept = 0, dropped = 1;
-    while(is_in(dropped - 1))
-    {
-      kept = dropped;
-      while(chain.size() < 2 * kept + 1 && has_one_child(chain.back()))
-        chain.push_back(children_[child_begin_[chain.back()]]);
-      if(kept == chain.size())
-        return kept;
-      dropped = chain.size();
-    }
-    while(dropped - kept > 1)
-    {
-      const std::size_t middle = (kept + dropped) / 2;
-      (is_in(middle - 1) ? kept : dropped) = middle;
-    }
-    return kept;
-  }
-
-  bool has_one_child(Index i) const { return child_begin_[i + std::size_t(1)] - child_begin_[i] == 1; }
-
   template <typename Ends, typename Strength>
   void peel(Index n, Index m, const Ends& ends, const Strength& strength, Index terminals)
   {
@@ -173,37 +120,9 @@ private:
       root_ = 0;
   }
 
-  void link(Index n)
-  {
-    std::vector<Index> position(n, null_index); // of the edge whose outer node it is
-    for(std::size_t i = number_of_core_edges_; i < edges_.size(); ++i)
-      position[edges_[i].outer] = static_cast<Index>(i);
-    child_begin_.assign(edges_.size() + 1, 0);
-    for(std::size_t i = number_of_core_edges_; i < edges_.size(); ++i)
-    {
-      const Index p = position[edges_[i].inner];
-      if(p == null_index)
-        first_branches_.push_back(static_cast<Index>(i));
-      else
-        ++child_begin_[p + std::size_t(1)];
-    }
-    for(std::size_t i = 0; i < edges_.size(); ++i)
-      child_begin_[i + 1] += child_begin_[i];
-    children_.resize(child_begin_.back());
-    std::vector<Index> next(child_begin_.begin(), child_begin_.end() - 1);
-    for(std::size_t i = number_of_core_edges_; i < edges_.size(); ++i)
-    {
-      const Index p = position[edges_[i].inner];
-      if(p != null_index)
-        children_[next[p]++] = static_cast<Index>(i);
-    }
-  }
-
   Index root_ = null_index;
   std::size_t number_of_core_edges_ = 0;
   std::vector<Edge> edges_;
-  std::vector<Index> first_branches_; // those at the core, or at the root
-  std::vector<Index> child_begin_, children_;
 };
 
 } // namespace internal

@@ -387,7 +387,7 @@ private:
   {
     lay_out(c);
     const Tree_graph::Edge& e = tree_.graph().edges[c.widest];
-    const float width = tree_.shown_width(c.widest);
+    const float width = tree_.width(c.widest);
     const Index last = node(c.end);
     Index previous = node(c.begin);
     for(std::size_t i = 1; i + 1 < points_.size(); ++i)
