@@ -120,7 +120,9 @@ Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string
   cut_open(mesh, cut_locus, flat);
   flatten(flat, parameterization);
   const Mesh& disk = flat.mesh;
-  const auto &origin = flat.origin, &face_origin = flat.face_origin, &uv = flat.uv;
+  const Flat_disk::Origin_map origin = flat.origin;
+  const Flat_disk::Face_origin_map face_origin = flat.face_origin;
+  const Flat_disk::UV_map uv = flat.uv;
 
   Atlas atlas;
   atlas.parameterization = parameterization;
@@ -164,6 +166,7 @@ Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string
   atlas.overlap = overlap(atlas);
 
   atlas.seam_distance = (std::numeric_limits<double>::infinity)();
+  const Cut_locus::Graph& graph = cut_locus.graph();
   for(auto v : CGAL::make_range(vertices(graph)))
     atlas.seam_distance = (std::min)(atlas.seam_distance, graph[v].distance);
   return atlas;

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any, Callable, List, Optional
+from typing import Any, Callable, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -75,8 +75,8 @@ class Result:
     def strength(self) -> Floats:
         """(m,): the largest angle, in radians, on the branch from the edge to its tips.
 
-        It is that between the two shortest paths to a point, at the source or where they part; with the method "laplacian"
-        that between gradients of the distance. Between two sources it is 2 pi.
+        It is that between the two shortest paths to a point, at the source or where they part; with the method
+        "laplacian" that between gradients of the distance. Between two sources it is 2 pi.
         """
         return self._core.strengths()
 
@@ -102,7 +102,7 @@ class Result:
 
     @cached_property
     def vertex_distance(self) -> Floats:
-        """(number of vertices of the mesh,): their distances to the source, or to the nearest one; inf if not reached."""
+        """(number of vertices of the mesh,): their distances to the source, or the nearest one; inf if not reached."""
         return self._core.vertex_distances()
 
     @cached_property
@@ -194,40 +194,40 @@ class Result:
         return disk_of(self._core, parameterization)
 
     @cached_property
-    def _nearest(self) -> Any:
+    def _nearest(self) -> Tuple[float, Floats]:
         return self._core.nearest()
 
 
 class CutLocus:
     """Cut loci on a mesh, at three levels of cost.
 
-    The constructor does what depends on the mesh alone, `set_source()` what depends on the source, and `cut_locus()` applies
-    thresholds in time proportional to the size of its result. Each call is done when it returns; calls from several
-    threads wait for each other, so that threads that are to run at once need an object each.
+    The constructor does what depends on the mesh alone, `set_source()` what depends on the source, and `cut_locus()`
+    applies thresholds in time proportional to the size of its result. Calls from several threads wait for each other:
+    threads that are to run at once need an object each.
 
     Parameters
     ----------
     vertices : (n, 3) real numbers
-        The points. They are copied, as the mesh is kept; an array of float64 or float32 is copied once, whatever its layout.
+        The points. They are copied, since the mesh is kept; float64 and float32 are copied once, whatever the layout.
     faces : (m, 3) whole numbers
-        The vertices of each triangle, oriented alike. They are copied in the same way.
+        The vertices of each triangle, oriented alike. They are copied, too.
     solver : str
         Where distances come from: "exact" (default), "cgal-exact", "heat", "heat-direct" or "graph".
     method : str, optional
-        How the cut locus is found: "direction" (default with the solver "exact"; the method that needs no tuning),
-        "polyhedral" (all branches of the polyhedron) or "laplacian" (default with all others, and with `distances`).
+        How the cut locus is found: "direction" (default with the solver "exact"; it needs no tuning), "polyhedral" (all
+        branches of the polyhedron) or "laplacian" (default with other solvers, and with `distances`).
     laplacian_operator : str, optional
         "quadratic-fit" (default) or "cotangent"; for the method "laplacian".
     progress : callable, optional
-        Called as ``progress(stage, ends)`` when a stage starts and when it ends: "preprocessing", "distance", "strength",
-        "tree", "homology" or "filter". What it raises ends the computation and comes out of it, as does Ctrl-C, which is
+        Called as ``progress(stage, ends)`` when a stage starts and when it ends: "preprocessing", "distance",
+        "strength", "tree", "homology" or "filter". What it raises ends the computation and comes out of it. Ctrl-C is
         looked for at the same places. It can not use the object that calls it.
 
     Raises
     ------
     InvalidInput
-        If the arrays are not those of an oriented manifold mesh of finite coordinates, or a parameter has no meaning for
-        the method. It is a ValueError.
+        If the arrays are not those of an oriented manifold mesh of finite coordinates, or a parameter has no meaning
+        for the method. It is a ValueError.
     TypeError
         If the arrays do not hold real numbers, or whole ones.
     """
@@ -277,11 +277,11 @@ class CutLocus:
         Parameters
         ----------
         curve : str, optional
-            "edges": the result is made of edges of the mesh (default); or "faces": of segments through its faces (default
-            of the method "polyhedral").
+            "edges": the result is made of edges of the mesh (default); or "faces": of segments through its faces
+            (default of the method "polyhedral").
         minimum_branch_width : float, optional
-            The least separation of the two shortest paths that a branch reaches, in diagonals of the bounding box of the
-            source's component; not for "laplacian". Default: see the property of this name.
+            The least separation of the two shortest paths that a branch reaches, in diagonals of the bounding box of
+            the source's component; not for "laplacian". Default: see the property of this name.
         minimum_branch_gap : float, optional
             The least angle at the source between them, in radians in [0, pi]; not for "laplacian".
         gradient_angle_threshold : float, optional
@@ -328,11 +328,14 @@ class CutLocus:
         return self._core.gradient_angle_threshold
 
 
-CONSTRUCTOR_PARAMETERS = ("solver", "method", "laplacian_operator", "progress")
-SOURCE_PARAMETERS = ("distances", "snapping_tolerance")
-
-
-def compute(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, **parameters: Any) -> Result:
+def compute(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *, solver: str = "exact",
+            method: Optional[str] = None, curve: Optional[str] = None, laplacian_operator: Optional[str] = None,
+            distances: Optional[npt.ArrayLike] = None, snapping_tolerance: float = 1e-10,
+            minimum_branch_width: Optional[float] = None, minimum_branch_gap: Optional[float] = None,
+            gradient_angle_threshold: Optional[float] = None, laplacian_threshold: Optional[float] = None,
+            filter_policy: Optional[str] = None, minimum_branch_edges: Optional[int] = None,
+            minimum_branch_length: Optional[float] = None, number_of_iterations: Optional[int] = None,
+            voronoi: Optional[bool] = None, progress: Optional[Progress] = None) -> Result:
     """Computes the cut locus of a point, or of several, on a triangle mesh.
 
     For one source after another on a mesh, or several thresholds for a source, `CutLocus` does what they share once.
@@ -345,18 +348,31 @@ def compute(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, **pa
         The vertices of each triangle, oriented alike.
     source : int, (int, (3,) floats), or a sequence of them
         A vertex; a face and barycentric coordinates in the order of its vertices; or several such points.
-    **parameters
-        Those of `CutLocus` (`solver`, `method`, `laplacian_operator`, `progress`), of `CutLocus.set_source()` (`distances`,
-        `snapping_tolerance`) and of `CutLocus.cut_locus()` (`curve` and thresholds).
+    solver, method, laplacian_operator, progress
+        As in `CutLocus`.
+    distances, snapping_tolerance
+        As in `CutLocus.set_source()`.
+    curve, minimum_branch_width, minimum_branch_gap, gradient_angle_threshold, laplacian_threshold, filter_policy, \
+    minimum_branch_edges, minimum_branch_length, number_of_iterations, voronoi
+        As in `CutLocus.cut_locus()`.
 
     Returns
     -------
     Result
         The graph, its edges' strengths and widths, the distances, and what can be said of the whole.
-    """
-    def taken(names: Any) -> Any:
-        return {name: parameters.pop(name) for name in names if name in parameters}
 
-    computation = CutLocus(vertices, faces, **taken(CONSTRUCTOR_PARAMETERS))
-    computation.set_source(source, **taken(SOURCE_PARAMETERS))
-    return computation.cut_locus(**parameters)
+    Raises
+    ------
+    InvalidInput
+        Where the mesh, the source or a parameter can not be used. It is a ValueError.
+    TypeError
+        If the arrays do not hold real numbers, or whole ones.
+    """
+    computation = CutLocus(vertices, faces, solver=solver, method=method, laplacian_operator=laplacian_operator,
+                           progress=progress)
+    computation.set_source(source, distances=distances, snapping_tolerance=snapping_tolerance)
+    return computation.cut_locus(
+        curve=curve, minimum_branch_width=minimum_branch_width, minimum_branch_gap=minimum_branch_gap,
+        gradient_angle_threshold=gradient_angle_threshold, laplacian_threshold=laplacian_threshold,
+        filter_policy=filter_policy, minimum_branch_edges=minimum_branch_edges,
+        minimum_branch_length=minimum_branch_length, number_of_iterations=number_of_iterations, voronoi=voronoi)

@@ -44,15 +44,15 @@ def cut_open(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *,
              parameterization: Optional[str] = "arap", **parameters: Any) -> Disk:
     """Cuts a surface open along the cut locus of a point, to a disk, and flattens it.
 
-    The disk has the component of the source alone. By default seams are edges of the mesh; with ``curve="faces"`` they are
-    straight, and the faces that they run through are split.
+    The disk has the component of the source alone. By default seams are edges of the mesh; with ``curve="faces"`` they
+    are straight, and the faces that they run through are split.
 
     Parameters
     ----------
     vertices, faces, source, **parameters
         As in `compute()`. There must be one source.
     parameterization : str or None
-        "arap", as rigid as possible; "lscm", conformal; "convex", in a circle, which alone flips no face; None: no `uv`.
+        "arap": as rigid as possible; "lscm": conformal; "convex": in a circle, which alone never flips; None: no `uv`.
 
     Returns
     -------

@@ -59,7 +59,7 @@ class ExactGeodesics:
         targets : as `sources`, optional
             Points that are not vertices, to which distances or paths are wanted, must be named here; vertices may be.
         error : float
-            Distances may be too long by this times their length: then they take nearly linear time, and there are no paths.
+            Distances may be too long by this times their length: it takes nearly linear time, but there are no paths.
         maximum_distance : float
             What is further away is not reached.
 

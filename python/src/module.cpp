@@ -203,7 +203,8 @@ PYBIND11_MODULE(_core, m)
 {
   m.doc() = "The C++ part of the package cut_locus; what is public has no underscore in that package.";
 
-  static py::exception<loci::Invalid_input> invalid_input(m, "InvalidInput", PyExc_ValueError);
+  // never destroyed: a static object would be, after the interpreter
+  static auto& invalid_input = *new py::exception<loci::Invalid_input>(m, "InvalidInput", PyExc_ValueError);
   invalid_input.attr("__module__") = "cut_locus";
   invalid_input.attr("__doc__") =
     "The mesh, the source or a parameter can not be used. The message names the cause and the element.";
