@@ -37,11 +37,11 @@ std::string type_of(const py::array& array)
   return py::str(static_cast<py::object>(array.dtype()));
 }
 
+// Of the type, also in the order of its bytes, and where the processor can read it.
 template <typename T>
 bool is_readable_as(const py::array& array)
 {
-  return py::isinstance<py::array_t<T>>(array) &&
-         (array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_) != 0; // an array of the type has the byte order, too
+  return py::isinstance<py::array_t<T>>(array) && array.attr("flags").attr("aligned").cast<bool>();
 }
 
 template <typename T>

@@ -31,7 +31,7 @@ pybind11::array_t<T> to_array(std::vector<T> values, std::vector<pybind11::ssize
   const pybind11::capsule owner(owned.get(), [](void* p) { delete static_cast<std::vector<T>*>(p); });
   owned.release();
   pybind11::array_t<T> result(std::move(shape), data, owner);
-  pybind11::detail::array_proxy(result.ptr())->flags &= ~pybind11::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  result.attr("setflags")(pybind11::arg("write") = false);
   return result;
 }
 

@@ -1,5 +1,6 @@
 """What README and manual show in Python runs, and what is public has a description."""
 
+import ast
 import inspect
 import pathlib
 import re
@@ -7,6 +8,7 @@ import re
 import cut_locus
 import meshes
 import pytest
+from cut_locus import _core
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FENCED = re.compile(r"^```python\n(.*?)^```", re.MULTILINE | re.DOTALL)
@@ -34,3 +36,21 @@ def test_descriptions():
         for member, value in vars(public).items() if inspect.isclass(public) else ():
             if not member.startswith("_") and (callable(value) or isinstance(value, property)):
                 assert inspect.getdoc(value), f"{name}.{member}"
+
+
+def test_stubs():
+    """The stubs of the C++ part name what it has, and nothing else."""
+    stubs = ast.parse((pathlib.Path(cut_locus.__file__).parent / "_core.pyi").read_text())
+    classes = {node.name: node for node in stubs.body if isinstance(node, ast.ClassDef) and node.name[0] != "_"}
+    assert set(classes) | {"solver_names"} == {name for name in vars(_core) if name[0] != "_"}
+    for name, node in classes.items():
+        functions = {f.name for f in node.body if isinstance(f, ast.FunctionDef)}
+        if node.bases:  # enumerations and errors
+            assert not functions
+            continue
+        assert functions - {"__init__"} == {f for f in vars(getattr(_core, name)) if f[0] != "_"}, name
+
+
+def test_installed_files():
+    folder = pathlib.Path(cut_locus.__file__).parent
+    assert (folder / "py.typed").exists() and (folder / "_core.pyi").exists()
