@@ -1,6 +1,8 @@
 """What README and manual show in Python runs, and what is public has a description."""
 
 import ast
+import importlib.machinery
+import importlib.util
 import inspect
 import pathlib
 import re
@@ -27,6 +29,15 @@ def test_code(name):
     names = dict(zip("VF", meshes.torus(24, 12)))
     for part in parts:
         exec(part, names)
+
+
+def test_table():
+    """The table of the README is that of the committed results."""
+    name = "benchmark_python"
+    loader = importlib.machinery.SourceFileLoader(name, str(ROOT / "scripts" / name))
+    benchmark = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
+    loader.exec_module(benchmark)
+    assert "| faces | " + benchmark.table() in (ROOT / "python/README.md").read_text()
 
 
 def test_descriptions():
