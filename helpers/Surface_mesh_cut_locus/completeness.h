@@ -93,11 +93,11 @@ private:
 } // namespace internal
 
 /*
- * returns the share of the length of the edges of `trusted`, those of at least `strength`, within `reach` of `curve`; 1
- * if there are none. Distances are taken through space.
+ * returns the share of the length of the edges of `trusted`, those for which `is_wanted(edge)` with its properties, within
+ * `reach` of `curve`; 1 if there are none. Distances are taken through space.
  */
-template <typename Trusted, typename Curve>
-double completeness(const Trusted& trusted, double strength, const Curve& curve, double reach)
+template <typename Trusted, typename Curve, typename Is_wanted>
+double completeness(const Trusted& trusted, const Is_wanted& is_wanted, const Curve& curve, double reach)
 {
   const double step = reach / 10.;
   internal::Point_grid grid(reach);
@@ -109,7 +109,7 @@ double completeness(const Trusted& trusted, double strength, const Curve& curve,
                      [&](const internal::Vector& p, double) { grid.insert(p); });
   double all = 0., found = 0.;
   for(auto e : CGAL::make_range(edges(trusted.graph())))
-    if(trusted.graph()[e].strength >= strength)
+    if(is_wanted(trusted.graph()[e]))
       internal::sample(internal::point_of(trusted, source(e, trusted.graph())),
                        internal::point_of(trusted, target(e, trusted.graph())), step,
                        [&](const internal::Vector& p, double length)
@@ -118,6 +118,14 @@ double completeness(const Trusted& trusted, double strength, const Curve& curve,
         found += grid.has_neighbor(p) ? length : 0.;
       });
   return all > 0. ? found / all : 1.;
+}
+
+/// of all edges
+template <typename Trusted, typename Curve>
+double completeness(const Trusted& trusted, const Curve& curve, double reach)
+{
+  return completeness(
+    trusted, [](const auto&) { return true; }, curve, reach);
 }
 
 } // namespace curve_measures

@@ -186,8 +186,8 @@ TEST(Detour, Vanishes_on_the_cut_locus_and_only_there)
   EXPECT_EQ(m.measuring_failed, "");
   EXPECT_GT(m.max, 5.);
 
-  EXPECT_DOUBLE_EQ(curve_measures::completeness(right, 0., right, 0.1), 1.);
-  EXPECT_LT(curve_measures::completeness(right, 0., misled.cut_locus(), 0.1), 0.7);
+  EXPECT_DOUBLE_EQ(curve_measures::completeness(right, right, 0.1), 1.);
+  EXPECT_LT(curve_measures::completeness(right, misled.cut_locus(), 0.1), 0.7);
 }
 
 TEST(Detour, Source_in_a_face)

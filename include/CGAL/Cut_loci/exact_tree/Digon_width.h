@@ -134,6 +134,7 @@ private:
 
   void find_next_point(Walk& walk) const
   {
+    go_through_vertex(walk);
     if(walk.halfedge != null_index)
     {
       const Index h = walk.halfedge;
@@ -149,6 +150,20 @@ private:
     }
     else
       walk.next = {mesh_.points[geodesics_.vertex_of_origin(walk.origin)], walk.sigma};
+  }
+
+  /// Rounding would decide on which side a path goes that leads through a vertex. It goes on as the path to the vertex.
+  void go_through_vertex(Walk& walk) const
+  {
+    if(walk.halfedge == null_index)
+      return;
+    const double length = faces_.length(walk.halfedge), tolerance = geodesic_cover * length;
+    if(walk.t > tolerance && walk.t < length - tolerance)
+      return;
+    const Index v = walk.t > tolerance ? faces_.target(walk.halfedge) : faces_.source(walk.halfedge);
+    walk.halfedge = null_index;
+    walk.origin = geodesics_.origin_of_vertex(v);
+    walk.sigma = geodesics_.distance(v);
   }
 
   /// from the vertex at which it starts to where that path starts
@@ -263,6 +278,8 @@ private:
     // own paths.
     if(walk.to.y < 0.)
       walk.halfedge = g - i + (goes_right ? j : k);
+    else
+      walk.is_done = true;
   }
 
   const Indexed_triangle_mesh& mesh_;

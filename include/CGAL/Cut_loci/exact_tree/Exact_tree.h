@@ -15,6 +15,7 @@
 #include <CGAL/Cut_loci/exact_tree/Edge_crossings.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Ridges.h>
+#include <CGAL/Cut_loci/exact_tree/Strong_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
@@ -93,42 +94,71 @@ public:
 
   void prepare_widths()
   {
-    measured_from_ = (std::numeric_limits<double>::infinity)();
+    width_.assign(graph_->edges.size(), -1.f);
     measure_.reset(new Digon_width(mesh_, geodesics_));
   }
 
   const Tree_graph& graph() const { return *graph_; }
   /// whether the labels decided on everything
   bool is_sure() const { return graph_->is_sure(); }
-  const Tree_branches& branches() const { return branches_; }
+  /// a node of those that have been kept at last, or null if there is none
+  Index root() const { return root_; }
   const Ridges& ridges() const { return ridges_; }
 
-  /// the edges of the graph whose branches are at least that strong: those that have an edge behind them, or are one, that
-  /// passes all thresholds. So they are connected, wherever a branch is weaker than it is farther out.
+  /// the edges of the graph whose branches are at least that strong: those that pass all thresholds, or have one behind
+  /// them that does. So they are connected, wherever a branch is weaker than it is farther out.
   std::vector<Tree_branches::Edge> kept(const Branch_strength& least)
   {
-    if(least.width > 0. && least.width < measured_from_)
-      measure_widths(least);
-    branches_ = Tree_branches(
-      static_cast<Index>(graph_->nodes.size()), static_cast<Index>(graph_->edges.size()),
-      [&](Index e) { return graph_->edges[e].nodes; }, [&](Index e) { return share_of(least, e); },
+    const auto can_be = [&](Index e) { return least.is_none() || is_a_branch(e, least); };
+    const auto is_strong = [&](Index e) { return least.width == 0. || width(e) >= least.width; };
+    const Strong_branches<decltype(can_be), decltype(is_strong)> strong(*graph_, connectivity_.number_of_border_loops,
+                                                                        can_be, is_strong);
+    const std::vector<Index> edges = strong.edges();
+    const Tree_branches branches(
+      static_cast<Index>(graph_->nodes.size()), static_cast<Index>(edges.size()),
+      [&](Index i) { return graph_->edges[edges[i]].nodes; }, [&](Index i) { return graph_->edges[edges[i]].gap; },
       connectivity_.number_of_border_loops);
-    const float enough = least.is_none() ? 0.f : 1.f;
-    std::vector<Tree_branches::Edge> result;
-    for(const Tree_branches::Edge& b : branches_.edges())
-      if(b.strength >= enough)
-        result.push_back(b);
-    return without_weak_ends(result);
+    root_ = branches.root();
+    std::vector<Tree_branches::Edge> result = branches.edges();
+    for(Tree_branches::Edge& b : result)
+      b.edge = edges[b.edge];
+    return result;
   }
 
-  /// finds what `width()` returns
-  void measure_kept(const std::vector<Tree_branches::Edge>& edges)
+  /// the largest separation of the two shortest paths to the points of a piece; between two sources, where nothing is
+  /// too narrow, the length of the way from one to the other
+  double width(Index edge)
   {
-    if(measured_from_ == (std::numeric_limits<double>::infinity)())
-      measure(edges);
+    const Tree_graph::Edge& e = graph_->edges[edge];
+    if(e.is_between_sources())
+      return 2. * (std::max)(graph_->nodes[e.nodes[0]].distance, graph_->nodes[e.nodes[1]].distance);
+    float& result = width_[edge];
+    if(result < 0.f)
+    {
+      result = 0.f;
+      if(e.piece != null_index)
+      {
+        // at the end where the gap is larger, or at both if it is constant
+        const Ridges::Piece& piece = ridges_.piece(e.piece);
+        for(int k = 0; k < 2; ++k)
+          if(piece.gaps[k] >= piece.gaps[1 - k] - 1e-9)
+            result = (std::max)(result, static_cast<float>((*measure_)(e.face, next_to_end(e.piece, k), piece.images[0],
+                                                                       piece.images[1])));
+      }
+    }
+    return result;
   }
-  /// of an edge, if it has been measured
-  float width(Index edge) const { return width_.empty() ? 0.f : width_[edge]; }
+
+  /// finds what `shown_width()` returns, for edges that are kept
+  void measure_widths(const std::vector<Tree_branches::Edge>& edges)
+  {
+    const auto measure = [this](Index e) { return static_cast<float>(width(e)); };
+    // some faces: in each it crosses, a branch has about as many pieces as there are on average
+    const std::size_t most = 1 + 16 * edges.size() / (std::max)(ridges_.faces().size(), std::size_t(1));
+    shown_width_.assign(graph_->edges.size(), 0.f);
+    Branch_widths<decltype(measure)>(edges, static_cast<Index>(graph_->nodes.size()), most, measure, shown_width_);
+  }
+  float shown_width(Index edge) const { return shown_width_[edge]; }
 
   /// whether labels say of all these edges where they are, and not the topology alone that there is something
   bool is_known(const std::vector<Tree_branches::Edge>& edges) const
@@ -139,55 +169,19 @@ public:
   }
 
 private:
-  /// how strong an edge is, as a share of what it has to be; without thresholds, its gap
-  double share_of(const Branch_strength& least, Index e) const
+  /// What is between two sources is on a cycle. On no branch it is more than rounding, so that it holds none.
+  bool is_a_branch(Index e, const Branch_strength& least) const
   {
     const Tree_graph::Edge& edge = graph_->edges[e];
-    if(edge.is_between_sources())
-      return 0.; // it is on a cycle, and if not, it is rounding, and holds no branch
-    if(least.is_none())
-      return edge.gap;
-    const double of_gap = least.gap > 0. ? edge.gap / least.gap : (std::numeric_limits<double>::infinity)();
-    return least.width > 0. ? (std::min)(of_gap, width(e) / least.width) : of_gap;
+    return !edge.is_between_sources() && edge.gap >= least.gap && graph_->can_be(e, least);
   }
 
-  /// of all edges that may be that wide
-  void measure_widths(const Branch_strength& least)
+  /// a point of a piece; at an end that is a vertex of the mesh nothing would tell how the paths to it go around that
+  Plane_point next_to_end(Index piece, int end) const
   {
-    std::vector<Tree_branches::Edge> edges;
-    for(Index e = 0; e < graph_->edges.size(); ++e)
-      if(graph_->can_be(e, least))
-        edges.push_back({e, graph_->edges[e].nodes[0], graph_->edges[e].nodes[1], 0.f});
-    measure(edges);
-    measured_from_ = least.width;
-  }
-
-  void measure(const std::vector<Tree_branches::Edge>& edges)
-  {
-    const auto measured = [this](Index e) { return static_cast<float>(exact_width(e)); };
-    // some faces: in each it crosses, a branch has about as many pieces as there are on average
-    const std::size_t most = 1 + 16 * edges.size() / (std::max)(ridges_.faces().size(), std::size_t(1));
-    width_.assign(graph_->edges.size(), 0.f);
-    Branch_widths<decltype(measured)>(edges, static_cast<Index>(graph_->nodes.size()), most, measured, width_);
-  }
-
-  /// the largest separation of the two shortest paths to the points of a piece; between two sources, where nothing is
-  /// too narrow, the length of the way from one to the other
-  double exact_width(Index edge) const
-  {
-    const Tree_graph::Edge& e = graph_->edges[edge];
-    if(e.is_between_sources())
-      return 2. * (std::max)(graph_->nodes[e.nodes[0]].distance, graph_->nodes[e.nodes[1]].distance);
-    double result = 0.;
-    if(e.piece == null_index)
-      return result;
-    // at the end where the gap is larger, or at both if it is constant
-    const Ridges::Piece& piece = ridges_.piece(e.piece);
-    for(int k = 0; k < 2; ++k)
-      if(piece.gaps[k] >= piece.gaps[1 - k] - 1e-9)
-        result =
-          (std::max)(result, (*measure_)(e.face, ridges_.piece_end(e.piece, k), piece.images[0], piece.images[1]));
-    return result;
+    constexpr double share = 1e-6;
+    const Plane_point p = ridges_.piece_end(piece, end), q = ridges_.piece_end(piece, 1 - end);
+    return {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
   }
 
   void find_drawn_faces(const std::vector<Indexed_location>& sources)
@@ -208,38 +202,6 @@ private:
     bend_ = std::move(found.bend);
   }
 
-  /// what only the topology has joined is kept as long as there is something behind it
-  std::vector<Tree_branches::Edge> without_weak_ends(const std::vector<Tree_branches::Edge>& edges) const
-  {
-    std::vector<unsigned char> is_kept(edges.size(), 1);
-    std::vector<Tree_branches::Edge> result;
-    std::vector<Index> used;
-    used.reserve(edges.size());
-    for(const Tree_branches::Edge& b : edges)
-      used.push_back(b.outer);
-    std::sort(used.begin(), used.end());
-    std::vector<unsigned char> has_kept(used.size(), 0);
-    const auto slot = [&](Index node) -> unsigned char*
-    {
-      const auto found = std::lower_bound(used.begin(), used.end(), node);
-      return found != used.end() && *found == node ? &has_kept[static_cast<std::size_t>(found - used.begin())]
-                                                   : nullptr;
-    };
-    const std::size_t core = branches_.number_of_core_edges();
-    for(std::size_t i = edges.size(); i-- > core;)
-    {
-      const unsigned char* behind = slot(edges[i].outer);
-      is_kept[i] = graph_->edges[edges[i].edge].piece != null_index || (behind != nullptr && *behind != 0);
-      if(is_kept[i])
-        if(unsigned char* mark = slot(edges[i].inner))
-          *mark = 1;
-    }
-    for(std::size_t i = 0; i < edges.size(); ++i)
-      if(is_kept[i])
-        result.push_back(edges[i]);
-    return result;
-  }
-
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   Exact_geodesic_propagation& geodesics_;
@@ -251,9 +213,9 @@ private:
   Label_changes changes_;
   Ridges ridges_;
   std::unique_ptr<Tree_graph> graph_;
-  Tree_branches branches_;
-  std::vector<float> width_;  // of the edges that have been measured, else 0
-  double measured_from_ = 0.; // the least width for which it is of all
+  Index root_ = null_index;
+  std::vector<float> width_; // of each edge, negative as long as nobody has asked for it
+  std::vector<float> shown_width_;
   std::unique_ptr<Digon_width> measure_;
 };
 

@@ -113,7 +113,7 @@ public:
       compute_more(Branch_strength());
       kept = tree_->kept(thresholds);
     }
-    tree_->measure_kept(kept);
+    tree_->measure_widths(kept);
     const Source_faces at_sources(mesh_, connectivity_, sources_);
     if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
       throw_source_without_face(at_sources.first_without_face());

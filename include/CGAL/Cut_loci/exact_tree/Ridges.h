@@ -95,6 +95,19 @@ public:
     return nodes_[pieces_[i].first_node + pieces_[i].nodes[end]].point;
   }
 
+  /// the larger one of the angles at which the paths to the ends of a piece meet
+  double meeting_angle(std::size_t i) const
+  {
+    double result = 0.;
+    for(int end : {0, 1})
+    {
+      const Plane_point p = piece_end(i, end);
+      const Image &a = pieces_[i].images[0], &b = pieces_[i].images[1];
+      result = (std::max)(result, angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y));
+    }
+    return result;
+  }
+
   /// the corners of a face in the frame of its first halfedge
   std::array<Plane_point, 3> layout(Index f) const
   {

@@ -44,7 +44,7 @@ public:
              const std::vector<Tree_branches::Edge>& kept, Index lone)
     : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), tree_(tree)
   {
-    const Index root = tree_.branches().root();
+    const Index root = tree_.root();
     number_.assign(tree_.graph().nodes.size(), null_index);
     contract(kept);
     join(kept);
@@ -387,7 +387,7 @@ private:
   {
     lay_out(c);
     const Tree_graph::Edge& e = tree_.graph().edges[c.widest];
-    const float width = tree_.width(c.widest);
+    const float width = tree_.shown_width(c.widest);
     const Index last = node(c.end);
     Index previous = node(c.begin);
     for(std::size_t i = 1; i + 1 < points_.size(); ++i)

@@ -86,7 +86,7 @@ public:
     return number_of_open_ == 0;
   }
 
-  /// removes the branches on which the paths to no point part at the angle that they need
+  /// removes the branches on which the paths to no point have the angle that they need
   void drop_weak_branches(const Branch_strength& least)
   {
     std::vector<Incidence> incidence(nodes.size());
@@ -111,11 +111,13 @@ public:
     remove(is_removed);
   }
 
-  /// whether an edge has the angle that this strength needs
+  /// whether the paths to an edge part or meet at the angle that this strength needs: past saddles, paths that part at a
+  /// small angle may get far apart, and meet at a larger one
   bool can_be(Index e, const Branch_strength& least) const
   {
     const double farther = (std::max)(nodes[edges[e].nodes[0]].distance, nodes[edges[e].nodes[1]].distance);
-    return edges[e].gap >= least.least_angle(farther);
+    const double angle = least.least_angle(farther);
+    return edges[e].gap >= angle || (edges[e].piece != null_index && ridges_.meeting_angle(edges[e].piece) >= angle);
   }
 
   /// removes the edges from a leaf at a vertex of the mesh up to the first node at which others meet

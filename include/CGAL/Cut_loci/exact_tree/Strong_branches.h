@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_STRONG_BRANCHES_H
+#define CGAL_CUT_LOCI_EXACT_TREE_STRONG_BRANCHES_H
+
+#include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * finds what is left of a tree graph without its weak branches, from the leaves inward.
+ *
+ * A row of edges, from a leaf to the next node where others meet, is cut before its outermost strong edge, or goes as a
+ * whole. As branches get stronger inward, it takes few edges to find that one; to miss none where they do not, some more
+ * are tried than the innermost: as many as the row can be halved. So nothing strong is lost for what is beside it, and
+ * no edge has to be known as the root.
+ *
+ * @tparam Can_be tells quickly whether an edge may be strong
+ * @tparam Is_strong tells whether it is
+ */
+template <typename Can_be, typename Is_strong>
+class Strong_branches
+{
+public:
+  Strong_branches(const Tree_graph& graph, Index number_of_loops, const Can_be& can_be, const Is_strong& is_strong)
+    : graph_(graph), can_be_(can_be), is_strong_(is_strong), degree_(graph.nodes.size(), 0),
+      exclusive_or_(graph.nodes.size(), 0), is_kept_(graph.edges.size(), 1)
+  {
+    for(Index e = 0; e < graph.edges.size(); ++e)
+      for(Index i : graph.edges[e].nodes)
+      {
+        ++degree_[i];
+        exclusive_or_[i] ^= e; // with one edge left, this is the edge
+      }
+    for(Index i = 0; i < number_of_loops; ++i)
+      degree_[i] += 2; // no leaf, and no inner node of a row
+    for(Index i = 0; i < graph.nodes.size(); ++i)
+      if(degree_[i] == 1)
+        leaves_.push_back(i);
+    while(!leaves_.empty())
+    {
+      const Index leaf = leaves_.back();
+      leaves_.pop_back();
+      if(degree_[leaf] == 1)
+        cut_row(leaf);
+    }
+  }
+
+  std::vector<Index> edges() const
+  {
+    std::vector<Index> result;
+    for(Index e = 0; e < is_kept_.size(); ++e)
+      if(is_kept_[e])
+        result.push_back(e);
+    return result;
+  }
+
+private:
+  void cut_row(Index leaf)
+  {
+    const Index end = find_row(leaf);
+    const bool has_two_leaves = degree_[end] == 1;
+    const std::size_t first = outermost_strong();
+    remove(leaf, first);
+    if(first == row_.size())
+    {
+      if(degree_[end] == 1)
+        leaves_.push_back(end);
+      return;
+    }
+    if(!has_two_leaves)
+      return;
+    row_.erase(row_.begin(), row_.begin() + static_cast<std::ptrdiff_t>(first));
+    std::reverse(row_.begin(), row_.end());
+    remove(end, outermost_strong());
+  }
+
+  /// the edges from a leaf to the node at its end, which is returned
+  Index find_row(Index leaf)
+  {
+    row_.clear();
+    Index i = leaf, e = exclusive_or_[leaf];
+    for(;;)
+    {
+      row_.push_back(e);
+      i = other_node(e, i);
+      if(degree_[i] != 2)
+        return i;
+      e ^= exclusive_or_[i];
+    }
+  }
+
+  Index other_node(Index e, Index i) const
+  {
+    const auto& nodes = graph_.edges[e].nodes;
+    return nodes[0] == i ? nodes[1] : nodes[0];
+  }
+
+  /// takes the first edges of the row away, from a leaf on
+  void remove(Index leaf, std::size_t number)
+  {
+    for(std::size_t k = 0; k < number; ++k)
+    {
+      const Index e = row_[k], next = other_node(e, leaf);
+      is_kept_[e] = 0;
+      for(Index i : {leaf, next})
+      {
+        --degree_[i];
+        exclusive_or_[i] ^= e;
+      }
+      leaf = next;
+    }
+  }
+
+  /// its position in the row, or the size of that if there is none
+  std::size_t outermost_strong()
+  {
+    known_.clear();
+    for(std::size_t i = 0; i < row_.size(); ++i)
+      if(graph_.edges[row_[i]].piece != null_index && (!known_.empty() || can_be_(row_[i])))
+        known_.push_back(i);
+    std::size_t tries = 0;
+    for(std::size_t n = known_.size(); n > 0; n /= 2)
+      ++tries;
+    std::size_t begin = 0;
+    for(std::size_t k = 1; k <= tries; ++k)
+    {
+      const std::size_t last = known_.size() * k / tries - 1;
+      if(is_strong(last))
+        return known_[first_strong(begin, last)];
+      begin = last + 1;
+    }
+    return row_.size();
+  }
+
+  /// from `begin` on, if the last is strong
+  std::size_t first_strong(std::size_t begin, std::size_t last) const
+  {
+    while(begin < last)
+    {
+      const std::size_t middle = (begin + last) / 2;
+      if(is_strong(middle))
+        last = middle;
+      else
+        begin = middle + 1;
+    }
+    return last;
+  }
+
+  bool is_strong(std::size_t k) const { return is_strong_(row_[known_[k]]); }
+
+  const Tree_graph& graph_;
+  const Can_be& can_be_;
+  const Is_strong& is_strong_;
+  std::vector<Index> degree_, exclusive_or_; // of nodes
+  std::vector<unsigned char> is_kept_;       // by edge
+  std::vector<Index> leaves_;
+  std::vector<Index> row_;         // in work, from the leaf on
+  std::vector<std::size_t> known_; // positions in it, from the first that may be strong, of edges that are known
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_STRONG_BRANCHES_H

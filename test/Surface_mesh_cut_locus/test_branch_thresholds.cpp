@@ -1,0 +1,277 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// What is left of the cut locus at a threshold: all that is as strong, and nothing that ends in anything weaker.
+
+#include "built_mesh.h"
+#include "polyhedra.h"
+
+#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
+#include <CGAL/Iterator_range.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/compute_cut_locus.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using CGAL::Cut_loci::Index;
+using CGAL::Cut_loci::Indexed_triangle_mesh;
+using CGAL::Cut_loci::null_index;
+using CGAL::Cut_loci::internal::Branch_strength;
+using CGAL::Cut_loci::internal::Exact_tree;
+using CGAL::Cut_loci::internal::Exact_tree_solver;
+using CGAL::Cut_loci::internal::Tree_graph;
+using test_meshes::indexed;
+using test_meshes::Mesh_data;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+namespace params = CGAL::parameters;
+
+// A body with limbs, of genus 0, and saddles between them: the widest place of its cut locus is anywhere. With noise,
+// the largest gap is anywhere, too.
+Mesh_data limbed(std::size_t n, unsigned seed, double noise = 0.)
+{
+  const std::vector<test_meshes::Point> limbs = {
+    {{0.1, 0.9, 0.3}}, {{0.8, -0.5, 0.2}}, {{-0.7, -0.6, 0.1}}, {{0.1, -0.3, 0.95}}, {{0., 0.2, -0.9}}};
+  Mesh_data m = test_meshes::jittered_sphere(n, 0.15, seed);
+  std::mt19937 engine(seed);
+  for(test_meshes::Point& p : m.points)
+  {
+    double radius = 0.5 + noise * test_meshes::random_unit(engine);
+    for(std::size_t i = 0; i < limbs.size(); ++i)
+      radius +=
+        (0.8 + 0.2 * double(i)) * std::exp(-14. * (1. - test_meshes::dot(p, test_meshes::normalized(limbs[i]))));
+    for(double& x : p)
+      x *= radius;
+  }
+  return m;
+}
+
+struct Case
+{
+  std::string name;
+  Mesh_data data;
+};
+
+std::vector<Case> cases()
+{
+  return {{"limbs", limbed(10, 1)},
+          {"more limbs", limbed(14, 2)},
+          {"rough limbs", limbed(12, 3, 0.02)},
+          {"convex", test_meshes::random_convex_polyhedron(80, 1)},
+          {"torus", test_meshes::torus(1., 0.4, 24, 14, 0.2, 5)},
+          {"open cylinder", test_meshes::cylinder(1., 16, 6, 0.1, 4)},
+          {"saddle", test_meshes::saddle(10, 0.7, 0.2, 3)}};
+}
+
+class Solved
+{
+public:
+  // looks for what is that strong
+  Solved(const Indexed_triangle_mesh& mesh, Index source, const Branch_strength& least) : solver_(mesh)
+  {
+    solver_.expect(least);
+    CGAL::Cut_loci::Indexed_source at;
+    at.vertex = source;
+    at.location = CGAL::Cut_loci::internal::location_of_vertex(solver_.connectivity(), source);
+    solver_.compute_distance(at);
+    solver_.compute_strengths();
+    solver_.grow_tree();
+    solver_.close_cycles();
+  }
+
+  Exact_tree& tree() { return solver_.tree(); }
+  const Tree_graph& graph() { return tree().graph(); }
+
+  bool is_strong(Index e, const Branch_strength& least)
+  {
+    return graph().edges[e].piece != null_index && graph().edges[e].gap >= least.gap && tree().width(e) >= least.width;
+  }
+
+  double length(Index e)
+  {
+    const Tree_graph::Edge& edge = graph().edges[e];
+    if(edge.piece == null_index)
+      return 0.;
+    const auto p = tree().ridges().piece_end(edge.piece, 0), q = tree().ridges().piece_end(edge.piece, 1);
+    return std::hypot(p.x - q.x, p.y - q.y);
+  }
+
+  // of what is kept; what only holds it together may be shorter if less has been looked for
+  double length_of_strong(const Branch_strength& least)
+  {
+    double result = 0.;
+    for(const auto& b : tree().kept(least))
+      if(is_strong(b.edge, least))
+        result += length(b.edge);
+    return result;
+  }
+
+  double largest_width()
+  {
+    double result = 0.;
+    for(Index e = 0; e < graph().edges.size(); ++e)
+      result = (std::max)(result, tree().width(e));
+    return result;
+  }
+
+private:
+  Exact_tree_solver solver_;
+};
+
+std::vector<Branch_strength> thresholds(double h)
+{
+  return {{0., h}, {0., 3. * h}, {0.1, 0.}, {0.5, 0.}, {0.2, 2. * h}};
+}
+
+TEST(Branch_thresholds, Nothing_that_is_strong_is_missing)
+{
+  for(const Case& c : cases())
+  {
+    const Indexed_triangle_mesh mesh = indexed(c.data);
+    for(Index source : {Index(0), mesh.number_of_vertices() / 2, mesh.number_of_vertices() - 1})
+    {
+      Solved full(mesh, source, {});
+      for(const Branch_strength& least : thresholds(test_meshes::mean_edge_length(c.data)))
+      {
+        SCOPED_TRACE(c.name + ", source " + std::to_string(source) + ", gap " + std::to_string(least.gap) + ", width " +
+                     std::to_string(least.width));
+        std::vector<unsigned char> is_kept(full.graph().edges.size(), 0);
+        for(const auto& b : full.tree().kept(least))
+          is_kept[b.edge] = 1;
+        double strong = 0., missing = 0.;
+        for(Index e = 0; e < is_kept.size(); ++e)
+          if(full.is_strong(e, least))
+          {
+            strong += full.length(e);
+            missing += is_kept[e] ? 0. : full.length(e);
+          }
+        // where branches do not get stronger inward, a short part may not be among what is tried
+        EXPECT_LE(missing, 0.01 * strong);
+      }
+    }
+  }
+}
+
+TEST(Branch_thresholds, No_branch_ends_in_what_is_weak)
+{
+  for(const Case& c : cases())
+  {
+    const Indexed_triangle_mesh mesh = indexed(c.data);
+    Solved full(mesh, mesh.number_of_vertices() / 2, {});
+    for(const Branch_strength& least : thresholds(test_meshes::mean_edge_length(c.data)))
+    {
+      SCOPED_TRACE(c.name + ", gap " + std::to_string(least.gap) + ", width " + std::to_string(least.width));
+      std::vector<int> degree(full.graph().nodes.size(), 0);
+      const auto kept = full.tree().kept(least);
+      for(const auto& b : kept)
+        for(Index i : full.graph().edges[b.edge].nodes)
+          ++degree[i];
+      for(const auto& b : kept)
+        for(Index i : full.graph().edges[b.edge].nodes)
+        {
+          const bool is_end = degree[i] == 1 && full.graph().nodes[i].face != null_index;
+          EXPECT_TRUE(!is_end || full.tree().width(b.edge) >= least.width);
+        }
+    }
+  }
+}
+
+// What is not looked for from the start is left out only if it is weak.
+TEST(Branch_thresholds, Looking_for_strong_branches_alone_finds_the_same)
+{
+  for(const Case& c : cases())
+  {
+    const Indexed_triangle_mesh mesh = indexed(c.data);
+    for(Index source : {Index(0), mesh.number_of_vertices() - 1})
+    {
+      Solved full(mesh, source, {});
+      for(const Branch_strength& least : thresholds(test_meshes::mean_edge_length(c.data)))
+      {
+        SCOPED_TRACE(c.name + ", source " + std::to_string(source) + ", gap " + std::to_string(least.gap) + ", width " +
+                     std::to_string(least.width));
+        Solved run(mesh, source, least);
+        const double of_full = full.length_of_strong(least), of_run = run.length_of_strong(least);
+        EXPECT_NEAR(of_run, of_full, 0.02 * of_full);
+      }
+    }
+  }
+}
+
+// of the bounding box
+double diagonal_of(const Mesh_data& m)
+{
+  test_meshes::Point low = m.points[0], high = low;
+  for(const test_meshes::Point& p : m.points)
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      low[i] = (std::min)(low[i], p[i]);
+      high[i] = (std::max)(high[i], p[i]);
+    }
+  return test_meshes::norm({{high[0] - low[0], high[1] - low[1], high[2] - low[2]}});
+}
+
+// of the edges of at least a width
+template <typename Curve>
+double length(const Curve& curve, double width)
+{
+  double result = 0.;
+  for(auto e : CGAL::make_range(edges(curve.graph())))
+    if(curve.graph()[e].width >= width)
+      result += std::sqrt(CGAL::squared_distance(curve.graph()[source(e, curve.graph())].point,
+                                                 curve.graph()[target(e, curve.graph())].point));
+  return result;
+}
+
+// On a closed surface of genus 0 nothing but the thresholds holds the curve together.
+TEST(Branch_thresholds, Every_limb_has_its_branch)
+{
+  for(double noise : {0., 0.01, 0.02})
+  {
+    const Mesh_data data = limbed(16, 3, noise);
+    const Built_mesh<Mesh> built(data);
+    const double h = test_meshes::mean_edge_length(data);
+    for(std::size_t source : {0, 700, 2000})
+    {
+      SCOPED_TRACE("noise " + std::to_string(noise) + ", source " + std::to_string(source));
+      const auto faces = params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES);
+      const auto all = CGAL::compute_cut_locus(built.mesh, built.vertices[source],
+                                               faces.cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+      const auto strong = CGAL::compute_cut_locus(built.mesh, built.vertices[source],
+                                                  faces.minimum_branch_width(4. * h / diagonal_of(data)));
+      EXPECT_GE(length(strong, 0.), 0.99 * length(all, 4.4 * h));
+      EXPECT_LE(length(strong, 0.), 1.1 * length(all, 3.6 * h));
+    }
+  }
+}
+
+// Paths along the edges of a mesh lead through vertices.
+TEST(Branch_thresholds, Widths_are_those_of_the_polyhedron_however_it_is_divided)
+{
+  const std::vector<Case> polyhedra = {{"cuboid", test_meshes::cuboid({{3., 1., 0.4}}, 2)},
+                                       {"L-shape", test_meshes::l_shape(2)},
+                                       {"torus", test_meshes::torus(1., 0.5, 20, 12)},
+                                       {"limbs", limbed(6, 1)}};
+  for(const Case& c : polyhedra)
+  {
+    SCOPED_TRACE(c.name);
+    const Mesh_data divided = test_meshes::split_in_plane(c.data);
+    const Indexed_triangle_mesh coarse = indexed(c.data), fine = indexed(divided);
+    Solved a(coarse, 1, {}), b(fine, 1, {});
+    EXPECT_NEAR(b.largest_width(), a.largest_width(), 1e-4 * a.largest_width());
+  }
+}
+
+} // namespace
