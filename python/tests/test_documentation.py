@@ -62,6 +62,12 @@ def test_stubs():
         assert functions - {"__init__"} == {f for f in vars(getattr(_core, name)) if f[0] != "_"}, name
 
 
+def test_versions():
+    versions = [re.search(pattern, (ROOT / name).read_text(), re.MULTILINE).group(1) for name, pattern in (
+        ("CMakeLists.txt", r"^project\(.* VERSION ([\d.]+)"), ("python/pyproject.toml", r'^version = "(.*)"'))]
+    assert versions == 2 * [cut_locus.__version__]
+
+
 def test_installed_files():
     folder = pathlib.Path(cut_locus.__file__).parent
     assert (folder / "py.typed").exists() and (folder / "_core.pyi").exists()
