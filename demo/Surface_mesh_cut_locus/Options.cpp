@@ -5,7 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "Options.h"
-#include "atlas.h"
+#include "flatten.h"
 #include "output.h"
 #include "solvers.h"
 #include "unfolding.h"

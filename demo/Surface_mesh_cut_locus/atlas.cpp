@@ -5,36 +5,17 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "atlas.h"
-#include "arap.h"
-
-#include <CGAL/cut_along_cut_locus.h>
-#include <CGAL/refine_along_cut_locus.h>
-
-#include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include "flatten.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 namespace {
 
-namespace SMP = CGAL::Surface_mesh_parameterization;
 using Point_2 = Kernel::Point_2;
-using UV_map = Mesh::Property_map<Mesh::Vertex_index, Point_2>;
-
-SMP::Error_code parameterize(Mesh& disk, const std::string& name, UV_map uv)
-{
-  const Mesh::Halfedge_index border = CGAL::Polygon_mesh_processing::longest_border(disk).first;
-  if(name == "convex")
-    return SMP::parameterize(disk, SMP::Mean_value_coordinates_parameterizer_3<Mesh>(), border, uv);
-  return SMP::parameterize(disk, SMP::LSCM_parameterizer_3<Mesh>(), border, uv); // arap starts from it, too
-}
 
 // The singular values of the map from a face to its image.
 std::array<double, 2> stretches(const std::array<Kernel::Point_3, 3>& p, const std::array<Point_2, 3>& q, double& area,
@@ -51,30 +32,6 @@ std::array<double, 2> stretches(const std::array<Kernel::Point_3, 3>& p, const s
   const double sum = a.squared_length() + b.squared_length();
   const double difference = std::sqrt((std::max)(0., sum * sum - 4. * determinant * determinant));
   return {{std::sqrt(0.5 * (sum + difference)), std::sqrt((std::max)(0., 0.5 * (sum - difference)))}};
-}
-
-bool make_rigid(const Mesh& disk, UV_map uv)
-{
-  constexpr double tolerance = 1e-6; // as CGAL's
-  Points_3 points;
-  Points_2 plane;
-  Triangles faces;
-  for(Mesh::Vertex_index v : disk.vertices())
-  {
-    const Kernel::Point_3& p = disk.point(v);
-    points.push_back({{p.x(), p.y(), p.z()}});
-    plane.push_back({{uv[v].x(), uv[v].y()}});
-  }
-  for(Mesh::Face_index f : disk.faces())
-  {
-    const Mesh::Halfedge_index h = disk.halfedge(f);
-    faces.push_back({{disk.source(h), disk.target(h), disk.target(disk.next(h))}});
-  }
-  if(!flatten_as_rigidly_as_possible(points, faces, plane, tolerance))
-    return false;
-  for(Mesh::Vertex_index v : disk.vertices())
-    uv[v] = Point_2(plane[v][0], plane[v][1]);
-  return true;
 }
 
 void measure(Atlas& atlas)
@@ -157,36 +114,15 @@ void normalize(std::vector<std::array<double, 2>>& points, bool is_reversed)
 
 } // namespace
 
-bool is_parameterization_name(const std::string& name)
-{
-  return name == "arap" || name == "lscm" || name == "convex";
-}
-
 Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string& parameterization)
 {
-  Mesh disk;
-  const auto origin = disk.add_property_map<Mesh::Vertex_index, Mesh::Vertex_index>("v:origin").first;
-  const auto face_origin = disk.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:origin").first;
-  const auto maps = CGAL::parameters::vertex_to_vertex_map(origin).face_to_face_map(face_origin);
-  const auto& graph = cut_locus.graph();
-  bool is_of_mesh_edges = true;
-  for(auto v : CGAL::make_range(vertices(graph)))
-    is_of_mesh_edges = is_of_mesh_edges && graph[v].mesh_vertex != Mesh::null_vertex();
-  for(auto e : CGAL::make_range(edges(graph)))
-    is_of_mesh_edges = is_of_mesh_edges && graph[e].mesh_halfedge != Mesh::null_halfedge();
-  if(is_of_mesh_edges)
-    CGAL::cut_along_cut_locus(mesh, cut_locus, disk, maps);
-  else
-    CGAL::cut_along_curve(mesh, cut_locus, disk, maps);
-
-  const UV_map uv = disk.add_property_map<Mesh::Vertex_index, Point_2>("v:uv", Point_2(0., 0.)).first;
-  const SMP::Error_code error = parameterize(disk, parameterization, uv);
-  if(error == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM) // CGAL 5.5 and 6.1 give it the message of another error
-    throw std::runtime_error("the surface can not be flattened: the linear system can not be solved");
-  if(error != SMP::OK)
-    throw std::runtime_error(std::string("the surface can not be flattened: ") + SMP::get_error_message(error));
-  if(parameterization == "arap" && !make_rigid(disk, uv))
-    throw std::runtime_error("the surface can not be flattened: the linear system can not be solved");
+  Flat_disk flat;
+  cut_open(mesh, cut_locus, flat);
+  flatten(flat, parameterization);
+  const Mesh& disk = flat.mesh;
+  const Flat_disk::Origin_map origin = flat.origin;
+  const Flat_disk::Face_origin_map face_origin = flat.face_origin;
+  const Flat_disk::UV_map uv = flat.uv;
 
   Atlas atlas;
   atlas.parameterization = parameterization;
@@ -197,8 +133,6 @@ Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string
   std::vector<std::size_t> vertex(disk.number_of_vertices());
   for(Mesh::Vertex_index v : disk.vertices())
   {
-    if(!std::isfinite(uv[v].x()) || !std::isfinite(uv[v].y()))
-      throw std::runtime_error("the surface can not be flattened: the solver fails");
     atlas.texture_coordinates.push_back({{uv[v].x(), uv[v].y()}});
     if(origin[v] != Mesh::null_vertex())
     {
@@ -232,6 +166,7 @@ Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string
   atlas.overlap = overlap(atlas);
 
   atlas.seam_distance = (std::numeric_limits<double>::infinity)();
+  const Cut_locus::Graph& graph = cut_locus.graph();
   for(auto v : CGAL::make_range(vertices(graph)))
     atlas.seam_distance = (std::min)(atlas.seam_distance, graph[v].distance);
   return atlas;

@@ -32,8 +32,6 @@ struct Atlas
   double seam_distance = 0.; // of the seams to the source
 };
 
-bool is_parameterization_name(const std::string& name);
-
 // Throws `std::runtime_error` if the surface can not be flattened.
 Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string& parameterization);
 

@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "flatten.h"
+#include "arap.h"
+
+#include <CGAL/cut_along_cut_locus.h>
+#include <CGAL/refine_along_cut_locus.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace {
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+using Point_2 = Kernel::Point_2;
+
+SMP::Error_code parameterize(Mesh& disk, const std::string& name, Flat_disk::UV_map uv)
+{
+  const Mesh::Halfedge_index border = CGAL::Polygon_mesh_processing::longest_border(disk).first;
+  if(name == "convex")
+    return SMP::parameterize(disk, SMP::Mean_value_coordinates_parameterizer_3<Mesh>(), border, uv);
+  return SMP::parameterize(disk, SMP::LSCM_parameterizer_3<Mesh>(), border, uv); // arap starts from it, too
+}
+
+bool make_rigid(const Mesh& disk, Flat_disk::UV_map uv)
+{
+  constexpr double tolerance = 1e-6; // as CGAL's
+  Points_3 points;
+  Points_2 plane;
+  Triangles faces;
+  for(Mesh::Vertex_index v : disk.vertices())
+  {
+    const Kernel::Point_3& p = disk.point(v);
+    points.push_back({{p.x(), p.y(), p.z()}});
+    plane.push_back({{uv[v].x(), uv[v].y()}});
+  }
+  for(Mesh::Face_index f : disk.faces())
+  {
+    const Mesh::Halfedge_index h = disk.halfedge(f);
+    faces.push_back({{disk.source(h), disk.target(h), disk.target(disk.next(h))}});
+  }
+  if(!flatten_as_rigidly_as_possible(points, faces, plane, tolerance))
+    return false;
+  for(Mesh::Vertex_index v : disk.vertices())
+    uv[v] = Point_2(plane[v][0], plane[v][1]);
+  return true;
+}
+
+} // namespace
+
+bool is_parameterization_name(const std::string& name)
+{
+  return name == "arap" || name == "lscm" || name == "convex";
+}
+
+Flat_disk::Flat_disk()
+  : origin(mesh.add_property_map<Mesh::Vertex_index, Mesh::Vertex_index>("v:origin").first),
+    face_origin(mesh.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:origin").first),
+    uv(mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv", Point_2(0., 0.)).first)
+{
+}
+
+void cut_open(const Mesh& mesh, const Cut_locus& cut_locus, Flat_disk& disk)
+{
+  const auto maps = CGAL::parameters::vertex_to_vertex_map(disk.origin).face_to_face_map(disk.face_origin);
+  const auto& graph = cut_locus.graph();
+  bool is_of_mesh_edges = true;
+  for(auto v : CGAL::make_range(vertices(graph)))
+    is_of_mesh_edges = is_of_mesh_edges && graph[v].mesh_vertex != Mesh::null_vertex();
+  for(auto e : CGAL::make_range(edges(graph)))
+    is_of_mesh_edges = is_of_mesh_edges && graph[e].mesh_halfedge != Mesh::null_halfedge();
+  if(is_of_mesh_edges)
+    CGAL::cut_along_cut_locus(mesh, cut_locus, disk.mesh, maps);
+  else
+    CGAL::cut_along_curve(mesh, cut_locus, disk.mesh, maps);
+}
+
+void flatten(Flat_disk& disk, const std::string& parameterization)
+{
+  const SMP::Error_code error = parameterize(disk.mesh, parameterization, disk.uv);
+  if(error == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM) // CGAL 5.5 and 6.1 give it the message of another error
+    throw std::runtime_error("the surface can not be flattened: the linear system can not be solved");
+  if(error != SMP::OK)
+    throw std::runtime_error(std::string("the surface can not be flattened: ") + SMP::get_error_message(error));
+  if(parameterization == "arap" && !make_rigid(disk.mesh, disk.uv))
+    throw std::runtime_error("the surface can not be flattened: the linear system can not be solved");
+  for(Mesh::Vertex_index v : disk.mesh.vertices())
+    if(!std::isfinite(disk.uv[v].x()) || !std::isfinite(disk.uv[v].y()))
+      throw std::runtime_error("the surface can not be flattened: the solver fails");
+}

@@ -1,0 +1,29 @@
+"""Cut loci and exact geodesics on triangle meshes.
+
+>>> result = cut_locus.compute(V, F, 0)         # V: (n, 3) points, F: (m, 3) vertex indices, a source vertex
+>>> result.points[result.edges]                 # the segments of the cut locus
+>>> distance = cut_locus.exact_geodesic_distances(V, F, 0)
+
+Lengths are in the unit of the points, angles in radians. Arrays that are returned can not be written to: copy them
+first. A computation releases the GIL, so that threads with objects of their own run at the same time.
+"""
+
+from ._core import InvalidInput
+from ._cut_locus import CutLocus, Result, compute
+from ._disk import Disk, cut_open
+from ._geodesics import ExactGeodesics, Path, exact_geodesic_distances, shortest_paths
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "CutLocus",
+    "Disk",
+    "ExactGeodesics",
+    "InvalidInput",
+    "Path",
+    "Result",
+    "compute",
+    "cut_open",
+    "exact_geodesic_distances",
+    "shortest_paths",
+]

@@ -1,0 +1,378 @@
+"""The cut locus of a point, or of several."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any, Callable, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._disk import Disk, disk_of
+from ._input import Sources, read_mesh, read_sources, value_of
+
+Floats = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int64]
+Bools = npt.NDArray[np.bool_]
+Progress = Callable[[str, bool], Any]
+
+
+class Result:
+    """The cut locus: a graph on the mesh, and the distances to the source, or to the nearest of several.
+
+    Its n points and m edges are arrays, made when they are first asked for. It does not change, and it keeps the mesh.
+    """
+
+    def __init__(self, core: _core.Result, method: str) -> None:
+        self._core = core
+        self._method = method
+
+    def __repr__(self) -> str:
+        return (f"<cut_locus.Result: {len(self.points)} points, {len(self.edges)} edges, {self.cycles} cycles, "
+                f"injectivity radius {self.injectivity_radius:.6g}>")
+
+    @property
+    def method(self) -> str:
+        """The method in force: "direction", "polyhedral" or "laplacian"."""
+        return self._method
+
+    # -- the points of the graph
+
+    @cached_property
+    def points(self) -> Floats:
+        """(n, 3): the points in space."""
+        return self._core.points()
+
+    @cached_property
+    def faces(self) -> Ints:
+        """(n,): a face of the mesh that each point is in, or on the border of."""
+        return self._core.faces()
+
+    @cached_property
+    def barycentric(self) -> Floats:
+        """(n, 3): the barycentric coordinates of each point in its face, in the order of the face's vertices."""
+        return self._core.barycentric()
+
+    @cached_property
+    def mesh_vertices(self) -> Ints:
+        """(n,): the vertex of the mesh that each point is at, or -1."""
+        return self._core.mesh_vertices()
+
+    @cached_property
+    def distance(self) -> Floats:
+        """(n,): the distance of each point to the source, or to the nearest one."""
+        return self._core.distances()
+
+    # -- its edges
+
+    @cached_property
+    def edges(self) -> Ints:
+        """(m, 2): the points that each edge joins."""
+        return self._core.edges()
+
+    @cached_property
+    def strength(self) -> Floats:
+        """(m,): the largest angle, in radians, on the branch from the edge to its tips.
+
+        It is that between the two shortest paths to a point, at the source or where they part; with the method
+        "laplacian" that between gradients of the distance. Between two sources it is 2 pi.
+        """
+        return self._core.strengths()
+
+    @cached_property
+    def width(self) -> Floats:
+        """(m,): the largest separation, a length, of the two shortest paths to a point of the edge.
+
+        Zero with the method "laplacian". Between two sources it is the way from one to the other through the edge.
+        """
+        return self._core.widths()
+
+    @cached_property
+    def edge_sources(self) -> Ints:
+        """(m, 2): the numbers of the sources nearest to the two sides of each edge, the smaller one first."""
+        return self._core.edge_sources()
+
+    @cached_property
+    def is_on_border(self) -> Bools:
+        """(m,): whether each edge follows the border of the mesh."""
+        return self._core.is_on_border().view(np.bool_)
+
+    # -- the vertices of the mesh
+
+    @cached_property
+    def vertex_distance(self) -> Floats:
+        """(number of vertices of the mesh,): their distances to the source, or the nearest one; inf if not reached."""
+        return self._core.vertex_distances()
+
+    @cached_property
+    def nearest_source(self) -> Ints:
+        """(number of vertices of the mesh,): the number of the source nearest to each; -1 if not reached."""
+        return self._core.nearest_sources()
+
+    @property
+    def farthest_vertex(self) -> int:
+        """The vertex of the mesh that is farthest from the source, or from the nearest one."""
+        return self._core.farthest_vertex
+
+    # -- the k sources
+
+    @cached_property
+    def source_points(self) -> Floats:
+        """(k, 3): the sources in space, in the order in which they were given."""
+        return self._core.source_points()
+
+    @cached_property
+    def source_faces(self) -> Ints:
+        """(k,): a face of the mesh that each source is in, or on the border of."""
+        return self._core.source_faces()
+
+    @cached_property
+    def source_barycentric(self) -> Floats:
+        """(k, 3): the barycentric coordinates of each source in its face."""
+        return self._core.source_barycentric()
+
+    # -- the whole
+
+    @property
+    def injectivity_radius(self) -> float:
+        """The smallest distance on the cut locus: within it, shortest paths are unique."""
+        return self._nearest[0]
+
+    @property
+    def injectivity_point(self) -> Floats:
+        """(3,): where it is reached."""
+        return self._nearest[1]
+
+    @property
+    def cycles(self) -> int:
+        """The number of independent cycles: 2 g on a closed surface of genus g, and 2 g - 1 + k for k sources."""
+        return self._core.cycles
+
+    @property
+    def components(self) -> int:
+        """The number of connected components of the graph."""
+        return self._core.components
+
+    @property
+    def leaves(self) -> int:
+        """The number of points with one edge."""
+        return self._core.leaves
+
+    @property
+    def branchings(self) -> int:
+        """The number of points with three edges or more."""
+        return self._core.branchings
+
+    @property
+    def length(self) -> float:
+        """The sum of the lengths of the edges."""
+        return self._core.length
+
+    @property
+    def narrow_corridors(self) -> int:
+        """How many corridors between branches a curve of mesh edges closes, since they are narrower than a face."""
+        return self._core.narrow_corridors
+
+    @property
+    def genus(self) -> int:
+        """The genus of the source's component of the mesh."""
+        return self._core.genus
+
+    @property
+    def border_loops(self) -> int:
+        """The number of border loops of the source's component of the mesh."""
+        return self._core.border_loops
+
+    @property
+    def status(self) -> str:
+        """"branches"; "one point", as on a sphere without bumps; or "only a border", as in a flat disk."""
+        return self._core.status
+
+    def cut_open(self, *, parameterization: Optional[str] = "arap") -> Disk:
+        """Cuts the surface open along the cut locus, to a disk, and flattens it. See `cut_locus.cut_open()`."""
+        return disk_of(self._core, parameterization)
+
+    @cached_property
+    def _nearest(self) -> Tuple[float, Floats]:
+        return self._core.nearest()
+
+
+class CutLocus:
+    """Cut loci on a mesh, at three levels of cost.
+
+    The constructor does what depends on the mesh alone, `set_source()` what depends on the source, and `cut_locus()`
+    applies thresholds in time proportional to the size of its result. Calls from several threads wait for each other:
+    threads that are to run at once need an object each.
+
+    Parameters
+    ----------
+    vertices : (n, 3) real numbers
+        The points. They are copied, since the mesh is kept; float64 and float32 are copied once, whatever the layout.
+    faces : (m, 3) whole numbers
+        The vertices of each triangle, oriented alike. They are copied, too.
+    solver : str
+        Where distances come from: "exact" (default), "cgal-exact", "heat", "heat-direct" or "graph".
+    method : str, optional
+        How the cut locus is found: "direction" (default with the solver "exact"; it needs no tuning), "polyhedral" (all
+        branches of the polyhedron) or "laplacian" (default with other solvers, and with `distances`).
+    laplacian_operator : str, optional
+        "quadratic-fit" (default) or "cotangent"; for the method "laplacian".
+    progress : callable, optional
+        Called as ``progress(stage, ends)`` when a stage starts and when it ends: "preprocessing", "distance",
+        "strength", "tree", "homology" or "filter". What it raises ends the computation and comes out of it. Ctrl-C is
+        looked for at the same places. It can not use the object that calls it.
+
+    Raises
+    ------
+    InvalidInput
+        If the arrays are not those of an oriented manifold mesh of finite coordinates, or a parameter has no meaning
+        for the method. It is a ValueError.
+    TypeError
+        If the arrays do not hold real numbers, or whole ones.
+    """
+
+    def __init__(self, vertices: npt.ArrayLike, faces: npt.ArrayLike, *, solver: str = "exact",
+                 method: Optional[str] = None, laplacian_operator: Optional[str] = None,
+                 progress: Optional[Progress] = None) -> None:
+        if solver not in _core.solver_names:
+            names = ", ".join(repr(name) for name in _core.solver_names)
+            raise _core.InvalidInput(f"the solver must be one of {names}, and not {solver!r}")
+        if progress is not None and not callable(progress):
+            raise TypeError(f"progress must be a function, and not {progress!r}")
+        self._core = _core.Computation(
+            read_mesh(vertices, faces), solver, value_of(_core.Method, method, "method"),
+            value_of(_core.LaplacianOperator, laplacian_operator, "laplacian_operator"), progress)
+
+    def set_source(self, source: Sources, *, distances: Optional[npt.ArrayLike] = None,
+                   snapping_tolerance: float = 1e-10) -> None:
+        """Computes the distances to the source, and all that `cut_locus()` needs.
+
+        Parameters
+        ----------
+        source : int, (int, (3,) floats), or a sequence of them
+            A vertex; a face and barycentric coordinates in the order of its vertices; or several such points, whose cut
+            locus is their geodesic Voronoi diagram together with the cut locus inside each cell.
+        distances : (n,) real numbers, optional
+            The geodesic distance of each vertex to the source, if it is known: then no solver runs, and the method is
+            "laplacian" unless the constructor was given one. They are copied, since this runs without the GIL.
+        snapping_tolerance : float
+            A barycentric coordinate up to this value is taken for zero.
+        """
+        numbers, is_set = read_sources(source)
+        if distances is None:
+            self._core.set_sources(numbers, is_set, snapping_tolerance)
+            return
+        if len(numbers) != 1:
+            raise _core.InvalidInput("distances are those to one source, and not to a set of several")
+        self._core.set_distances(numbers[0], snapping_tolerance, np.asarray(distances))
+
+    def cut_locus(self, *, curve: Optional[str] = None, minimum_branch_width: Optional[float] = None,
+                  minimum_branch_gap: Optional[float] = None, gradient_angle_threshold: Optional[float] = None,
+                  laplacian_threshold: Optional[float] = None, filter_policy: Optional[str] = None,
+                  minimum_branch_edges: Optional[int] = None, minimum_branch_length: Optional[float] = None,
+                  number_of_iterations: Optional[int] = None, voronoi: Optional[bool] = None) -> Result:
+        """Returns the part of the cut locus that passes the thresholds. One of another method is refused.
+
+        Parameters
+        ----------
+        curve : str, optional
+            "edges": the result is made of edges of the mesh (default); or "faces": of segments through its faces
+            (default of the method "polyhedral").
+        minimum_branch_width : float, optional
+            The least separation of the two shortest paths that a branch reaches, in diagonals of the bounding box of
+            the source's component; not for "laplacian". Default: see the property of this name.
+        minimum_branch_gap : float, optional
+            The least angle at the source between them, in radians in [0, pi]; not for "laplacian".
+        gradient_angle_threshold : float, optional
+            The angle at which shortest paths must meet, in radians in [0, pi]; for "laplacian".
+        laplacian_threshold : float, optional
+            The least value of minus the Laplacian of the distance times the mean edge length; for "laplacian".
+        filter_policy : str, optional
+            "prune" weak branches from their tips (default), or "grow" the tree from its root; for "laplacian".
+        minimum_branch_edges : int, optional
+            Branches of fewer edges of the mesh are removed. Default: 3 with "laplacian", else 0.
+        minimum_branch_length : float, optional
+            Shorter branches are removed, in diagonals of the bounding box. Default: 0.
+        number_of_iterations : int, optional
+            Of the smoothing that makes the curve through the faces, for "laplacian": 4 by default.
+        voronoi : bool, optional
+            Keep the edges between two sources alone; not for "laplacian".
+        """
+        core = self._core.cut_locus(
+            minimum_branch_width=minimum_branch_width, minimum_branch_gap=minimum_branch_gap,
+            gradient_angle_threshold=gradient_angle_threshold, laplacian_threshold=laplacian_threshold,
+            filter_policy=value_of(_core.FilterPolicy, filter_policy, "filter_policy"),
+            minimum_branch_edges=minimum_branch_edges, number_of_iterations=number_of_iterations,
+            minimum_branch_length=minimum_branch_length, curve=value_of(_core.Curve, curve, "curve"), voronoi=voronoi)
+        return Result(core, self.method)
+
+    @property
+    def method(self) -> str:
+        """The method in force for the current source."""
+        return self._core.method.name
+
+    @property
+    def minimum_branch_width(self) -> float:
+        """The default of this threshold for the current source, in diagonals of the bounding box; 0 if it has none."""
+        return self._core.minimum_branch_width
+
+    @property
+    def minimum_branch_gap(self) -> float:
+        """The default of this threshold for the current source, in radians; 0 if it has none."""
+        return self._core.minimum_branch_gap
+
+    @property
+    def gradient_angle_threshold(self) -> float:
+        """The default of this threshold for the current source with the method "laplacian", in radians."""
+        return self._core.gradient_angle_threshold
+
+
+def compute(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *, solver: str = "exact",
+            method: Optional[str] = None, curve: Optional[str] = None, laplacian_operator: Optional[str] = None,
+            distances: Optional[npt.ArrayLike] = None, snapping_tolerance: float = 1e-10,
+            minimum_branch_width: Optional[float] = None, minimum_branch_gap: Optional[float] = None,
+            gradient_angle_threshold: Optional[float] = None, laplacian_threshold: Optional[float] = None,
+            filter_policy: Optional[str] = None, minimum_branch_edges: Optional[int] = None,
+            minimum_branch_length: Optional[float] = None, number_of_iterations: Optional[int] = None,
+            voronoi: Optional[bool] = None, progress: Optional[Progress] = None) -> Result:
+    """Computes the cut locus of a point, or of several, on a triangle mesh.
+
+    For one source after another on a mesh, or several thresholds for a source, `CutLocus` does what they share once.
+
+    Parameters
+    ----------
+    vertices : (n, 3) real numbers
+        The points.
+    faces : (m, 3) whole numbers
+        The vertices of each triangle, oriented alike.
+    source : int, (int, (3,) floats), or a sequence of them
+        A vertex; a face and barycentric coordinates in the order of its vertices; or several such points.
+    solver, method, laplacian_operator, progress
+        As in `CutLocus`.
+    distances, snapping_tolerance
+        As in `CutLocus.set_source()`.
+    curve, minimum_branch_width, minimum_branch_gap, gradient_angle_threshold, laplacian_threshold, filter_policy, \
+    minimum_branch_edges, minimum_branch_length, number_of_iterations, voronoi
+        As in `CutLocus.cut_locus()`.
+
+    Returns
+    -------
+    Result
+        The graph, its edges' strengths and widths, the distances, and what can be said of the whole.
+
+    Raises
+    ------
+    InvalidInput
+        Where the mesh, the source or a parameter can not be used. It is a ValueError.
+    TypeError
+        If the arrays do not hold real numbers, or whole ones.
+    """
+    computation = CutLocus(vertices, faces, solver=solver, method=method, laplacian_operator=laplacian_operator,
+                           progress=progress)
+    computation.set_source(source, distances=distances, snapping_tolerance=snapping_tolerance)
+    return computation.cut_locus(
+        curve=curve, minimum_branch_width=minimum_branch_width, minimum_branch_gap=minimum_branch_gap,
+        gradient_angle_threshold=gradient_angle_threshold, laplacian_threshold=laplacian_threshold,
+        filter_policy=filter_policy, minimum_branch_edges=minimum_branch_edges,
+        minimum_branch_length=minimum_branch_length, number_of_iterations=number_of_iterations, voronoi=voronoi)

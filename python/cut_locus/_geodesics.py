@@ -1,0 +1,157 @@
+"""Exact geodesic distances and shortest paths."""
+
+from __future__ import annotations
+
+import math
+from typing import List, NamedTuple, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._input import Numbers, Sources, read_mesh, read_sources
+
+Floats = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int64]
+
+
+class Path(NamedTuple):
+    """A shortest path from a target to its source: where it starts, crosses edges, meets vertices, and ends."""
+
+    points: Floats
+    """(k, 3): the points in space; none if no path leads from the target to a source"""
+    faces: Ints
+    """(k,): a face of the mesh that each point is in"""
+    barycentric: Floats
+    """(k, 3): the barycentric coordinates of each point in its face"""
+
+    @property
+    def length(self) -> float:
+        """The length of the path; inf if there is none."""
+        if len(self.points) == 0:
+            return math.inf
+        return float(np.linalg.norm(np.diff(self.points, axis=0), axis=1).sum())
+
+
+class ExactGeodesics:
+    """Exact geodesic distances and paths on a mesh, from one set of sources after another.
+
+    Parameters
+    ----------
+    vertices : (n, 3) real numbers
+        The points.
+    faces : (m, 3) whole numbers
+        The vertices of each triangle, oriented alike.
+    """
+
+    def __init__(self, vertices: npt.ArrayLike, faces: npt.ArrayLike) -> None:
+        self._core = _core.Geodesics(read_mesh(vertices, faces))
+        self._targets: List[Numbers] = []
+
+    def compute(self, sources: Sources, *, targets: Optional[Sources] = None, error: float = 0.,
+                maximum_distance: float = math.inf) -> None:
+        """Computes the distances from the sources, for the properties and functions below.
+
+        Parameters
+        ----------
+        sources : int, (int, (3,) floats), or a sequence of them
+            Vertices, or faces with barycentric coordinates. With several, the distance is the one to the nearest.
+        targets : as `sources`, optional
+            Points that are not vertices, to which distances or paths are wanted, must be named here; vertices may be.
+        error : float
+            Distances may be too long by this times their length: it takes nearly linear time, but there are no paths.
+        maximum_distance : float
+            What is further away is not reached.
+
+        Ctrl-C takes effect when this returns.
+        """
+        numbers, _ = read_sources(sources)
+        wanted = [] if targets is None else read_sources(targets)[0]
+        self._targets = []
+        self._core.compute(numbers, [t for t in wanted if not isinstance(t, int)], error, maximum_distance)
+        self._targets = wanted
+
+    @property
+    def distance(self) -> Floats:
+        """(n,): the distance of each vertex to the nearest source; inf if it is not reached. A new array each time."""
+        return self._core.distances()
+
+    @property
+    def distance_error(self) -> Floats:
+        """(n,): how much longer than the exact distance each may be; zero without `error`."""
+        return self._core.errors()
+
+    @property
+    def nearest_source(self) -> Ints:
+        """(n,): the number of the source nearest to each vertex; -1 if it is not reached."""
+        return self._core.nearest_sources()
+
+    @property
+    def target_distance(self) -> Floats:
+        """(number of targets,): the distance of each target to the nearest source."""
+        located = iter(self._core.target_distances())
+        at_vertices = self.distance
+        return np.array([at_vertices[t] if isinstance(t, int) else next(located) for t in self._targets])
+
+    def path(self, vertex: int) -> Path:
+        """The shortest path from a vertex to its source."""
+        return Path(*self._core.path_from_vertex(vertex))
+
+    def paths(self) -> List[Path]:
+        """The shortest path from each target to its source."""
+        result = []
+        located = 0
+        for target in self._targets:
+            if isinstance(target, int):
+                result.append(self.path(target))
+            else:
+                result.append(Path(*self._core.path_from_target(located)))
+                located += 1
+        return result
+
+
+def exact_geodesic_distances(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Sources, *, error: float = 0.,
+                             maximum_distance: float = math.inf) -> Floats:
+    """Computes the exact geodesic distance of each vertex to the nearest of the sources.
+
+    Parameters
+    ----------
+    vertices : (n, 3) real numbers
+        The points.
+    faces : (m, 3) whole numbers
+        The vertices of each triangle, oriented alike.
+    sources : int, (int, (3,) floats), or a sequence of them
+        Vertices, or faces with barycentric coordinates.
+    error : float
+        Distances may be too long by this times their length, which takes nearly linear time; 0: exact.
+    maximum_distance : float
+        What is further away is not reached.
+
+    Returns
+    -------
+    (n,) float64
+        In the unit of the points; inf for vertices that are not reached.
+    """
+    geodesics = ExactGeodesics(vertices, faces)
+    geodesics.compute(sources, error=error, maximum_distance=maximum_distance)
+    return geodesics.distance
+
+
+def shortest_paths(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Sources, targets: Sources) -> List[Path]:
+    """Computes the shortest path from each target to the nearest of the sources.
+
+    Parameters
+    ----------
+    vertices, faces, sources
+        As in `exact_geodesic_distances()`.
+    targets : int, (int, (3,) floats), or a sequence of them
+        Where the paths start.
+
+    Returns
+    -------
+    list of Path
+        One for each target, from it to its source.
+    """
+    geodesics = ExactGeodesics(vertices, faces)
+    geodesics.compute(sources, targets=targets)
+    return geodesics.paths()

@@ -1,0 +1,83 @@
+"""What users pass, in the form that the C++ part takes."""
+
+from __future__ import annotations
+
+import operator
+from typing import Any, Dict, List, Optional, Sequence, SupportsIndex, Tuple, TypeVar, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+
+Location = Tuple[SupportsIndex, Union[Sequence[float], npt.NDArray[Any]]]
+Source = Union[SupportsIndex, Location]
+Sources = Union[Source, Sequence[Source], npt.NDArray[np.integer[Any]]]
+
+Numbers = Union[int, Tuple[int, Tuple[float, float, float]]]
+Name = TypeVar("Name")
+
+
+def read_mesh(vertices: npt.ArrayLike, faces: npt.ArrayLike) -> _core.Mesh:
+    faces = np.asarray(faces)
+    if faces.size == 0 and faces.dtype == np.float64:  # NumPy's type for an empty list
+        faces = faces.astype(np.int64)
+    return _core.Mesh(np.asarray(vertices), faces)
+
+
+def read_sources(sources: Sources) -> Tuple[List[Numbers], bool]:
+    """The numbers of the sources, and whether they are a sequence."""
+    source = _numbers_of_one(sources)
+    if source is not None:
+        return [source], False
+    result = []
+    for number, item in enumerate(_items_of(sources)):
+        source = _numbers_of_one(item)
+        if source is None:
+            raise TypeError(f"source {number} must be a vertex index or a pair of a face index and three barycentric "
+                            f"coordinates, and not {item!r}")
+        result.append(source)
+    return result, True
+
+
+def value_of(enum: Any, name: Optional[str], parameter: str) -> Any:
+    """The value of an enumeration that has a name."""
+    if name is None:
+        return None
+    members: Dict[str, Any] = enum.__members__
+    if name not in members:
+        names = ", ".join(repr(member) for member in members)
+        raise _core.InvalidInput(f"the {parameter} must be one of {names}, and not {name!r}")
+    return members[name]
+
+
+def _numbers_of_one(source: Any) -> Optional[Numbers]:
+    if _is_index(source):
+        return operator.index(source)
+    if not isinstance(source, (tuple, list)) or len(source) != 2 or not _is_index(source[0]):
+        return None
+    try:
+        a, b, c = source[1]
+        return operator.index(source[0]), (float(a), float(b), float(c))
+    except (TypeError, ValueError):
+        return None
+
+
+def _is_index(source: Any) -> bool:
+    if isinstance(source, (bool, np.bool_)):
+        return False
+    try:
+        operator.index(source)
+    except TypeError:
+        return False
+    return True
+
+
+def _items_of(sources: Any) -> Sequence[Any]:
+    if not isinstance(sources, (str, bytes, dict)):
+        try:
+            return list(sources)
+        except TypeError:
+            pass
+    raise TypeError("the source must be a vertex index, a pair of a face index and three barycentric coordinates, or a "
+                    f"sequence of them, and not {sources!r}")

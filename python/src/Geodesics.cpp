@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "Geodesics.h"
+
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+
+Geodesics::Geodesics(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), geodesics_(*mesh_) {}
+
+void Geodesics::compute(const std::vector<Source>& sources, const std::vector<Location>& targets, double error,
+                        double maximum_distance)
+{
+  has_result_ = false;
+  geodesics_.set_maximum_relative_error(error);
+  geodesics_.set_maximum_distance(maximum_distance);
+  geodesics_.clear_sources();
+  for(const Source& source : sources)
+    std::visit([&](const auto& point) { geodesics_.add_source(point); }, source);
+  geodesics_.clear_queries();
+  for(const Location& target : targets)
+    geodesics_.add_query(target);
+  geodesics_.compute();
+  number_of_targets_ = targets.size();
+  has_result_ = true;
+}
+
+void Geodesics::require_result() const
+{
+  if(!has_result_)
+    throw std::logic_error("there is no source: compute() comes first");
+}
+
+std::vector<double> Geodesics::distances() const
+{
+  require_result();
+  std::vector<double> result;
+  result.reserve(mesh_->number_of_vertices());
+  for(Mesh::Vertex_index v : mesh_->vertices())
+    result.push_back(geodesics_.distance(v));
+  return result;
+}
+
+std::vector<double> Geodesics::errors() const
+{
+  require_result();
+  std::vector<double> result;
+  result.reserve(mesh_->number_of_vertices());
+  for(Mesh::Vertex_index v : mesh_->vertices())
+    result.push_back(geodesics_.distance_error(v));
+  return result;
+}
+
+std::vector<std::int64_t> Geodesics::nearest_sources() const
+{
+  require_result();
+  std::vector<std::int64_t> result;
+  result.reserve(mesh_->number_of_vertices());
+  for(Mesh::Vertex_index v : mesh_->vertices())
+    result.push_back(std::isfinite(geodesics_.distance(v)) ? static_cast<std::int64_t>(geodesics_.nearest_source(v))
+                                                           : -1);
+  return result;
+}
+
+std::vector<double> Geodesics::target_distances() const
+{
+  require_result();
+  std::vector<double> result;
+  for(std::size_t i = 0; i < number_of_targets_; ++i)
+    result.push_back(geodesics_.query_distance(i));
+  return result;
+}
+
+Geodesic_path Geodesics::path_from_vertex(Mesh::Vertex_index v) const
+{
+  require_result();
+  std::vector<Location> locations;
+  geodesics_.shortest_path(v, std::back_inserter(locations));
+  return path(locations);
+}
+
+Geodesic_path Geodesics::path_from_target(std::size_t i) const
+{
+  require_result();
+  std::vector<Location> locations;
+  geodesics_.query_shortest_path(i, std::back_inserter(locations));
+  return path(locations);
+}
+
+Geodesic_path Geodesics::path(const std::vector<Location>& locations) const
+{
+  Geodesic_path result;
+  for(const auto& [face, coordinates] : locations)
+  {
+    result.faces.push_back(face.idx());
+    Mesh::Halfedge_index h = mesh_->halfedge(face);
+    std::array<double, 3> p = {{0., 0., 0.}};
+    for(double c : coordinates)
+    {
+      result.coordinates.push_back(c);
+      for(int k = 0; k < 3; ++k)
+        p[k] += c * mesh_->point(mesh_->source(h))[k];
+      h = mesh_->next(h);
+    }
+    result.points.insert(result.points.end(), p.begin(), p.end());
+  }
+  return result;
+}

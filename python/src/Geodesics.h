@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_PYTHON_GEODESICS_H
+#define SURFACE_MESH_CUT_LOCUS_PYTHON_GEODESICS_H
+
+#include "Input.h"
+
+#include <CGAL/Surface_mesh_exact_geodesics.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+// From its end to the source; no points if there is no path.
+struct Geodesic_path
+{
+  std::vector<std::int64_t> faces;
+  std::vector<double> coordinates, points; // three for each face
+};
+
+// Exact geodesics on a mesh that it keeps.
+class Geodesics
+{
+public:
+  explicit Geodesics(std::shared_ptr<const Mesh> mesh);
+
+  void compute(const std::vector<Source>& sources, const std::vector<Location>& targets, double error,
+               double maximum_distance);
+
+  // By vertex. They throw std::logic_error if nothing has been computed.
+  std::vector<double> distances() const;
+  std::vector<double> errors() const;
+  std::vector<std::int64_t> nearest_sources() const; // -1 where no path leads
+  std::vector<double> target_distances() const;      // of the locations
+
+  Geodesic_path path_from_vertex(Mesh::Vertex_index v) const;
+  Geodesic_path path_from_target(std::size_t i) const;
+
+  const Mesh& mesh() const { return *mesh_; }
+
+private:
+  void require_result() const;
+  Geodesic_path path(const std::vector<Location>& locations) const;
+
+  std::shared_ptr<const Mesh> mesh_;
+  CGAL::Surface_mesh_exact_geodesics<Mesh> geodesics_;
+  std::size_t number_of_targets_ = 0;
+  bool has_result_ = false;
+};
+
+#endif // SURFACE_MESH_CUT_LOCUS_PYTHON_GEODESICS_H

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_PYTHON_INPUT_H
+#define SURFACE_MESH_CUT_LOCUS_PYTHON_INPUT_H
+
+#include "../../demo/Surface_mesh_cut_locus/Mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <variant>
+#include <vector>
+
+// Vertices and faces as they were given: the indices are in the range of the vertices.
+struct Arrays
+{
+  std::vector<Kernel::Point_3> points;
+  std::vector<std::array<std::uint32_t, 3>> faces;
+};
+
+// Vertex and face of the mesh have the indices of the arrays, and barycentric coordinates their order: halfedge(f) starts
+// at the first vertex of the face. Throws Invalid_input if they are not those of a mesh.
+std::shared_ptr<const Mesh> make_mesh(const Arrays& arrays);
+
+// A vertex, or a face and barycentric coordinates, by numbers that may be wrong.
+using Source_numbers = std::variant<std::int64_t, std::pair<std::int64_t, std::array<double, 3>>>;
+using Source = std::variant<Mesh::Vertex_index, Location>;
+
+// Throws Invalid_input if there is no such vertex or face.
+std::vector<Source> read_sources(const Mesh& mesh, const std::vector<Source_numbers>& numbers);
+
+#endif // SURFACE_MESH_CUT_LOCUS_PYTHON_INPUT_H

@@ -1,0 +1,215 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "Result.h"
+#include "arrays.h"
+
+#include "../../demo/Surface_mesh_cut_locus/flatten.h"
+
+#include <CGAL/Cut_loci/injectivity_radius.h>
+
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace py = pybind11;
+using namespace pybind11::literals;
+namespace loci = CGAL::Cut_loci;
+
+namespace {
+
+template <typename Value, typename Function>
+std::vector<Value> of_points(const Result& result, int columns, const Function& append)
+{
+  const Cut_locus::Graph& graph = result.cut_locus.graph();
+  std::vector<Value> values;
+  values.reserve(columns * num_vertices(graph));
+  for(const auto v : CGAL::make_range(vertices(graph)))
+    append(values, graph[v]);
+  return values;
+}
+
+template <typename Value, typename Function>
+std::vector<Value> of_edges(const Result& result, int columns, const Function& append)
+{
+  const Cut_locus::Graph& graph = result.cut_locus.graph();
+  std::vector<Value> values;
+  values.reserve(columns * num_edges(graph));
+  for(const auto e : CGAL::make_range(edges(graph)))
+    append(values, e, graph);
+  return values;
+}
+
+template <typename Value, typename Function>
+std::vector<Value> of_sources(const Result& result, const Function& append)
+{
+  std::vector<Value> values;
+  for(std::size_t i = 0; i < result.cut_locus.number_of_sources(); ++i)
+    append(values, result.cut_locus.source(i));
+  return values;
+}
+
+void append_point(std::vector<double>& to, const Kernel::Point_3& p)
+{
+  to.insert(to.end(), {p.x(), p.y(), p.z()});
+}
+
+void append_point_of(std::vector<double>& to, const Cut_locus::Vertex& v)
+{
+  append_point(to, v.point);
+}
+
+void append_face_of(std::vector<std::int64_t>& to, const Cut_locus::Vertex& v)
+{
+  to.push_back(v.location.first.idx());
+}
+
+void append_coordinates_of(std::vector<double>& to, const Cut_locus::Vertex& v)
+{
+  to.insert(to.end(), v.location.second.begin(), v.location.second.end());
+}
+
+void append_mesh_vertex_of(std::vector<std::int64_t>& to, const Cut_locus::Vertex& v)
+{
+  to.push_back(v.mesh_vertex == Mesh::null_vertex() ? -1 : std::int64_t(v.mesh_vertex.idx()));
+}
+
+const char* status_name(loci::Cut_locus_status status)
+{
+  return status == loci::Cut_locus_status::BRANCHES    ? "branches"
+         : status == loci::Cut_locus_status::ONE_POINT ? "one point"
+                                                       : "only a border";
+}
+
+// vertices, faces, their places in the plane, and the vertices and faces of the surface that they come from
+py::tuple disk_of(const Result& result, const std::optional<std::string>& parameterization)
+{
+  std::vector<double> points, plane;
+  std::vector<std::int64_t> corners, vertex, face;
+  {
+    const py::gil_scoped_release no_gil;
+    Flat_disk disk;
+    cut_open(*result.mesh, result.cut_locus, disk);
+    if(parameterization)
+      flatten(disk, *parameterization);
+    for(const Mesh::Vertex_index v : disk.mesh.vertices())
+    {
+      append_point(points, disk.mesh.point(v));
+      plane.insert(plane.end(), {disk.uv[v].x(), disk.uv[v].y()});
+      vertex.push_back(disk.origin[v] == Mesh::null_vertex() ? -1 : std::int64_t(disk.origin[v].idx()));
+    }
+    for(const Mesh::Face_index f : disk.mesh.faces())
+    {
+      face.push_back(disk.face_origin[f].idx());
+      const Mesh::Halfedge_index h = disk.mesh.halfedge(f);
+      for(const Mesh::Vertex_index v : {disk.mesh.source(h), disk.mesh.target(h), disk.mesh.target(disk.mesh.next(h))})
+        corners.push_back(v.idx());
+    }
+  }
+  return py::make_tuple(to_array(std::move(points), 3), to_array(std::move(corners), 3), to_array(std::move(plane), 2),
+                        to_array(std::move(vertex)), to_array(std::move(face)));
+}
+
+} // namespace
+
+void bind_result(py::module_& m)
+{
+  py::class_<Result>(m, "Result")
+    .def("points", [](const Result& r) { return to_array(of_points<double>(r, 3, append_point_of), 3); })
+    .def("faces", [](const Result& r) { return to_array(of_points<std::int64_t>(r, 1, append_face_of)); })
+    .def("barycentric", [](const Result& r) { return to_array(of_points<double>(r, 3, append_coordinates_of), 3); })
+    .def("mesh_vertices",
+         [](const Result& r) { return to_array(of_points<std::int64_t>(r, 1, append_mesh_vertex_of)); })
+    .def("distances", [](const Result& r)
+         { return to_array(of_points<double>(r, 1, [](auto& to, const auto& v) { to.push_back(v.distance); })); })
+    .def("edges",
+         [](const Result& r)
+         {
+    return to_array(of_edges<std::int64_t>(r, 2,
+                                           [](auto& to, const auto& e, const auto& graph)
+                                           {
+      to.push_back(std::int64_t(source(e, graph)));
+      to.push_back(std::int64_t(target(e, graph)));
+                    }),
+                    2);
+    })
+    .def("strengths",
+         [](const Result& r)
+         {
+    return to_array(
+      of_edges<double>(r, 1, [](auto& to, const auto& e, const auto& graph) { to.push_back(graph[e].strength); }));
+    })
+    .def("widths",
+         [](const Result& r)
+         {
+    return to_array(
+      of_edges<double>(r, 1, [](auto& to, const auto& e, const auto& graph) { to.push_back(graph[e].width); }));
+    })
+    .def("edge_sources",
+         [](const Result& r)
+         {
+    return to_array(of_edges<std::int64_t>(r, 2,
+                                           [](auto& to, const auto& e, const auto& graph)
+                                           {
+      for(const std::size_t s : graph[e].sources)
+        to.push_back(std::int64_t(s));
+                    }),
+                    2);
+    })
+    .def("is_on_border",
+         [](const Result& r)
+         {
+    return to_array(of_edges<std::uint8_t>(
+      r, 1, [](auto& to, const auto& e, const auto& graph) { to.push_back(graph[e].is_on_border); }));
+    })
+    .def("source_points", [](const Result& r) { return to_array(of_sources<double>(r, append_point_of), 3); })
+    .def("source_faces", [](const Result& r) { return to_array(of_sources<std::int64_t>(r, append_face_of)); })
+    .def("source_barycentric",
+         [](const Result& r) { return to_array(of_sources<double>(r, append_coordinates_of), 3); })
+    .def("vertex_distances",
+         [](const Result& r)
+         {
+    std::vector<double> values;
+    values.reserve(r.mesh->number_of_vertices());
+    for(const Mesh::Vertex_index v : r.mesh->vertices())
+      values.push_back(r.cut_locus.distance(v));
+    return to_array(std::move(values));
+    })
+    .def("nearest_sources",
+         [](const Result& r)
+         {
+    std::vector<std::int64_t> values;
+    values.reserve(r.mesh->number_of_vertices());
+    for(const Mesh::Vertex_index v : r.mesh->vertices())
+    {
+      const std::optional<std::size_t> nearest = r.cut_locus.nearest_source(v);
+      values.push_back(nearest ? std::int64_t(*nearest) : -1);
+    }
+    return to_array(std::move(values));
+    })
+    .def("nearest",
+         [](const Result& r)
+         {
+    const auto nearest = loci::injectivity_radius(r.cut_locus);
+    std::vector<double> point;
+    append_point(point, nearest.point);
+    return py::make_tuple(nearest.distance, to_array(std::move(point)));
+    })
+    .def_property_readonly("status", [](const Result& r) { return status_name(r.statistics.status); })
+    .def_property_readonly("components", [](const Result& r) { return r.statistics.components; })
+    .def_property_readonly("cycles", [](const Result& r) { return r.statistics.cycles; })
+    .def_property_readonly("leaves", [](const Result& r) { return r.statistics.leaves; })
+    .def_property_readonly("branchings", [](const Result& r) { return r.statistics.branchings; })
+    .def_property_readonly("length", [](const Result& r) { return r.statistics.length; })
+    .def_property_readonly("narrow_corridors", [](const Result& r) { return r.statistics.narrow_corridors; })
+    .def_property_readonly("genus", [](const Result& r) { return r.cut_locus.genus(); })
+    .def_property_readonly("border_loops", [](const Result& r) { return r.cut_locus.number_of_border_loops(); })
+    .def_property_readonly("farthest_vertex", [](const Result& r) { return r.cut_locus.farthest_vertex().idx(); })
+    .def("cut_open", &disk_of, "parameterization"_a);
+}

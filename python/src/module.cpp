@@ -1,0 +1,252 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "Exclusive.h"
+#include "Geodesics.h"
+#include "Input.h"
+#include "Progress.h"
+#include "Result.h"
+#include "arrays.h"
+#include "solvers.h"
+
+#include <CGAL/Cut_loci/Invalid_input.h>
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace py = pybind11;
+using namespace pybind11::literals;
+namespace loci = CGAL::Cut_loci;
+
+namespace {
+
+struct Mesh_handle
+{
+  std::shared_ptr<const Mesh> mesh;
+};
+
+Mesh_handle read_mesh(const py::array& vertices, const py::array& faces)
+{
+  const Arrays arrays = read_arrays(vertices, faces); // with the GIL: the arrays must not change
+  const py::gil_scoped_release no_gil;
+  return {make_mesh(arrays)};
+}
+
+// A solver with the mesh that it refers to.
+struct Computation
+{
+  Computation(std::shared_ptr<const Mesh> m, const py::object& function) : mesh(std::move(m)), progress(function) {}
+
+  template <typename Function>
+  void run(const Function& function)
+  {
+    exclusive.run([&] { progress.watch(function); });
+  }
+
+  std::shared_ptr<const Mesh> mesh;
+  Progress progress;
+  std::unique_ptr<Solver> solver;
+  Exclusive exclusive;
+};
+
+py::tuple path_tuple(const Geodesic_path& path)
+{
+  return py::make_tuple(to_array(path.points, 3), to_array(path.faces), to_array(path.coordinates, 3));
+}
+
+// The library names its parameters as in C++.
+std::string in_python(std::string message)
+{
+  const std::pair<const char*, const char*> words[] = {
+    {"cut_locus_method(Cut_loci::Method::LAPLACIAN)", "method=\"laplacian\""},
+    {"cut_locus_method(Cut_loci::Method::DIRECTION)", "method=\"direction\""},
+    {"cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)", "curve=\"faces\""},
+    {"Cut_loci::Method::LAPLACIAN", "\"laplacian\""},
+    {"Cut_loci::Method::DIRECTION", "\"direction\""},
+    {"Cut_loci::Method::POLYHEDRAL", "\"polyhedral\""},
+    {"Cut_loci::Curve::THROUGH_FACES", "\"faces\""},
+    {"Cut_loci::Curve::MESH_EDGES", "\"edges\""},
+    {"geodesic_solver", "solver"},
+    {"vertex_distance_map", "distances"},
+    {"the vertex distance map holds", "the distances hold"},
+    {"cut_locus_curve", "curve"}};
+  for(const auto& [cpp, python] : words)
+  {
+    const std::string from = cpp;
+    for(std::size_t at = message.find(from); at != std::string::npos; at = message.find(from, at))
+      message.replace(at, from.size(), python);
+  }
+  return message;
+}
+
+} // namespace
+
+PYBIND11_MODULE(_core, m)
+{
+  m.doc() = "The C++ part of the package cut_locus; what is public has no underscore in that package.";
+
+  // never destroyed: a static object would be, after the interpreter
+  static auto& invalid_input = *new py::exception<loci::Invalid_input>(m, "InvalidInput", PyExc_ValueError);
+  invalid_input.attr("__module__") = "cut_locus";
+  invalid_input.attr("__doc__") =
+    "The mesh, the source or a parameter can not be used. The message names the cause and the element.";
+  py::register_exception_translator(
+    [](std::exception_ptr p)
+    {
+    try
+    {
+      if(p)
+        std::rethrow_exception(p);
+    }
+    catch(const loci::Invalid_input& error)
+    {
+      invalid_input(in_python(error.what()).c_str());
+    }
+  });
+
+  py::class_<Mesh_handle>(m, "Mesh")
+    .def(py::init(&read_mesh), "vertices"_a, "faces"_a)
+    .def_property_readonly("number_of_vertices",
+                           [](const Mesh_handle& handle) { return handle.mesh->number_of_vertices(); })
+    .def_property_readonly("number_of_faces", [](const Mesh_handle& handle) { return handle.mesh->number_of_faces(); });
+
+  py::enum_<loci::Method>(m, "Method")
+    .value("direction", loci::Method::DIRECTION)
+    .value("polyhedral", loci::Method::POLYHEDRAL)
+    .value("laplacian", loci::Method::LAPLACIAN);
+  py::enum_<loci::Curve>(m, "Curve").value("edges", loci::Curve::MESH_EDGES).value("faces", loci::Curve::THROUGH_FACES);
+  py::enum_<loci::Filter_policy>(m, "FilterPolicy")
+    .value("prune", loci::Filter_policy::PRUNING)
+    .value("grow", loci::Filter_policy::GROWING);
+  py::enum_<loci::Laplacian_operator>(m, "LaplacianOperator")
+    .value("quadratic-fit", loci::Laplacian_operator::QUADRATIC_FIT)
+    .value("cotangent", loci::Laplacian_operator::COTANGENT);
+
+  m.attr("solver_names") = py::make_tuple("exact", "cgal-exact", "heat", "heat-direct", "graph");
+
+  py::class_<Computation>(m, "Computation")
+    .def(py::init(
+           [](const Mesh_handle& mesh, const std::string& solver, std::optional<loci::Method> method,
+              std::optional<loci::Laplacian_operator> laplacian_operator, const py::object& progress)
+           {
+    auto result = std::make_unique<Computation>(mesh.mesh, progress);
+    result->run([&]
+                { result->solver = make_solver(solver, method, laplacian_operator, *result->mesh, result->progress); });
+    return result;
+    }),
+         "mesh"_a, "solver"_a, "method"_a, "laplacian_operator"_a, "progress"_a)
+    .def(
+      "set_sources",
+      [](Computation& c, const std::vector<Source_numbers>& numbers, bool is_set, double snapping_tolerance)
+      {
+    c.run(
+      [&]
+      {
+      const std::vector<Source> sources = read_sources(*c.mesh, numbers);
+      if(is_set)
+        set_sources(*c.solver, sources, snapping_tolerance);
+      else
+        set_source(*c.solver, sources.front(), snapping_tolerance);
+    });
+      },
+      "sources"_a, "is_set"_a, "snapping_tolerance"_a)
+    .def(
+      "set_distances",
+      [](Computation& c, const Source_numbers& number, double snapping_tolerance, const py::array& values)
+      {
+    const std::vector<double> distances = read_vertex_values(values, c.mesh->number_of_vertices());
+    c.run([&] { set_source(*c.solver, read_sources(*c.mesh, {number}).front(), snapping_tolerance, distances); });
+      },
+      "source"_a, "snapping_tolerance"_a, "distances"_a)
+    .def(
+      "cut_locus",
+      [](Computation& c, std::optional<double> minimum_branch_width, std::optional<double> minimum_branch_gap,
+         std::optional<double> gradient_angle_threshold, std::optional<double> laplacian_threshold,
+         std::optional<loci::Filter_policy> filter_policy, std::optional<long> minimum_branch_edges,
+         std::optional<long> number_of_iterations, std::optional<double> minimum_branch_length,
+         std::optional<loci::Curve> curve, std::optional<bool> voronoi)
+      {
+    const Thresholds thresholds = {minimum_branch_width,
+                                   minimum_branch_gap,
+                                   gradient_angle_threshold,
+                                   laplacian_threshold,
+                                   filter_policy,
+                                   minimum_branch_edges,
+                                   number_of_iterations,
+                                   minimum_branch_length,
+                                   curve,
+                                   voronoi};
+    std::unique_ptr<Result> result;
+    c.run([&] { result = std::make_unique<Result>(c.mesh, compute_cut_locus(*c.solver, thresholds)); });
+    return result;
+      },
+      py::kw_only(), "minimum_branch_width"_a, "minimum_branch_gap"_a, "gradient_angle_threshold"_a,
+      "laplacian_threshold"_a, "filter_policy"_a, "minimum_branch_edges"_a, "number_of_iterations"_a,
+      "minimum_branch_length"_a, "curve"_a, "voronoi"_a)
+    // they wait for what runs, as it may change them
+    .def_property_readonly("method", [](Computation& c) { return c.exclusive.run([&] { return c.solver->method(); }); })
+    .def_property_readonly("gradient_angle_threshold", [](Computation& c)
+                           { return c.exclusive.run([&] { return c.solver->gradient_angle_threshold(); }); })
+    .def_property_readonly("minimum_branch_width", [](Computation& c)
+                           { return c.exclusive.run([&] { return c.solver->minimum_branch_width(); }); })
+    .def_property_readonly("minimum_branch_gap", [](Computation& c)
+                           { return c.exclusive.run([&] { return c.solver->minimum_branch_gap(); }); });
+
+  bind_result(m);
+
+  struct Shared_geodesics
+  {
+    explicit Shared_geodesics(const Mesh_handle& mesh) : geodesics(mesh.mesh) {}
+    Geodesics geodesics;
+    Exclusive exclusive;
+  };
+  py::class_<Shared_geodesics>(m, "Geodesics")
+    .def(py::init<const Mesh_handle&>(), "mesh"_a, py::call_guard<py::gil_scoped_release>())
+    .def(
+      "compute",
+      [](Shared_geodesics& s, const std::vector<Source_numbers>& sources, const std::vector<Source_numbers>& targets,
+         double error, double maximum_distance)
+      {
+    s.exclusive.run(
+      [&]
+      {
+      std::vector<Location> locations;
+      for(const Source& target : read_sources(s.geodesics.mesh(), targets))
+        locations.push_back(std::get<Location>(target));
+      s.geodesics.compute(read_sources(s.geodesics.mesh(), sources), locations, error, maximum_distance);
+    });
+      },
+      "sources"_a, "targets"_a, "error"_a, "maximum_distance"_a)
+    .def("distances",
+         [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.distances(); })); })
+    .def("errors", [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.errors(); })); })
+    .def("nearest_sources",
+         [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.nearest_sources(); })); })
+    .def("target_distances",
+         [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.target_distances(); })); })
+    .def(
+      "path_from_vertex",
+      [](Shared_geodesics& s, std::int64_t vertex)
+      {
+    const Source v = read_sources(s.geodesics.mesh(), {vertex}).front();
+    return path_tuple(s.exclusive.run([&] { return s.geodesics.path_from_vertex(std::get<Mesh::Vertex_index>(v)); }));
+      },
+      "vertex"_a)
+    .def(
+      "path_from_target",
+      [](Shared_geodesics& s, std::size_t target)
+      { return path_tuple(s.exclusive.run([&] { return s.geodesics.path_from_target(target); })); },
+      "target"_a);
+}

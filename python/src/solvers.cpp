@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "solvers.h"
+
+#include <CGAL/Graph_geodesic_solver.h>
+
+#include <limits>
+#include <stdexcept>
+#include <variant>
+
+namespace np = CGAL::parameters;
+using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::Filter_policy;
+using CGAL::Cut_loci::Method;
+
+namespace {
+
+// The distances that the user has, as a property map.
+struct Distance_map
+{
+  using key_type = Mesh::Vertex_index;
+  using value_type = double;
+  using reference = double;
+  using category = boost::readable_property_map_tag;
+
+  const std::vector<double>* distances;
+
+  friend double get(const Distance_map& map, Mesh::Vertex_index v) { return (*map.distances)[v]; }
+};
+
+// What is given is passed on, so that the library refuses what has no meaning for the method. Each combination is a type.
+std::unique_ptr<Solver> make_exact_solver(const Mesh& mesh, std::optional<Method> method,
+                                          std::optional<Laplacian_operator> laplacian_operator, Progress& progress)
+{
+  const auto given = np::visitor(std::ref(progress));
+  if(method && laplacian_operator)
+    return std::make_unique<Solver>(mesh, given.cut_locus_method(*method).laplacian_operator(*laplacian_operator));
+  if(method)
+    return std::make_unique<Solver>(mesh, given.cut_locus_method(*method));
+  if(laplacian_operator)
+    return std::make_unique<Solver>(mesh, given.laplacian_operator(*laplacian_operator));
+  return std::make_unique<Solver>(mesh, given);
+}
+
+template <typename NamedParameters>
+void set_source(Solver& solver, const Source& source, const NamedParameters& parameters)
+{
+  std::visit([&](const auto& point) { solver.set_source(point, parameters); }, source);
+}
+
+void refuse_thresholds_of_other_methods(Method method, const Thresholds& t)
+{
+  using CGAL::Cut_loci::internal::refuse_parameters_of_other_methods;
+  if(t.minimum_branch_width)
+    refuse_parameters_of_other_methods(method, np::minimum_branch_width(0.));
+  if(t.minimum_branch_gap)
+    refuse_parameters_of_other_methods(method, np::minimum_branch_gap(0.));
+  if(t.voronoi)
+    refuse_parameters_of_other_methods(method, np::voronoi(true));
+  if(t.gradient_angle_threshold)
+    refuse_parameters_of_other_methods(method, np::gradient_angle_threshold(0.));
+  if(t.laplacian_threshold)
+    refuse_parameters_of_other_methods(method, np::laplacian_threshold(0.));
+  if(t.filter_policy)
+    refuse_parameters_of_other_methods(method, np::filter_policy(Filter_policy::PRUNING));
+  if(t.number_of_iterations)
+    refuse_parameters_of_other_methods(method, np::number_of_iterations(0));
+}
+
+Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t)
+{
+  const Curve curve =
+    t.curve.value_or(solver.method() == Method::POLYHEDRAL ? Curve::THROUGH_FACES : Curve::MESH_EDGES);
+  const auto given = np::cut_locus_curve(curve)
+                       .minimum_branch_edges(t.minimum_branch_edges.value_or(0))
+                       .minimum_branch_length(t.minimum_branch_length.value_or(0.))
+                       .voronoi(t.voronoi.value_or(false));
+  if(t.minimum_branch_width || t.minimum_branch_gap)
+    return solver.cut_locus(given.minimum_branch_width(t.minimum_branch_width.value_or(0.))
+                              .minimum_branch_gap(t.minimum_branch_gap.value_or(0.)));
+  return solver.cut_locus(given);
+}
+
+Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& t)
+{
+  const auto given =
+    np::gradient_angle_threshold(t.gradient_angle_threshold.value_or(solver.gradient_angle_threshold()))
+      .laplacian_threshold(t.laplacian_threshold.value_or(-std::numeric_limits<double>::infinity()))
+      .filter_policy(t.filter_policy.value_or(Filter_policy::PRUNING))
+      .minimum_branch_edges(t.minimum_branch_edges.value_or(static_cast<long>(Solver::default_minimum_branch_edges())))
+      .minimum_branch_length(t.minimum_branch_length.value_or(0.));
+  const Curve curve = t.curve.value_or(Curve::MESH_EDGES);
+  if(t.curve && t.number_of_iterations)
+    return solver.cut_locus(given.number_of_iterations(*t.number_of_iterations).cut_locus_curve(curve));
+  if(t.number_of_iterations)
+    return solver.cut_locus(given.number_of_iterations(*t.number_of_iterations));
+  return solver.cut_locus(given.cut_locus_curve(curve));
+}
+
+} // namespace
+
+std::unique_ptr<Solver> make_solver(const std::string& name, std::optional<Method> method,
+                                    std::optional<Laplacian_operator> laplacian_operator, const Mesh& mesh,
+                                    Progress& progress)
+{
+  if(name == "exact")
+    return make_exact_solver(mesh, method, laplacian_operator, progress);
+  if(method && *method != Method::LAPLACIAN)
+    CGAL::Cut_loci::internal::refuse_distances(*method);
+  const Laplacian_operator type = laplacian_operator.value_or(Laplacian_operator::QUADRATIC_FIT);
+  if(name == "cgal-exact")
+    return make_cgal_exact_solver(mesh, type, progress);
+  if(name == "heat")
+    return make_heat_solver(mesh, type, progress);
+  if(name == "heat-direct")
+    return make_heat_direct_solver(mesh, type, progress);
+  if(name == "graph")
+    return make_laplacian_solver<CGAL::Graph_geodesic_solver>(mesh, type, progress);
+  throw std::invalid_argument("there is no solver '" + name + "'");
+}
+
+void set_source(Solver& solver, const Source& source, double snapping_tolerance)
+{
+  set_source(solver, source, np::snapping_tolerance(snapping_tolerance));
+}
+
+void set_source(Solver& solver, const Source& source, double snapping_tolerance, const std::vector<double>& distances)
+{
+  set_source(solver, source, np::snapping_tolerance(snapping_tolerance).vertex_distance_map(Distance_map{&distances}));
+}
+
+void set_sources(Solver& solver, const std::vector<Source>& sources, double snapping_tolerance)
+{
+  solver.set_sources(sources, np::snapping_tolerance(snapping_tolerance));
+}
+
+Cut_locus compute_cut_locus(const Solver& solver, const Thresholds& thresholds)
+{
+  refuse_thresholds_of_other_methods(solver.method(), thresholds);
+  return solver.method() == Method::LAPLACIAN ? laplacian_cut_locus(solver, thresholds)
+                                              : exact_cut_locus(solver, thresholds);
+}

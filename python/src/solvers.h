@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_PYTHON_SOLVERS_H
+#define SURFACE_MESH_CUT_LOCUS_PYTHON_SOLVERS_H
+
+#include "Input.h"
+#include "Progress.h"
+
+#include <CGAL/Surface_mesh_cut_locus.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
+
+// The parameters of `Surface_mesh_cut_locus::cut_locus()`; those that are not given have the library's defaults.
+struct Thresholds
+{
+  std::optional<double> minimum_branch_width, minimum_branch_gap;
+  std::optional<double> gradient_angle_threshold, laplacian_threshold;
+  std::optional<CGAL::Cut_loci::Filter_policy> filter_policy;
+  std::optional<long> minimum_branch_edges, number_of_iterations;
+  std::optional<double> minimum_branch_length;
+  std::optional<CGAL::Cut_loci::Curve> curve;
+  std::optional<bool> voronoi;
+};
+
+// `name` is one of solver_names(). Mesh and progress must outlive the solver.
+std::unique_ptr<Solver> make_solver(const std::string& name, std::optional<CGAL::Cut_loci::Method> method,
+                                    std::optional<CGAL::Cut_loci::Laplacian_operator> laplacian_operator,
+                                    const Mesh& mesh, Progress& progress);
+
+void set_source(Solver& solver, const Source& source, double snapping_tolerance);
+// `distances` has one for each vertex of the mesh.
+void set_source(Solver& solver, const Source& source, double snapping_tolerance, const std::vector<double>& distances);
+void set_sources(Solver& solver, const std::vector<Source>& sources, double snapping_tolerance);
+
+Cut_locus compute_cut_locus(const Solver& solver, const Thresholds& thresholds);
+
+// Those that take distances from CGAL are compiled on their own: they take long.
+using Laplacian_operator = CGAL::Cut_loci::Laplacian_operator;
+std::unique_ptr<Solver> make_cgal_exact_solver(const Mesh&, Laplacian_operator, Progress&);
+std::unique_ptr<Solver> make_heat_solver(const Mesh&, Laplacian_operator, Progress&);
+std::unique_ptr<Solver> make_heat_direct_solver(const Mesh&, Laplacian_operator, Progress&);
+
+template <typename GeodesicSolver>
+std::unique_ptr<Solver> make_laplacian_solver(const Mesh& mesh, Laplacian_operator laplacian_operator,
+                                              Progress& progress)
+{
+  return std::make_unique<Solver>(mesh, CGAL::parameters::geodesic_solver(GeodesicSolver())
+                                          .cut_locus_method(CGAL::Cut_loci::Method::LAPLACIAN)
+                                          .laplacian_operator(laplacian_operator)
+                                          .visitor(std::ref(progress)));
+}
+
+#endif // SURFACE_MESH_CUT_LOCUS_PYTHON_SOLVERS_H
