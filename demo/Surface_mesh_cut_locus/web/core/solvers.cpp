@@ -28,9 +28,9 @@ std::unique_ptr<Solver> make_graph_solver(const Mesh& mesh)
                                           .visitor(Stage_reporter()));
 }
 
-void set_source(Solver& solver, const Location& source)
+void set_sources(Solver& solver, const std::vector<Location>& sources)
 {
-  solver.set_source(source);
+  solver.set_sources(sources);
 }
 
 Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& thresholds, Curve curve)
