@@ -201,11 +201,11 @@ EMSCRIPTEN_KEEPALIVE int find_paths(unsigned int face, double b0, double b1, dou
 }
 
 // What is not a number stands for the default of the library.
-EMSCRIPTEN_KEEPALIVE void set_thresholds(double width, double angle, double laplacian, double minimum_edges,
-                                         double minimum_length, int grows, int smoothing)
+EMSCRIPTEN_KEEPALIVE void set_thresholds(double width, int voronoi, double angle, double laplacian,
+                                         double minimum_edges, double minimum_length, int grows, int smoothing)
 {
-  thresholds = {
-    width, angle, laplacian, minimum_edges, minimum_length, grows != 0, static_cast<unsigned int>(smoothing)};
+  thresholds = {width,         voronoi != 0,   angle,      laplacian,
+                minimum_edges, minimum_length, grows != 0, static_cast<unsigned int>(smoothing)};
 }
 
 EMSCRIPTEN_KEEPALIVE int compute_curve(int index)

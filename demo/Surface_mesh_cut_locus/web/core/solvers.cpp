@@ -35,7 +35,7 @@ void set_sources(Solver& solver, const std::vector<Location>& sources)
 
 Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& thresholds, Curve curve)
 {
-  const auto parameters = CGAL::parameters::cut_locus_curve(curve);
+  const auto parameters = CGAL::parameters::cut_locus_curve(curve).voronoi(thresholds.voronoi);
   if(std::isnan(thresholds.width))
     return solver.cut_locus(parameters);
   return solver.cut_locus(parameters.minimum_branch_width(thresholds.width));

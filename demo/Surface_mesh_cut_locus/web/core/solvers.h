@@ -32,6 +32,7 @@ std::unique_ptr<Solver> make_heat_solver(const Mesh& mesh);
 struct Thresholds
 {
   double width; // of the methods `DIRECTION` and `POLYHEDRAL`, a part of the diagonal
+  bool voronoi; // for these: between sources only
   double angle; // and these of the method `LAPLACIAN`
   double laplacian;
   double minimum_edges;

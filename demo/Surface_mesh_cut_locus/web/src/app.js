@@ -1,18 +1,17 @@
 // What the page does: it loads a mesh, solves for its sources, follows the sliders and cuts the surface open. It knows
 // the engine, the viewer and the panel, which do not know each other.
-import { overlapOf, seamsOf } from './atlas.js';
-import { branchScale } from './branch_scale.js';
+import { Appearance } from './appearance.js';
 import { Cancelled, Engine } from './engine.js';
 import { exportAs } from './exports.js';
 import { History } from './history.js';
 import { legendItems } from './legend_items.js';
 import { explain, objectionTo } from './messages.js';
-import { describeValues, nearestSegment, Readout } from './readout.js';
+import { PathTool } from './path_tool.js';
+import { describeValues, Readout } from './readout.js';
 import { farthestFace, fileStart, samples, startCoordinates } from './samples.js';
+import { Sheet } from './sheet.js';
 import { defaultState, rounded } from './state.js';
-import { applyTheme, onPreference, themeColors } from './theme.js';
 import { guessUp } from './up_axis.js';
-import { describeAtlas } from './words.js';
 
 const stageTexts = {
   preprocessing: 'Preparing the mesh…',
@@ -38,6 +37,9 @@ export class App {
     this.engine = new Engine((stage) => panel.setBusyText(stageTexts[stage]));
     this.history = new History();
     this.readout = new Readout();
+    this.appearance = new Appearance(this);
+    this.sheet = new Sheet(this);
+    this.pathTool = new PathTool(this);
     this.mesh = null;
     this.curves = {};
     this.isSolved = false; // the worker has the solver and the sources of the state
@@ -48,8 +50,7 @@ export class App {
     this.jobs = 0;
     this.times = {};
     this.onState = () => {};
-    onPreference(() => this.applyLook());
-    this.applyLook();
+    this.appearance.apply();
   }
 
   // Runs something that takes time; tells the user what became of it. False if it failed.
@@ -72,7 +73,7 @@ export class App {
     if (!this.engine.isBusy) return;
     this.isSolved = false;
     this.engine.cancel();
-    this.dropAtlas(); // it may be that of other thresholds
+    this.sheet.drop(); // it may be that of other thresholds
     this.panel.showMessage('Cancelled.', true);
   }
 
@@ -123,7 +124,7 @@ export class App {
       this.linkedView = null;
       if (view) this.viewer.setView(view);
       await this.solveNow();
-      if (!view) this.look('best');
+      if (!view) this.appearance.look('best');
       const { repairs } = this.mesh;
       if (repairs) this.panel.showMessage(`Repaired to open it: ${repairs}.`, true);
     });
@@ -147,12 +148,11 @@ export class App {
     this.history.clear();
     this.mesh.edgeLength = numbers[3] * meanEdgeLength(positions, triangles);
     this.mesh.up = this.state.sample ? 'z' : guessUp(positions, triangles);
-    this.forgetAtlas();
+    this.sheet.forget();
     this.curves = {};
-    this.path = null;
     this.viewer.setMesh(positions, triangles);
     this.readout.setMesh(positions, triangles);
-    this.applyLook();
+    this.appearance.apply();
     if (!keepsSource) this.viewer.resetView();
     this.panel.setState(this.state);
     this.panel.setMesh(this.state, this.mesh);
@@ -161,7 +161,7 @@ export class App {
   // A click, or a key: `mode` says what for.
   pick(location, mode) {
     if (!this.mesh) return null;
-    if (mode === 'path') return this.showPaths(location);
+    if (mode === 'path') return this.pathTool.show(location);
     const source = { face: location.face, coordinates: location.coordinates.map(rounded) };
     return this.setSources(mode === 'add' ? this.withSource(source, location) : [source]);
   }
@@ -214,17 +214,16 @@ export class App {
     const begin = performance.now();
     const { solver, method, sources, parameters } = this.state;
     const result = await this.engine.run('solve',
-      { solver, method, sources, parameters: { ...parameters }, curves: this.wantedCurves() });
+      { solver, method, sources, parameters: this.parameters, curves: this.wantedCurves() });
     this.isSolved = true;
     this.panel.showReadout(null); // it was that of other sources
     this.distance = result.distance;
-    this.laplacian = null;
-    this.gradient = null;
+    this.appearance.forgetFields();
     this.takeSources(result.sourceNumbers);
     this.leastAngle = Math.min(this.angleFor(null), this.angleFor(parameters.width));
     this.panel.setDefaults(this.defaults, method);
     this.viewer.setDistance(this.distance);
-    this.setPath(null);
+    this.pathTool.set(null);
     this.takeCurves(result, parameters);
     this.viewer.invalidateCurves();
     Object.assign(this.times, {
@@ -236,8 +235,8 @@ export class App {
       cut: null,
     });
     this.remember();
-    await this.showFields();
-    if (this.state.isCut) await this.cutNow();
+    await this.appearance.showFields();
+    if (this.state.isCut) await this.sheet.cut();
     this.report();
   }
 
@@ -346,20 +345,12 @@ export class App {
         this.panel.hideMessage();
         this.report();
       } while (this.wantsUpdate);
-      this.cutAtRest();
+      this.sheet.cutAtRest();
     } catch (error) {
       if (!(error instanceof Cancelled)) this.panel.showMessage(explain(error.message));
     } finally {
       this.isUpdating = false;
     }
-  }
-
-  // The sheet follows the sliders when they rest.
-  cutAtRest() {
-    clearTimeout(this.cutTimer);
-    if (!this.state.isCut) return;
-    this.panel.setCutStale();
-    this.cutTimer = setTimeout(() => this.attempt('Cutting the surface open…', () => this.cutNow()), 2 * restMilliseconds);
   }
 
   async computeCurves(parameters) {
@@ -374,146 +365,33 @@ export class App {
     }
   }
 
+  // for the library: of one source, a Voronoi diagram is empty
+  get parameters() {
+    const { parameters, sources } = this.state;
+    return { ...parameters, voronoi: parameters.voronoi && sources.length > 1 };
+  }
+
   liveParameters() {
-    return { ...this.state.parameters, ...(this.wantsSmooth ? {} : { smoothing: 0 }) };
+    return { ...this.parameters, ...(this.wantsSmooth ? {} : { smoothing: 0 }) };
   }
 
   takeCurves(result, parameters) {
     this.drawn = { ...parameters };
     for (const name of ['edgeCurve', 'faceCurve']) if (result[name]) this.curves[name] = result[name];
     this.shownCurve = result.faceCurve ? 'faceCurve' : 'edgeCurve';
-    this.drawCurves();
+    this.appearance.drawCurves();
+  }
+
+  get path() {
+    return this.pathTool.path;
+  }
+
+  get atlas() {
+    return this.sheet.atlas;
   }
 
   get curve() {
     return this.curves[this.shownCurve];
-  }
-
-  drawCurves() {
-    const { show } = this.state;
-    const scale = branchScale(this.state, this.defaults);
-    this.panel.setScale(scale);
-    for (const name of ['edgeCurve', 'faceCurve']) {
-      const curve = this.curves[name];
-      this.viewer[name].show(show[name], show.hidden);
-      if (curve && show[name])
-        this.viewer[name].set(curve.segments, show.width ? Array.from(curve[scale.quantity], scale.place) : null);
-    }
-    this.updateSurface();
-  }
-
-  // What is drawn on the surface itself.
-  updateSurface() {
-    const { show, look } = this.state;
-    const { curve } = this;
-    const hasDisk = show.disk && curve && Number.isFinite(curve.numbers[5]) && curve.numbers[0] > 0;
-    this.viewer.setUniforms({
-      showIsolines: show.isolines,
-      coloring: look.color === 'laplacian' && !this.laplacian ? 'plain' : look.color,
-      showDisk: Boolean(hasDisk),
-      showChecker: show.checker && Boolean(this.atlas),
-      radius: hasDisk ? curve.numbers[5] : 0,
-      spacing: this.source ? this.source.farthestDistance / 25 : 1,
-      largest: this.source ? this.source.farthestDistance || 1 : 1,
-    });
-    this.viewer.arrows.visible = show.gradient && Boolean(this.gradient);
-    const nearest = hasDisk ? this.toView(curve.numbers.subarray(6, 9)) : null;
-    this.viewer.setMarker(this.viewer.nearestMarker, nearest);
-    this.hasDisk = Boolean(hasDisk);
-  }
-
-  // The Laplacian and the gradient are computed when they are first shown for a source.
-  async showFields() {
-    const { show, look } = this.state;
-    if (!this.isSolved) return;
-    if (look.color === 'laplacian' && !this.laplacian) {
-      this.laplacian = await this.engine.run('laplacian');
-      const sorted = Float32Array.from(this.laplacian, Math.abs).sort();
-      this.laplacianScale = 2 * sorted[Math.floor(0.9 * sorted.length)] || 1;
-      this.viewer.setUniforms({ laplacianScale: this.laplacianScale });
-      this.viewer.setLaplacian(this.laplacian);
-    }
-    if (show.gradient && !this.gradient) {
-      this.gradient = await this.engine.run('gradient');
-      this.viewer.setArrows(this.gradient, 0.035);
-    }
-    this.updateSurface();
-  }
-
-  async setShown(name, value) {
-    this.state.show[name] = value;
-    if (name === 'faceCurve' || name === 'edgeCurve') await this.updateCurves();
-    this.drawCurves();
-    if (value && name === 'gradient') await this.attempt('Computing…', () => this.showFields());
-    if (name === 'values') this.hover(null);
-    this.viewer.invalidateCurves();
-    this.report();
-  }
-
-  async setLook(name, value) {
-    this.state.look[name] = value;
-    this.applyLook(name);
-    if (name === 'color') {
-      this.updateSurface();
-      if (value === 'laplacian') await this.attempt('Computing…', () => this.showFields());
-    }
-    if (name === 'up') this.look('best');
-    this.report();
-  }
-
-  applyLook(changed) {
-    const { look } = this.state;
-    const { viewer } = this;
-    applyTheme(look.theme);
-    viewer.setTheme(themeColors());
-    viewer.setUp(look.up === 'auto' ? (this.mesh ? this.mesh.up : 'z') : look.up);
-    viewer.setTransparency(look.transparency);
-    viewer.setUniforms({ isFlat: look.shading === 'flat' });
-    viewer.setOcclusion(look.occlusion);
-    viewer.hasAxes = look.axes;
-    if (!changed || changed === 'wireframe') viewer.showWireframe(look.wireframe);
-    if (this.curve) this.report();
-  }
-
-  look(name) {
-    const { curve } = this;
-    if (!this.mesh || !this.source) return;
-    this.viewer.look(name, curve ? curve.segments : new Float32Array(0), this.source.points.map((p) => this.toView(p)));
-    this.onState();
-  }
-
-  fit() {
-    this.viewer.fit();
-    this.onState();
-  }
-
-  // The shortest paths to a point; one near the curve is meant to be on it.
-  async showPaths(location) {
-    if (!this.isSolved || !this.curve) return;
-    const nearest = nearestSegment(this.curve.segments, location.place);
-    const isOnCurve = nearest && nearest.away < nearPixels * location.pixel;
-    const end = (isOnCurve && this.viewer.pointer.atPlace(nearest.place)) || location;
-    await this.attempt('Finding shortest paths…', async () => {
-      const { points, numbers } = await this.engine.run('paths', { end: { face: end.face, coordinates: end.coordinates } });
-      this.setPath({ points, numbers, end: end.place });
-      if (numbers.length === 0) this.panel.showMessage('No path leads there from the source.', true);
-    });
-    this.report();
-  }
-
-  setPath(path) {
-    this.path = path && path.numbers.length > 0 ? path : null;
-    if (!this.path) {
-      this.viewer.setPaths(new Float32Array(0), null);
-      return;
-    }
-    const segments = [];
-    for (let i = 0, start = 0; i < path.numbers.length; i += 2) {
-      const size = path.numbers[i];
-      for (let k = start; k + 1 < start + size; ++k) segments.push(...path.points.subarray(3 * k, 3 * k + 6));
-      start += size;
-    }
-    this.viewer.setPaths(Float32Array.from(segments), path.end);
   }
 
   // The values where the pointer rests, or nothing.
@@ -537,73 +415,6 @@ export class App {
     if (solver !== standard.solver || method !== standard.method) return this.solve();
     this.remember();
     return this.updateCurves();
-  }
-
-  async toggleCut() {
-    if (!this.mesh || this.engine.isBusy) return;
-    if (this.atlas) {
-      this.dropAtlas();
-      this.viewer.fit();
-    } else {
-      this.state.isCut = true;
-      const isCut = await this.attempt('Cutting the surface open…', () => (this.isSolved ? this.cutNow() : this.solveNow()));
-      if (isCut) this.viewer.fit(); // there is half of the room
-      else this.dropAtlas();
-    }
-    this.report();
-  }
-
-  // Along the curve of mesh edges, for the thresholds as they are.
-  async cutNow() {
-    const begin = performance.now();
-    if (this.state.sources.length > 1) {
-      this.dropAtlas();
-      throw new Error('The surface is flattened from one source: with several, it falls into as many sheets');
-    }
-    let atlas;
-    try {
-      atlas = await this.computeAtlas();
-    } catch (error) {
-      // what cancels it by a new command cuts again
-      if (!(error instanceof Cancelled)) this.dropAtlas();
-      throw error;
-    }
-    this.atlas = atlas;
-    this.viewer.showCut({ ...atlas, ...seamsOf(atlas, this.mesh.positions) });
-    this.panel.setCut(true, this.quality(atlas));
-    this.times.cut = performance.now() - begin;
-    this.drawCurves();
-  }
-
-  async computeAtlas() {
-    const { edgeCurve: curve, ...atlas } =
-      await this.engine.run('cut', { parameters: { ...this.state.parameters } });
-    this.curves.edgeCurve = curve;
-    atlas.overlap = this.overlapOf(atlas);
-    atlas.step = JSON.stringify(this.step);
-    return atlas;
-  }
-
-  overlapOf(atlas) {
-    return overlapOf(atlas, this.viewer.renderer);
-  }
-
-  quality({ numbers, triangles, overlap }) {
-    return describeAtlas(numbers, triangles.length / 3, overlap);
-  }
-
-  forgetAtlas() {
-    clearTimeout(this.cutTimer);
-    this.atlas = null;
-    this.panel.setCut(false);
-  }
-
-  dropAtlas() {
-    this.state.isCut = false;
-    if (!this.atlas) return;
-    this.forgetAtlas();
-    this.viewer.showUncut();
-    this.updateSurface();
   }
 
   legendItems() {
@@ -634,14 +445,8 @@ export class App {
   // for exports, for the thresholds as they are
   async curveFor(name) {
     const result = await this.engine.run('curves',
-      { curves: [name === 'faceCurve' ? faceCurve : edgeCurve], parameters: { ...this.state.parameters } });
+      { curves: [name === 'faceCurve' ? faceCurve : edgeCurve], parameters: this.parameters });
     return result[name];
-  }
-
-  async atlasFor() {
-    if (this.state.sources.length > 1)
-      throw new Error('The surface is cut open from one source: with several, it falls into as many sheets');
-    return this.atlas && this.atlas.step === JSON.stringify(this.step) ? this.atlas : this.computeAtlas();
   }
 
   async export(kind, format, picture) {

@@ -27,7 +27,7 @@ async function exportCurve(app, kind, format) {
 }
 
 async function exportCut(app, format) {
-  const atlas = await app.atlasFor();
+  const atlas = await app.sheet.current();
   if (format === 'svg')
     return download(outlineToSvg(atlas, app.viewer.colors), app.fileName('cut.svg'), 'image/svg+xml');
   return download(await writers[format](cutOpen(app.mesh, atlas, app.distance)), app.fileName(`cut.${format}`));

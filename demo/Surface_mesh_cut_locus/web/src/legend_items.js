@@ -9,7 +9,8 @@ function pathLabel({ numbers }) {
   return paths === 1 ? `the shortest path, ${length}` : `${paths} shortest paths, ${length} each`;
 }
 
-export function legendItems({ state, source, curve, defaults, viewer, path, gradient, hasDisk, atlas, laplacian, laplacianScale }) {
+export function legendItems({ state, source, curve, defaults, viewer, path, atlas, appearance }) {
+  const { gradient, hasDisk, laplacian, laplacianScale } = appearance;
   if (!source || !curve) return [];
   const { show, look } = state;
   const { colors } = viewer;

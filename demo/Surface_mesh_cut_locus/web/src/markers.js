@@ -1,4 +1,4 @@
-// Points that are marked: balls of the same size on the screen, with a rim.
+// Points that are marked: balls of the same size on the screen, with a rim, in front of the surface.
 import * as THREE from 'three';
 
 const ball = new THREE.SphereGeometry(1, 24, 16);
@@ -21,5 +21,7 @@ const pixels = 5.5; // their radius
 
 export function sizeMarker(marker, camera, height) {
   const distance = marker.position.distanceTo(camera.position);
+  const toEye = camera.position.clone().sub(marker.position).normalize();
+  for (const part of marker.children) part.position.copy(toEye);
   marker.scale.setScalar(2 * pixels / height * distance * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2)));
 }

@@ -71,17 +71,18 @@ export class Panel {
     element('solver').addEventListener('change', () => app.setSolver(element('solver').value, app.state.method));
     element('method').addEventListener('change', () => app.setSolver(app.state.solver, element('method').value));
     element('policy').addEventListener('change', () => app.setParameter('policy', element('policy').value));
+    element('voronoi').addEventListener('change', ({ target }) => app.setParameter('voronoi', target.checked));
     element('defaults').addEventListener('click', () => app.resetParameters());
     element('undo').addEventListener('click', () => app.undo());
     element('redo').addEventListener('click', () => app.redo());
     for (const name of Object.keys(app.state.show))
-      element(`show-${name}`).addEventListener('change', ({ target }) => app.setShown(name, target.checked));
+      element(`show-${name}`).addEventListener('change', ({ target }) => app.appearance.setShown(name, target.checked));
     for (const name of Object.keys(app.state.look))
-      element(`look-${name}`).addEventListener('input', ({ target }) => app.setLook(name, valueOf(target)));
-    element('cut').addEventListener('click', () => app.toggleCut());
-    element('fit').addEventListener('click', () => app.fit());
+      element(`look-${name}`).addEventListener('input', ({ target }) => app.appearance.setLook(name, valueOf(target)));
+    element('cut').addEventListener('click', () => app.sheet.toggle());
+    element('fit').addEventListener('click', () => app.appearance.fit());
     element('view').addEventListener('change', ({ target }) => {
-      if (target.value) app.look(target.value);
+      if (target.value) app.appearance.look(target.value);
       target.value = '';
     });
     element('cancel').addEventListener('click', () => app.cancel());
@@ -136,6 +137,7 @@ export class Panel {
     element('method').disabled = state.solver !== 'exact';
     element('method').title = state.solver === 'exact' ? 'Next method (M)' : 'The other methods need exact distances';
     element('policy').value = state.parameters.policy;
+    element('voronoi').checked = state.parameters.voronoi;
     element('policy-field').hidden = state.method !== 'laplacian';
     for (const [name, slider] of Object.entries(this.sliders)) {
       slider.set(state.parameters[name]);
@@ -219,6 +221,7 @@ export class Panel {
 
   setResult(result) {
     const { times, state } = result;
+    element('voronoi-field').hidden = result.source.points.length < 2;
     const concerns = doubts(result);
     const text = [summary(result), ...concerns].join(' ');
     // what has not changed is not announced again

@@ -2,7 +2,7 @@
 // with the legend.
 import { drawLegend } from './legend.js';
 
-export function largestPicture(viewer) {
+function largestSide(viewer) {
   const gl = viewer.renderer.getContext();
   return Math.min(gl.getParameter(gl.MAX_RENDERBUFFER_SIZE), gl.getParameter(gl.MAX_TEXTURE_SIZE));
 }
@@ -12,6 +12,9 @@ export async function takePicture(viewer, { width, height, isTransparent, legend
   const { renderer, size } = viewer;
   const ratio = renderer.getPixelRatio();
   const scale = height / size.height;
+  const largest = largestSide(viewer);
+  if (Math.max(width, height) > largest)
+    throw new Error(`The graphics card draws pictures of at most ${largest} pixels along a side`);
   try {
     viewer.size = { width: width / scale, height: size.height };
     renderer.setPixelRatio(scale);

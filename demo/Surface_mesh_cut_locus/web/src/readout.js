@@ -46,7 +46,8 @@ export class Readout {
     return Math.acos(Math.max(least, -1));
   }
 
-  values({ face, coordinates, place }, distance, curve, radius) {
+  // `radius` is the unit of the view in that of the file
+  values({ face, coordinates, place, pixel }, distance, curve, radius) {
     const vertices = [0, 1, 2].map((k) => this.triangles[3 * face + k]);
     const vertex = vertices[coordinates.indexOf(Math.max(...coordinates))];
     const nearest = curve && nearestSegment(curve.segments, place);
@@ -54,7 +55,7 @@ export class Readout {
       vertex,
       distance: coordinates.reduce((sum, b, k) => sum + b * distance[vertices[k]], 0),
       angle: this.largestAngle(vertex, distance),
-      branch: nearest && { ...nearest, away: nearest.away * radius, width: curve.width[nearest.segment], gap: curve.gap[nearest.segment] },
+      branch: nearest && { ...nearest, away: nearest.away * radius, isHere: nearest.away < 2 * pixel, width: curve.width[nearest.segment], gap: curve.gap[nearest.segment] },
     };
   }
 }
@@ -92,7 +93,7 @@ export function describeValues({ vertex, distance, angle, branch }, isLaplacian)
     `gradients around it up to ${degrees(angle)} apart`,
   ];
   if (branch)
-    lines.push(`nearest branch ${number(branch.away)} away, `
+    lines.push(`${branch.isHere ? 'on a branch' : `nearest branch ${number(branch.away)} away`}, `
       + (isLaplacian ? `angle ${degrees(branch.gap)}` : `${number(100 * branch.width)} % wide`));
   return lines.join('\n');
 }

@@ -13,6 +13,7 @@ export function defaultState() {
     // null is the default of the library
     parameters: {
       width: null, // in percent of the diagonal of the bounding box
+      voronoi: false, // of several sources, only what is between them
       angle: null,
       laplacian: null,
       minimumEdges: null,
@@ -124,6 +125,7 @@ export function fromHash(hash) {
     if (items.has(name) && Number.isFinite(value) && (name !== 'width' || value >= 0)) state.parameters[name] = value;
   }
   if (items.get('policy') === 'grow') state.parameters.policy = 'grow';
+  state.parameters.voronoi = items.get('voronoi') === 'true';
   for (const item of (items.get('show') || '').split(',')) {
     const name = item.replace(/^-/, '');
     if (name in state.show) state.show[name] = !item.startsWith('-');

@@ -73,7 +73,7 @@ void main() {
     n = normalize(n);
     float sky = .5 + .5 * dot(n, normalize(vec3(0., .8, .6)));
     float light = .34 + .24 * sky + .46 * max(dot(n, normalize(vec3(-.45, .5, .9))), 0.);
-    color *= gl_FrontFacing ? light : .72 * light;
+    color *= gl_FrontFacing ? light : .82 * light;
   }
   gl_FragColor = vec4(color * opacity, opacity); // premultiplied
 }`;

@@ -70,6 +70,7 @@ export class SurfaceLayer {
         { radius: 0.22, distanceExponent: 1.4, thickness: 1.5, scale: 1.1, samples: 12 },
         { lumaPhi: 10, depthPhi: 2, normalPhi: 3, radius: 6, rings: 2, samples: 12 });
       this.pass.output = GTAOPass.OUTPUT.Off;
+      this.pass.normalMaterial.side = THREE.DoubleSide; // surfaces with a border have two sides
     }
     this.pass.render(this.renderer);
     this.material.uniforms.occlusion.value = this.pass.gtaoMap;

@@ -63,7 +63,7 @@ export function bestDirection(probe, geometry, up, segments, sources) {
       probe.look(geometry, camera, 96, 96);
       const seen = points.filter((p) => probe.sees(p, slack)).length / Math.max(points.length, 1);
       // a source at the rim is hardly seen
-      const facing = ({ normal }) => Math.min(1, 2.5 * Math.max(normal.dot(eye), 0));
+      const facing = ({ normal }) => Math.min(1, 2.5 * Math.abs(normal.dot(eye)));
       const shown = sources.reduce((sum, source) => sum + (probe.sees(source.point, slack) ? facing(source) : 0), 0);
       // what is usual, a little from above and from the front, is better if all else is equal
       const score = seen + 1.3 * shown / Math.max(sources.length, 1) + 0.04 * Math.cos(2 * Math.PI * (i + 0.35) / around)

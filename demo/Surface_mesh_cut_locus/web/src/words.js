@@ -78,7 +78,7 @@ export function numberRows({ curve, source, edgeLength, state, defaults }) {
       : defaults.width > 0 ? `of branches of ${number(100 * defaults.width)} % and more` : 'of the branches shown';
   return [
     ['injectivity radius', edges > 0 ? `${rounded(radius, edgeLength / 2)}` : '–', edges > 0 ? detail : ''],
-    ['farthest point', `${number(source.farthestDistance, 4)}`, 'away from the source'],
+    ['farthest point', `${number(source.farthestDistance, 4)}`, source.points.length > 1 ? 'away from the nearest source' : 'away from the source'],
     ['length of the curve', edges > 0 ? number(length, 3) : '–', ''],
     ['genus', count(source.genus), ''],
     ...(source.points.length > 1 ? [['sources', count(source.points.length), '']] : []),

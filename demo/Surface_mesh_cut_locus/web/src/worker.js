@@ -43,7 +43,7 @@ function arraysOf(module, named) {
 function setThresholds(module, p) {
   const number = (value) => (value === null ? NaN : value);
   const share = p.width === null ? null : p.width / 100;
-  module._set_thresholds(number(share), number(p.angle), number(p.laplacian), number(p.minimumEdges),
+  module._set_thresholds(number(share), p.voronoi ? 1 : 0, number(p.angle), number(p.laplacian), number(p.minimumEdges),
     number(p.minimumLength), p.policy === 'grow' ? 1 : 0, p.smoothing);
 }
 

@@ -35,7 +35,7 @@ export const tests = {
 
   async 'the surface is cut to a disk with texture coordinates, also while it is shown closed'(d) {
     for (const sample of ['torus', 'genus-3', 'bumpy-sphere']) {
-      await d.open(`#sample=${sample}&faces=5000`);
+      await d.open(`#sample=${sample}&faces=5000&occlusion=true`);
       const closed = readObj(String(await d.exported('cut', 'obj')));
       assert.equal(await d.app(({ app }) => app.atlas), null);
       assert.deepEqual(surfaceTopology(closed), { euler: 1, loops: 1 });
@@ -53,7 +53,7 @@ export const tests = {
   async 'surfaces are exported in all formats'(d) {
     await d.open('#sample=torus&faces=5000');
     const { vertices, copies, faces } = await d.app(async ({ app }) => {
-      const { origin } = await app.atlasFor();
+      const { origin } = await app.sheet.current();
       return { vertices: app.mesh.positions.length / 3, copies: origin.length, faces: app.mesh.triangles.length / 3 };
     });
     assert.ok(copies > vertices);

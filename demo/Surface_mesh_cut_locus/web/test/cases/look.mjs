@@ -137,7 +137,7 @@ export const tests = {
 
   async 'each layer is seen, and the legend names it'(d) {
     const { page } = d;
-    await d.open('#sample=torus&faces=5000&hidden=1&occlusion=false');
+    await d.open('#sample=torus&faces=5000&occlusion=false');
     const layers = [['#show-edgeCurve', /along mesh edges/], ['#show-width', /width of the branches/],
       ['#show-gradient', /away from the source/], ['#show-disk', /unique shortest paths[^]*nearest point/],
       ['#look-wireframe', null], ['#look-occlusion', null], ['#look-axes', null], ['#show-isolines', /equal distance, every/]];

@@ -12,7 +12,7 @@ const pictured = ['elephant.off', 'man.off', 'cow.off', 'bull.off', 'mesh_with_b
 export const tests = {
   async 'ten meshes are opened, cut and exported'(d, { meshFolder }) {
     if (!meshFolder) return 'left out: no folder is given';
-    await d.open('#sample=torus&faces=5000');
+    await d.open('#sample=torus&faces=5000&occlusion=true');
     const notes = [];
     for (const file of files) {
       const path = join(meshFolder, file);

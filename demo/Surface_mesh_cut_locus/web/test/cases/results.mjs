@@ -176,6 +176,13 @@ export const tests = {
     assert.ok(await d.app(({ app }) => app.source.farthestDistance) < largest);
     assert.match(await page.innerText('#legend'), /sources/);
     await d.picture('sources.png');
+    // without the cut locus inside the cells it is shorter
+    const whole = await d.result();
+    await page.check('#voronoi');
+    await page.waitForFunction(() => window.cutLocusPage.app.drawn.voronoi && !window.cutLocusPage.app.isUpdating);
+    assert.ok((await d.result()).length < whole.length);
+    await page.uncheck('#voronoi');
+    await page.waitForFunction(() => !window.cutLocusPage.app.drawn.voronoi && !window.cutLocusPage.app.isUpdating);
     // a click on one takes it away
     await d.click(...second);
     assert.equal((await d.result()).sources, 2);

@@ -82,7 +82,7 @@ export const tests = {
   async 'the page says whether the sheet is one to one'(d) {
     const { page } = d;
     // a square of two faces, and one that is folded
-    const overlapOf = (corner) => page.evaluate((p) => window.cutLocusPage.app.overlapOf(
+    const overlapOf = (corner) => page.evaluate((p) => window.cutLocusPage.app.sheet.overlapOf(
       { uv: Float32Array.from([-1, -1, 1, -1, 1, 1, ...p]), triangles: Uint32Array.from([0, 1, 2, 0, 2, 3]) }), corner);
     assert.equal(await overlapOf([-1, 1]), 0);
     const folded = await overlapOf([1, -0.5]);
