@@ -72,8 +72,8 @@ void main() {
     vec3 n = isFlat ? cross(dFdx(vPlace), dFdy(vPlace)) : (gl_FrontFacing ? vNormal : -vNormal);
     n = normalize(n);
     float sky = .5 + .5 * dot(n, normalize(vec3(0., .8, .6)));
-    float light = .34 + .24 * sky + .46 * max(dot(n, normalize(vec3(-.45, .5, .9))), 0.);
-    color *= gl_FrontFacing ? light : .82 * light;
+    float light = .34 + .2 * sky + .28 * max(dot(n, normalize(vec3(-.45, .5, .9))), 0.) + .22 * max(n.z, 0.);
+    color *= gl_FrontFacing ? light : .9 * light;
   }
   gl_FragColor = vec4(color * opacity, opacity); // premultiplied
 }`;

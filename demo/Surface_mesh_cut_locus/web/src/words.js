@@ -92,7 +92,7 @@ export function numberRows({ curve, source, edgeLength, state, defaults }) {
 // What the user should know of the quality of an atlas.
 export function describeAtlas([flipped, change, isRigid], faceCount, overlap) {
   const parts = [];
-  if (overlap > 0.001) parts.push(`${number(100 * overlap, 2)} % of the sheet lies over another part of it`);
+  if (overlap > 0) parts.push(`${number(100 * overlap, 2)} % of the sheet lies over another part of it`);
   if (flipped > 0) parts.push(`${count(flipped)} of ${count(faceCount)} faces are turned over`);
   const isInjective = parts.length === 0;
   parts.push(`areas change by ${number(100 * change, 2)} %`);
@@ -101,6 +101,6 @@ export function describeAtlas([flipped, change, isRigid], faceCount, overlap) {
   return {
     isInjective,
     text: isInjective ? `The sheet does not overlap; ${text}`
-      : `Not fit for a texture as it is: ${text} A source elsewhere may give a better sheet.`,
+      : `Not one to one: ${text} A source elsewhere may give a better sheet.`,
   };
 }

@@ -94,9 +94,9 @@ export const tests = {
       await d.idle();
       const told = await page.innerText('#cut-info');
       const { flips, overlap: share } = await d.app(({ app }) => ({ flips: app.atlas.numbers[0], overlap: app.atlas.overlap }));
-      const isInjective = flips === 0 && share <= 0.001;
+      const isInjective = flips === 0 && share === 0;
       if (isFit !== null) assert.equal(isInjective, isFit, told);
-      assert.match(told, isInjective ? /does not overlap/ : /Not fit for a texture/);
+      assert.match(told, isInjective ? /does not overlap/ : /Not one to one/);
     }
   },
 
