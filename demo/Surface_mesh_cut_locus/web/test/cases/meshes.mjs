@@ -4,7 +4,7 @@ import { stat } from 'node:fs/promises';
 import { join } from 'node:path';
 import { readObj, surfaceTopology } from '../topology.mjs';
 
-// with genus and number of border loops, of those files of CGAL's data folder that show something different each
+// of CGAL's data folder, each for something different: limbs, genus, borders, several formats, faces that are no triangles
 const files = ['elephant.off', 'man.off', 'dino.off', 'bull.off', 'cow.off', 'hand.off', 'mesh_with_border.off', '3torus.off',
   'pig.stl', 'cube_quad.off'];
 const pictured = ['elephant.off', 'man.off', 'cow.off', 'bull.off', 'mesh_with_border.off'];
