@@ -221,6 +221,7 @@ export class Panel {
 
   setResult(result) {
     const { times, state } = result;
+    element('result').hidden = false;
     element('voronoi-field').hidden = result.source.points.length < 2;
     const concerns = doubts(result);
     const text = [summary(result), ...concerns].join(' ');

@@ -65,6 +65,7 @@ export const tests = {
     await page.goto(`${d.address}#file=square.off&solver=exact&method=polyhedral&view=0,0,5,0,0,0`);
     await page.waitForTimeout(5000);
     assert.match(await page.innerText('#invitation'), /about the file “square.off”[^]*Open the file/);
+    assert.ok(!await page.locator('#result').isVisible());
     await d.picture('link_to_file.png');
     assert.match(await page.evaluate(() => location.hash), /file=square.off/);
     assert.equal(await d.openFile('square.off', square), null);
