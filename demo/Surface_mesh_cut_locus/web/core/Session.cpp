@@ -10,6 +10,7 @@
 
 #include <CGAL/Cut_loci/IO/OBJ.h>
 #include <CGAL/Cut_loci/IO/PLY.h>
+#include <CGAL/Cut_loci/IO/VTP.h>
 #include <CGAL/Cut_loci/IO/polylines.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Cut_loci/statistics.h>
@@ -28,13 +29,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// edges, cycles, leaves, branchings, length, injectivity radius, where it is reached (3), status
+// edges, cycles, leaves, branchings, length, injectivity radius, where it is reached (3), status, narrow corridors
 std::vector<double> statistics_of(const Cut_locus& cut_locus)
 {
   const CGAL::Cut_loci::Cut_locus_statistics s = CGAL::Cut_loci::compute_statistics(cut_locus);
   const auto nearest = CGAL::Cut_loci::injectivity_radius(cut_locus);
-  return {double(s.edges),  double(s.cycles),  double(s.leaves),  double(s.branchings), s.length,
-          nearest.distance, nearest.point.x(), nearest.point.y(), nearest.point.z(),    double(s.status)};
+  return {double(s.edges),   double(s.cycles), double(s.leaves),          double(s.branchings),
+          s.length,          nearest.distance, nearest.point.x(),         nearest.point.y(),
+          nearest.point.z(), double(s.status), double(s.narrow_corridors)};
 }
 
 CGAL::Cut_loci::Method method_of(const std::string& name)
@@ -45,13 +47,16 @@ CGAL::Cut_loci::Method method_of(const std::string& name)
 
 } // namespace
 
-void Session::load(Mesh mesh)
+void Session::load(Mesh mesh, const std::vector<std::size_t>& component_of_face, std::string done)
 {
   solver_.reset();
   fields_.reset();
+  paths_.reset();
+  repairs = std::move(done);
+  component.assign(component_of_face.begin(), component_of_face.end());
   results_[0].reset();
   results_[1].reset();
-  has_source_ = false;
+  sources_.clear();
   mesh_ = std::make_unique<Mesh>(std::move(mesh));
 
   std::array<double, 3> low = {{infinity, infinity, infinity}}, high = {{-infinity, -infinity, -infinity}};
@@ -98,7 +103,7 @@ void Session::prepare(const std::string& solver, const std::string& method)
   results_[0].reset();
   results_[1].reset();
   solver_.reset(); // its memory is free for the next one
-  has_source_ = false;
+  sources_.clear();
   if(solver == "heat")
     solver_ = make_heat_solver(*mesh_);
   else if(solver == "graph")
@@ -109,21 +114,27 @@ void Session::prepare(const std::string& solver, const std::string& method)
   method_name_ = method;
 }
 
-void Session::set_source(std::uint32_t face, const std::array<double, 3>& coordinates)
+void Session::set_sources(const std::vector<Location>& sources)
 {
   if(!solver_)
     throw std::runtime_error("there is no solver yet");
-  if(face >= mesh_->number_of_faces())
-    throw std::runtime_error("the mesh has no face #" + std::to_string(face));
-  has_source_ = false;
+  for(const Location& source : sources)
+    check(source);
+  sources_.clear();
   exact_distance_.clear();
-  ::set_source(*solver_, Location(Mesh::Face_index(face), coordinates));
-  has_source_ = true;
+  ::set_sources(*solver_, sources);
+  sources_ = sources;
+}
+
+void Session::check(const Location& location) const
+{
+  if(location.first >= mesh_->number_of_faces())
+    throw std::runtime_error("the mesh has no face #" + std::to_string(location.first));
 }
 
 void Session::compute_curve(Curve_index index, const Thresholds& thresholds)
 {
-  if(!has_source_)
+  if(sources_.empty())
     throw std::runtime_error("there is no source yet");
   using CGAL::Cut_loci::Curve;
   const Curve kind = index == MESH_EDGES ? Curve::MESH_EDGES : Curve::THROUGH_FACES;
@@ -163,13 +174,9 @@ void Session::read_source(const Cut_locus& cut_locus)
   }
   diagonal_ = std::sqrt(CGAL::squared_distance(Kernel::Point_3(box.xmin(), box.ymin(), box.zmin()),
                                                Kernel::Point_3(box.xmax(), box.ymax(), box.zmax())));
-  const Kernel::Point_3& s = cut_locus.source().point;
   const Mesh::Vertex_index farthest = cut_locus.farthest_vertex();
   const Kernel::Point_3& f = mesh_->point(farthest);
-  source_numbers = {s.x(),
-                    s.y(),
-                    s.z(),
-                    f.x(),
+  source_numbers = {f.x(),
                     f.y(),
                     f.z(),
                     cut_locus.distance(farthest),
@@ -178,6 +185,9 @@ void Session::read_source(const Cut_locus& cut_locus)
                     solver_->gradient_angle_threshold(),
                     solver_->minimum_branch_width(),
                     solver_->minimum_branch_gap()};
+  for(std::size_t i = 0; i < cut_locus.number_of_sources(); ++i)
+    for(int k = 0; k < 3; ++k)
+      source_numbers.push_back(cut_locus.source(i).point[k]);
 }
 
 void Session::compute_laplacian()
@@ -192,6 +202,8 @@ void Session::compute_gradient()
 
 void Session::cut_open(const Thresholds& thresholds)
 {
+  if(sources_.size() > 1)
+    throw std::runtime_error("a surface is flattened from one source; this one has several");
   compute_curve(MESH_EDGES, thresholds);
   report_stage(6, 1);
   atlas = make_atlas(*mesh_, *results_[MESH_EDGES], [] { report_stage(7, 1); });
@@ -206,6 +218,30 @@ const Fields& Session::fields()
   return *fields_;
 }
 
+void Session::find_paths(const Location& end)
+{
+  if(sources_.empty())
+    throw std::runtime_error("there is no source yet");
+  check(end);
+  if(!paths_)
+    paths_ = std::make_unique<Paths>(*mesh_);
+  // the curve that is drawn is off the cut locus by a small part of a face
+  double shortest = infinity;
+  const Mesh::Halfedge_index h = mesh_->halfedge(end.first);
+  for(Mesh::Halfedge_index side : {h, mesh_->next(h), mesh_->prev(h)})
+    shortest = (std::min)(shortest, std::sqrt(CGAL::squared_distance(mesh_->point(mesh_->source(side)),
+                                                                     mesh_->point(mesh_->target(side)))));
+  path_points.clear();
+  path_numbers.clear();
+  for(const Paths::Path& path : paths_->find(sources_, end, .05 * shortest))
+  {
+    for(const Kernel::Point_3& p : path.points)
+      append_point(p, path_points);
+    path_numbers.push_back(double(path.points.size()));
+    path_numbers.push_back(path.length);
+  }
+}
+
 std::string Session::write_curve(Curve_index index, const std::string& format) const
 {
   if(!results_[index])
@@ -215,6 +251,8 @@ std::string Session::write_curve(Curve_index index, const std::string& format) c
     CGAL::IO::write_OBJ(os, *results_[index]);
   else if(format == "ply")
     CGAL::IO::write_PLY(os, *results_[index]);
+  else if(format == "vtp")
+    CGAL::IO::write_VTP(os, *results_[index]);
   else
     CGAL::IO::write_polylines(os, *results_[index]);
   return os.str();

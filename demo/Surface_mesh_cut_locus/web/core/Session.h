@@ -9,15 +9,17 @@
 
 #include "atlas.h"
 #include "fields.h"
+#include "paths.h"
 #include "solvers.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-// What the page works with: one mesh, one solver on it, one source, and the curves for the last thresholds.
+// What the page works with: one mesh, one solver on it, its sources, and the curves for the last thresholds.
 class Session
 {
 public:
@@ -32,25 +34,33 @@ public:
     std::vector<double> numbers; // see `statistics_of`
   };
 
-  void load(Mesh mesh);
+  // The component of each face may be left out if there is one.
+  void load(Mesh mesh, const std::vector<std::size_t>& component_of_face = {}, std::string repairs = {});
   void prepare(const std::string& solver, const std::string& method);
-  void set_source(std::uint32_t face, const std::array<double, 3>& coordinates);
+  void set_sources(const std::vector<Location>& sources);
   void compute_curve(Curve_index index, const Thresholds& thresholds);
   void compute_laplacian();
   void compute_gradient();
   void cut_open(const Thresholds& thresholds);
+  void find_paths(const Location& end);
   std::string write_curve(Curve_index index, const std::string& format) const;
 
   std::vector<float> positions;         // of the vertices, moved and scaled to fill the unit ball
   std::vector<std::uint32_t> triangles; // in the order of barycentric coordinates
   std::vector<float> distance, laplacian, gradient;
-  std::vector<double> mesh_numbers; // center (3), radius
-  // source (3), farthest vertex (3), its distance, border loops, genus, default angle, width and gap
+  std::vector<std::uint32_t> component; // of each face
+  std::vector<double> mesh_numbers;     // center (3), radius
+  std::string repairs;                  // what has been done to the file to have a mesh, or nothing
+  // farthest vertex (3), its distance, border loops, genus, default angle, width and gap, then the sources (3 each)
   std::vector<double> source_numbers;
+  // shortest paths: the points of all of them, and for each how many it has, and its length
+  std::vector<float> path_points;
+  std::vector<double> path_numbers;
   Curve curves[2];
   Atlas atlas;
 
 private:
+  void check(const Location& location) const;
   void read_source(const Cut_locus& cut_locus);
   void append_point(const Kernel::Point_3& p, std::vector<float>& to) const;
   const Fields& fields();
@@ -62,7 +72,8 @@ private:
   std::string solver_name_, method_name_;
   std::unique_ptr<Solver> solver_;
   std::unique_ptr<Fields> fields_;
-  bool has_source_ = false;
+  std::vector<Location> sources_; // empty if they are not those of the solver
+  std::unique_ptr<Paths> paths_;
   double diagonal_ = 1.; // of the bounding box of the source's component
   std::vector<double> exact_distance_;
   std::optional<Cut_locus> results_[2];

@@ -16,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
 
 namespace {
 
@@ -162,10 +161,9 @@ Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::functi
   const Points_2 polar = exponential_map(mesh, cut_locus.source().location, disk, origin);
   Points_2 plane = polar;
   constexpr double tolerance = 1e-3; // what comes after it is not seen
-  if(!flatten_as_rigidly_as_possible(points, triangles, plane, tolerance))
-    throw std::runtime_error("the cut surface cannot be flattened: it has faces that are too thin");
+  const bool is_flat = flatten_as_rigidly_as_possible(points, triangles, plane, tolerance);
   // A surface that closes around a short cut does not lie flat without being stretched, and rather folds.
-  const bool is_rigid = number_of_flips(triangles, plane) <= number_of_flips(triangles, polar);
+  const bool is_rigid = is_flat && number_of_flips(triangles, plane) <= number_of_flips(triangles, polar);
   if(!is_rigid)
     plane = polar;
   fit(plane);

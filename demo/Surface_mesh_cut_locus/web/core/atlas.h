@@ -23,9 +23,8 @@ struct Atlas
   std::vector<double> numbers;          // flipped faces, part of the area that is moved to other faces, is rigid
 };
 
-// Cuts along a cut locus of mesh edges, and flattens as rigidly as possible, or, where that folds, by the
+// Cuts along a cut locus of mesh edges, and flattens as rigidly as possible, or, where that fails or folds, by the
 // polar coordinates of the shortest paths. `on_flatten` is called between the two.
-// Throws `std::runtime_error` if that fails.
 Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::function<void()>& on_flatten);
 
 #endif // SURFACE_MESH_CUT_LOCUS_WEB_ATLAS_H

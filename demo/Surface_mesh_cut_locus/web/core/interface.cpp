@@ -18,12 +18,14 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
 
 Session session;
 Thresholds thresholds;
+std::vector<Location> sources;
 std::string error, text;
 
 template <typename Function>
@@ -44,6 +46,13 @@ int run(const Function& function)
     error = e.what();
   }
   return 0;
+}
+
+// Links round coordinates: they sum up to one again.
+Location location(unsigned int face, double b0, double b1, double b2)
+{
+  const double sum = b0 + b1 + b2;
+  return {Mesh::Face_index(face), {{b0 / sum, b1 / sum, b2 / sum}}};
 }
 
 struct Array
@@ -104,6 +113,14 @@ Array array(int id)
     return array(session.atlas.uv);
   case 20:
     return array(session.atlas.numbers);
+  case 21:
+    return array(session.component);
+  case 22:
+    return {session.repairs.data(), session.repairs.size()};
+  case 23:
+    return array(session.path_points);
+  case 24:
+    return array(session.path_numbers);
   default:
     return {nullptr, 0};
   }
@@ -144,7 +161,13 @@ EMSCRIPTEN_KEEPALIVE std::size_t array_size(int id)
 
 EMSCRIPTEN_KEEPALIVE int load_file(const char* filename)
 {
-  return run([&] { session.load(read_mesh(filename, false).mesh); });
+  return run(
+    [&]
+    {
+    Input_mesh input = read_mesh(filename, true);
+    const std::string repairs = description(input.repairs);
+    session.load(std::move(input.mesh), input.component, repairs);
+  });
 }
 
 EMSCRIPTEN_KEEPALIVE int load_sample(const char* name, double number_of_faces)
@@ -157,17 +180,32 @@ EMSCRIPTEN_KEEPALIVE int prepare(const char* solver, const char* method)
   return run([&] { session.prepare(solver, method); });
 }
 
-EMSCRIPTEN_KEEPALIVE int set_source(unsigned int face, double b0, double b1, double b2)
+EMSCRIPTEN_KEEPALIVE void clear_sources()
 {
-  return run([&] { session.set_source(face, {{b0, b1, b2}}); });
+  sources.clear();
+}
+
+EMSCRIPTEN_KEEPALIVE void add_source(unsigned int face, double b0, double b1, double b2)
+{
+  sources.push_back(location(face, b0, b1, b2));
+}
+
+EMSCRIPTEN_KEEPALIVE int set_sources()
+{
+  return run([&] { session.set_sources(sources); });
+}
+
+EMSCRIPTEN_KEEPALIVE int find_paths(unsigned int face, double b0, double b1, double b2)
+{
+  return run([&] { session.find_paths(location(face, b0, b1, b2)); });
 }
 
 // What is not a number stands for the default of the library.
-EMSCRIPTEN_KEEPALIVE void set_thresholds(double width, double angle, double laplacian, double minimum_edges,
-                                         double minimum_length, int grows, int smoothing)
+EMSCRIPTEN_KEEPALIVE void set_thresholds(double width, int voronoi, double angle, double laplacian,
+                                         double minimum_edges, double minimum_length, int grows, int smoothing)
 {
-  thresholds = {
-    width, angle, laplacian, minimum_edges, minimum_length, grows != 0, static_cast<unsigned int>(smoothing)};
+  thresholds = {width,         voronoi != 0,   angle,      laplacian,
+                minimum_edges, minimum_length, grows != 0, static_cast<unsigned int>(smoothing)};
 }
 
 EMSCRIPTEN_KEEPALIVE int compute_curve(int index)

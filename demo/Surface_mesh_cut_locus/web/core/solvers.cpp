@@ -28,14 +28,14 @@ std::unique_ptr<Solver> make_graph_solver(const Mesh& mesh)
                                           .visitor(Stage_reporter()));
 }
 
-void set_source(Solver& solver, const Location& source)
+void set_sources(Solver& solver, const std::vector<Location>& sources)
 {
-  solver.set_source(source);
+  solver.set_sources(sources);
 }
 
 Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& thresholds, Curve curve)
 {
-  const auto parameters = CGAL::parameters::cut_locus_curve(curve);
+  const auto parameters = CGAL::parameters::cut_locus_curve(curve).voronoi(thresholds.voronoi);
   if(std::isnan(thresholds.width))
     return solver.cut_locus(parameters);
   return solver.cut_locus(parameters.minimum_branch_width(thresholds.width));

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_cut_locus.h>
 
 #include <memory>
+#include <vector>
 
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
 
@@ -31,6 +32,7 @@ std::unique_ptr<Solver> make_heat_solver(const Mesh& mesh);
 struct Thresholds
 {
   double width; // of the methods `DIRECTION` and `POLYHEDRAL`, a part of the diagonal
+  bool voronoi; // for these: between sources only
   double angle; // and these of the method `LAPLACIAN`
   double laplacian;
   double minimum_edges;
@@ -39,7 +41,7 @@ struct Thresholds
   unsigned int smoothing;
 };
 
-void set_source(Solver& solver, const Location& source);
+void set_sources(Solver& solver, const std::vector<Location>& sources);
 Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& thresholds, CGAL::Cut_loci::Curve curve);
 Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& thresholds, CGAL::Cut_loci::Curve curve);
 

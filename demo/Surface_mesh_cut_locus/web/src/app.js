@@ -1,25 +1,33 @@
-// What the page does: it loads a mesh, solves for a source, follows the sliders and cuts the surface open. It knows
+// What the page does: it loads a mesh, solves for its sources, follows the sliders and cuts the surface open. It knows
 // the engine, the viewer and the panel, which do not know each other.
-import { describeAtlas, seamsOf } from './atlas.js';
-import { branchScale } from './branch_scale.js';
+import { Appearance } from './appearance.js';
 import { Cancelled, Engine } from './engine.js';
-import { atlasToObj, download, meshToPly } from './exporters.js';
+import { exportAs } from './exports.js';
+import { History } from './history.js';
+import { legendItems } from './legend_items.js';
 import { explain, objectionTo } from './messages.js';
+import { PathTool } from './path_tool.js';
+import { describeValues, Readout } from './readout.js';
 import { farthestFace, fileStart, samples, startCoordinates } from './samples.js';
+import { Sheet } from './sheet.js';
 import { defaultState, rounded } from './state.js';
+import { guessUp } from './up_axis.js';
 
 const stageTexts = {
   preprocessing: 'Preparing the mesh…',
   distance: 'Computing distances…',
   strength: 'Finding where shortest paths meet…',
   tree: 'Joining the branches…',
-  homology: 'Closing the cycles…',
+  homology: 'Closing the loops…',
   cutting: 'Cutting the surface open…',
   flattening: 'Flattening…',
 };
 
 const faceCurve = 1, edgeCurve = 0;
 const restMilliseconds = 150; // a slider that has not moved for so long is at rest
+const nearPixels = 9; // what a click is as near to is meant
+
+const copy = (value) => JSON.parse(JSON.stringify(value));
 
 export class App {
   constructor(viewer, panel, state) {
@@ -27,15 +35,22 @@ export class App {
     this.panel = panel;
     this.state = state;
     this.engine = new Engine((stage) => panel.setBusyText(stageTexts[stage]));
+    this.history = new History();
+    this.readout = new Readout();
+    this.appearance = new Appearance(this);
+    this.sheet = new Sheet(this);
+    this.pathTool = new PathTool(this);
     this.mesh = null;
     this.curves = {};
-    this.isSolved = false; // the worker has the solver and the source of the state
+    this.isSolved = false; // the worker has the solver and the sources of the state
     this.exactMethod = state.method; // the one that was chosen last
-    this.defaults = null; // of the thresholds, for this source
+    this.defaults = null; // of the thresholds, for these sources
+    this.linkedView = state.view; // until there is a mesh
     this.leastAngle = 0; // branches that need a smaller one are not computed yet
     this.jobs = 0;
     this.times = {};
     this.onState = () => {};
+    this.appearance.apply();
   }
 
   // Runs something that takes time; tells the user what became of it. False if it failed.
@@ -58,6 +73,7 @@ export class App {
     if (!this.engine.isBusy) return;
     this.isSolved = false;
     this.engine.cancel();
+    this.sheet.drop(); // it may be that of other thresholds
     this.panel.showMessage('Cancelled.', true);
   }
 
@@ -103,68 +119,113 @@ export class App {
         throw error;
       }
       this.times = { load: performance.now() - begin };
-      Object.assign(this.state, names);
-      this.wantedSample = this.state.sample;
-      this.isSolved = false;
-      const { positions, triangles } = this.mesh;
-      const faceCount = triangles.length / 3;
-      if (!keepsSource || !this.state.source || this.state.source.face >= faceCount)
-        this.state.source = { face: farthestFace(positions, triangles, start), coordinates: [...startCoordinates] };
-      if (!keepsSource) {
-        this.state.isCut = false;
-        this.viewer.resetView();
-      }
-      this.atlas = null;
-      this.panel.setCut(false);
-      this.curves = {};
-      this.viewer.setMesh(positions, triangles);
-      this.panel.setMesh(this.state, this.mesh);
+      this.takeMesh(names, start, keepsSource);
+      const view = keepsSource ? this.linkedView : null;
+      this.linkedView = null;
+      if (view) this.viewer.setView(view);
       await this.solveNow();
+      if (!view) this.appearance.look('best');
+      const { repairs } = this.mesh;
+      if (repairs) this.panel.showMessage(`Repaired to open it: ${repairs}.`, true);
     });
   }
 
-  setSource({ face, coordinates }) {
-    // as a link will have it
-    this.state.source = { face, coordinates: coordinates.map(rounded) };
-    return this.solve();
+  takeMesh(names, start, keepsSource) {
+    Object.assign(this.state, names);
+    this.wantedSample = this.state.sample;
+    this.isSolved = false;
+    const { positions, triangles, component, numbers } = this.mesh;
+    const faceCount = triangles.length / 3;
+    const isInMesh = (this.state.sources || []).every(({ face }) => face < faceCount);
+    if (!keepsSource || !this.state.sources || !isInMesh)
+      this.state.sources = [{ face: farthestFace(positions, triangles, start, component), coordinates: [...startCoordinates] }];
+    if (!keepsSource) {
+      // thresholds are those of another mesh
+      this.state.isCut = false;
+      this.state.parameters = defaultState().parameters;
+      this.state.look.up = 'auto';
+    }
+    this.history.clear();
+    this.mesh.edgeLength = numbers[3] * meanEdgeLength(positions, triangles);
+    this.mesh.up = this.state.sample ? 'z' : guessUp(positions, triangles);
+    this.sheet.forget();
+    this.curves = {};
+    this.viewer.setMesh(positions, triangles);
+    this.readout.setMesh(positions, triangles);
+    this.appearance.apply();
+    if (!keepsSource) this.viewer.resetView();
+    this.panel.setState(this.state);
+    this.panel.setMesh(this.state, this.mesh);
+  }
+
+  // A click, or a key: `mode` says what for.
+  pick(location, mode) {
+    if (!this.mesh) return null;
+    if (mode === 'path') return this.pathTool.show(location);
+    const source = { face: location.face, coordinates: location.coordinates.map(rounded) };
+    return this.setSources(mode === 'add' ? this.withSource(source, location) : [source]);
+  }
+
+  // One more, or one less if it is there.
+  withSource(source, { place, pixel }) {
+    const { sources } = this.state;
+    const off = (point) => Math.hypot(...this.toView(point).map((x, k) => x - place[k]));
+    const near = this.source ? this.source.points.findIndex((point) => off(point) < nearPixels * pixel) : -1;
+    if (near < 0) return [...sources, source];
+    return sources.length > 1 ? sources.filter((_, i) => i !== near) : sources;
+  }
+
+  // If that fails, all stays as it was.
+  async setSources(sources) {
+    const { state } = this;
+    if (sources.length > 1 && state.method === 'laplacian') {
+      this.panel.showMessage('This method takes one source: choose “the smooth shape” or “the polyhedron itself” for several.');
+      return;
+    }
+    const before = state.sources;
+    const wasSolved = this.isSolved;
+    state.sources = sources;
+    if (await this.solve() || !wasSolved || this.isSolved) return;
+    state.sources = before;
+    await this.solveNow().catch(() => {});
   }
 
   setSolver(solver, method) {
-    if (solver === 'exact') this.exactMethod = this.state.solver === 'exact' ? method : this.exactMethod;
-    this.state.method = solver === 'exact' ? this.exactMethod : 'laplacian';
-    this.state.solver = solver;
-    this.panel.setState(this.state);
-    return this.solve();
+    const { state } = this;
+    if (solver === 'exact') this.exactMethod = state.solver === 'exact' ? method : this.exactMethod;
+    state.method = solver === 'exact' ? this.exactMethod : 'laplacian';
+    state.solver = solver;
+    const hadSeveral = state.method === 'laplacian' && state.sources && state.sources.length > 1;
+    if (hadSeveral) state.sources = state.sources.slice(0, 1);
+    this.panel.setState(state);
+    return this.solve().then(() => {
+      if (hadSeveral) this.panel.showMessage('This method takes one source: the first one is left.', true);
+    });
   }
 
   async solve() {
-    if (!this.mesh) return;
+    if (!this.mesh) return false;
     if (this.engine.isBusy) this.engine.cancel();
     this.isSolved = false;
-    await this.attempt('Computing…', () => this.solveNow());
+    return this.attempt('Computing…', () => this.solveNow());
   }
 
   async solveNow() {
     const begin = performance.now();
-    const { solver, method, source, parameters } = this.state;
+    const { solver, method, sources, parameters } = this.state;
     const result = await this.engine.run('solve',
-      { solver, method, source, parameters: { ...parameters }, curves: this.wantedCurves() });
+      { solver, method, sources, parameters: this.parameters, curves: this.wantedCurves() });
     this.isSolved = true;
+    this.panel.showReadout(null); // it was that of other sources
     this.distance = result.distance;
-    this.laplacian = null;
-    this.gradient = null;
-    const [sx, sy, sz, fx, fy, fz, farthestDistance, borderLoops, genus, angle, width, gap] = result.sourceNumbers;
-    this.source = { point: [sx, sy, sz], farthest: [fx, fy, fz], farthestDistance, borderLoops, genus };
-    this.defaults = { angle, width, gap };
+    this.appearance.forgetFields();
+    this.takeSources(result.sourceNumbers);
     this.leastAngle = Math.min(this.angleFor(null), this.angleFor(parameters.width));
     this.panel.setDefaults(this.defaults, method);
     this.viewer.setDistance(this.distance);
-    this.viewer.setMarker(this.viewer.sourceMarker, this.toView(this.source.point));
-    this.viewer.setMarker(this.viewer.farthestMarker, this.toView(this.source.farthest));
-    const { isCut } = this.state;
-    this.dropAtlas();
+    this.pathTool.set(null);
     this.takeCurves(result, parameters);
-    this.viewer.draw();
+    this.viewer.invalidateCurves();
     Object.assign(this.times, {
       source: performance.now() - begin,
       solve: result.solveMilliseconds,
@@ -173,15 +234,58 @@ export class App {
       smoothing: null,
       cut: null,
     });
-    await this.showFields();
-    this.state.isCut = isCut;
-    if (isCut) await this.cutNow();
+    this.remember();
+    await this.appearance.showFields();
+    if (this.state.isCut) await this.sheet.cut();
     this.report();
+  }
+
+  takeSources(numbers) {
+    const [fx, fy, fz, farthestDistance, borderLoops, genus, angle, width, gap, ...points] = numbers;
+    this.source = { points: [], farthest: [fx, fy, fz], farthestDistance, borderLoops, genus };
+    for (let i = 0; i < points.length; i += 3) this.source.points.push(points.slice(i, i + 3));
+    this.defaults = { angle, width, gap };
+    this.viewer.setSources(this.source.points.map((point) => this.toView(point)));
+    this.viewer.setMarker(this.viewer.farthestMarker, this.toView(this.source.farthest));
   }
 
   toView(p) {
     const [x, y, z, radius] = this.mesh.numbers;
     return [(p[0] - x) / radius, (p[1] - y) / radius, (p[2] - z) / radius];
+  }
+
+  // what can be taken back
+  get step() {
+    const { sources, solver, method, parameters } = this.state;
+    return copy({ sources, solver, method, parameters });
+  }
+
+  remember() {
+    clearTimeout(this.rememberTimer);
+    this.history.push(this.step);
+    this.panel.setHistory(this.history);
+  }
+
+  undo() {
+    this.remember();
+    return this.restore(this.history.undo());
+  }
+
+  redo() {
+    return this.restore(this.history.redo());
+  }
+
+  async restore(step) {
+    if (!step) return;
+    const now = this.step;
+    Object.assign(this.state, step);
+    if (step.solver === 'exact') this.exactMethod = step.method;
+    this.panel.setState(this.state);
+    this.panel.setHistory(this.history);
+    const isSame = ['sources', 'solver', 'method'].every((name) => JSON.stringify(now[name]) === JSON.stringify(step[name]));
+    if (isSame && this.isSolved) await this.updateCurves();
+    else await this.solve();
+    this.panel.setHistory(this.history);
   }
 
   wantedCurves() {
@@ -209,7 +313,8 @@ export class App {
     const { method, show, parameters } = this.state;
     const smooths = method === 'laplacian' && show.faceCurve && parameters.smoothing > 0;
     clearTimeout(this.restTimer);
-    this.panel.setScale(this.state, this.defaults);
+    clearTimeout(this.rememberTimer);
+    this.rememberTimer = setTimeout(() => this.remember(), 3 * restMilliseconds);
     if (!smooths && !this.needsMoreBranches) return this.updateCurves();
     this.restTimer = setTimeout(() => this.updateCurves(true), restMilliseconds);
     return smooths ? this.updateCurves(false) : null;
@@ -234,13 +339,13 @@ export class App {
         const begin = this.moved;
         const parameters = this.liveParameters();
         const result = await this.computeCurves(parameters);
-        this.dropAtlas();
         this.takeCurves(result, parameters);
         this.viewer.draw();
         this.times[this.wantsSmooth && this.state.method === 'laplacian' ? 'smoothing' : 'threshold'] = { shown: performance.now() - begin, computed: result.milliseconds };
         this.panel.hideMessage();
         this.report();
       } while (this.wantsUpdate);
+      this.sheet.cutAtRest();
     } catch (error) {
       if (!(error instanceof Cancelled)) this.panel.showMessage(explain(error.message));
     } finally {
@@ -260,124 +365,75 @@ export class App {
     }
   }
 
+  // for the library: of one source, a Voronoi diagram is empty
+  get parameters() {
+    const { parameters, sources } = this.state;
+    return { ...parameters, voronoi: parameters.voronoi && sources.length > 1 };
+  }
+
   liveParameters() {
-    return { ...this.state.parameters, ...(this.wantsSmooth ? {} : { smoothing: 0 }) };
+    return { ...this.parameters, ...(this.wantsSmooth ? {} : { smoothing: 0 }) };
   }
 
   takeCurves(result, parameters) {
     this.drawn = { ...parameters };
     for (const name of ['edgeCurve', 'faceCurve']) if (result[name]) this.curves[name] = result[name];
     this.shownCurve = result.faceCurve ? 'faceCurve' : 'edgeCurve';
-    this.drawCurves();
+    this.appearance.drawCurves();
   }
 
-  drawCurves() {
-    const { show } = this.state;
-    const scale = branchScale(this.state, this.defaults);
-    this.panel.setScale(this.state, this.defaults);
-    for (const name of ['edgeCurve', 'faceCurve']) {
-      const curve = this.curves[name];
-      this.viewer[name].show(show[name], show.hidden);
-      if (curve && show[name])
-        this.viewer[name].set(curve.segments, show.width ? Array.from(curve[scale.quantity], scale.place) : null);
+  get path() {
+    return this.pathTool.path;
+  }
+
+  get atlas() {
+    return this.sheet.atlas;
+  }
+
+  get curve() {
+    return this.curves[this.shownCurve];
+  }
+
+  // The values where the pointer rests, or nothing.
+  hover(location, at) {
+    const { curve } = this;
+    if (!location || !this.state.show.values || !this.distance) {
+      this.panel.showReadout(null);
+      return;
     }
-    this.updateDisk();
+    const values = this.readout.values(location, this.distance, curve && curve.numbers[0] > 0 ? curve : null, this.mesh.numbers[3]);
+    this.panel.showReadout(describeValues(values, this.state.method === 'laplacian'), at);
   }
 
-  updateDisk() {
-    const { show } = this.state;
-    const curve = this.curves[this.shownCurve];
-    const hasDisk = show.disk && curve && Number.isFinite(curve.numbers[5]);
-    this.viewer.setUniforms({
-      showIsolines: show.isolines,
-      showLaplacian: show.laplacian && Boolean(this.laplacian),
-      showDisk: Boolean(hasDisk),
-      showChecker: show.checker && Boolean(this.atlas),
-      radius: hasDisk ? curve.numbers[5] : 0,
-      spacing: this.source ? this.source.farthestDistance / 25 : 1,
-    });
-    this.viewer.arrows.visible = show.gradient && Boolean(this.gradient);
-    const nearest = hasDisk && curve.numbers.length > 6 ? this.toView(curve.numbers.subarray(6, 9)) : null;
-    this.viewer.setMarker(this.viewer.nearestMarker, nearest);
-    this.panel.showNearest(nearest !== null);
-  }
-
-  // The Laplacian and the gradient are computed when they are first shown for a source.
-  async showFields() {
-    const { show } = this.state;
-    if (!this.isSolved) return;
-    if (show.laplacian && !this.laplacian) {
-      this.laplacian = await this.engine.run('laplacian');
-      const sorted = Float32Array.from(this.laplacian, Math.abs).sort();
-      this.viewer.setUniforms({ laplacianScale: 2 * sorted[Math.floor(0.9 * sorted.length)] || 1 });
-      this.viewer.setLaplacian(this.laplacian);
-    }
-    if (show.gradient && !this.gradient) {
-      this.gradient = await this.engine.run('gradient');
-      this.viewer.setArrows(this.gradient, 0.035);
-    }
-    this.updateDisk();
-  }
-
-  async setShown(name, value) {
-    this.state.show[name] = value;
-    const missing = (name === 'faceCurve' || name === 'edgeCurve') && this.wantedCurves().length > 0;
-    if (missing) await this.updateCurves();
-    this.drawCurves();
-    if (value && (name === 'laplacian' || name === 'gradient'))
-      await this.attempt('Computing…', () => this.showFields());
-    this.viewer.invalidateCurves();
-    this.report();
-  }
-
+  // All that decides on the result is as it was at first; what is shown stays.
   resetParameters() {
-    this.state.parameters = defaultState().parameters;
+    const standard = defaultState();
+    const { solver, method } = this.state;
+    Object.assign(this.state, { parameters: standard.parameters, solver: standard.solver, method: standard.method });
+    this.exactMethod = standard.method;
     this.panel.setState(this.state);
+    if (solver !== standard.solver || method !== standard.method) return this.solve();
+    this.remember();
     return this.updateCurves();
   }
 
-  async toggleCut() {
-    if (!this.mesh || this.engine.isBusy) return;
-    this.state.isCut = !this.atlas;
-    if (this.atlas) {
-      this.dropAtlas();
-    } else if (!await this.attempt('Cutting the surface open…', () => (this.isSolved ? this.cutNow() : this.solveNow()))) {
-      this.state.isCut = false;
-    }
-    this.report();
-  }
-
-  // Along the curve of mesh edges, for the thresholds as they are.
-  async cutNow() {
-    const begin = performance.now();
-    const { edgeCurve: curve, ...atlas } =
-      await this.engine.run('cut', { parameters: { ...this.state.parameters } });
-    this.curves.edgeCurve = curve;
-    this.atlas = atlas;
-    this.viewer.showCut({ ...atlas, ...seamsOf(atlas, this.mesh.positions) });
-    this.panel.setCut(true, describeAtlas(atlas.numbers, atlas.triangles.length / 3));
-    this.times.cut = performance.now() - begin;
-    this.drawCurves();
-  }
-
-  // A cut belongs to the curve that it followed.
-  dropAtlas() {
-    if (!this.atlas) return;
-    this.atlas = null;
-    this.state.isCut = false;
-    this.viewer.showUncut();
-    this.panel.setCut(false);
-    this.updateDisk();
+  legendItems() {
+    return legendItems(this);
   }
 
   report() {
+    if (!this.source || !this.curve) return;
     this.panel.setResult({
       mesh: this.mesh,
       source: this.source,
-      curve: this.curves[this.shownCurve],
+      curve: this.curve,
+      faceCount: this.mesh.triangles.length / 3,
+      edgeLength: this.mesh.edgeLength,
       times: this.times,
-      method: this.state.method,
+      state: this.state,
+      defaults: this.defaults,
     });
+    this.panel.setLegend(this.legendItems());
     this.onState();
   }
 
@@ -386,30 +442,31 @@ export class App {
     return `${mesh}_${ending}`;
   }
 
-  async export(kind) {
-    if (kind === 'png') {
-      download(await this.viewer.toPng(), this.fileName('cut_locus.png'));
-      return;
-    }
-    if (!this.mesh || !this.curves[this.shownCurve]) {
+  // for exports, for the thresholds as they are
+  async curveFor(name) {
+    const result = await this.engine.run('curves',
+      { curves: [name === 'faceCurve' ? faceCurve : edgeCurve], parameters: this.parameters });
+    return result[name];
+  }
+
+  async export(kind, format, picture) {
+    if (!this.mesh || !this.curve) {
       this.panel.showMessage('There is nothing to export yet: open a mesh first.');
       return;
     }
-    if (kind === 'mesh-ply') {
-      download(meshToPly(this.mesh, this.distance), this.fileName('distance.ply'));
-    } else if (kind === 'atlas-obj') {
-      if (!this.atlas) {
-        this.panel.showMessage('Cut the surface open first: the button is “Cut and flatten”.');
-        return;
-      }
-      download(atlasToObj(this.mesh, this.atlas), this.fileName('cut.obj'));
-    } else {
-      const format = kind.replace('polylines-', '');
-      await this.attempt('Writing…', async () => {
-        const text = await this.engine.run('write',
-          { curve: this.shownCurve === 'faceCurve' ? faceCurve : edgeCurve, format });
-        download(text, this.fileName(format === 'txt' ? 'cut_locus.polylines.txt' : `cut_locus.${format}`));
-      });
-    }
+    await this.attempt('Writing…', async () => {
+      if (!this.isSolved) await this.solveNow();
+      await exportAs(this, kind, format, picture);
+    });
   }
+}
+
+function meanEdgeLength(positions, triangles) {
+  let sum = 0;
+  for (let f = 0; f < triangles.length; f += 3)
+    for (let k = 0; k < 3; ++k) {
+      const a = 3 * triangles[f + k], b = 3 * triangles[f + (k + 1) % 3];
+      sum += Math.hypot(positions[a] - positions[b], positions[a + 1] - positions[b + 1], positions[a + 2] - positions[b + 2]);
+    }
+  return sum / triangles.length;
 }

@@ -17,6 +17,9 @@ export const arrays = {
     uv: [19, 'f32'],
     numbers: [20, 'f64'],
   },
+  component: [21, 'u32'],
+  repairs: [22, 'u8'],
+  paths: { points: [23, 'f32'], numbers: [24, 'f64'] },
 };
 
 export const curveNames = ['edgeCurve', 'faceCurve'];

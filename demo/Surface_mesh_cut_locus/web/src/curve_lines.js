@@ -1,55 +1,46 @@
-// Wide lines for the cut locus, in one colour or by a number of the branches. What the surface hides is
-// drawn in a pale colour.
+// Wide lines for the cut locus, in one colour or by a number of the branches, with a seam of another colour that sets
+// them off the surface. What the surface hides is drawn in a pale colour, the stronger the more transparent the
+// surface is.
 import * as THREE from 'three';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
+import { branchColor } from './color_maps.js';
 
-// from low to high: yellow, orange, red, violet
-const ramp = [[0.99, 0.83, 0.25], [0.96, 0.55, 0.15], [0.84, 0.19, 0.20], [0.45, 0.06, 0.40]];
-
-const hiddenBackground = 0xd9dce0; // about the colour of the surface
-
-export function rampColor(t, to, at) {
-  const x = Math.min(Math.max(t, 0), 1) * (ramp.length - 1);
-  const i = Math.min(Math.floor(x), ramp.length - 2);
-  for (let k = 0; k < 3; ++k) to[at + k] = ramp[i][k] + (x - i) * (ramp[i + 1][k] - ramp[i][k]);
+// the order sets how far in front of the surface it is, and what covers what
+function lines(geometry, order, options) {
+  const material = new LineMaterial({
+    polygonOffset: true,
+    polygonOffsetFactor: -order,
+    polygonOffsetUnits: -4 * order,
+    ...options,
+  });
+  const object = new LineSegments2(geometry, material);
+  object.frustumCulled = false;
+  object.renderOrder = order;
+  return object;
 }
 
 export class CurveLines {
-  constructor(color, width, order) {
-    this.color = new THREE.Color(color);
-    this.material = new LineMaterial({
-      color,
-      linewidth: width,
-      polygonOffset: true,
-      polygonOffsetFactor: -order,
-      polygonOffsetUnits: -4 * order,
-    });
-    this.object = new LineSegments2(new LineSegmentsGeometry(), this.material);
-    this.object.frustumCulled = false;
-    this.object.renderOrder = order;
+  constructor(width, order, { hasCasing = true } = {}) {
+    const geometry = new LineSegmentsGeometry();
+    this.visibleLines = lines(geometry, order, { linewidth: width });
+    // below all of the curve
+    this.casing = lines(geometry, order - 0.5, { linewidth: width + 2.2, depthWrite: false });
     // With the same offset, exactly what the surface hides. It is opaque: the ends of segments cover each other.
-    this.hiddenMaterial = new LineMaterial({
-      color: this.color.clone().lerp(new THREE.Color(hiddenBackground), 0.7),
-      linewidth: 0.7 * width,
-      depthFunc: THREE.GreaterDepth,
-      depthWrite: false,
-      polygonOffset: true,
-      polygonOffsetFactor: -order,
-      polygonOffsetUnits: -4 * order,
-    });
-    this.hiddenObject = new LineSegments2(this.object.geometry, this.hiddenMaterial);
-    this.hiddenObject.frustumCulled = false;
-    this.hiddenObject.renderOrder = -1;
+    this.hiddenLines = lines(geometry, order, { linewidth: 0.75 * width, depthFunc: THREE.GreaterDepth, depthWrite: false });
+    this.hiddenLines.renderOrder = -2;
+    this.objects = [this.hiddenLines, this.casing, this.visibleLines];
+    this.hasCasing = hasCasing;
+    this.color = new THREE.Color();
     this.isEmpty = true;
     this.visible = true;
     this.showsHidden = false;
   }
 
-  // `places`, if given, are those of the segments on the ramp of colours, in [0, 1].
+  // `places`, if given, are those of the segments on the scale of colours, in [0, 1].
   set(segments, places = null) {
-    this.object.geometry.dispose();
+    this.visibleLines.geometry.dispose();
     const geometry = new LineSegmentsGeometry();
     this.isEmpty = segments.length === 0;
     if (!this.isEmpty) {
@@ -60,32 +51,45 @@ export class CurveLines {
       if (places) {
         const colors = new Float32Array(segments.length);
         for (let i = 0; i < places.length; ++i) {
-          rampColor(places[i], colors, 6 * i);
+          colors.set(branchColor(places[i]), 6 * i);
           colors.copyWithin(6 * i + 3, 6 * i, 6 * i + 3);
         }
         geometry.setColors(colors);
       }
     }
     const hasColors = Boolean(places);
-    if (this.material.vertexColors !== hasColors) {
-      this.material.vertexColors = hasColors;
-      this.material.needsUpdate = true;
+    const { material } = this.visibleLines;
+    if (material.vertexColors !== hasColors) {
+      material.vertexColors = hasColors;
+      material.needsUpdate = true;
     }
-    this.material.color.set(hasColors ? 0xffffff : this.color);
-    this.object.geometry = geometry;
-    this.hiddenObject.geometry = geometry;
+    material.color.set(hasColors ? 0xffffff : this.color);
+    for (const object of this.objects) object.geometry = geometry;
     this.show(this.visible, this.showsHidden);
+  }
+
+  setColors(color, hidden, casing) {
+    this.color.set(color);
+    this.hiddenColor = new THREE.Color(hidden);
+    if (!this.visibleLines.material.vertexColors) this.visibleLines.material.color.copy(this.color);
+    this.casing.material.color.set(casing);
+    this.setTransparency(this.transparency || 0);
+  }
+
+  setTransparency(transparency) {
+    this.transparency = transparency;
+    this.hiddenLines.material.color.copy(this.hiddenColor).lerp(this.color, 0.8 * transparency);
   }
 
   show(visible, showsHidden = false) {
     this.visible = visible;
     this.showsHidden = showsHidden;
-    this.object.visible = visible && !this.isEmpty;
-    this.hiddenObject.visible = showsHidden && this.object.visible;
+    this.visibleLines.visible = visible && !this.isEmpty;
+    this.casing.visible = this.visibleLines.visible && this.hasCasing;
+    this.hiddenLines.visible = showsHidden && this.visibleLines.visible;
   }
 
   setResolution(width, height) {
-    this.material.resolution.set(width, height);
-    this.hiddenMaterial.resolution.set(width, height);
+    for (const object of this.objects) object.material.resolution.set(width, height);
   }
 }

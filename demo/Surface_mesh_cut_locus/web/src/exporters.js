@@ -1,20 +1,47 @@
-// The files that the page itself writes; the curves are written by the library.
+// The files that the page itself writes; the curves are written by the library. Positions are those of the file, in
+// single precision or better.
+import * as THREE from 'three';
+import { GLTFExporter } from 'three/examples/jsm/exporters/GLTFExporter.js';
 
-// The surface with the distance at its vertices, binary. Positions are those of the file, in single precision or better.
-export function meshToPly({ positions, triangles, numbers }, distance) {
-  const vertexCount = positions.length / 3, faceCount = triangles.length / 3;
+// The surface as it is, or cut open: `vertices` are the numbers in the mesh of what is written.
+export function uncut({ positions, triangles, numbers }, distance) {
+  const vertices = Uint32Array.from({ length: positions.length / 3 }, (_, v) => v);
+  return { positions, numbers, vertices, triangles, uv: null, distance };
+}
+
+// Texture coordinates are in [0, 1].
+export function cutOpen({ positions, numbers }, { origin, triangles, uv }, distance) {
+  return { positions, numbers, vertices: origin, triangles, uv: Float32Array.from(uv, (x) => (1 + x) / 2), distance };
+}
+
+const pointOf = ({ positions, numbers, vertices }, i) =>
+  [0, 1, 2].map((k) => numbers[k] + numbers[3] * positions[3 * vertices[i] + k]);
+
+const digits = (x) => Number(x.toPrecision(9));
+
+export function toPly(surface) {
+  const { vertices, triangles, uv, distance } = surface;
+  const vertexCount = vertices.length, faceCount = triangles.length / 3;
   const header = new TextEncoder().encode(
     'ply\nformat binary_little_endian 1.0\n'
     + `element vertex ${vertexCount}\nproperty double x\nproperty double y\nproperty double z\nproperty float distance\n`
+    + `${uv ? 'property float s\nproperty float t\n' : ''}`
     + `element face ${faceCount}\nproperty list uchar uint vertex_indices\nend_header\n`);
-  const bytes = new ArrayBuffer(header.length + 28 * vertexCount + 13 * faceCount);
+  const bytes = new ArrayBuffer(header.length + (uv ? 36 : 28) * vertexCount + 13 * faceCount);
   new Uint8Array(bytes).set(header);
   const view = new DataView(bytes, header.length);
   let at = 0;
-  for (let v = 0; v < vertexCount; ++v) {
-    for (let k = 0; k < 3; ++k, at += 8) view.setFloat64(at, numbers[k] + numbers[3] * positions[3 * v + k], true);
-    view.setFloat32(at, distance ? distance[v] : NaN, true);
+  const put = (x) => {
+    view.setFloat32(at, x, true);
     at += 4;
+  };
+  for (let i = 0; i < vertexCount; ++i) {
+    for (const x of pointOf(surface, i)) {
+      view.setFloat64(at, x, true);
+      at += 8;
+    }
+    put(distance[vertices[i]]);
+    if (uv) uv.subarray(2 * i, 2 * i + 2).forEach(put);
   }
   for (let f = 0; f < faceCount; ++f) {
     view.setUint8(at, 3);
@@ -24,21 +51,67 @@ export function meshToPly({ positions, triangles, numbers }, distance) {
   return bytes;
 }
 
-// The cut surface: a record `v` and a record `vt`, in [0, 1], for each of its vertices.
-export function atlasToObj({ positions, numbers }, { origin, triangles, uv }) {
+// A record `v`, and a record `vt` if it is cut, for each vertex.
+export function toObj(surface) {
+  const { vertices, triangles, uv } = surface;
   const lines = [];
-  for (let i = 0; i < origin.length; ++i) {
-    const p = [0, 1, 2].map((k) => Number((numbers[k] + numbers[3] * positions[3 * origin[i] + k]).toPrecision(9)));
-    lines.push(`v ${p.join(' ')}`);
-  }
-  for (let i = 0; i < origin.length; ++i) lines.push(`vt ${(1 + uv[2 * i]) / 2} ${(1 + uv[2 * i + 1]) / 2}`);
+  for (let i = 0; i < vertices.length; ++i) lines.push(`v ${pointOf(surface, i).map(digits).join(' ')}`);
+  if (uv) for (let i = 0; i < vertices.length; ++i) lines.push(`vt ${uv[2 * i]} ${uv[2 * i + 1]}`);
   for (let f = 0; f < triangles.length; f += 3) {
-    const corners = [0, 1, 2].map((k) => `${triangles[f + k] + 1}/${triangles[f + k] + 1}`);
+    const corners = [0, 1, 2].map((k) => (uv ? `${triangles[f + k] + 1}/${triangles[f + k] + 1}` : triangles[f + k] + 1));
     lines.push(`f ${corners.join(' ')}`);
   }
   lines.push('');
   return lines.join('\n');
 }
+
+function dataArray(name, type, components, values) {
+  const size = components > 1 ? ` NumberOfComponents="${components}"` : '';
+  return `<DataArray type="${type}" Name="${name}"${size} format="ascii">\n${values.join(' ')}\n</DataArray>`;
+}
+
+export function toVtp(surface) {
+  const { vertices, triangles, uv, distance } = surface;
+  const faceCount = triangles.length / 3;
+  const points = Array.from(vertices, (_, i) => pointOf(surface, i).map(digits).join(' '));
+  const distances = dataArray('distance', 'Float32', 1, Array.from(vertices, (v) => distance[v]));
+  const texture = uv ? dataArray('texture', 'Float32', 2, Array.from(uv)) : '';
+  return `<?xml version="1.0"?>
+<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian">
+<PolyData>
+<Piece NumberOfPoints="${vertices.length}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="${faceCount}">
+<PointData Scalars="distance"${uv ? ' TCoords="texture"' : ''}>
+${distances}
+${texture}
+</PointData>
+<Points>
+${dataArray('points', 'Float64', 3, points)}
+</Points>
+<Polys>
+${dataArray('connectivity', 'UInt32', 1, Array.from(triangles))}
+${dataArray('offsets', 'UInt32', 1, Array.from({ length: faceCount }, (_, f) => 3 * f + 3))}
+</Polys>
+</Piece>
+</PolyData>
+</VTKFile>
+`;
+}
+
+// Binary glTF. Its texture coordinates have their origin at the top.
+export async function toGltf(surface) {
+  const { vertices, triangles, uv, distance } = surface;
+  const geometry = new THREE.BufferGeometry();
+  const positions = Float32Array.from({ length: 3 * vertices.length }, () => 0);
+  for (let i = 0; i < vertices.length; ++i) positions.set(pointOf(surface, i), 3 * i);
+  geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
+  geometry.setAttribute('_distance', new THREE.BufferAttribute(Float32Array.from(vertices, (v) => distance[v]), 1));
+  if (uv) geometry.setAttribute('uv', new THREE.BufferAttribute(uv.map((x, i) => (i % 2 === 0 ? x : 1 - x)), 2));
+  geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
+  const material = new THREE.MeshStandardMaterial({ color: 0xcccccc, side: THREE.DoubleSide });
+  return new GLTFExporter().parseAsync(new THREE.Mesh(geometry, material), { binary: true });
+}
+
+export const writers = { ply: toPly, obj: toObj, vtp: toVtp, glb: toGltf };
 
 export function download(content, name, type = 'application/octet-stream') {
   const link = document.createElement('a');

@@ -10,8 +10,9 @@ const panel = new Panel();
 
 let viewer;
 try {
-  viewer = new Viewer(element('canvas'), {
-    onPick: (source) => app.setSource(source),
+  viewer = new Viewer(element('canvas'), { model: element('model-view'), atlas: element('atlas-view') }, {
+    onPick: (place, mode) => app.pick(place, mode || panel.mode),
+    onHover: (place, at) => app.hover(place, at),
     onChange: () => saveState(),
   });
 } catch (error) {
@@ -20,10 +21,10 @@ try {
 }
 const app = new App(viewer, panel, state);
 panel.connect(app);
-panel.showNearest(false);
 
 let saved = location.hash;
 function saveState() {
+  if (!app.mesh) return;
   state.view = viewer.getView();
   saved = toHash(state);
   history.replaceState(null, '', saved);
@@ -31,9 +32,11 @@ function saveState() {
 app.onState = saveState;
 
 async function start() {
-  if (state.view) viewer.setView(state.view);
-  if (state.sample) await app.openSample(state.sample, state.faces, true);
-  else panel.showMessage(`This link is about the file “${state.file}”: open it to see the same.`, true, true);
+  if (!state.sample) {
+    panel.invite(state.file);
+    return;
+  }
+  await app.openSample(state.sample, state.faces, true);
 }
 
 window.addEventListener('hashchange', () => {
@@ -51,35 +54,55 @@ element('copy-link').addEventListener('click', async () => {
   }
 });
 
+const pickCenter = (mode) => {
+  const place = viewer.pointer.atCenter();
+  if (place) app.pick(place, mode);
+};
+
 const turn = Math.PI / 24;
 const keys = {
   o: () => element('open').click(),
-  s: () => viewer.pickCenter(),
-  r: () => { viewer.resetView(); saveState(); },
+  s: () => pickCenter('source'),
+  a: () => pickCenter('add'),
+  t: () => pickCenter('path'),
+  f: () => app.appearance.fit(),
+  r: () => app.appearance.fit(),
+  v: () => app.appearance.look('best'),
   m: () => { if (state.solver === 'exact') app.setSolver('exact', panel.nextMethod(state)); },
-  c: () => app.toggleCut(),
-  p: () => app.export('png'),
+  c: () => app.sheet.toggle(),
+  p: () => app.export('picture', 'png', { ...viewer.size, hasLegend: true }),
   '?': () => element('help').showModal(),
   '+': () => viewer.zoom(0.9),
   '=': () => viewer.zoom(0.9),
   '-': () => viewer.zoom(1 / 0.9),
   Escape: () => { app.cancel(); panel.hideMessage(); },
 };
-const canvasKeys = {
+const viewKeys = {
   ArrowLeft: () => viewer.orbit(-turn, 0),
   ArrowRight: () => viewer.orbit(turn, 0),
   ArrowUp: () => viewer.orbit(0, -turn),
   ArrowDown: () => viewer.orbit(0, turn),
 };
 
+function takeBack(event) {
+  const key = event.key.toLowerCase();
+  if (!(event.ctrlKey || event.metaKey) || event.altKey || (key !== 'z' && key !== 'y')) return false;
+  if (key === 'y' || event.shiftKey) app.redo();
+  else app.undo();
+  event.preventDefault();
+  return true;
+}
+
 window.addEventListener('keydown', (event) => {
-  if (event.ctrlKey || event.metaKey || event.altKey || element('help').open) return;
+  if (element('help').open) return;
   const isTyping = event.target.matches('input[type=number], input[type=range], select');
+  if (!event.target.matches('input[type=number]') && takeBack(event)) return;
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
   if (isTyping && key !== 'Escape') return;
   if (/^[1-4]$/.test(key)) element('samples').children[Number(key) - 1].click();
   else if (keys[key]) keys[key]();
-  else if (canvasKeys[key] && !event.target.matches('button, input')) canvasKeys[key]();
+  else if (viewKeys[key] && !event.target.matches('button, input, summary')) viewKeys[key]();
   else return;
   event.preventDefault();
 });

@@ -1,8 +1,6 @@
 // Errors in words that say what is wrong with the mesh and what to do about it.
 
 const explanations = [
-  [/face #(\d+) has (\d+) sides/,
-    (m) => `This is not a triangle mesh: face #${m[1]} has ${m[2]} sides. Triangulate it first and open it again.`],
   [/an edge belongs to more than two faces/,
     () => 'The faces do not form an oriented surface: an edge belongs to more than two faces, or to two of opposite orientation.'],
   [/(vertex #\d+ is not manifold|meets others at a vertex that is not manifold)/,
@@ -13,6 +11,9 @@ const explanations = [
     (m) => `The ${m[1]} of this mesh has the same vertex twice. Remove degenerate faces first and open it again.`],
   [/(face #\d+) refers to a vertex that does not exist/,
     (m) => `The file is damaged: its ${m[1]} refers to a vertex that is not there.`],
+  [/different components|same component/,
+    () => 'Sources must be on the same part of the mesh: no path leads from one part to another.'],
+  [/no face of it has an area/, () => 'No face of this mesh has an area.'],
   [/there are no (vertices|faces)|the mesh (is empty|has no faces)/,
     () => 'There is no surface in this file: it has no faces.'],
   [/out of bounds|unreachable|null function|signature mismatch/,
@@ -32,14 +33,14 @@ export function explain(message) {
   return plain.charAt(0).toUpperCase() + plain.slice(1) + (/[.!?]$/.test(plain) ? '' : '.');
 }
 
-export const extensions = ['off', 'obj', 'ply', 'stl'];
+export const extensions = ['off', 'obj', 'ply', 'stl', 'ts'];
 export const largestFile = 500e6;
 
 // What can be told before a file is read, or null.
 export function objectionTo(file) {
   const extension = file.name.split('.').pop().toLowerCase();
   if (!extensions.includes(extension))
-    return `“${file.name}” cannot be opened: its name must end in .off, .obj, .ply or .stl.`;
+    return `“${file.name}” cannot be opened: its name must end in .off, .obj, .ply, .stl or .ts.`;
   if (file.size === 0) return `“${file.name}” is empty.`;
   if (file.size > largestFile)
     return `“${file.name}” has ${Math.round(file.size / 1e6)} MB: that is too large for a page. Simplify it, or use the program cut_locus.`;

@@ -1,47 +1,34 @@
-// The controls beside the surface, and the messages above it.
+// The controls beside the surface, the result on it, and the messages above it.
+import { kinds } from './exports.js';
+import { fillLegend } from './legend.js';
 import { samples, sampleSizes } from './samples.js';
-import { branchScale } from './branch_scale.js';
 import { Slider, thresholds } from './sliders.js';
 import { methods } from './state.js';
+import { count, doubts, milliseconds, number, numberRows, summary } from './words.js';
 
 const element = (id) => document.getElementById(id);
-const count = (n) => Math.round(n).toLocaleString('en');
-
-function milliseconds(ms) {
-  if (!Number.isFinite(ms)) return '–';
-  if (ms >= 1000) return `${(ms / 1000).toPrecision(3)} s`;
-  return `${ms >= 100 ? Math.round(ms) : ms.toFixed(1)} ms`;
-}
-
-function number(x, digits = 5) {
-  return Number.isFinite(x) ? String(Number(x.toPrecision(digits))) : '–';
-}
 
 const stageLabels = {
   preprocessing: 'mesh',
   distance: 'distances',
   strength: 'where paths meet',
   tree: 'tree',
-  homology: 'cycles',
+  homology: 'loops',
   filter: 'curves',
 };
 
-// by the status of a cut locus: 0 is that of one with branches
-const emptyNotes = {
-  1: 'The cut locus is one point: either all shortest paths meet there, as on a sphere, or no branch passes the '
-    + 'thresholds. Smaller ones may show some.',
-  2: 'The cut locus has no branches: either all shortest paths end at the border, as in a flat disk, or no branch '
-    + 'passes the thresholds. Smaller ones may show some.',
-};
-
 function fillList(list, rows) {
-  list.replaceChildren(...rows.flatMap(([name, value]) => {
+  list.replaceChildren(...rows.flatMap(([name, value, hint]) => {
     const term = document.createElement('dt'), definition = document.createElement('dd');
     term.textContent = name;
     definition.textContent = value;
+    if (hint) term.append(document.createElement('br'), Object.assign(document.createElement('small'), { textContent: hint }));
     return [term, definition];
   }));
 }
+
+const valueOf = (input) =>
+  (input.type === 'checkbox' ? input.checked : input.type === 'range' ? Number(input.value) : input.value);
 
 export class Panel {
   constructor() {
@@ -53,14 +40,18 @@ export class Panel {
       button.dataset.sample = name;
       element('samples').append(button);
     }
+    for (const [name, { label }] of Object.entries(kinds)) element('export-what').append(new Option(label, name));
+    element('panel').classList.add('is-folded'); // which shows on phones alone
+    element('result-fold').open = window.matchMedia('(min-width: 1200px)').matches;
   }
 
   connect(app) {
+    this.app = app;
     for (const row of thresholds) {
       const slider = new Slider(row, (value) => app.setParameter(row.id, value));
       slider.methods = row.methods;
       this.sliders[row.id] = slider;
-      element('sliders').append(slider.row);
+      element(row.isDetail ? 'detail' : 'sliders').append(slider.row);
     }
     element('samples').addEventListener('click', ({ target }) => {
       if (target.dataset.sample) app.openSample(target.dataset.sample, Number(element('faces').value));
@@ -68,7 +59,10 @@ export class Panel {
     element('faces').addEventListener('change', () => {
       if (app.wantedSample) app.openSample(app.wantedSample, Number(element('faces').value));
     });
-    element('open').addEventListener('click', () => element('file').click());
+    const openFile = () => element('file').click();
+    element('open').addEventListener('click', openFile);
+    element('invitation-open').addEventListener('click', openFile);
+    element('invitation-sample').addEventListener('click', () => app.openSample(samples[0].name, app.state.faces));
     element('file').addEventListener('change', () => {
       const [file] = element('file').files;
       if (file) app.openFile(file);
@@ -77,16 +71,64 @@ export class Panel {
     element('solver').addEventListener('change', () => app.setSolver(element('solver').value, app.state.method));
     element('method').addEventListener('change', () => app.setSolver(app.state.solver, element('method').value));
     element('policy').addEventListener('change', () => app.setParameter('policy', element('policy').value));
+    element('voronoi').addEventListener('change', ({ target }) => app.setParameter('voronoi', target.checked));
     element('defaults').addEventListener('click', () => app.resetParameters());
+    element('undo').addEventListener('click', () => app.undo());
+    element('redo').addEventListener('click', () => app.redo());
     for (const name of Object.keys(app.state.show))
-      element(`show-${name}`).addEventListener('change', ({ target }) => app.setShown(name, target.checked));
-    element('cut').addEventListener('click', () => app.toggleCut());
-    element('export').addEventListener('click', () => app.export(element('export-kind').value));
+      element(`show-${name}`).addEventListener('change', ({ target }) => app.appearance.setShown(name, target.checked));
+    for (const name of Object.keys(app.state.look))
+      element(`look-${name}`).addEventListener('input', ({ target }) => app.appearance.setLook(name, valueOf(target)));
+    element('cut').addEventListener('click', () => app.sheet.toggle());
+    element('fit').addEventListener('click', () => app.appearance.fit());
+    element('view').addEventListener('change', ({ target }) => {
+      if (target.value) app.appearance.look(target.value);
+      target.value = '';
+    });
     element('cancel').addEventListener('click', () => app.cancel());
     element('message-close').addEventListener('click', () => this.hideMessage());
     element('panel-toggle').addEventListener('click', () => this.toggle());
     element('help-button').addEventListener('click', () => element('help').showModal());
+    this.connectExport(app);
     this.setState(app.state);
+  }
+
+  connectExport(app) {
+    const setFormats = () => {
+      const { formats, note } = kinds[element('export-what').value];
+      element('export-format').replaceChildren(...Object.entries(formats).map(([name, label]) => new Option(label, name)));
+      element('export-note').textContent = note;
+      const isPicture = element('export-what').value === 'picture';
+      element('picture-options').hidden = !isPicture;
+      if (isPicture && element('picture-width').value === '') this.setPictureSize(app.viewer.size);
+    };
+    element('export-what').addEventListener('change', setFormats);
+    element('export').addEventListener('click', () =>
+      app.export(element('export-what').value, element('export-format').value, this.picture()));
+    setFormats();
+  }
+
+  setPictureSize({ width, height }) {
+    element('picture-width').value = Math.round(2 * width);
+    element('picture-height').value = Math.round(2 * height);
+  }
+
+  picture() {
+    const size = (id, otherwise) => {
+      const value = Math.round(Number(element(id).value));
+      return value >= 16 ? Math.min(value, 16384) : otherwise;
+    };
+    const { viewer } = this.app;
+    return {
+      width: size('picture-width', viewer.size.width),
+      height: size('picture-height', viewer.size.height),
+      isTransparent: element('picture-transparent').checked,
+      hasLegend: element('picture-legend').checked,
+    };
+  }
+
+  get mode() {
+    return document.querySelector('#modes input:checked').value;
   }
 
   setState(state) {
@@ -95,13 +137,24 @@ export class Panel {
     element('method').disabled = state.solver !== 'exact';
     element('method').title = state.solver === 'exact' ? 'Next method (M)' : 'The other methods need exact distances';
     element('policy').value = state.parameters.policy;
+    element('voronoi').checked = state.parameters.voronoi;
     element('policy-field').hidden = state.method !== 'laplacian';
     for (const [name, slider] of Object.entries(this.sliders)) {
       slider.set(state.parameters[name]);
       slider.row.hidden = !slider.methods.includes(state.method);
     }
     for (const [name, value] of Object.entries(state.show)) element(`show-${name}`).checked = value;
+    for (const [name, value] of Object.entries(state.look)) {
+      const input = element(`look-${name}`);
+      if (input.type === 'checkbox') input.checked = value;
+      else input.value = value;
+    }
     this.setSample(state);
+  }
+
+  setHistory(history) {
+    element('undo').disabled = !history.canUndo;
+    element('redo').disabled = !history.canRedo;
   }
 
   // the method after that of the state, for the keyboard
@@ -109,7 +162,7 @@ export class Panel {
     return methods[(methods.indexOf(state.method) + 1) % methods.length];
   }
 
-  // On a phone the panel lies below the surface, and can be folded.
+  // On a phone the panel lies below the surface, and can be unfolded.
   toggle() {
     const isFolded = element('panel').classList.toggle('is-folded');
     element('panel-toggle').textContent = isFolded ? 'More' : 'Less';
@@ -125,13 +178,27 @@ export class Panel {
       element('faces').append(option);
     }
     element('faces').value = state.faces;
+    element('faces-field').hidden = !state.sample; // files have the size that they have
   }
 
   setMesh(state, mesh) {
     this.setSample(state);
+    element('invitation').hidden = true;
     const name = state.sample ? samples.find((s) => s.name === state.sample).label : state.file;
+    const parts = new Set(mesh.component).size;
     element('mesh-info').textContent =
-      `${name}: ${count(mesh.positions.length / 3)} vertices, ${count(mesh.triangles.length / 3)} faces`;
+      `${name}: ${count(mesh.positions.length / 3)} vertices, ${count(mesh.triangles.length / 3)} faces`
+      + (parts > 1 ? ` in ${count(parts)} separate parts. The cut locus is that of the part with the source.` : '');
+    element('repairs').textContent = mesh.repairs ? `Repaired: ${mesh.repairs}.` : '';
+    element('repairs').hidden = !mesh.repairs;
+  }
+
+  // A link cannot have the file.
+  invite(file) {
+    element('invitation-title').textContent = `This link is about the file “${file}”`;
+    element('invitation-text').textContent = 'Links do not contain meshes. Open the file here, or drop it on the page, to see '
+      + 'the same source, thresholds and view.';
+    element('invitation').hidden = false;
   }
 
   // What the library takes for the thresholds that are left to it.
@@ -144,34 +211,27 @@ export class Panel {
     this.sliders.width.setInitial(width > 0 || !(gap > 0) ? 100 * width : NaN, note);
   }
 
-  // The scale of the colours, beside its box, and below the surface while they are shown.
-  setScale(state, defaults) {
-    const { label, ends } = branchScale(state, defaults);
+  setScale({ label }) {
     element('width-label').textContent = label;
-    element('width-range').textContent = `(${ends.join(' to ')})`;
-    element('legend-scale').hidden = !state.show.width;
-    element('legend-curve').hidden = state.show.width;
-    element('scale-name').textContent = `${label}:`;
-    [element('scale-low').textContent, element('scale-high').textContent] = ends;
   }
 
-  setResult({ source, curve, times }) {
-    if (!source || !curve) return;
-    const [edges, cycles, leaves, branchings, length, radius] = curve.numbers;
-    const note = emptyNotes[curve.numbers[9]] || '';
-    element('result-note').textContent = note;
-    element('result-note').hidden = note === '';
-    fillList(element('numbers'), [
-      ['genus', count(source.genus)],
-      ...(source.borderLoops > 0 ? [['border loops', count(source.borderLoops)]] : []),
-      ['edges of the curve', count(edges)],
-      ['cycles', count(cycles)],
-      ['ends, branchings', `${count(leaves)}, ${count(branchings)}`],
-      ['length', number(length)],
-      // off by a part of an edge, and that of the curve shown: other thresholds give another one
-      ['injectivity radius', edges > 0 ? `${number(radius, 3)} (with these thresholds)` : '–'],
-      ['farthest distance', number(source.farthestDistance)],
-    ]);
+  setLegend(items) {
+    fillLegend(element('legend'), items);
+  }
+
+  setResult(result) {
+    const { times, state } = result;
+    element('result').hidden = false;
+    element('voronoi-field').hidden = result.source.points.length < 2;
+    const concerns = doubts(result);
+    const text = [summary(result), ...concerns].join(' ');
+    // what has not changed is not announced again
+    if (element('result-note').textContent !== text) element('result-note').textContent = text;
+    element('result').classList.toggle('is-doubtful', concerns.length > 0);
+    const rows = numberRows(result);
+    fillList(element('numbers'), rows);
+    element('picture-text').textContent = `${state.sample || state.file}. ${text} `
+      + rows.map(([name, value, hint]) => `${name} ${value} ${hint}`).join(', ');
     const { threshold } = times;
     fillList(element('times'), [
       ['new threshold', threshold ? milliseconds(threshold.shown) : '–'],
@@ -182,18 +242,34 @@ export class Panel {
       ...Object.entries(times.stages).map(([stage, ms]) => [`– – ${stageLabels[stage]}`, milliseconds(ms)]),
       ...(times.cut ? [['cut and flattened', milliseconds(times.cut)]] : []),
       ['reading', milliseconds(times.load)],
+      ['edges of the curve', count(result.curve.numbers[0])],
     ]);
   }
 
-  showNearest(visible) {
-    element('legend-nearest').hidden = !visible;
-  }
-
-  setCut(isCut, description = '') {
-    element('cut-info').textContent = description;
+  setCut(isCut, quality) {
+    element('cut-info').textContent = quality ? quality.text : '';
     element('cut-info').hidden = !isCut;
+    element('cut-info').classList.toggle('is-doubtful', Boolean(quality) && !quality.isInjective);
     element('cut').textContent = isCut ? 'Close again' : 'Cut and flatten';
     element('cut').setAttribute('aria-pressed', isCut);
+    if (isCut) element('result-fold').open = false; // it would cover the sheet
+  }
+
+  setCutStale() {
+    element('cut-info').textContent = 'The sheet follows when the slider rests.';
+  }
+
+  // beside the pointer, and within the stage
+  showReadout(text, at) {
+    const readout = element('readout');
+    readout.hidden = !text;
+    if (!text) return;
+    readout.textContent = text;
+    const stage = element('stage').getBoundingClientRect();
+    const { offsetWidth, offsetHeight } = readout;
+    const x = at[0] - stage.left + 16, y = at[1] - stage.top + 16;
+    readout.style.left = `${x + offsetWidth > stage.width ? x - offsetWidth - 32 : x}px`;
+    readout.style.top = `${y + offsetHeight > stage.height ? y - offsetHeight - 32 : y}px`;
   }
 
   // Short work does not flicker.
@@ -212,13 +288,13 @@ export class Panel {
     element('busy-text').textContent = text;
   }
 
-  // what is plain goes by itself, unless it stays
-  showMessage(text, isPlain = false, stays = false) {
+  // what is plain goes by itself
+  showMessage(text, isPlain = false) {
     element('message-text').textContent = text;
     element('message').classList.toggle('is-plain', isPlain);
     element('message').hidden = false;
     clearTimeout(this.messageTimer);
-    if (isPlain && !stays) this.messageTimer = setTimeout(() => this.hideMessage(), 4000);
+    if (isPlain) this.messageTimer = setTimeout(() => this.hideMessage(), 5000);
   }
 
   hideMessage() {

@@ -14,9 +14,12 @@ export const startCoordinates = [0.37, 0.34, 0.29];
 
 export const sampleSizes = [5000, 20000, 100000, 400000];
 
-export function farthestFace(positions, triangles, direction) {
+// The face that reaches farthest in a direction, of the largest part of the mesh: `component` is that of each face.
+export function farthestFace(positions, triangles, direction, component) {
+  const largest = largestOf(component);
   let best = 0, farthest = -Infinity;
   for (let f = 0; f < triangles.length; f += 3) {
+    if (component.length > 0 && component[f / 3] !== largest) continue;
     let sum = 0;
     for (let i = 0; i < 3; ++i)
       for (let k = 0; k < 3; ++k) sum += direction[k] * positions[3 * triangles[f + i] + k];
@@ -26,4 +29,10 @@ export function farthestFace(positions, triangles, direction) {
     }
   }
   return best;
+}
+
+function largestOf(component) {
+  const sizes = new Map();
+  for (const c of component) sizes.set(c, (sizes.get(c) || 0) + 1);
+  return [...sizes].reduce((best, entry) => (entry[1] > best[1] ? entry : best), [0, -1])[0];
 }

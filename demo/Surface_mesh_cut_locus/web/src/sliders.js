@@ -92,11 +92,11 @@ export class Slider {
 const exact = ['direction', 'polyhedral'], laplacian = ['laplacian'];
 
 export const thresholds = [
-  { id: 'width', methods: exact, label: 'Detail: width, %', min: 0.01, max: 50, scale: 'log', initial: 1,
+  { id: 'width', methods: exact, isDetail: true, label: 'Detail: width, %', min: 0.01, max: 50, scale: 'log', initial: 1,
     automatic: 'auto', unit: ' % of the diagonal', ends: ['more branches', 'fewer branches'],
     hint: 'How far apart the two shortest paths to a branch must be somewhere, in percent of the diagonal of the '
       + 'bounding box: branches around what is smaller are left out. A smaller width gives more branches' },
-  { id: 'angle', methods: laplacian, label: 'Angle', min: 0, max: 3.14, step: 0.01, initial: 0.7, automatic: 'auto',
+  { id: 'angle', methods: laplacian, isDetail: true, label: 'Detail: angle', min: 0, max: 3.14, step: 0.01, initial: 0.7, automatic: 'auto', unit: ' radians', ends: ['more branches', 'fewer branches'],
     hint: 'The least angle at which shortest paths meet, in radians: a larger one removes weak branches' },
   { id: 'laplacian', methods: laplacian, label: 'Laplacian', min: -1, max: 3, step: 0.01, initial: -1, automatic: 'off',
     hint: 'The least value of minus the Laplacian of the distance, times the mean edge length' },

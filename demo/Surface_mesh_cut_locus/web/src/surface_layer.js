@@ -1,6 +1,7 @@
 // Keeps the picture of the surface, with its depths, so that a frame in which only curves change does not draw the
 // surface again: with many faces, or without a graphics card, that is what takes the time.
 import * as THREE from 'three';
+import { GTAOPass } from 'three/examples/jsm/postprocessing/GTAOPass.js';
 
 const copyVertexShader = `
 varying vec2 vPlace;
@@ -14,15 +15,21 @@ const copyFragmentShader = `
 varying vec2 vPlace;
 uniform sampler2D colors;
 uniform sampler2D depths;
+uniform sampler2D occlusion;
+uniform float strength;
 
 void main() {
-  gl_FragColor = texture2D(colors, vPlace);
-  gl_FragDepth = texture2D(depths, vPlace).r;
+  vec4 color = texture2D(colors, vPlace);
+  float depth = texture2D(depths, vPlace).r;
+  if(strength > 0. && depth < 1.)
+    color.rgb *= mix(1., texture2D(occlusion, vPlace).r, strength);
+  gl_FragColor = color;
+  gl_FragDepth = depth;
 }`;
 
 export class SurfaceLayer {
-  constructor(renderer) {
-    this.renderer = renderer;
+  constructor(renderer, scene, camera) {
+    Object.assign(this, { renderer, scene, camera });
     this.isValid = false;
     this.target = new THREE.WebGLRenderTarget(1, 1, { samples: 4 });
     this.target.depthTexture = new THREE.DepthTexture(1, 1, THREE.UnsignedIntType);
@@ -30,30 +37,62 @@ export class SurfaceLayer {
       vertexShader: copyVertexShader,
       fragmentShader: copyFragmentShader,
       depthFunc: THREE.AlwaysDepth,
-      uniforms: { colors: { value: this.target.texture }, depths: { value: this.target.depthTexture } },
+      blending: THREE.NoBlending,
+      uniforms: {
+        colors: { value: this.target.texture },
+        depths: { value: this.target.depthTexture },
+        occlusion: { value: null },
+        strength: { value: 0 },
+      },
     });
-    this.scene = new THREE.Scene();
-    const screen = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), this.material);
-    screen.frustumCulled = false;
-    this.scene.add(screen);
-    this.camera = new THREE.Camera();
+    this.screen = new THREE.Scene();
+    const quad = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), this.material);
+    quad.frustumCulled = false;
+    this.screen.add(quad);
+    this.screenCamera = new THREE.Camera();
+    this.hasOcclusion = false; // for what is in the target
   }
 
+  // in pixels of the device
   setSize(width, height) {
+    if (this.target.width === width && this.target.height === height) return;
     this.target.setSize(width, height);
+    if (this.pass) this.pass.setSize(Math.ceil(width / 2), Math.ceil(height / 2));
     this.isValid = false;
+    this.hasOcclusion = false;
   }
 
-  // Calls `drawSurfaces` if the picture that is kept is not valid, and copies it to the screen.
-  draw(drawSurfaces, { width, height }) {
+  // How much light reaches hollows; half of the pixels along each axis do, as it changes slowly.
+  computeOcclusion() {
+    if (!this.pass) {
+      const size = [Math.ceil(this.target.width / 2), Math.ceil(this.target.height / 2)];
+      this.pass = new GTAOPass(this.scene, this.camera, ...size, undefined,
+        { radius: 0.22, distanceExponent: 1.4, thickness: 1.5, scale: 1.1, samples: 12 },
+        { lumaPhi: 10, depthPhi: 2, normalPhi: 3, radius: 6, rings: 2, samples: 12 });
+      this.pass.output = GTAOPass.OUTPUT.Off;
+      this.pass.normalMaterial.side = THREE.DoubleSide; // surfaces with a border have two sides
+    }
+    this.pass.render(this.renderer);
+    this.material.uniforms.occlusion.value = this.pass.gtaoMap;
+    this.hasOcclusion = true;
+  }
+
+  // Draws what is not valid into the target.
+  update(occlusionStrength) {
+    const { renderer } = this;
     if (!this.isValid) {
-      this.renderer.setRenderTarget(this.target);
-      drawSurfaces();
-      this.renderer.setRenderTarget(null);
+      renderer.setRenderTarget(this.target);
+      renderer.clear();
+      renderer.render(this.scene, this.camera);
       this.isValid = true;
     }
-    this.renderer.setViewport(0, 0, width, height);
-    this.renderer.setScissorTest(false);
-    this.renderer.render(this.scene, this.camera);
+    if (occlusionStrength > 0 && !this.hasOcclusion) this.computeOcclusion();
+    this.material.uniforms.strength.value = occlusionStrength;
+    renderer.setRenderTarget(null);
+  }
+
+  // into the viewport of the renderer
+  copy() {
+    this.renderer.render(this.screen, this.screenCamera);
   }
 }

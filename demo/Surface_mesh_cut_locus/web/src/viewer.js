@@ -1,75 +1,147 @@
-// The model, and beside it the atlas when the surface is cut open. Frames are drawn when something has changed.
+// The picture: the model, and beside it the atlas when the surface is cut open. Frames are drawn when something has
+// changed.
 import * as THREE from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { ViewHelper } from 'three/examples/jsm/helpers/ViewHelper.js';
 import { CurveLines } from './curve_lines.js';
+import { DepthProbe } from './depth_probe.js';
+import { makeMarker, setMarkerColors, sizeMarker } from './markers.js';
+import { Pointer } from './pointer.js';
+import { Surface } from './surface.js';
 import { SurfaceLayer } from './surface_layer.js';
-import { makeSurfaceMaterial } from './surface_material.js';
+import { bestDirection, direction, isSide, sideDirection, upVector } from './views.js';
 
-const background = 0xf6f7f8;
 const viewAngle = 35; // degrees
-
-function makeMarker(color) {
-  const marker = new THREE.Mesh(new THREE.SphereGeometry(1, 24, 16), new THREE.MeshBasicMaterial({ color }));
-  marker.visible = false;
-  return marker;
-}
+const restMilliseconds = 140; // the shadows of hollows wait until the view rests
+const modelRadius = 1.02; // the mesh fills the unit ball
 
 export class Viewer {
-  constructor(canvas, { onPick, onChange }) {
+  constructor(canvas, views, { onPick, onHover, onChange }) {
     this.canvas = canvas;
-    this.onPick = onPick;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
+    this.onChange = onChange;
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.autoClear = false;
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     THREE.ColorManagement.enabled = false;
-
-    // surfaces, and what is drawn above them
-    this.layer = new SurfaceLayer(this.renderer);
-    this.surfaceScene = new THREE.Scene();
-    this.scene = new THREE.Scene();
-    this.camera = new THREE.PerspectiveCamera(viewAngle, 1, 0.01, 100);
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.minDistance = 0.2;
-    this.controls.maxDistance = 30;
-    this.controls.addEventListener('change', () => this.invalidate());
-    this.controls.addEventListener('end', () => onChange());
-
-    this.surface = new THREE.Mesh(new THREE.BufferGeometry(), makeSurfaceMaterial());
-    this.pickable = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
-    this.edgeCurve = new CurveLines(0x2355a0, 2.5, 1);
-    this.faceCurve = new CurveLines(0xd0202c, 3.5, 2);
-    this.seams = new CurveLines(0x111111, 2, 3);
-    this.arrows = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x3a6b35 }));
-    this.arrows.visible = false;
-    this.sourceMarker = makeMarker(0x1450d2);
-    this.farthestMarker = makeMarker(0xf08c14);
-    this.nearestMarker = makeMarker(0x0b6b20);
-    this.surfaceScene.add(this.surface);
-    this.scene.add(this.edgeCurve.hiddenObject, this.faceCurve.hiddenObject);
-    this.scene.add(this.edgeCurve.object, this.faceCurve.object, this.seams.object, this.arrows,
-      this.sourceMarker, this.farthestMarker, this.nearestMarker);
-
-    this.atlasSurfaceScene = new THREE.Scene();
-    this.atlasScene = new THREE.Scene();
-    this.atlasCamera = new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10);
-    this.atlas = new THREE.Mesh(this.surface.geometry, makeSurfaceMaterial(true));
-    this.atlas.frustumCulled = false;
-    this.atlasSeams = new CurveLines(0x111111, 2, 1);
-    this.atlasSurfaceScene.add(this.atlas);
-    this.atlasScene.add(this.atlasSeams.object);
+    this.probe = new DepthProbe(this.renderer);
+    this.up = 'z';
+    this.occlusionStrength = 0;
+    this.hasAxes = true;
     this.hasAtlas = false;
-
     this.isDirty = false;
-    this.watchPointer();
+
+    this.model = this.makePane(views.model, new THREE.PerspectiveCamera(viewAngle, 1, 0.01, 100));
+    this.plane = this.makePane(views.atlas, new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10));
+    this.plane.controls.enableRotate = false;
+    this.plane.controls.mouseButtons.LEFT = THREE.MOUSE.PAN;
+    this.plane.controls.touches.ONE = THREE.TOUCH.PAN;
+    this.camera = this.model.camera;
+
+    this.surface = new Surface();
+    this.pickable = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
+    this.flatPickable = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
+    this.wireframe = new THREE.LineSegments(new THREE.BufferGeometry(),
+      new THREE.LineBasicMaterial({ transparent: true, opacity: 0.25 }));
+    this.wireframe.visible = false;
+    this.wireframe.renderOrder = 3;
+    this.model.surfaces.add(this.surface.object, this.wireframe);
+
+    this.edgeCurve = new CurveLines(2, 2, { hasCasing: false });
+    this.faceCurve = new CurveLines(3.5, 4);
+    this.seams = new CurveLines(1.4, 1, { hasCasing: false });
+    this.paths = new CurveLines(3, 6);
+    this.curves = [this.edgeCurve, this.faceCurve, this.seams, this.paths];
+    this.arrows = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
+    this.arrows.visible = false;
+    this.sourceMarkers = [];
+    this.farthestMarker = makeMarker();
+    this.nearestMarker = makeMarker();
+    this.endMarker = makeMarker(); // of the shortest paths
+    for (const curve of this.curves) this.model.lines.add(...curve.objects);
+    this.markers = new THREE.Group();
+    this.markers.add(this.farthestMarker, this.nearestMarker, this.endMarker);
+    this.model.lines.add(this.arrows, this.markers);
+
+    this.atlas = new Surface(true);
+    this.atlasSeams = new CurveLines(1.6, 1, { hasCasing: false });
+    this.plane.surfaces.add(this.atlas.object);
+    this.plane.lines.add(...this.atlasSeams.objects);
+
+    this.makeControls();
+    this.pointer = new Pointer(this, { onPick, onHover });
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.resize();
     this.resetView();
   }
 
-  // A new frame is needed. Only `draw` alone keeps the picture of the surface.
+  makePane(element, camera) {
+    const surfaces = new THREE.Scene(), lines = new THREE.Scene();
+    const pane = { element, camera, surfaces, lines, layer: new SurfaceLayer(this.renderer, surfaces, camera) };
+    if (camera.isOrthographicCamera) {
+      camera.position.set(0, 0, 5);
+      pane.controls = this.listen(new OrbitControls(camera, element), pane);
+    }
+    return pane;
+  }
+
+  listen(controls, pane) {
+    controls.zoomToCursor = true;
+    controls.enableDamping = false;
+    controls.addEventListener('change', () => this.moved(pane));
+    controls.addEventListener('end', () => this.onChange());
+    return controls;
+  }
+
+  // They take the axis that is up when they are made.
+  makeControls() {
+    const target = this.controls ? this.controls.target.clone() : new THREE.Vector3();
+    if (this.controls) this.controls.dispose();
+    this.camera.up.copy(upVector(this.up));
+    this.controls = this.listen(new OrbitControls(this.camera, this.model.element), this.model);
+    this.controls.target.copy(target);
+    this.controls.minDistance = 0.05;
+    this.controls.maxDistance = 30;
+    this.model.controls = this.controls;
+    this.helper = new ViewHelper(this.camera, this.model.element);
+    this.helper.setLabels('x', 'y', 'z');
+  }
+
+  setUp(up) {
+    if (up === this.up) return;
+    this.up = up;
+    this.makeControls();
+  }
+
+  setTheme(colors) {
+    this.colors = colors;
+    this.surface.setUniforms({ plain: new THREE.Vector3(...colors.surface) });
+    this.atlas.setUniforms({ plain: new THREE.Vector3(...colors.surface) });
+    this.faceCurve.setColors(colors.curve, colors.hidden, colors.casing);
+    this.edgeCurve.setColors(colors.edges, new THREE.Color(colors.edges).lerp(new THREE.Color(colors.back), 0.6), colors.casing);
+    this.seams.setColors(colors.edges, colors.back, colors.casing);
+    this.paths.setColors(colors.path, new THREE.Color(colors.path).lerp(new THREE.Color(colors.back), 0.5), colors.casing);
+    this.atlasSeams.setColors(colors.curve, colors.back, colors.casing);
+    this.arrows.material.color.set(colors.arrows);
+    this.wireframe.material.color.set(colors.isDark ? 0x000000 : 0x20262e);
+    for (const marker of this.sourceMarkers) setMarkerColors(marker, colors.source, colors.casing);
+    setMarkerColors(this.farthestMarker, colors.casing, colors.text);
+    setMarkerColors(this.nearestMarker, colors.nearest, colors.casing);
+    setMarkerColors(this.endMarker, colors.path, colors.casing);
+    this.invalidate();
+  }
+
+  // The camera of a pane has moved.
+  moved(pane) {
+    pane.layer.isValid = false;
+    pane.layer.hasOcclusion = false;
+    this.lastMove = performance.now();
+    this.invalidateCurves();
+  }
+
+  // A new frame is needed. Only `invalidateCurves` keeps the picture of the surface.
   invalidate() {
-    this.layer.isValid = false;
+    for (const pane of [this.model, this.plane]) pane.layer.isValid = false;
     this.invalidateCurves();
   }
 
@@ -81,86 +153,174 @@ export class Viewer {
 
   render() {
     this.isDirty = false;
-    this.draw();
+    const rest = restMilliseconds - (performance.now() - (this.lastMove || 0));
+    this.draw(rest <= 0);
+    clearTimeout(this.restTimer);
+    if (rest > 0 && this.occlusionStrength > 0) this.restTimer = setTimeout(() => this.invalidateCurves(), rest + 5);
   }
 
-  draw() {
+  // `isTransparent`: without a background, for pictures.
+  draw(isAtRest = true, { isTransparent = false, hasAxes = this.hasAxes } = {}) {
+    const { renderer } = this;
+    renderer.setClearColor(isTransparent ? 0x000000 : this.colors ? this.colors.back : 0xffffff, isTransparent ? 0 : 1);
+    renderer.setScissorTest(false);
+    renderer.setRenderTarget(null);
+    renderer.setViewport(0, 0, this.size.width, this.size.height);
+    renderer.clear();
+    this.drawPane(this.model, isAtRest || this.model.layer.hasOcclusion ? this.occlusionStrength : 0);
+    if (this.hasAtlas) this.drawPane(this.plane, 0);
+    if (hasAxes) {
+      renderer.setViewport(0, 0, this.size.width, this.size.height);
+      this.drawAxes();
+    }
+  }
+
+  // in the lower right corner of the model's part
+  drawAxes() {
+    const box = this.boxOf(this.model);
+    const side = Math.min(92, box.width / 4);
+    const { renderer } = this;
+    this.helper.quaternion.copy(this.camera.quaternion).invert();
+    this.helper.updateMatrixWorld();
+    this.axesCamera ||= Object.assign(new THREE.OrthographicCamera(-1.6, 1.6, 1.6, -1.6, 0, 4));
+    this.axesCamera.position.set(0, 0, 2);
+    renderer.clearDepth();
+    renderer.setViewport(box.left + box.width - side - 6, box.bottom + 4, side, side);
+    renderer.render(this.helper, this.axesCamera);
+  }
+
+  // of a pane within the canvas, from its lower left corner, in pixels of the page
+  boxOf(pane) {
     const { width, height } = this.size;
-    const modelWidth = this.hasAtlas ? Math.floor(width / 2) : width;
-    const drawBoth = (model, atlas, isCleared) => {
-      this.drawInto(model, this.camera, 0, modelWidth, height, isCleared);
-      if (this.hasAtlas) this.drawInto(atlas, this.atlasCamera, modelWidth, width - modelWidth, height, isCleared);
-    };
-    this.layer.draw(() => drawBoth(this.surfaceScene, this.atlasSurfaceScene, true), this.size);
-    drawBoth(this.scene, this.atlasScene, false);
+    if (!this.hasAtlas) return { left: 0, bottom: 0, width, height };
+    const isModel = pane === this.model;
+    if (this.isStacked) {
+      const half = Math.floor(height / 2);
+      return { left: 0, bottom: isModel ? height - half : 0, width, height: isModel ? half : height - half };
+    }
+    const half = Math.floor(width / 2);
+    return { left: isModel ? 0 : half, bottom: 0, width: isModel ? half : width - half, height };
   }
 
-  drawInto(scene, camera, left, width, height, isCleared) {
-    if (camera.isPerspectiveCamera) {
-      this.setAspect(width / height);
-    } else {
-      const half = 1.06 * Math.max(1, width / height);
-      Object.assign(camera, { left: -half, right: half, top: half * height / width, bottom: -half * height / width });
-      if (camera.top < 1.06) {
-        const k = 1.06 / camera.top;
-        Object.assign(camera, { left: -half * k, right: half * k, top: 1.06, bottom: -1.06 });
-      }
-      camera.updateProjectionMatrix();
-    }
-    this.setMarkerSizes();
-    for (const lines of [this.edgeCurve, this.faceCurve, this.seams, this.atlasSeams]) lines.setResolution(width, height);
-    // a render target counts in its own pixels
-    const target = this.renderer.getRenderTarget();
-    const ratio = target ? this.renderer.getPixelRatio() : 1;
-    const box = [left, 0, width, height].map((x) => Math.round(x * ratio));
-    if (target) {
-      target.viewport.set(...box);
-      target.scissor.set(...box);
-      target.scissorTest = true;
-      this.renderer.setRenderTarget(target);
-    } else {
-      this.renderer.setViewport(...box);
-      this.renderer.setScissor(...box);
-      this.renderer.setScissorTest(true);
-    }
-    if (isCleared) {
-      this.renderer.setClearColor(background);
-      this.renderer.clear();
-    }
-    this.renderer.render(scene, camera);
+  drawPane(pane, occlusion) {
+    const box = this.boxOf(pane);
+    this.setAspect(pane.camera, box.width / box.height);
+    this.setMarkerSizes(box.height);
+    const lines = pane === this.model ? this.curves : [this.atlasSeams];
+    for (const curve of lines) curve.setResolution(box.width, box.height);
+    const ratio = this.renderer.getPixelRatio();
+    pane.layer.setSize(Math.max(1, Math.round(ratio * box.width)), Math.max(1, Math.round(ratio * box.height)));
+    pane.layer.update(occlusion);
+    this.renderer.setViewport(box.left, box.bottom, box.width, box.height);
+    pane.layer.copy();
+    this.renderer.render(pane.lines, pane.camera);
   }
 
   // The view has the same angle along the shorter side of the window, whichever that is.
-  setAspect(aspect) {
-    const half = Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(aspect, 1);
-    this.camera.fov = 2 * THREE.MathUtils.radToDeg(Math.atan(half));
-    this.camera.aspect = aspect;
-    this.camera.updateProjectionMatrix();
+  setAspect(camera, aspect) {
+    if (camera.isPerspectiveCamera) {
+      const half = Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(aspect, 1);
+      camera.fov = 2 * THREE.MathUtils.radToDeg(Math.atan(half));
+      camera.aspect = aspect;
+      // as near to the mesh as can be: depths are the more accurate
+      const distance = camera.position.length();
+      camera.near = Math.max(distance - modelRadius, 0.004);
+      camera.far = Math.max(distance + modelRadius, 0.1);
+    } else {
+      const half = 1.06 * Math.max(1, 1 / aspect);
+      Object.assign(camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
+    }
+    camera.updateProjectionMatrix();
   }
 
-  setMarkerSizes() {
-    for (const marker of [this.sourceMarker, this.farthestMarker, this.nearestMarker]) {
-      const distance = marker.position.distanceTo(this.camera.position);
-      marker.scale.setScalar(0.012 * distance * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2)));
-    }
+  setMarkerSizes(height) {
+    for (const marker of this.markers.children) sizeMarker(marker, this.camera, height);
   }
 
   resize() {
     const { clientWidth, clientHeight } = this.canvas.parentElement;
     this.size = { width: Math.max(clientWidth, 1), height: Math.max(clientHeight, 1) };
+    this.isStacked = window.matchMedia('(max-width: 640px)').matches;
     this.renderer.setSize(this.size.width, this.size.height, false);
-    const ratio = this.renderer.getPixelRatio();
-    this.layer.setSize(Math.floor(ratio * this.size.width), Math.floor(ratio * this.size.height));
     // the canvas has been cleared: there must not be a frame without a picture
     this.draw();
   }
 
-  resetView() {
-    this.camera.position.set(1.6, -2.6, 2.2);
-    this.camera.up.set(0, 0, 1);
-    this.controls.target.set(0, 0, 0);
+  // from a direction, so that the mesh fills the view
+  lookFrom(eye, center = new THREE.Vector3()) {
+    const box = this.boxOf(this.model);
+    const reach = this.positions ? this.reachFrom(eye, box.width / box.height) : 3.4;
+    this.controls.target.copy(center);
+    this.camera.position.copy(center).addScaledVector(eye, reach);
     this.controls.update();
-    this.invalidate();
+    this.moved(this.model);
+  }
+
+  // How far away the eye has to be to see all vertices, with a margin.
+  reachFrom(eye, aspect) {
+    const right = new THREE.Vector3().crossVectors(this.camera.up, eye).normalize();
+    const high = new THREE.Vector3().crossVectors(eye, right).normalize();
+    const half = Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(aspect, 1);
+    const p = this.positions;
+    let reach = 0;
+    for (let i = 0; i < p.length; i += 3) {
+      const along = p[i] * eye.x + p[i + 1] * eye.y + p[i + 2] * eye.z;
+      const across = Math.abs(p[i] * right.x + p[i + 1] * right.y + p[i + 2] * right.z);
+      const above = Math.abs(p[i] * high.x + p[i + 1] * high.y + p[i + 2] * high.z);
+      reach = Math.max(reach, along + above / half, along + across / (half * aspect));
+    }
+    // the legend and the buttons lie above the picture
+    const { height } = this.boxOf(this.model);
+    return Math.min(Math.max(1.1, height / (height - 130)), 1.3) * reach;
+  }
+
+  resetView() {
+    this.lookFrom(direction(this.up, 0.55, 0.6));
+    this.fitPlane();
+  }
+
+  // The same direction, and all in sight.
+  fit() {
+    this.lookFrom(this.camera.position.clone().sub(this.controls.target).normalize());
+    this.fitPlane();
+  }
+
+  fitPlane() {
+    this.plane.controls.target.set(0, 0, 0);
+    this.plane.camera.position.set(0, 0, 5);
+    this.plane.camera.zoom = 1;
+    this.plane.controls.update();
+    this.moved(this.plane);
+  }
+
+  // one of the sides, `best` or `source`
+  look(name, segments, sources) {
+    const points = sources.map((p) => new THREE.Vector3(...p));
+    if (name === 'best') {
+      const facing = points.map((point) => ({ point, normal: this.normalNear(point) }));
+      this.lookFrom(bestDirection(this.probe, this.pickable.geometry, this.up, segments, facing));
+    }
+    if (name === 'source') this.lookFrom(this.outwardAt(points[0]));
+    if (isSide(name)) this.lookFrom(sideDirection(this.up, name));
+  }
+
+  // not straight along the axis, around which the controls turn
+  outwardAt(point) {
+    const normal = this.normalNear(point);
+    const high = upVector(this.up);
+    if (Math.abs(normal.dot(high)) > 0.99) normal.addScaledVector(direction(this.up, 0, 0), 0.2).normalize();
+    return normal;
+  }
+
+  normalNear(point) {
+    const p = this.positions;
+    const normals = this.pickable.geometry.getAttribute('normal');
+    let best = 0, least = Infinity;
+    for (let i = 0; i < p.length; i += 3) {
+      const d = (p[i] - point.x) ** 2 + (p[i + 1] - point.y) ** 2 + (p[i + 2] - point.z) ** 2;
+      if (d < least) [least, best] = [d, i / 3];
+    }
+    return new THREE.Vector3().fromBufferAttribute(normals, best).normalize();
   }
 
   getView() {
@@ -171,55 +331,62 @@ export class Viewer {
     this.camera.position.fromArray(view, 0);
     this.controls.target.fromArray(view, 3);
     this.controls.update();
-    this.invalidate();
+    this.moved(this.model);
   }
 
-  // turns the model by an angle about the vertical and the horizontal axis
+  // turns the model by an angle about the axis that is up and the horizontal one
   orbit(horizontal, vertical) {
     const offset = this.camera.position.clone().sub(this.controls.target);
-    const spherical = new THREE.Spherical().setFromVector3(new THREE.Vector3(offset.x, offset.z, -offset.y));
+    const toY = new THREE.Quaternion().setFromUnitVectors(this.camera.up, new THREE.Vector3(0, 1, 0));
+    const spherical = new THREE.Spherical().setFromVector3(offset.applyQuaternion(toY));
     spherical.theta += horizontal;
     spherical.phi += vertical;
     spherical.makeSafe();
-    const turned = new THREE.Vector3().setFromSpherical(spherical);
-    this.camera.position.copy(this.controls.target).add(new THREE.Vector3(turned.x, -turned.z, turned.y));
+    offset.setFromSpherical(spherical).applyQuaternion(toY.invert());
+    this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
-    this.invalidate();
+    this.moved(this.model);
   }
 
   zoom(factor) {
     const offset = this.camera.position.clone().sub(this.controls.target).multiplyScalar(factor);
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
-    this.invalidate();
+    this.moved(this.model);
   }
 
   setMesh(positions, triangles) {
     this.positions = positions;
     this.triangles = triangles;
-    const index = new THREE.BufferAttribute(triangles, 1);
     const geometry = this.pickable.geometry;
     geometry.dispose();
     this.pickable.geometry = new THREE.BufferGeometry();
-    this.pickable.geometry.setIndex(index);
+    this.pickable.geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
     this.pickable.geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
     this.pickable.geometry.computeVertexNormals();
     this.pickable.geometry.computeBoundingSphere();
     this.distance = null;
     this.laplacian = null;
+    this.wireframe.geometry.dispose();
+    this.wireframe.geometry = new THREE.BufferGeometry();
     this.showUncut();
-    for (const marker of [this.sourceMarker, this.farthestMarker, this.nearestMarker]) marker.visible = false;
+    this.setMarker(this.farthestMarker, null);
+    this.setMarker(this.nearestMarker, null);
+    this.setSources([]);
+    this.setPaths(new Float32Array(0), null);
     for (const curve of [this.edgeCurve, this.faceCurve]) curve.set(new Float32Array(0));
     this.arrows.visible = false;
-    this.invalidate();
+    this.showWireframe(this.wantsWireframe);
   }
 
   setSurfaceGeometry(geometry) {
-    this.surface.geometry.dispose();
-    this.surface.geometry = geometry;
-    this.atlas.geometry = geometry;
+    const old = this.surface.opaque.geometry;
+    if (old !== geometry) old.dispose();
+    this.surface.setGeometry(geometry);
+    this.atlas.setGeometry(geometry);
     this.setDistance(this.distance);
     this.setLaplacian(this.laplacian);
+    this.model.layer.hasOcclusion = false;
   }
 
   // The surface as it is, each vertex once.
@@ -228,12 +395,19 @@ export class Viewer {
     geometry.setIndex(this.pickable.geometry.index);
     geometry.setAttribute('position', this.pickable.geometry.getAttribute('position'));
     geometry.setAttribute('normal', this.pickable.geometry.getAttribute('normal'));
-    geometry.boundingSphere = this.pickable.geometry.boundingSphere;
     this.origin = null;
-    this.hasAtlas = false;
+    this.setHasAtlas(false);
     this.setSurfaceGeometry(geometry);
     this.seams.set(new Float32Array(0));
     this.invalidate();
+  }
+
+  setHasAtlas(hasAtlas) {
+    if (this.hasAtlas === hasAtlas) return;
+    this.hasAtlas = hasAtlas;
+    this.plane.element.hidden = !hasAtlas;
+    this.canvas.parentElement.classList.toggle('has-atlas', hasAtlas);
+    this.model.layer.hasOcclusion = false;
   }
 
   // The surface cut open: vertex i is a copy of origin[i] and has the texture coordinates uv[2 i], uv[2 i + 1].
@@ -248,9 +422,16 @@ export class Viewer {
       geometry.setAttribute(name, new THREE.BufferAttribute(copy, 3));
     }
     geometry.setAttribute('uv', new THREE.BufferAttribute(uv, 2));
-    geometry.boundingSphere = this.pickable.geometry.boundingSphere;
+    const flat = new Float32Array(3 * origin.length);
+    for (let i = 0; i < origin.length; ++i) flat.set([uv[2 * i], uv[2 * i + 1]], 3 * i);
+    this.flatPickable.geometry.dispose();
+    this.flatPickable.geometry = new THREE.BufferGeometry();
+    this.flatPickable.geometry.setIndex(geometry.index);
+    this.flatPickable.geometry.setAttribute('position', new THREE.BufferAttribute(flat, 3));
     this.origin = origin;
-    this.hasAtlas = true;
+    this.cutTriangles = triangles;
+    if (!this.hasAtlas) this.fitPlane();
+    this.setHasAtlas(true);
     this.setSurfaceGeometry(geometry);
     this.seams.set(seams);
     this.atlasSeams.set(atlasSeams);
@@ -269,7 +450,7 @@ export class Viewer {
 
   // values at the vertices of the mesh, or null
   setAttribute(name, values) {
-    const geometry = this.surface.geometry;
+    const { geometry } = this.surface.opaque;
     const size = geometry.getAttribute('position').count;
     const attribute = new Float32Array(size);
     for (let i = 0; i < size; ++i) {
@@ -281,18 +462,50 @@ export class Viewer {
   }
 
   setUniforms(values) {
-    for (const material of [this.surface.material, this.atlas.material])
-      for (const [name, value] of Object.entries(values)) {
-        if (material.uniforms[name].value === value) continue;
-        material.uniforms[name].value = value;
-        this.invalidate();
-      }
+    const changes = [this.surface, this.atlas].map((surface) => surface.setUniforms(values));
+    if (changes.some(Boolean)) this.invalidate();
+  }
+
+  setTransparency(transparency) {
+    this.surface.setOpacity(1 - transparency);
+    for (const curve of this.curves) curve.setTransparency(transparency);
+    this.invalidate();
+  }
+
+  setOcclusion(isWanted) {
+    this.occlusionStrength = isWanted ? 0.75 : 0;
+    this.invalidateCurves();
+  }
+
+  // Each edge of the mesh is made a line when it is first wanted.
+  showWireframe(isWanted) {
+    this.wantsWireframe = isWanted;
+    this.wireframe.visible = Boolean(isWanted);
+    if (isWanted && this.triangles && !this.wireframe.geometry.getAttribute('position'))
+      this.wireframe.geometry = new THREE.WireframeGeometry(this.pickable.geometry);
+    this.invalidate();
   }
 
   setMarker(marker, point) {
     marker.visible = point !== null;
     if (point) marker.position.fromArray(point);
     this.invalidateCurves();
+  }
+
+  setSources(points) {
+    while (this.sourceMarkers.length < points.length) {
+      const marker = makeMarker();
+      if (this.colors) setMarkerColors(marker, this.colors.source, this.colors.casing);
+      this.sourceMarkers.push(marker);
+      this.markers.add(marker);
+    }
+    this.sourceMarkers.forEach((marker, i) => this.setMarker(marker, points[i] || null));
+  }
+
+  setPaths(segments, end) {
+    this.paths.set(segments);
+    this.paths.show(true, true);
+    this.setMarker(this.endMarker, end);
   }
 
   // Arrows at some of the vertices, evenly taken, along vectors of length 1 where the distance is smooth.
@@ -316,49 +529,6 @@ export class Viewer {
     this.arrows.geometry.dispose();
     this.arrows.geometry = new THREE.BufferGeometry();
     this.arrows.geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(lines), 3));
-    this.invalidate();
-  }
-
-  // A click is a press and a release at about the same place.
-  watchPointer() {
-    let down = null;
-    this.canvas.addEventListener('pointerdown', (event) => {
-      down = event.button === 0 ? [event.clientX, event.clientY] : null;
-    });
-    this.canvas.addEventListener('pointerup', (event) => {
-      if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 4) return;
-      const box = this.canvas.getBoundingClientRect();
-      this.pick(event.clientX - box.left, event.clientY - box.top);
-    });
-  }
-
-  // The face and the barycentric coordinates of the point of the surface seen at pixel x, y.
-  pick(x, y) {
-    const width = this.hasAtlas ? Math.floor(this.size.width / 2) : this.size.width;
-    if (!this.positions || x >= width) return;
-    const pointer = new THREE.Vector2(2 * x / width - 1, 1 - 2 * y / this.size.height);
-    this.setAspect(width / this.size.height);
-    const ray = new THREE.Raycaster();
-    ray.setFromCamera(pointer, this.camera);
-    const [hit] = ray.intersectObject(this.pickable);
-    if (!hit) return;
-    const corners = [0, 1, 2].map((k) =>
-      new THREE.Vector3().fromArray(this.positions, 3 * this.triangles[3 * hit.faceIndex + k]));
-    const c = new THREE.Vector3();
-    new THREE.Triangle(...corners).getBarycoord(hit.point, c);
-    const clamped = c.toArray().map((b) => Math.max(b, 0));
-    const sum = clamped[0] + clamped[1] + clamped[2];
-    if (!(sum > 0)) return;
-    this.onPick({ face: hit.faceIndex, coordinates: clamped.map((b) => b / sum) });
-  }
-
-  pickCenter() {
-    this.pick((this.hasAtlas ? this.size.width / 4 : this.size.width / 2), this.size.height / 2);
-  }
-
-  // The picture as it is on the screen.
-  toPng() {
-    this.draw();
-    return new Promise((resolve) => { this.canvas.toBlob(resolve, 'image/png'); });
+    this.invalidateCurves();
   }
 }

@@ -43,7 +43,7 @@ function arraysOf(module, named) {
 function setThresholds(module, p) {
   const number = (value) => (value === null ? NaN : value);
   const share = p.width === null ? null : p.width / 100;
-  module._set_thresholds(number(share), number(p.angle), number(p.laplacian), number(p.minimumEdges),
+  module._set_thresholds(number(share), p.voronoi ? 1 : 0, number(p.angle), number(p.laplacian), number(p.minimumEdges),
     number(p.minimumLength), p.policy === 'grow' ? 1 : 0, p.smoothing);
 }
 
@@ -72,14 +72,18 @@ const commands = {
       positions: arrayOf(module, arrays.positions),
       triangles: arrayOf(module, arrays.triangles),
       numbers: arrayOf(module, arrays.meshNumbers),
+      component: arrayOf(module, arrays.component),
+      repairs: new TextDecoder().decode(arrayOf(module, arrays.repairs)),
     };
   },
 
-  solve(module, { solver, method, source, curves, parameters }) {
+  solve(module, { solver, method, sources, curves, parameters }) {
     stageTimes = {};
     const start = performance.now();
     call(module, 'prepare', ['string', 'string'], [solver, method]);
-    check(module, module._set_source(source.face, ...source.coordinates));
+    module._clear_sources();
+    for (const { face, coordinates } of sources) module._add_source(face, ...coordinates);
+    check(module, module._set_sources());
     const milliseconds = performance.now() - start;
     const result = commands.curves(module, { curves, parameters });
     result.solveMilliseconds = milliseconds;
@@ -115,6 +119,11 @@ const commands = {
   gradient(module) {
     check(module, module._compute_gradient());
     return arrayOf(module, arrays.gradient);
+  },
+
+  paths(module, { end }) {
+    check(module, module._find_paths(end.face, ...end.coordinates));
+    return arraysOf(module, arrays.paths);
   },
 
   write(module, { curve, format }) {

@@ -28,7 +28,7 @@ for (const method of ['direction', 'laplacian']) {
     const source = [], computed = [], drawn = [], pixels = [], smoothed = [];
     await app.setSolver('exact', name);
     for (let i = 0; i < 11; ++i) {
-      await app.setSource({ face: 0, coordinates: [1, 0, 0] });
+      await app.setSources([{ face: 0, coordinates: [1, 0, 0] }]);
       source.push(app.times.solve);
       await pause();
     }

@@ -54,3 +54,13 @@ export function curveTopology({ points, lines }) {
   const components = points.filter((_, i) => find(i) === i).length;
   return { components, cycles: edges - points.length + components };
 }
+
+// the description that a binary glTF file begins with
+export function readGlb(bytes) {
+  return JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString());
+}
+
+export function readPngSize(bytes) {
+  if (bytes.readUInt32BE(0) !== 0x89504e47) throw new Error('this is no PNG file');
+  return [bytes.readUInt32BE(16), bytes.readUInt32BE(20)];
+}

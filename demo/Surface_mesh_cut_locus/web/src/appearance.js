@@ -1,0 +1,115 @@
+// How the result is shown: the layers, the colours, the light, and from where one looks.
+import { branchScale } from './branch_scale.js';
+import { applyTheme, onPreference, themeColors } from './theme.js';
+
+export class Appearance {
+  constructor(app) {
+    this.app = app;
+    this.forgetFields();
+    onPreference(() => this.apply());
+  }
+
+  // The Laplacian and the gradient are those of a source.
+  forgetFields() {
+    this.laplacian = null;
+    this.gradient = null;
+  }
+
+  async setShown(name, value) {
+    this.app.state.show[name] = value;
+    if (name === 'faceCurve' || name === 'edgeCurve') await this.app.updateCurves();
+    this.drawCurves();
+    if (value && name === 'gradient') await this.app.attempt('Computing…', () => this.showFields());
+    if (name === 'values') this.app.hover(null);
+    this.app.viewer.invalidateCurves();
+    this.app.report();
+  }
+
+  async setLook(name, value) {
+    this.app.state.look[name] = value;
+    this.apply(name);
+    if (name === 'color') {
+      this.updateSurface();
+      if (value === 'laplacian') await this.app.attempt('Computing…', () => this.showFields());
+    }
+    if (name === 'up') this.look('best');
+    this.app.report();
+  }
+
+  apply(changed) {
+    const { look } = this.app.state;
+    const { viewer } = this.app;
+    applyTheme(look.theme);
+    viewer.setTheme(themeColors());
+    viewer.setUp(look.up === 'auto' ? (this.app.mesh ? this.app.mesh.up : 'z') : look.up);
+    viewer.setTransparency(look.transparency);
+    viewer.setUniforms({ isFlat: look.shading === 'flat' });
+    viewer.setOcclusion(look.occlusion);
+    viewer.hasAxes = look.axes;
+    if (!changed || changed === 'wireframe') viewer.showWireframe(look.wireframe);
+    if (this.app.curve) this.app.report();
+  }
+
+  drawCurves() {
+    const { show } = this.app.state;
+    const scale = branchScale(this.app.state, this.app.defaults);
+    this.app.panel.setScale(scale);
+    for (const name of ['edgeCurve', 'faceCurve']) {
+      const curve = this.app.curves[name];
+      this.app.viewer[name].show(show[name], show.hidden);
+      if (curve && show[name])
+        this.app.viewer[name].set(curve.segments, show.width ? Array.from(curve[scale.quantity], scale.place) : null);
+    }
+    this.updateSurface();
+  }
+
+  // What is drawn on the surface itself.
+  updateSurface() {
+    const { show, look } = this.app.state;
+    const { curve } = this.app;
+    const hasDisk = show.disk && curve && Number.isFinite(curve.numbers[5]) && curve.numbers[0] > 0;
+    this.app.viewer.setUniforms({
+      showIsolines: show.isolines,
+      coloring: look.color === 'laplacian' && !this.laplacian ? 'plain' : look.color,
+      showDisk: Boolean(hasDisk),
+      showChecker: show.checker && Boolean(this.app.atlas),
+      radius: hasDisk ? curve.numbers[5] : 0,
+      spacing: this.app.source ? this.app.source.farthestDistance / 25 : 1,
+      largest: this.app.source ? this.app.source.farthestDistance || 1 : 1,
+    });
+    this.app.viewer.arrows.visible = show.gradient && Boolean(this.gradient);
+    const nearest = hasDisk ? this.app.toView(curve.numbers.subarray(6, 9)) : null;
+    this.app.viewer.setMarker(this.app.viewer.nearestMarker, nearest);
+    this.hasDisk = Boolean(hasDisk);
+  }
+
+  // The Laplacian and the gradient are computed when they are first shown for a source.
+  async showFields() {
+    const { show, look } = this.app.state;
+    if (!this.app.isSolved) return;
+    if (look.color === 'laplacian' && !this.laplacian) {
+      this.laplacian = await this.app.engine.run('laplacian');
+      const sorted = Float32Array.from(this.laplacian, Math.abs).sort();
+      this.laplacianScale = 2 * sorted[Math.floor(0.9 * sorted.length)] || 1;
+      this.app.viewer.setUniforms({ laplacianScale: this.laplacianScale });
+      this.app.viewer.setLaplacian(this.laplacian);
+    }
+    if (show.gradient && !this.gradient) {
+      this.gradient = await this.app.engine.run('gradient');
+      this.app.viewer.setArrows(this.gradient, 0.035);
+    }
+    this.updateSurface();
+  }
+
+  look(name) {
+    const { curve } = this.app;
+    if (!this.app.mesh || !this.app.source) return;
+    this.app.viewer.look(name, curve ? curve.segments : new Float32Array(0), this.app.source.points.map((p) => this.app.toView(p)));
+    this.app.onState();
+  }
+
+  fit() {
+    this.app.viewer.fit();
+    this.app.onState();
+  }
+}

@@ -1,0 +1,42 @@
+// Everything that is on the screen, in the order of its weight, with the colours it has there.
+import { branchScale } from './branch_scale.js';
+import { branchColor, distanceColor, laplacianColor, stops } from './color_maps.js';
+import { number } from './words.js';
+
+function pathLabel({ numbers }) {
+  const paths = numbers.length / 2;
+  const length = number(numbers[1], 4);
+  return paths === 1 ? `the shortest path, ${length}` : `${paths} shortest paths, ${length} each`;
+}
+
+export function legendItems({ state, source, curve, defaults, viewer, path, atlas, appearance }) {
+  const { gradient, hasDisk, laplacian, laplacianScale } = appearance;
+  if (!source || !curve) return [];
+  const { show, look } = state;
+  const { colors } = viewer;
+  const hasCurve = curve.numbers[0] > 0;
+  const items = [{ kind: 'dot', color: colors.source, rim: colors.casing, label: source.points.length > 1 ? 'sources' : 'source' }];
+  const scale = branchScale(state, defaults);
+  const colored = show.width && hasCurve && (show.faceCurve || show.edgeCurve);
+  if (colored)
+    items.push({ kind: 'scale', label: `cut locus by ${scale.label.toLowerCase()}:`, ends: scale.ends, stops: stops(branchColor, 4) });
+  if (show.faceCurve && hasCurve && !colored) items.push({ kind: 'line', color: colors.curve, label: 'cut locus' });
+  if (show.edgeCurve && hasCurve && !colored) items.push({ kind: 'line', color: colors.edges, label: 'cut locus along mesh edges' });
+  if (show.hidden && hasCurve && (show.faceCurve || show.edgeCurve))
+    items.push({ kind: 'line', color: colors.hidden, label: 'its parts behind the surface' });
+  items.push({ kind: 'dot', color: colors.casing, rim: colors.text, label: 'farthest point' });
+  if (path) items.push({ kind: 'line', color: colors.path, label: pathLabel(path) });
+  if (show.gradient && gradient) items.push({ kind: 'line', color: colors.arrows, label: 'away from the source' });
+  if (hasDisk) {
+    items.push({ kind: 'fill', color: '#8fc792', label: 'unique shortest paths' });
+    items.push({ kind: 'dot', color: colors.nearest, rim: colors.casing, label: 'nearest point of the cut locus' });
+  }
+  if (look.color === 'distance')
+    items.push({ kind: 'scale', label: 'distance:', ends: ['0', number(source.farthestDistance)], stops: stops(distanceColor) });
+  if (look.color === 'laplacian' && laplacian)
+    items.push({ kind: 'scale', label: 'Laplacian:', ends: [`−${number(laplacianScale, 2)}`, number(laplacianScale, 2)], stops: stops(laplacianColor) });
+  if (show.isolines)
+    items.push({ kind: 'thin', color: colors.soft, label: `equal distance, every ${number(source.farthestDistance / 25, 2)}` });
+  if (atlas) items.push({ kind: 'thin', color: colors.edges, label: 'seams' });
+  return items;
+}

@@ -1,0 +1,50 @@
+// Drawings of the curve for print: as it is seen, what the surface hides dashed, and the outline of the flattened sheet.
+import * as THREE from 'three';
+import { chainsOf } from './chains.js';
+
+const round = (x) => Number(x.toFixed(2));
+const path = (points) => `M${points.map(([x, y]) => `${round(x)} ${round(y)}`).join('L')}`;
+
+function document(width, height, body) {
+  return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" `
+    + `fill="none" stroke-linecap="round" stroke-linejoin="round">\n${body}\n</svg>\n`;
+}
+
+// `dots`: points in space and their colours.
+export function curveToSvg(viewer, segments, dots, colors) {
+  const { width, height } = viewer.boxOf(viewer.model);
+  const { camera, probe } = viewer;
+  viewer.setAspect(camera, width / height);
+  const scale = Math.min(2, 2048 / Math.max(width, height));
+  probe.look(viewer.pickable.geometry, camera, Math.round(scale * width), Math.round(scale * height));
+  const place = (p) => {
+    const v = new THREE.Vector3(...p).project(camera);
+    return [(v.x + 1) / 2 * width, (1 - v.y) / 2 * height];
+  };
+  const parts = { hidden: [], seen: [] };
+  for (const chain of chainsOf(segments)) {
+    const isSeen = (i) => probe.sees(new THREE.Vector3(...chain[i - 1]).add(new THREE.Vector3(...chain[i])).multiplyScalar(0.5), 0.01);
+    for (let i = 1; i < chain.length;) {
+      const seen = isSeen(i);
+      const points = [place(chain[i - 1])];
+      for (; i < chain.length && isSeen(i) === seen; ++i) points.push(place(chain[i]));
+      parts[seen ? 'seen' : 'hidden'].push(path(points));
+    }
+  }
+  const circles = dots.map(({ point, color }) => {
+    const [x, y] = place(point);
+    return `<circle cx="${round(x)}" cy="${round(y)}" r="5" fill="${color}" stroke="#fff"/>`;
+  });
+  return document(width, height,
+    `<path id="hidden" stroke="${colors.hidden}" stroke-width="2" stroke-dasharray="4 5" d="${parts.hidden.join('')}"/>\n`
+    + `<path id="seen" stroke="${colors.curve}" stroke-width="3" d="${parts.seen.join('')}"/>\n${circles.join('\n')}`);
+}
+
+export function outlineToSvg({ border, uv }, colors) {
+  const size = 1000;
+  const segments = new Float32Array(3 * border.length);
+  border.forEach((v, i) => segments.set([uv[2 * v], uv[2 * v + 1]], 3 * i));
+  const place = ([x, y]) => [(1.02 + x) / 2.04 * size, (1.02 - y) / 2.04 * size];
+  const paths = chainsOf(segments).map((chain) => path(chain.map(place)));
+  return document(size, size, `<path stroke="${colors.curve}" stroke-width="2" d="${paths.join('')}"/>`);
+}

@@ -1,0 +1,81 @@
+// The page at the sizes of a desktop, a small laptop and a phone, in light and dark.
+import assert from 'node:assert/strict';
+
+const sizes = { desktop: [1440, 900], laptop: [1024, 700], phone: [390, 844] };
+
+const boxOf = (d, selector) => d.page.locator(selector).boundingBox();
+
+const overlaps = (a, b) => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+
+export const tests = {
+  async 'at every size the surface has most of the room, and the result is on it'(d) {
+    for (const [name, [width, height]] of Object.entries(sizes)) {
+      await d.resize(width, height);
+      await d.open('#sample=torus&faces=5000&occlusion=true');
+      await d.page.evaluate(() => { document.getElementById('result-fold').open = innerWidth > 1200; });
+      const stage = await boxOf(d, '#stage');
+      assert.ok(stage.width * stage.height > 0.6 * width * height, `${name}: the surface has ${stage.width} x ${stage.height}`);
+      for (const part of ['#result', '#legend', '#tools']) {
+        const box = await boxOf(d, part);
+        assert.ok(box.x >= stage.x && box.y >= stage.y && box.x + box.width <= stage.x + stage.width + 1
+          && box.y + box.height <= stage.y + stage.height + 1, `${name}: ${part} is not within the stage`);
+      }
+      assert.ok(!overlaps(await boxOf(d, '#result'), await boxOf(d, '#tools')), `${name}: buttons under the result`);
+      assert.match(await d.page.innerText('#result'), /Injectivity radius [\d.]+ ±/);
+      const overflow = await d.page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      assert.ok(overflow <= 0, `${name}: ${overflow} pixels too wide`);
+      for (const scheme of ['light', 'dark']) {
+        await d.page.emulateMedia({ colorScheme: scheme });
+        for (const side of ['front', 'back']) {
+          await d.page.selectOption('#view', side);
+          await d.picture(`${name}_${scheme}_${side}.png`);
+        }
+      }
+      await d.page.emulateMedia({ colorScheme: 'light' });
+    }
+    await d.resize();
+  },
+
+  async 'groups fold, and only what everybody needs is open at first'(d) {
+    await d.page.goto('about:blank');
+    await d.page.goto(`${d.address}#sample=torus&faces=5000`);
+    await d.page.waitForFunction(() => window.cutLocusPage && window.cutLocusPage.app.isSolved);
+    await d.idle();
+    assert.ok(await d.page.locator('#width').isVisible());
+    for (const hidden of ['#method', '#solver', '#times', '#export']) assert.ok(!await d.page.locator(hidden).isVisible(), hidden);
+    await d.page.click('#method-group summary');
+    assert.ok(await d.page.locator('#method').isVisible());
+    // the first slider is that of the detail
+    assert.equal(await d.page.evaluate(() => document.querySelector('#panel input[type=range]').id), 'width');
+  },
+
+  async 'on a phone, the panel is a sheet that unfolds, and everything is large enough for fingers'(d) {
+    await d.resize(...sizes.phone);
+    await d.open('#sample=torus&faces=5000');
+    const height = async () => (await boxOf(d, '#canvas')).height;
+    assert.ok(await height() > 600, `the canvas has ${await height()} pixels`);
+    assert.ok(await d.page.locator('#width').isVisible());
+    assert.ok(!await d.page.locator('#open').isVisible());
+    await d.page.click('#panel-toggle');
+    await d.page.waitForTimeout(150);
+    assert.ok(await height() > 380, `with the sheet, the canvas has ${await height()} pixels`);
+    assert.equal(await d.page.getAttribute('#panel-toggle', 'aria-expanded'), 'true');
+    await d.page.locator('#method').scrollIntoViewIfNeeded();
+    assert.ok(await d.page.locator('#method').isVisible());
+    await d.picture('phone_sheet.png');
+    const small = await d.page.evaluate(() => {
+      const targets = [...document.querySelectorAll('button, select, summary, input[type=number], input[type=range], label:has(input)')];
+      return targets.filter((t) => t.checkVisibility()).map((t) => [t.id || t.textContent.trim().slice(0, 20), t.getBoundingClientRect().height])
+        .filter(([, h]) => h < 43.5);
+    });
+    assert.deepEqual(small, []);
+    await d.page.click('#panel-toggle');
+    await d.page.keyboard.press('c');
+    await d.page.waitForFunction(() => window.cutLocusPage.app.atlas);
+    await d.settle();
+    await d.picture('phone_atlas.png');
+    const [model, atlas] = [await boxOf(d, '#model-view'), await boxOf(d, '#atlas-view')];
+    assert.ok(atlas.y >= model.y + model.height - 1 && atlas.width === model.width);
+    await d.resize();
+  },
+};

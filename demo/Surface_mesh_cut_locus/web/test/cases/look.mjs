@@ -1,0 +1,210 @@
+// How it looks: the hidden parts of the curve, the layers, views, the axis that is up, the colours and their legend.
+import assert from 'node:assert/strict';
+
+// the colours, in [0, 255], of the canvas at pixels of the page
+const colorsAt = (d, pixels) => d.app(({ viewer }, list) => {
+  viewer.draw();
+  const gl = viewer.renderer.getContext();
+  const ratio = viewer.renderer.getPixelRatio();
+  return list.map(([x, y]) => {
+    const bytes = new Uint8Array(4);
+    gl.readPixels(Math.round(ratio * x), Math.round(ratio * (viewer.size.height - y)), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    return [...bytes].slice(0, 3);
+  });
+}, pixels);
+
+const isReddish = ([r, g, b]) => r > g + 18 && r > b + 18;
+
+// Of points on the curve, those that are seen and those that are not, at their pixels.
+const curvePixels = (d) => d.app(({ app, viewer }) => {
+  const { segments } = app.curve;
+  const { width, height } = viewer.size;
+  const result = { seen: [], hidden: [] };
+  for (let i = 0; i < segments.length; i += 6 * Math.ceil(segments.length / 6 / 60)) {
+    const p = [0, 1, 2].map((k) => (segments[i + k] + segments[i + 3 + k]) / 2);
+    const hit = viewer.pointer.atPlace(p);
+    if (!hit) continue;
+    const off = Math.hypot(...hit.place.map((x, k) => x - p[k]));
+    const v = viewer.farthestMarker.position.clone().set(...p).project(viewer.camera);
+    const pixel = [(v.x + 1) / 2 * width, (1 - v.y) / 2 * height];
+    if (off < 0.005) result.seen.push(pixel);
+    else if (off > 0.1) result.hidden.push(pixel);
+  }
+  return result;
+});
+
+async function shareOfRed(d, pixels) {
+  const colors = await colorsAt(d, pixels);
+  return colors.filter(isReddish).length / Math.max(pixels.length, 1);
+}
+
+export const tests = {
+  async 'hidden parts of the curve are seen through the surface, unless they are switched off'(d) {
+    await d.open('#sample=torus&faces=5000&occlusion=false');
+    const pixels = await curvePixels(d);
+    assert.ok(pixels.seen.length > 5 && pixels.hidden.length > 5, JSON.stringify(pixels));
+    assert.ok(await shareOfRed(d, pixels.seen) > 0.9);
+    assert.ok(await shareOfRed(d, pixels.hidden) > 0.8);
+    await d.page.uncheck('#show-hidden');
+    await d.page.waitForTimeout(200);
+    assert.ok(await shareOfRed(d, pixels.hidden) < 0.2);
+    await d.page.check('#show-hidden');
+  },
+
+  async 'a transparent surface shows its back and the curve behind it'(d) {
+    const { hidden } = await curvePixels(d);
+    const saturation = async () =>
+      (await colorsAt(d, hidden)).reduce((sum, [r, g]) => sum + r - g, 0) / hidden.length;
+    const before = await saturation();
+    await d.page.fill('#look-transparency', '0.6');
+    await d.page.waitForTimeout(200);
+    assert.ok(await saturation() > before + 20);
+    assert.match(await d.app(() => location.hash), /transparency=0.6/);
+    await d.picture('transparent.png');
+    await d.page.fill('#look-transparency', '0');
+  },
+
+  async 'the first view shows source and curve, from every side that the mesh has'(d) {
+    for (const sample of ['torus', 'genus-3', 'bumpy-sphere', 'capsule']) {
+      await d.open(`#sample=${sample}&faces=5000`);
+      const { seen, hidden } = await curvePixels(d);
+      const source = await d.app(({ app, viewer }) => {
+        const place = app.toView(app.source.points[0]);
+        const hit = viewer.pointer.atPlace(place);
+        return hit ? Math.hypot(...hit.place.map((x, k) => x - place[k])) : 1;
+      });
+      assert.ok(source < 0.03, `${sample}: the source is hidden`);
+      if (sample === 'capsule') continue; // its curve is opposite to the source
+      assert.ok(seen.length / (seen.length + hidden.length) > 0.12, `${sample}: ${seen.length} of ${seen.length + hidden.length} are seen`);
+    }
+  },
+
+  async 'the axis that is up is guessed, and can be chosen'(d) {
+    await d.open('#sample=torus&faces=5000');
+    const cone = (place) => {
+      const n = 24, points = [[0, 0, 0], [0, 0, 2]], faces = [];
+      for (let i = 0; i < n; ++i) points.push([Math.cos(2 * Math.PI * i / n), Math.sin(2 * Math.PI * i / n), 0]);
+      for (let i = 0; i < n; ++i) faces.push([0, 2 + (i + 1) % n, 2 + i], [1, 2 + i, 2 + (i + 1) % n]);
+      return `OFF\n${points.length} ${faces.length} 0\n${points.map((p) => place(p).join(' ')).join('\n')}\n`
+        + `${faces.map((f) => `3 ${f.join(' ')}`).join('\n')}\n`;
+    };
+    const up = () => d.app(({ viewer }) => viewer.camera.up.toArray());
+    await d.openFile('cone_z.off', cone(([x, y, z]) => [x, y, z]));
+    assert.deepEqual(await up(), [0, 0, 1]);
+    await d.openFile('cone_y.off', cone(([x, y, z]) => [x, z, -y]));
+    assert.deepEqual(await up(), [0, 1, 0]);
+    await d.page.selectOption('#look-up', 'z');
+    assert.deepEqual(await up(), [0, 0, 1]);
+  },
+
+  async 'views from all sides, and all of the mesh fits in'(d) {
+    await d.open('#sample=torus&faces=5000');
+    const eye = () => d.app(({ viewer }) => viewer.camera.position.clone().normalize().toArray());
+    const expected = { front: [0, -1, 0], back: [0, 1, 0], left: [-1, 0, 0], right: [1, 0, 0], top: [0, 0, 1], bottom: [0, 0, -1] };
+    for (const [name, direction] of Object.entries(expected)) {
+      await d.page.selectOption('#view', name);
+      const found = await eye();
+      assert.ok(Math.hypot(...found.map((x, k) => x - direction[k])) < 1e-3, `${name}: ${found}`);
+      const outside = await d.app(({ viewer }) => {
+        viewer.draw();
+        const p = viewer.farthestMarker.position.clone();
+        let largest = 0;
+        for (let i = 0; i < viewer.positions.length; i += 3) {
+          p.fromArray(viewer.positions, i).project(viewer.camera);
+          largest = Math.max(largest, Math.abs(p.x), Math.abs(p.y));
+        }
+        return largest;
+      });
+      assert.ok(outside < 1 && outside > 0.6, `${name}: up to ${outside}`);
+    }
+    for (let i = 0; i < 8; ++i) await d.page.keyboard.press('+');
+    await d.page.click('#fit');
+    assert.ok(Math.hypot(...await eye()) > 0.99);
+  },
+
+  async 'the wheel zooms to the pointer'(d) {
+    await d.page.selectOption('#view', 'front');
+    await d.page.waitForTimeout(100);
+    const box = await d.page.locator('#model-view').boundingBox();
+    const at = [box.x + 0.7 * box.width, box.y + 0.5 * box.height];
+    const place = await d.app(({ viewer }, [x, y]) => viewer.pointer.onModel(x, y).place, [0.7 * box.width, 0.5 * box.height]);
+    await d.page.mouse.move(...at);
+    for (let i = 0; i < 4; ++i) await d.page.mouse.wheel(0, -120);
+    await d.page.waitForTimeout(200);
+    const [x, y] = await d.seenAt(place);
+    assert.ok(Math.hypot(x - 0.7, y - 0.5) < 0.03, `it moved to ${x}, ${y}`);
+  },
+
+  async 'each layer is seen, and the legend names it'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000&occlusion=false');
+    const layers = [['#show-edgeCurve', /along mesh edges/], ['#show-width', /width of the branches/],
+      ['#show-gradient', /away from the source/], ['#show-disk', /unique shortest paths[^]*nearest point/],
+      ['#look-wireframe', null], ['#look-occlusion', null], ['#look-axes', null], ['#show-isolines', /equal distance, every/]];
+    for (const [box, words] of layers) {
+      const wasOn = await page.isChecked(box);
+      const before = await d.picture('layer.png');
+      await page.locator(box).click();
+      await d.settle();
+      assert.ok(!before.equals(await d.picture('layer.png')), `${box} is not seen`);
+      if (wasOn) await page.locator(box).click();
+      if (words) assert.match(await page.innerText('#legend'), words);
+    }
+    for (const [choice, value, words] of [['#look-color', 'distance', /distance:\s*0\s*[\d.]+/],
+      ['#look-color', 'laplacian', /Laplacian:\s*−[\d.]+\s*[\d.]+/], ['#look-shading', 'flat', null]]) {
+      const before = await d.picture('layer.png');
+      await page.selectOption(choice, value);
+      await d.settle();
+      assert.ok(!before.equals(await d.picture('layer.png')), `${value} is not seen`);
+      if (words) assert.match(await page.innerText('#legend'), words);
+    }
+    await d.picture('layers.png');
+  },
+
+  async 'colours of the distance are those of their scale'(d) {
+    await d.open('#sample=bumpy-sphere&faces=5000&color=distance&shading=smooth&occlusion=false&show=-isolines,-faceCurve,-hidden');
+    // near the source it is yellow, far away blue: red over blue, whatever the light
+    const [near, far] = await d.app(({ app, viewer }) => {
+      const pixelWhere = (test) => {
+        for (let x = 10; x < viewer.size.width; x += 9)
+          for (let y = 10; y < viewer.size.height; y += 9) {
+            const hit = viewer.pointer.onModel(x, y);
+            if (hit && test(app.distance[viewer.triangles[3 * hit.face]] / app.source.farthestDistance)) return [x, y];
+          }
+        throw new Error('there is no such place');
+      };
+      return [pixelWhere((s) => s > 0.06 && s < 0.12), pixelWhere((s) => s > 0.6 && s < 0.75)];
+    });
+    const [[r, , b], [r2, , b2]] = await colorsAt(d, [near, far]);
+    assert.ok(r > 1.6 * b, `near the source ${[r, b]}`);
+    assert.ok(b2 > r2, `far away ${[r2, b2]}`);
+  },
+
+  async 'light and dark'(d) {
+    await d.open('#sample=torus&faces=5000');
+    const back = async () => (await colorsAt(d, [[20, 300]]))[0];
+    assert.ok((await back())[0] > 230);
+    await d.page.emulateMedia({ colorScheme: 'dark' });
+    await d.page.waitForTimeout(200);
+    assert.ok((await back())[0] < 40);
+    await d.page.selectOption('#look-theme', 'light');
+    assert.ok((await back())[0] > 230);
+    await d.page.emulateMedia({ colorScheme: 'light' });
+    await d.page.selectOption('#look-theme', 'auto');
+  },
+
+  async 'a frame in which only the curve changes shows the same as a whole one'(d) {
+    await d.open('#sample=torus&faces=5000');
+    await d.setWidth('30');
+    const canvas = (isWhole) => d.app(async ({ viewer }, whole) => {
+      if (whole) viewer.model.layer.isValid = false;
+      viewer.draw();
+      const blob = await new Promise((resolve) => { viewer.canvas.toBlob(resolve); });
+      return [...new Uint8Array(await crypto.subtle.digest('SHA-256', await blob.arrayBuffer()))].join();
+    }, isWhole);
+    const kept = await canvas(false);
+    assert.equal(kept, await canvas(true));
+    await d.setWidth('0.5');
+    assert.notEqual(kept, await canvas(false));
+  },
+};

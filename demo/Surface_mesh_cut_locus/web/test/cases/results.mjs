@@ -1,0 +1,254 @@
+// What is computed: sources, methods, thresholds, shortest paths, and what the page says about them.
+import assert from 'node:assert/strict';
+
+const cube = () => {
+  const corners = [0, 1].flatMap((z) => [[0, 0, z], [1, 0, z], [1, 1, z], [0, 1, z]]);
+  const faces = [[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], [0, 1, 5], [0, 5, 4], [1, 2, 6], [1, 6, 5], [2, 3, 7],
+    [2, 7, 6], [3, 0, 4], [3, 4, 7]];
+  return `OFF\n8 12 0\n${corners.map((c) => c.join(' ')).join('\n')}\n${faces.map((f) => `3 ${f.join(' ')}`).join('\n')}\n`;
+};
+
+const square = 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n';
+
+export const tests = {
+  async 'a sample is loaded and has the cycles of its genus'(d) {
+    await d.open('#sample=torus&faces=5000');
+    const { genus, cycles } = await d.result();
+    assert.deepEqual({ genus, cycles }, { genus: 1, cycles: 2 });
+    for (const [name, expected] of [['Genus 3', 3], ['Capsule', 0], ['Bumpy sphere', 0], ['Torus', 1]]) {
+      await d.page.click(`text="${name}"`);
+      await d.settle();
+      const found = await d.result();
+      assert.deepEqual([name, found.genus, found.cycles], [name, expected, 2 * expected]);
+      assert.match(await d.page.innerText('#result-note'), new RegExp(`genus ${expected}`));
+    }
+  },
+
+  async 'a click puts the source where it is'(d) {
+    const before = await d.result();
+    const at = await d.placeOnSurface();
+    await d.click(...at);
+    const after = await d.result();
+    assert.notDeepEqual(after.point, before.point);
+    const place = await d.app(({ app }) => app.toView(app.source.points[0]));
+    const [x, y] = await d.seenAt(place);
+    assert.ok(Math.hypot(x - at[0], y - at[1]) < 0.01, `the source is seen at ${x}, ${y}`);
+    assert.equal(after.cycles, 2);
+  },
+
+  async 'a drag turns the model and leaves the source'(d) {
+    const before = await d.result();
+    const view = await d.view();
+    const box = await d.page.locator('#model-view').boundingBox();
+    await d.page.mouse.move(box.x + 300, box.y + 300);
+    await d.page.mouse.down();
+    await d.page.mouse.move(box.x + 420, box.y + 340, { steps: 4 });
+    await d.page.mouse.up();
+    await d.page.waitForTimeout(200);
+    assert.deepEqual((await d.result()).point, before.point);
+    assert.notDeepEqual(await d.view(), view);
+  },
+
+  async 'a smaller width gives more branches, also those that were not computed, and the same cycles'(d) {
+    const { page } = d;
+    assert.ok(await page.isChecked('#width-auto'));
+    const standard = await d.result();
+    const shown = Number(await page.inputValue('#width-number'));
+    assert.ok(shown > 0.1 && shown < 20, `by default ${shown} %`);
+    assert.match(await page.innerText('#width-note'), new RegExp(`Automatic: ${shown} %`));
+    assert.equal(await page.getAttribute('#width', 'aria-valuetext'), `${shown} % of the diagonal`);
+    const found = [];
+    for (const width of ['50', '20', String(shown), '0.3', '0.02']) {
+      await d.setWidth(width);
+      found.push(await d.result());
+      assert.equal(found.at(-1).cycles, 2);
+    }
+    const edges = found.map((f) => f.edges), lengths = found.map((f) => f.length);
+    for (let i = 1; i < found.length; ++i) assert.ok(lengths[i] >= lengths[i - 1] - 1e-9, `lengths ${lengths}`);
+    assert.ok(Math.abs(lengths[2] - standard.length) < 1e-2 * standard.length, `lengths ${lengths}, ${standard.length}`);
+    assert.ok(edges[4] > 2 * edges[2], `edges ${edges}`);
+    // what the mesh adds is called by its name
+    assert.match(await page.innerText('#result-note'), /may come from the mesh/);
+    assert.ok(!await page.isChecked('#width-auto'));
+    await page.fill('#width-number', '1000');
+    await page.keyboard.press('Tab');
+    assert.equal(await page.inputValue('#width-number'), '50');
+  },
+
+  async '“Defaults” restores method, distances and thresholds'(d) {
+    const { page } = d;
+    await page.click('text="Torus"');
+    await d.settle();
+    const standard = await d.result();
+    await page.selectOption('#solver', 'heat');
+    await d.settle();
+    await page.fill('#angle-number', '1.5');
+    await d.settle();
+    await page.click('#defaults');
+    await d.settle();
+    assert.equal(await page.inputValue('#solver'), 'exact');
+    assert.equal(await page.inputValue('#method'), 'direction');
+    assert.ok(await page.isChecked('#width-auto'));
+    assert.equal((await d.result()).edges, standard.edges);
+  },
+
+  async 'all methods and all solvers give the cycles of the torus'(d) {
+    const { page } = d;
+    const { leaves } = await d.result();
+    for (const [solver, method] of [['exact', 'laplacian'], ['heat', null], ['graph', null], ['exact', 'polyhedral'],
+      ['exact', 'direction']]) {
+      await page.selectOption('#solver', solver);
+      await d.settle();
+      assert.equal(await page.locator('#method').isDisabled(), solver !== 'exact');
+      if (method) await page.selectOption('#method', method);
+      await d.settle();
+      assert.equal(await page.inputValue('#method'), method || 'laplacian');
+      assert.equal(await page.locator('#width').isVisible(), ['direction', 'polyhedral'].includes(method));
+      const found = await d.result();
+      assert.deepEqual([solver, method, found.cycles], [solver, method, 2]);
+      if (solver !== 'exact') assert.match(await page.innerText('#result-note'), /approximate/);
+      if (method !== 'polyhedral') continue;
+      assert.ok(found.leaves > leaves + 100, `${found.leaves} leaves for ${leaves}`);
+      assert.match(await page.innerText('#result-note'), /Each corner of the polyhedron/);
+      assert.match(await page.innerText('#width-note'), /all branches/);
+      await d.setWidth('20');
+      assert.ok((await d.result()).leaves < leaves + 10);
+    }
+    // a solver of distances does not change the method for the others
+    await page.click('#defaults');
+    await d.settle();
+    await page.selectOption('#solver', 'heat');
+    await page.selectOption('#solver', 'exact');
+    await d.settle();
+    assert.equal(await page.inputValue('#method'), 'direction');
+  },
+
+  async 'a plain polyhedron stands for itself'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000');
+    assert.equal(await d.openFile('cube.off', cube()), null);
+    assert.match(await page.innerText('#width-note'), /a gap of 0.5 radians/);
+    assert.equal(await page.inputValue('#width-number'), '');
+    const { edges, leaves } = await d.result();
+    assert.ok(edges >= 8 && leaves >= 4, `${edges} edges, ${leaves} leaves`);
+    await page.check('#show-width');
+    assert.match(await page.innerText('#legend'), /π radians/);
+    await page.selectOption('#method', 'polyhedral');
+    await d.settle();
+    assert.match(await page.innerText('#legend'), /0.5\s%[^]*50\s% of the diagonal/);
+    assert.equal((await d.result()).cycles, 0);
+    await page.uncheck('#show-width');
+    assert.doesNotMatch(await page.innerText('#legend'), /diagonal/);
+  },
+
+  async 'a cut locus without branches is explained, and the injectivity radius left out'(d) {
+    const { page } = d;
+    assert.equal(await d.openFile('square.off', square), null);
+    assert.match(await page.innerText('#result-note'), /no branches: either all shortest paths end at the border/);
+    assert.match(await page.innerText('#numbers'), /injectivity radius\s*–/);
+    assert.match(await page.getAttribute('#result', 'class') || '', /is-doubtful/);
+  },
+
+  async 'the injectivity radius is rounded to what the mesh tells, and says what it depends on'(d) {
+    await d.open('#sample=torus&faces=5000');
+    const text = await d.page.innerText('#numbers');
+    const [, value, error] = text.match(/([\d.]+) ± ([\d.]+)/);
+    const { radius } = await d.result();
+    const edge = await d.app(({ app }) => app.mesh.edgeLength);
+    assert.ok(Math.abs(value - radius) <= error && error >= 0.25 * edge && error <= edge, `${value} ± ${error}, edges of ${edge}`);
+    assert.match(text, /injectivity radius\s*of branches of [\d.]+ % and more/);
+  },
+
+  async 'there may be several sources: a Voronoi diagram with cycles of its own'(d) {
+    const { page } = d;
+    const one = await d.result();
+    await page.check('input[value=add]', { force: true });
+    const second = await d.placeOnSurface();
+    await d.click(...second);
+    const two = await d.result();
+    assert.deepEqual([two.sources, two.cycles], [2, 3]);
+    assert.deepEqual(two.point, one.point);
+    // the distance is that to the nearest one
+    const largest = await d.app(({ app }) => app.source.farthestDistance);
+    await d.click(...await d.placeOnSurface(1));
+    const three = await d.result();
+    assert.deepEqual([three.sources, three.cycles], [3, 4]);
+    assert.ok(await d.app(({ app }) => app.source.farthestDistance) < largest);
+    assert.match(await page.innerText('#legend'), /sources/);
+    await d.picture('sources.png');
+    // without the cut locus inside the cells it is shorter
+    const whole = await d.result();
+    await page.check('#voronoi');
+    await page.waitForFunction(() => window.cutLocusPage.app.drawn.voronoi && !window.cutLocusPage.app.isUpdating);
+    assert.ok((await d.result()).length < whole.length);
+    await page.uncheck('#voronoi');
+    await page.waitForFunction(() => !window.cutLocusPage.app.drawn.voronoi && !window.cutLocusPage.app.isUpdating);
+    // a click on one takes it away
+    await d.click(...second);
+    assert.equal((await d.result()).sources, 2);
+    await page.selectOption('#method', 'laplacian');
+    await d.settle();
+    assert.equal((await d.result()).sources, 1);
+    await page.click('#defaults');
+    await d.settle();
+    // the other way to add one
+    await page.check('input[value=source]', { force: true });
+    await d.click(...await d.placeOnSurface(), { keys: ['Shift'] });
+    assert.equal((await d.result()).sources, 2);
+    await page.click('#cut');
+    await d.settle();
+    assert.match(await page.innerText('#message-text'), /flattened from one source/);
+  },
+
+  async 'a point has one shortest path, and one of the cut locus has two of the same length'(d) {
+    await d.open('#sample=torus&faces=5000');
+    await d.page.check('input[value=path]', { force: true });
+    // in the middle of the curve that is seen, and not near an end
+    const place = await d.app(({ app, viewer }) => {
+      const { segments } = app.curve;
+      for (let i = 0; i < segments.length; i += 6) {
+        const p = [0, 1, 2].map((k) => (segments[i + k] + segments[i + 3 + k]) / 2);
+        const seen = viewer.pointer.atPlace(p);
+        if (seen && app.curve.width[i / 6] > 0.3 && Math.hypot(...seen.place.map((x, k) => x - p[k])) < 0.005) return p;
+      }
+      throw new Error('nothing of the curve is seen');
+    });
+    const before = await d.result();
+    await d.click(...await d.seenAt(place));
+    const [one, two] = await d.app(({ app }) => [app.path.numbers[1], app.path.numbers[3]]);
+    assert.ok(Math.abs(one - two) < 0.01 * one, `${one} and ${two}`);
+    assert.match(await d.page.innerText('#legend'), /2 shortest paths, [\d.]+ each/);
+    await d.picture('paths.png');
+    // elsewhere there is one: it ends at the source, and is as long as the distance
+    await d.click(...await d.placeOnSurface());
+    const path = await d.app(({ app }) => ({
+      count: app.path.numbers.length / 2,
+      length: app.path.numbers[1],
+      end: [...app.path.points.subarray(-3)],
+      source: app.toView(app.source.points[0]),
+    }));
+    assert.equal(path.count, 1);
+    assert.ok(Math.hypot(...path.end.map((x, k) => x - path.source[k])) < 1e-5);
+    assert.deepEqual((await d.result()).point, before.point);
+    // it belongs to its source
+    await d.page.check('input[value=source]', { force: true });
+    await d.click(...await d.placeOnSurface(1));
+    assert.equal(await d.app(({ app }) => app.path), null);
+  },
+
+  async 'values are shown where the pointer rests'(d) {
+    const { page } = d;
+    const box = await page.locator('#model-view').boundingBox();
+    const [x, y] = await d.placeOnSurface();
+    await page.mouse.move(box.x + x * box.width, box.y + y * box.height);
+    await page.waitForSelector('#readout', { state: 'visible' });
+    const text = await page.innerText('#readout');
+    assert.match(text, /vertex \d+[^]*from the source[^]*gradients around it[^]*nearest branch [\d.]+ away, [\d.]+ % wide/);
+    const told = Number(text.match(/([\d.]+) from the source/)[1]);
+    const truth = await d.app(({ app }, v) => app.distance[v], Number(text.match(/vertex (\d+)/)[1]));
+    assert.ok(Math.abs(told - truth) < 0.1, `${told} beside a vertex at ${truth}`);
+    await page.uncheck('#show-values');
+    assert.ok(!await page.locator('#readout').isVisible());
+    await page.check('#show-values');
+  },
+};

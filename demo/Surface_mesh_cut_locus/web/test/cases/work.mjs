@@ -1,0 +1,170 @@
+// Nothing that the user has done is lost: undo, the cut surface, other meshes, cancelling, the keyboard.
+import assert from 'node:assert/strict';
+
+export const tests = {
+  async 'sources and thresholds can be taken back and done again'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000');
+    const first = await d.result();
+    assert.ok(await page.isDisabled('#undo') && await page.isDisabled('#redo'));
+    await d.click(...await d.placeOnSurface());
+    const second = await d.result();
+    await d.setWidth('0.5');
+    await page.waitForTimeout(700); // it rests
+    const third = await d.result();
+    await page.click('#undo');
+    await d.settle();
+    assert.equal((await d.result()).edges, second.edges);
+    assert.ok(await page.isChecked('#width-auto'));
+    await page.click('#undo');
+    await d.settle();
+    assert.deepEqual((await d.result()).point, first.point);
+    assert.ok(await page.isDisabled('#undo'));
+    await page.focus('#model-view');
+    await page.keyboard.press('Control+y');
+    await d.settle();
+    await page.keyboard.press('Control+Shift+z');
+    await d.settle();
+    assert.equal((await d.result()).edges, third.edges);
+    assert.equal(await page.inputValue('#width-number'), '0.5');
+    await page.keyboard.press('Control+z');
+    await d.settle();
+    assert.equal((await d.result()).edges, second.edges);
+    // what is new forgets what was taken back
+    await d.click(...await d.placeOnSurface(1));
+    assert.ok(await page.isDisabled('#redo'));
+  },
+
+  async 'the cut surface follows a slider and a new source'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000');
+    await page.click('#cut');
+    await page.waitForFunction(() => window.cutLocusPage.app.atlas);
+    await d.idle();
+    const seams = () => d.app(({ app }) => app.atlas.border.length);
+    const before = await seams();
+    await d.setWidth('0.3');
+    await page.waitForFunction((n) => window.cutLocusPage.app.atlas && window.cutLocusPage.app.atlas.border.length > n, before);
+    await d.idle();
+    const finer = await seams();
+    assert.ok(finer > before, `${finer} after ${before}`);
+    assert.equal(await page.getAttribute('#cut', 'aria-pressed'), 'true');
+    // a click on the sheet sets the source where it is on the surface
+    const { point } = await d.result();
+    const box = await page.locator('#atlas-view').boundingBox();
+    const [face, x, y] = await d.app(({ app, viewer }) => {
+      const { uv, triangles } = app.atlas;
+      const middle = (f, k) => (uv[2 * triangles[f] + k] + uv[2 * triangles[f + 1] + k] + uv[2 * triangles[f + 2] + k]) / 3;
+      const far = 3 * Math.floor(triangles.length / 6);
+      const v = viewer.farthestMarker.position.clone().set(middle(far, 0), middle(far, 1), 0).project(viewer.plane.camera);
+      return [far / 3, (v.x + 1) / 2, (1 - v.y) / 2];
+    });
+    await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
+    await d.settle();
+    assert.notDeepEqual((await d.result()).point, point);
+    const middle = await d.app(({ app, viewer }, f) => {
+      const corners = [0, 1, 2].map((k) => viewer.triangles[3 * f + k]);
+      const off = [0, 1, 2].map((k) => corners.reduce((sum, v) => sum + viewer.positions[3 * v + k] / 3, 0));
+      return Math.hypot(...app.toView(app.source.points[0]).map((c, k) => c - off[k])) * app.mesh.numbers[3] / app.mesh.edgeLength;
+    }, face);
+    assert.ok(middle < 1.5, `the source is ${middle} edges off`);
+    await d.noMessage();
+    assert.ok(await d.app(({ app }) => Boolean(app.atlas)), 'the sheet is gone');
+    // and it can be zoomed
+    await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.9 * box.height);
+    await page.mouse.wheel(0, -400);
+    await page.waitForTimeout(200);
+    assert.ok(await d.app(({ viewer }) => viewer.plane.camera.zoom) > 1.05);
+    await page.click('#cut');
+    assert.equal(await d.app(({ app }) => app.atlas), null);
+  },
+
+  async 'the page says whether the sheet is one to one'(d) {
+    const { page } = d;
+    // a square of two faces, and one that is folded
+    const overlapOf = (corner) => page.evaluate((p) => window.cutLocusPage.app.sheet.overlapOf(
+      { uv: Float32Array.from([-1, -1, 1, -1, 1, 1, ...p]), triangles: Uint32Array.from([0, 1, 2, 0, 2, 3]) }), corner);
+    assert.equal(await overlapOf([-1, 1]), 0);
+    const folded = await overlapOf([1, -0.5]);
+    assert.ok(folded > 0.7 && folded < 0.8, `${folded}`);
+    for (const [sample, isFit] of [['bumpy-sphere', true], ['genus-3', null]]) {
+      await d.open(`#sample=${sample}&faces=5000`);
+      await page.click('#cut');
+      await page.waitForFunction(() => window.cutLocusPage.app.atlas);
+      await d.idle();
+      const told = await page.innerText('#cut-info');
+      const { flips, overlap: share } = await d.app(({ app }) => ({ flips: app.atlas.numbers[0], overlap: app.atlas.overlap }));
+      const isInjective = flips === 0 && share === 0;
+      if (isFit !== null) assert.equal(isInjective, isFit, told);
+      assert.match(told, isInjective ? /does not overlap/ : /Not one to one/);
+    }
+  },
+
+  async 'thresholds go back to automatic with another mesh'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000&width=0.5');
+    assert.ok(!await page.isChecked('#width-auto'));
+    await page.click('text="Capsule"');
+    await d.settle();
+    assert.ok(await page.isChecked('#width-auto'));
+    assert.equal(await d.app(({ app }) => app.drawn.width), null);
+  },
+
+  async 'what takes long can be cancelled, and the page goes on'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000');
+    // within the page: from outside, the click may come too late
+    const text = await page.evaluate(async () => {
+      const element = (id) => document.getElementById(id);
+      element('faces').value = '400000';
+      element('faces').dispatchEvent(new Event('change'));
+      while (element('busy').hidden) await new Promise((resolve) => { setTimeout(resolve, 10); });
+      element('cancel').click();
+      return element('busy-text').textContent;
+    });
+    assert.match(text, /…$/);
+    await d.settle();
+    assert.match(await page.innerText('#message-text'), /Cancelled/);
+    await page.click('text="Capsule"');
+    await page.selectOption('#faces', '5000');
+    await d.settle();
+    assert.equal((await d.result()).genus, 0);
+  },
+
+  async 'the keyboard does all'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000');
+    await page.focus('#model-view');
+    const view = await d.view();
+    await page.keyboard.press('ArrowLeft');
+    await page.keyboard.press('+');
+    assert.notDeepEqual(await d.view(), view);
+    await page.keyboard.press('f');
+    const before = await d.result();
+    await page.keyboard.press('ArrowUp');
+    for (let i = 0; i < 12; ++i) await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('m');
+    await d.settle();
+    assert.equal(await page.inputValue('#method'), 'polyhedral');
+    await page.keyboard.press('?');
+    assert.ok(await page.locator('#help').isVisible());
+    await page.keyboard.press('Escape');
+    assert.ok(!await page.locator('#help').isVisible());
+    await page.keyboard.press('2');
+    await d.settle();
+    assert.equal((await d.result()).genus, 0);
+    await page.keyboard.press('s');
+    await d.settle();
+    assert.notDeepEqual((await d.result()).point, before.point);
+    const turned = await d.view();
+    for (let i = 0; i < 6; ++i) await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('t');
+    await d.settle();
+    assert.ok(await d.app(({ app }) => app.path.numbers.length >= 2));
+    await page.keyboard.press('a');
+    await d.settle();
+    assert.equal((await d.result()).sources, 2);
+    await page.keyboard.press('v');
+    assert.notDeepEqual(await d.view(), turned);
+  },
+};
