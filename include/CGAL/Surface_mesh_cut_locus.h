@@ -149,10 +149,27 @@ public:
     const auto read = std::make_shared<Read>(Cut_loci::internal::read_triangle_mesh(tm, vpm_));
     Cut_loci::internal::normalize_lengths(*read);
     read_ = read;
-    component_of_face_ = Cut_loci::internal::face_components(read_->mesh, number_of_components_);
+    component_of_face_ = std::make_shared<const std::vector<Index>>(
+      Cut_loci::internal::face_components(read_->mesh, number_of_components_));
   }
 
-  Surface_mesh_cut_locus(const Surface_mesh_cut_locus&) = delete;
+  /*!
+   * makes a copy for other sources: it has the parameters of `other`, and no source. What has been computed for the mesh
+   * alone, before and with the first source, is shared by all copies, and nothing else: so each thread may set sources of
+   * a copy of its own, while nobody changes the mesh. Copies are made before the threads start, or while no other one
+   * uses `other`.
+   *
+   * A geodesic solver and a visitor are copied, too; one that is held by `std::ref()` is then used by several threads.
+   */
+  Surface_mesh_cut_locus(const Surface_mesh_cut_locus& other)
+    : tm_(other.tm_), vpm_(other.vpm_), laplacian_operator_(other.laplacian_operator_),
+      has_fixed_method_(other.has_fixed_method_), fixed_method_(other.fixed_method_), method_(other.method_),
+      has_own_solver_(other.has_own_solver_), solver_(other.solver_), visitor_(other.visitor_), read_(other.read_),
+      component_of_face_(other.component_of_face_), number_of_components_(other.number_of_components_)
+  {
+    for(const auto& component : other.components_)
+      components_[component.first].reset(new Component(*component.second));
+  }
   Surface_mesh_cut_locus& operator=(const Surface_mesh_cut_locus&) = delete;
 
   /*!
@@ -236,7 +253,7 @@ public:
   {
     const double tolerance = snapping_tolerance(np);
     const auto read = Cut_loci::internal::read_sources(tm_, *read_, sources, tolerance);
-    Cut_loci::internal::check_sources(read_->mesh, read, component_of_face_, tolerance);
+    Cut_loci::internal::check_sources(read_->mesh, read, *component_of_face_, tolerance);
     solve(read, np);
   }
 
@@ -432,7 +449,7 @@ private:
     source_angle_threshold_ = runs_solver && solver_.gradient_angle_threshold() > 0.
                                 ? solver_.gradient_angle_threshold()
                                 : default_gradient_angle_threshold();
-    Component& component = component_at(component_of_face_[sources.front().location.face]);
+    Component& component = component_at((*component_of_face_)[sources.front().location.face]);
     component_ = &component;
     sources_.clear();
     for(const Cut_loci::Indexed_source& source : sources)
@@ -508,7 +525,7 @@ private:
       return *component;
     const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
     if(!component)
-      component.reset(new Component(read_->mesh, component_of_face_, id, number_of_components_));
+      component.reset(new Component(read_->mesh, *component_of_face_, id, number_of_components_));
     component->make_solver(method_, laplacian_operator_, read_->mesh, read_->positions);
     return *component;
   }
@@ -584,7 +601,7 @@ private:
   Cut_loci::internal::Visitor_handle visitor_;
 
   std::shared_ptr<const Read> read_;
-  std::vector<Index> component_of_face_;
+  std::shared_ptr<const std::vector<Index>> component_of_face_;
   Index number_of_components_ = 0;
   std::map<Index, std::unique_ptr<Component>> components_;
 

@@ -14,6 +14,8 @@
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -54,7 +56,13 @@ public:
   ///
   /// `positions` are the numbers by which messages name the vertices, if not by their index.
   explicit Exact_geodesic_propagation(const Indexed_triangle_mesh& mesh, const std::vector<Index>* positions = nullptr)
-    : Geodesic_results(mesh, positions),
+    : Exact_geodesic_propagation(std::make_shared<const Geodesic_faces>(mesh, positions))
+  {
+  }
+
+  /// for a mesh that has been read: several of them may share it, also in several threads
+  explicit Exact_geodesic_propagation(std::shared_ptr<const Geodesic_faces> faces)
+    : Geodesic_results(std::move(faces)),
       batches_(faces_.number_of_halfedges(), faces_.number_of_vertices(), 0.5 * faces_.mean_edge_length())
   {
   }

@@ -19,7 +19,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -310,7 +312,10 @@ protected:
     double direction_at_origin; // in which that piece leaves it
   };
 
-  Geodesic_results(const Indexed_triangle_mesh& mesh, const std::vector<Index>* positions) : faces_(mesh, positions) {}
+  explicit Geodesic_results(std::shared_ptr<const Geodesic_faces> faces)
+    : shared_faces_(std::move(faces)), faces_(*shared_faces_)
+  {
+  }
 
   /// \throws Invalid_input if a location is none on the mesh
   void prepare(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options)
@@ -532,8 +537,11 @@ private:
     }
   }
 
+private:
+  std::shared_ptr<const Geodesic_faces> shared_faces_; // with others for the same mesh
+
 protected:
-  Geodesic_faces faces_;
+  const Geodesic_faces& faces_;
   std::vector<Source> sources_;
   std::vector<double> distance_;
   std::vector<Geodesic_arrival> arrival_;

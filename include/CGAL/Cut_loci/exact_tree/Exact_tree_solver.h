@@ -45,15 +45,17 @@ class Exact_tree_solver : public Exact_tree_method
 public:
   // once per mesh
   explicit Exact_tree_solver(const Indexed_triangle_mesh& mesh)
-    : mesh_(mesh), connectivity_(mesh), geodesics_(checked_mesh(mesh, connectivity_)), diagonal_(diagonal(mesh))
+    : Exact_tree_solver(mesh, std::make_shared<const Surface>(mesh))
   {
-    const Default_branch_strength strength(mesh, connectivity_, geodesics_.faces(), diagonal_);
-    default_.gap = strength.gap;
-    default_.width = strength.width;
+  }
+
+  std::unique_ptr<Exact_tree_method> for_other_sources() const override
+  {
+    return std::unique_ptr<Exact_tree_method>(new Exact_tree_solver(mesh_, surface_));
   }
 
   // for the cut locus of the surface that the polyhedron stands for
-  const Exact_tree_thresholds& default_thresholds() const override { return default_; }
+  const Exact_tree_thresholds& default_thresholds() const override { return surface_->thresholds; }
 
   // What does not pass may be left out; `filter()` computes it if it is asked for.
   void expect(const Branch_strength& least) override { least_ = least; }
@@ -321,11 +323,33 @@ private:
         farthest_ = v;
   }
 
+  // what depends on the mesh alone
+  struct Surface
+  {
+    explicit Surface(const Indexed_triangle_mesh& mesh)
+      : connectivity(mesh), faces(std::make_shared<const Geodesic_faces>(checked_mesh(mesh, connectivity))),
+        diagonal(Exact_tree_solver::diagonal(mesh))
+    {
+      const Default_branch_strength strength(mesh, connectivity, *faces, diagonal);
+      thresholds.gap = strength.gap;
+      thresholds.width = strength.width;
+    }
+
+    Mesh_connectivity connectivity;
+    std::shared_ptr<const Geodesic_faces> faces;
+    double diagonal;
+    Exact_tree_thresholds thresholds; // the default
+  };
+
+  Exact_tree_solver(const Indexed_triangle_mesh& mesh, std::shared_ptr<const Surface> surface)
+    : mesh_(mesh), surface_(std::move(surface)), connectivity_(surface_->connectivity), geodesics_(surface_->faces)
+  {
+  }
+
   const Indexed_triangle_mesh& mesh_;
-  Mesh_connectivity connectivity_;
+  std::shared_ptr<const Surface> surface_;
+  const Mesh_connectivity& connectivity_; // of that
   Exact_geodesic_propagation geodesics_;
-  double diagonal_;
-  Exact_tree_thresholds default_;
   Branch_strength least_; // of what the tree has
 
   std::vector<Indexed_source> sources_;

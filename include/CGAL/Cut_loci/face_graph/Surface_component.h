@@ -33,7 +33,7 @@ namespace internal {
 struct Surface_component
 {
   const Indexed_triangle_mesh* mesh = nullptr; // of the whole if there is just one component
-  Mesh_component part;                         // else
+  std::shared_ptr<const Mesh_component> part;  // else
   double diagonal = 0.;
   std::unique_ptr<Laplacian_method> laplacian;
   std::unique_ptr<Exact_tree_method> exact_tree;
@@ -46,8 +46,8 @@ struct Surface_component
   {
     if(number_of_components > 1)
     {
-      part = extract_component(whole, component_of_face, id);
-      mesh = &part.mesh;
+      part = std::make_shared<const Mesh_component>(extract_component(whole, component_of_face, id));
+      mesh = &part->mesh;
     }
     std::array<double, 3> low = mesh->points.front(), high = low;
     for(const auto& p : mesh->points)
@@ -59,13 +59,19 @@ struct Surface_component
     diagonal = norm(high - low);
   }
 
-  Surface_component(const Surface_component&) = delete;
+  // shares what depends on the mesh alone
+  Surface_component(const Surface_component& other)
+    : mesh(other.mesh), part(other.part), diagonal(other.diagonal),
+      laplacian(other.laplacian ? other.laplacian->for_other_sources() : nullptr),
+      exact_tree(other.exact_tree ? other.exact_tree->for_other_sources() : nullptr)
+  {
+  }
   Surface_component& operator=(const Surface_component&) = delete;
 
-  bool is_whole() const { return part.vertices.empty(); }
+  bool is_whole() const { return !part; }
   // the indices in the whole mesh
-  Index vertex(Index local) const { return is_whole() ? local : part.vertices[local]; }
-  Index face(Index local) const { return is_whole() ? local : part.faces[local]; }
+  Index vertex(Index local) const { return is_whole() ? local : part->vertices[local]; }
+  Index face(Index local) const { return is_whole() ? local : part->faces[local]; }
   Index halfedge(Index h) const { return 3 * face(h / 3) + h % 3; }
 
   // edges inside count twice
@@ -85,8 +91,8 @@ struct Surface_component
     if(is_whole() || values.empty())
       return values;
     std::vector<T> result(n, elsewhere);
-    for(std::size_t i = 0; i < part.vertices.size(); ++i)
-      result[part.vertices[i]] = values[i];
+    for(std::size_t i = 0; i < part->vertices.size(); ++i)
+      result[part->vertices[i]] = values[i];
     return result;
   }
 
@@ -97,9 +103,9 @@ struct Surface_component
       return source;
     const auto position = [](const std::vector<Index>& sorted, Index global)
     { return static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), global) - sorted.begin()); };
-    source.location.face = position(part.faces, source.location.face);
+    source.location.face = position(part->faces, source.location.face);
     if(source.vertex != null_index)
-      source.vertex = position(part.vertices, source.vertex);
+      source.vertex = position(part->vertices, source.vertex);
     return source;
   }
 

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -40,10 +41,13 @@ class Laplacian_solver : public Laplacian_method
 public:
   // once per mesh
   Laplacian_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type)
-    : mesh_(mesh), connectivity_(mesh), tangent_(checked_mesh(mesh, connectivity_), connectivity_),
-      operators_(mesh, connectivity_, type), genus_(connectivity_.genus(mesh))
+    : Laplacian_solver(mesh, std::make_shared<const Surface>(mesh, type))
   {
-    tangent_.align(mesh, connectivity_, operators_.frames);
+  }
+
+  std::unique_ptr<Laplacian_method> for_other_sources() const override
+  {
+    return std::unique_ptr<Laplacian_method>(new Laplacian_solver(mesh_, surface_));
   }
 
   // once per source, in three parts
@@ -119,7 +123,7 @@ public:
   const std::vector<float>& gradient_angle() const { return angle_; }
   const std::vector<float>& laplacian() const { return laplacian_; }
   Index number_of_border_loops() const override { return connectivity_.number_of_border_loops; }
-  Index genus() const override { return genus_; }
+  Index genus() const override { return surface_->genus; }
   Index root() const override { return tree_.root; }
   Index farthest() const override { return farthest_; }
 
@@ -169,11 +173,33 @@ private:
     return best != null_index ? best : farthest_;
   }
 
+  // what depends on the mesh alone
+  struct Surface
+  {
+    Surface(const Indexed_triangle_mesh& mesh, Laplacian_operator type)
+      : connectivity(mesh), tangent(checked_mesh(mesh, connectivity), connectivity),
+        operators(mesh, connectivity, type), genus(connectivity.genus(mesh))
+    {
+      tangent.align(mesh, connectivity, operators.frames);
+    }
+
+    Mesh_connectivity connectivity;
+    Tangent_directions tangent;
+    Differential_operators operators;
+    Index genus;
+  };
+
+  Laplacian_solver(const Indexed_triangle_mesh& mesh, std::shared_ptr<const Surface> surface)
+    : mesh_(mesh), surface_(std::move(surface)), connectivity_(surface_->connectivity), tangent_(surface_->tangent),
+      operators_(surface_->operators)
+  {
+  }
+
   const Indexed_triangle_mesh& mesh_;
-  Mesh_connectivity connectivity_;
-  Tangent_directions tangent_;
-  Differential_operators operators_;
-  Index genus_;
+  std::shared_ptr<const Surface> surface_;
+  const Mesh_connectivity& connectivity_; // these are of it
+  const Tangent_directions& tangent_;
+  const Differential_operators& operators_;
 
   Indexed_source source_;
   std::vector<double> distance_;

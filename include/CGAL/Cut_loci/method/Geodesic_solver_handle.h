@@ -31,6 +31,14 @@ public:
   {
   }
 
+  Geodesic_solver_handle(Geodesic_solver_handle&&) = default;
+  Geodesic_solver_handle& operator=(Geodesic_solver_handle&&) = default;
+  Geodesic_solver_handle(const Geodesic_solver_handle& other)
+    : model_(other.model_ ? other.model_->copy() : nullptr), gradient_angle_threshold_(other.gradient_angle_threshold_),
+      method_(other.method_)
+  {
+  }
+
   bool empty() const { return !model_; }
 
   // the default that the solver asks for, or 0

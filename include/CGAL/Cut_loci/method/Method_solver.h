@@ -12,6 +12,7 @@
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -44,6 +45,8 @@ public:
 class Laplacian_method : public Method_solver
 {
 public:
+  // another one for the same mesh, which shares what depends on it alone, also in another thread
+  virtual std::unique_ptr<Laplacian_method> for_other_sources() const = 0;
   // comes first; `geodesics` is what the exact solver found: null, or there until the tree has grown
   virtual void set_distance(const Indexed_source& source, std::vector<double> distance,
                             const Geodesic_results* geodesics = nullptr) = 0;
@@ -61,6 +64,8 @@ public:
 class Exact_tree_method : public Method_solver
 {
 public:
+  // another one for the same mesh, which shares what depends on it alone, also in another thread
+  virtual std::unique_ptr<Exact_tree_method> for_other_sources() const = 0;
   // for the cut locus of the surface that the polyhedron stands for
   virtual const Exact_tree_thresholds& default_thresholds() const = 0;
   // What does not pass may be left out; `filter()` computes it if it is asked for.
