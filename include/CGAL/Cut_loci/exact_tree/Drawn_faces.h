@@ -48,7 +48,7 @@ public:
     jumps_.start(faces_.source(h), faces_.target(h), faces_.length(h));
     const bool is_second = is_crossed_[o] || geodesics_.waits(o);
     if(jumps_.between_windows(list) || has_jump_at_end(list, h, o) ||
-       (is_second && jumps_.is_mirrored(list.get<columns>(list.begin), list.get<columns>(list.end - 1))))
+       (is_second && jumps_.is_mirrored(jumps_.window(list, list.begin), jumps_.window(list, list.end - 1))))
       is_drawn[h / 3] = is_drawn[o / 3] = 1;
     return false;
   }
@@ -63,11 +63,9 @@ public:
   }
 
 private:
-  static constexpr int columns = 7;
-
   bool has_jump_at_end(const Geodesic_window_list& list, Index h, Index o)
   {
-    const Geodesic_window first = list.get<columns>(list.begin), last = list.get<columns>(list.end - 1);
+    const Geodesic_window first = jumps_.window(list, list.begin), last = jumps_.window(list, list.end - 1);
     if(jumps_.at_ends(first, last))
       return true;
     float& known = bend[(std::min)(h, o)];

@@ -15,6 +15,7 @@
 #include <CGAL/Cut_loci/exact_tree/Edge_crossings.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Ridges.h>
+#include <CGAL/Cut_loci/exact_tree/Shot_width.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
@@ -46,6 +47,13 @@ public:
   {
   }
 
+  /// lets the distances have an error, see `Exact_geodesic_options`; the tree is one above some strength then
+  void allow_error(double maximum_relative_error, double merging_angle)
+  {
+    options_.maximum_relative_error = maximum_relative_error;
+    options_.merging_angle = merging_angle;
+  }
+
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
   const Mesh_connectivity& connectivity() const { return connectivity_; }
   const Exact_geodesic_propagation& geodesics() const { return geodesics_; }
@@ -62,7 +70,7 @@ public:
     for(double slack : {4., 32., (std::numeric_limits<double>::infinity)()})
     {
       crossings_.reset(new Edge_crossings(geodesics_, is_drawn_, slack));
-      geodesics_.run(sources, Exact_geodesic_options(), *crossings_);
+      geodesics_.run(sources, options_, *crossings_);
       crossings_->finish();
       if(crossings_->number_of_late() == 0)
         return;
@@ -95,6 +103,7 @@ public:
   {
     measured_from_ = (std::numeric_limits<double>::infinity)();
     measure_.reset(new Digon_width(mesh_, geodesics_));
+    shots_.reset(new Shot_width(mesh_, geodesics_));
   }
 
   const Tree_graph& graph() const { return *graph_; }
@@ -185,8 +194,12 @@ private:
     const Ridges::Piece& piece = ridges_.piece(e.piece);
     for(int k = 0; k < 2; ++k)
       if(piece.gaps[k] >= piece.gaps[1 - k] - 1e-9)
-        result =
-          (std::max)(result, (*measure_)(e.face, ridges_.piece_end(e.piece, k), piece.images[0], piece.images[1]));
+      {
+        const Plane_point p = ridges_.piece_end(e.piece, k);
+        result = (std::max)(result, geodesics_.is_approximate()
+                                      ? (*shots_)(e.face, p, piece.images[0], piece.images[1])
+                                      : (*measure_)(e.face, p, piece.images[0], piece.images[1]));
+      }
     return result;
   }
 
@@ -198,7 +211,7 @@ private:
       return;
     }
     Drawn_faces found(geodesics_, least_);
-    geodesics_.run(sources, Exact_geodesic_options(), found);
+    geodesics_.run(sources, options_, found);
     // between sources at the ends of an edge there may be no windows
     for(Index f = 0; f < mesh_.number_of_faces() && sources.size() > 1; ++f)
       for(Index v : mesh_.triangles[f])
@@ -244,6 +257,7 @@ private:
   const Mesh_connectivity& connectivity_;
   Exact_geodesic_propagation& geodesics_;
   std::vector<Index> source_vertices_;
+  Exact_geodesic_options options_;
   Branch_strength least_;
   std::vector<unsigned char> is_drawn_; // by face, and
   std::vector<float> bend_;             // by halfedge, until the ridges are drawn
@@ -255,6 +269,7 @@ private:
   std::vector<float> width_;  // of the edges that have been measured, else 0
   double measured_from_ = 0.; // the least width for which it is of all
   std::unique_ptr<Digon_width> measure_;
+  std::unique_ptr<Shot_width> shots_; // for distances with an error
 };
 
 } // namespace internal

@@ -58,6 +58,9 @@ public:
   // What does not pass may be left out; `filter()` computes it if it is asked for.
   void expect(const Branch_strength& least) override { least_ = least; }
 
+  // for all sources that follow
+  void set_maximum_relative_error(double error) { maximum_relative_error_ = error; }
+
   // once per source, or set of sources, in four parts
   void compute_distance(const std::vector<Indexed_source>& sources) override
   {
@@ -108,7 +111,7 @@ public:
     std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds);
     // Cycles stay whatever their strength. Where one is weaker than what has been looked for, nothing is known of it but
     // that it is there: then once more, with all that is.
-    if(!tree_->is_known(kept) && !least_.is_none())
+    if(!tree_->is_known(kept) && !least_.is_none() && maximum_relative_error_ == 0.)
     {
       compute_more(Branch_strength());
       kept = tree_->kept(thresholds);
@@ -181,10 +184,21 @@ private:
       tree_.reset(new Exact_tree(divided_->mesh(), divided_->connectivity, divided_->geodesics, divided_->vertices()));
     else
       tree_.reset(new Exact_tree(mesh_, connectivity_, geodesics_, source_vertices()));
+    if(maximum_relative_error_ > 0.)
+      allow_error();
     tree_->propagate(locations(number), least_);
     for(double d : geodesics().distances())
       if(!(d < (std::numeric_limits<double>::infinity)()))
         throw Invalid_input("the exact solver does not reach all vertices: some faces may be too thin for it");
+  }
+
+  // Windows may be merged where what is between them is half of what the weakest branch needs.
+  void allow_error()
+  {
+    if(least_.is_none())
+      throw Invalid_input("the full cut locus of a polyhedron needs exact distances: maximum_relative_error must be zero, "
+                          "or a least strength of the branches asked for");
+    tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(diagonal_));
   }
 
   void compute_more(const Branch_strength& least)
@@ -327,6 +341,7 @@ private:
   double diagonal_;
   Exact_tree_thresholds default_;
   Branch_strength least_; // of what the tree has
+  double maximum_relative_error_ = 0.; // of the distances
 
   std::vector<Indexed_source> sources_;
   std::unique_ptr<Divided_surface> divided_; // if there are several sources, and not all of them at vertices

@@ -43,9 +43,16 @@ public:
     least_angle_ = least_.least_angle(distance_);
   }
 
+  Geodesic_window window(const Geodesic_window_list& list, std::size_t i) const
+  {
+    return geodesics_.is_approximate() ? list.get<9>(i) : list.get<7>(i);
+  }
+
   /// whether two neighbors in the list differ
   bool between_windows(const Geodesic_window_list& list) const
   {
+    if(geodesics_.is_approximate())
+      return between_merged_windows(list);
     const double *b = list.column(1), *x = list.column(2), *y = list.column(3), *turn = list.column(5),
                  *origin = list.column(6);
     for(std::size_t i = list.begin; i + 1 < list.end; ++i)
@@ -60,6 +67,18 @@ public:
         (origin[i] == origin[i + 1]) &
         ((std::fabs((turn[i + 1] - turn[i]) * uu + cross) > least_angle_ * uu) | (std::fabs(cross) > steep * uu));
       if((bends | parts) && differ(list.get<7>(i), list.get<7>(i + 1), b[i]))
+        return true;
+    }
+    return false;
+  }
+
+  /// the same for windows whose directions do not turn as the rays do
+  bool between_merged_windows(const Geodesic_window_list& list) const
+  {
+    for(std::size_t i = list.begin; i + 1 < list.end; ++i)
+    {
+      const Geodesic_window w = window(list, i);
+      if(differ(w, window(list, i + 1), w.b))
         return true;
     }
     return false;
@@ -106,7 +125,7 @@ private:
 
   static Path_label label(const Geodesic_window& w)
   {
-    return {w.x, w.y, w.sigma, w.turn, static_cast<Index>(w.origin), false};
+    return {w.x, w.y, w.sigma, w.turn, static_cast<Index>(w.origin), false, w.rate};
   }
 
   bool differ(const Geodesic_window& u, const Geodesic_window& v, double t) const

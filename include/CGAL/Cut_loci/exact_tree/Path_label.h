@@ -39,6 +39,7 @@ struct Path_label
   double turn;    // what turns directions of this frame into directions at the origin
   Index origin;   // as in `Geodesic_window`
   bool from_face; // whether the paths come out of the face of the halfedge
+  double rate = 1.; // as in `Geodesic_window`
 
   double distance(double t) const { return sigma + std::sqrt((t - x) * (t - x) + y * y); }
 
@@ -46,13 +47,14 @@ struct Path_label
   double direction(double t) const
   {
     const double angle = upper_angle(t - x, std::fabs(y));
-    return from_face ? turn - angle : turn + angle;
+    return from_face ? turn - rate * angle : turn + rate * angle;
   }
 
   /// the same in the frame of the opposite halfedge
   Path_label opposite(double length) const
   {
-    return {length - x, -y, sigma, from_face ? turn - geodesic_pi : turn + geodesic_pi, origin, !from_face};
+    return {length - x, -y,         sigma, turn + (from_face ? -rate : rate) * geodesic_pi,
+            origin,     !from_face, rate};
   }
 };
 
