@@ -59,11 +59,12 @@ public:
   void expect(const Branch_strength& least) override { least_ = least; }
 
   // for all sources that follow
-  void set_maximum_relative_error(double error) { maximum_relative_error_ = error; }
+  void set_maximum_relative_error(double error) override { maximum_relative_error_ = error; }
 
   // once per source, or set of sources, in four parts
   void compute_distance(const std::vector<Indexed_source>& sources) override
   {
+    refuse_error_without_strength(least_);
     sources_ = sources;
     tree_.reset();
     divided_.reset();
@@ -71,6 +72,8 @@ public:
       divided_.reset(new Divided_surface(mesh_, sources));
     start();
     distance_ = geodesics().distances();
+    for(Index v = 0; v < distance_.size() && maximum_relative_error_ > 0.; ++v)
+      distance_[v] += geodesics().distance_error(v);
     distance_.resize(mesh_.number_of_vertices());
     nearest_source_.clear();
     for(Index v = 0; v < mesh_.number_of_vertices() && sources.size() > 1; ++v)
@@ -184,25 +187,25 @@ private:
       tree_.reset(new Exact_tree(divided_->mesh(), divided_->connectivity, divided_->geodesics, divided_->vertices()));
     else
       tree_.reset(new Exact_tree(mesh_, connectivity_, geodesics_, source_vertices()));
-    if(maximum_relative_error_ > 0.)
-      allow_error();
+    // Windows may be merged where what is between them is half of what the weakest branch needs.
+    tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(diagonal_));
     tree_->propagate(locations(number), least_);
     for(double d : geodesics().distances())
       if(!(d < (std::numeric_limits<double>::infinity)()))
         throw Invalid_input("the exact solver does not reach all vertices: some faces may be too thin for it");
   }
 
-  // Windows may be merged where what is between them is half of what the weakest branch needs.
-  void allow_error()
+  void refuse_error_without_strength(const Branch_strength& least) const
   {
-    if(least_.is_none())
-      throw Invalid_input("the full cut locus of a polyhedron needs exact distances: maximum_relative_error must be zero, "
-                          "or a least strength of the branches asked for");
-    tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(diagonal_));
+    if(least.is_none() && maximum_relative_error_ > 0.)
+      throw Invalid_input("all of the cut locus of a polyhedron needs exact distances: leave maximum_relative_error away, "
+                          "or ask for branches of some minimum_branch_width or minimum_branch_gap by "
+                          "cut_locus_method(Cut_loci::Method::DIRECTION)");
   }
 
   void compute_more(const Branch_strength& least)
   {
+    refuse_error_without_strength(least);
     least_ = least;
     start();
     compute_strengths();

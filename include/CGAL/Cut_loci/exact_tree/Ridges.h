@@ -265,6 +265,9 @@ private:
   void unite_families()
   {
     const std::size_t n = local_changes_.size();
+    own_images_.clear();
+    for(const Face_ridges::Change& c : local_changes_)
+      own_images_.push_back({{c.before, c.after}});
     for(std::size_t i = 0; i < n; ++i)
     {
       const std::size_t next = i + 1 < n ? i + 1 : 0;
@@ -424,18 +427,25 @@ private:
       else if(node.vertex == null_index)
         piece.gaps[k] = gap(piece.images[0], piece.images[1], node.point);
     }
-    if(drawing_.is_doubtful && geodesics_->is_approximate())
-      fit_gaps(piece);
+    if(geodesics_->is_approximate())
+      use_own_images(r, piece);
     pieces_.push_back(piece);
   }
 
-  /// Images that do not fit each other say nothing where they do not come from: only the end at a crossing counts.
-  void fit_gaps(Piece& piece) const
+  /// The image of a family is one of several: at a crossing, a piece has those that are its own.
+  void use_own_images(const Face_ridges::Ridge& r, Piece& piece) const
   {
+    int best = -1;
     for(int k = 0; k < 2; ++k)
-      if(nodes_[piece.first_node + piece.nodes[1 - k]].crossing != null_index &&
-         nodes_[piece.first_node + piece.nodes[k]].crossing == null_index)
-        piece.gaps[k] = (1. - 1e-6) * piece.gaps[1 - k];
+      if(r.nodes[k] < own_images_.size() && nodes_of_changes_[r.nodes[k]].crossing != null_index &&
+         (best < 0 || piece.gaps[k] > piece.gaps[best]))
+        best = k;
+    if(best < 0)
+      return;
+    const std::array<Image, 2>& own = own_images_[r.nodes[best]];
+    piece.images[0] = own[best];
+    piece.images[1] = own[1 - best];
+    piece.gaps[1 - best] = (std::min)(piece.gaps[1 - best], (1. - 1e-6) * piece.gaps[best]);
   }
 
   /// the angle at which the paths from two images to a point part
@@ -488,6 +498,7 @@ private:
   std::vector<Face_ridges::Change> local_changes_;
   std::vector<Face_ridges::Entry> entries_;
   std::vector<Node> nodes_of_changes_;
+  std::vector<std::array<Image, 2>> own_images_; // of the changes, before those of a family become one
   Face_ridges drawing_;
   std::vector<Index> position_, parent_;
 };

@@ -136,7 +136,7 @@ private:
   /// leaves in `shot_` the nearest shot of a few, each in the direction that the one before asks for
   void aim(const Leg& leg, double begin, double length)
   {
-    const double enough = 0.01 * faces_.mean_edge_length();
+    const double enough = 0.1 * faces_.mean_edge_length(); // widths of an edge or two matter
     double direction = leg.direction, spread = leg.spread, least = (std::numeric_limits<double>::infinity)();
     double last_direction = 0., last_aside = 0.;
     for(int i = 0; i < 5; ++i)
@@ -144,12 +144,12 @@ private:
       const double aside = shoot(leg, direction, begin, length), miss = std::fabs(aside);
       if(i > 0 && (aside - last_aside) * (direction - last_direction) < 0.)
         spread = (last_aside - aside) / (direction - last_direction);
-      if(miss < least)
+      if(i == 0 || miss < least)
       {
         least = miss;
         best_.swap(shot_);
       }
-      if(miss <= enough || !(spread > 0.))
+      if(!(miss > enough) || !(spread > 0.))
         break;
       last_direction = direction;
       last_aside = aside;
@@ -163,19 +163,24 @@ private:
   {
     shot_.clear();
     Shot shot = start(leg.origin, direction);
-    double way = 0.;
     shot_.push_back({position(shot.halfedge, shot.from), begin});
-    while(true)
+    double way = leave_first_face(shot);
+    // the separation of two paths changes slowly: points at every edge, or so, and not more than some hundred
+    const double step = (std::max)(faces_.mean_edge_length(), 0.01 * length);
+    double next = step;
+    for(Index i = 0; i < faces_.number_of_faces() && way < length && shot.halfedge != null_index; ++i)
     {
-      const double step = leave_face(shot);
-      const bool ends = !(way + step < length) || shot.halfedge == null_index || shot_.size() > faces_.number_of_faces();
-      const double rest = (std::min)(step, length - way);
-      const Plane_point to{before_.from.x + rest * before_.dx, before_.from.y + rest * before_.dy};
-      way += rest;
-      shot_.push_back({position(before_.halfedge, to), begin + way});
-      if(ends)
-        return aside(before_, leg.end - shot_.back().point);
+      if(way >= next)
+      {
+        shot_.push_back({position(shot.halfedge, shot.from), begin + way});
+        next = way + step;
+      }
+      way += leave_face(shot);
     }
+    const double rest = (std::min)(way, length) - (way - last_step_);
+    const Plane_point to{before_.from.x + rest * before_.dx, before_.from.y + rest * before_.dy};
+    shot_.push_back({position(before_.halfedge, to), begin + (std::min)(way, length)});
+    return aside(before_, leg.end - shot_.back().point);
   }
 
   /// the part of a vector in space that is to the left of a shot in its face
@@ -243,45 +248,75 @@ private:
     return {h, {0., 0.}, std::cos(angle), std::sin(angle)};
   }
 
-  /// goes to where the shot leaves its face, into the next one or null; returns how far that is. What has been left is in
-  /// `before_`.
-  double leave_face(Shot& shot)
+  /// goes from the origin to where the shot leaves its face, into the next one or null; returns how far that is
+  double leave_first_face(Shot& shot)
   {
     before_ = shot;
-    const Index h = shot.halfedge, starts = starts_at(shot);
+    const Index h = shot.halfedge;
     const std::array<Plane_point, 3> c = {{{0., 0.}, {faces_.length(h), 0.}, faces_.apex(h)}};
-    double least = (std::numeric_limits<double>::infinity)();
+    last_step_ = (std::numeric_limits<double>::infinity)();
     Index exit = null_index;
-    for(Index i = starts; i < 3; ++i)
+    for(Index i = shot.from.y > 0. ? 0 : 1; i < 3; ++i) // not through the edge on which it starts
     {
       const Plane_point &p = c[i], &q = c[(i + 1) % 3];
       const double side = (q.x - p.x) * shot.dy - (q.y - p.y) * shot.dx; // negative if it leads out
-      if(!(side < 0.))
-        continue;
       const double s = ((q.x - p.x) * (shot.from.y - p.y) - (q.y - p.y) * (shot.from.x - p.x)) / -side;
-      if(s < least)
+      if(side < 0. && s < last_step_)
       {
-        least = s;
+        last_step_ = s;
         exit = i;
       }
     }
-    shot.halfedge = null_index;
     if(exit == null_index)
-      return least;
-    least = (std::max)(least, 0.);
-    const Index g = 3 * (h / 3) + (h % 3 + exit) % 3, o = faces_.opposite(g);
-    if(o == null_index)
-      return (std::numeric_limits<double>::infinity)();
+      return stop(shot);
+    last_step_ = (std::max)(last_step_, 0.);
+    const Index g = 3 * (h / 3) + (h % 3 + exit) % 3;
     const Plane_point &p = c[exit], &q = c[(exit + 1) % 3];
     const double l = faces_.length(g), ux = (p.x - q.x) / l, uy = (p.y - q.y) / l; // along the opposite
-    const double x = shot.from.x + least * shot.dx - q.x, y = shot.from.y + least * shot.dy - q.y;
-    shot = {o, {(std::min)((std::max)(x * ux + y * uy, 0.), l), 0.}, shot.dx * ux + shot.dy * uy,
-            shot.dy * ux - shot.dx * uy};
-    return least;
+    const double x = shot.from.x + last_step_ * shot.dx - q.x, y = shot.from.y + last_step_ * shot.dy - q.y;
+    enter(shot, faces_.opposite(g), x * ux + y * uy, l, shot.dx * ux + shot.dy * uy, shot.dy * ux - shot.dx * uy);
+    return last_step_;
   }
 
-  /// the first edge by which it can leave: not the one through which it has come
-  static Index starts_at(const Shot& shot) { return shot.from.y > 0. ? 0 : 1; }
+  /// the same for a shot that has entered its face through an edge
+  double leave_face(Shot& shot)
+  {
+    before_ = shot;
+    const Geodesic_face& face = faces_.face_of(shot.halfedge);
+    const Index i = shot.halfedge % 3, j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
+    const Geodesic_face::Corner &a = face.corner[i], &b = face.corner[j];
+    const double t = shot.from.x, dx = shot.dx, dy = shot.dy, left = face.corner[k].length;
+    if(dx * left * a.sine > dy * (left * a.cosine - t))
+    {
+      const double out = dx * b.sine + dy * b.cosine;
+      if(!(out > 0.))
+        return stop(shot);
+      last_step_ = (a.length - t) * b.sine / out;
+      enter(shot, face.opposite[j], b.length - last_step_ * dy / b.sine, b.length, dx * b.cosine - dy * b.sine, out);
+    }
+    else
+    {
+      const double out = dy * a.cosine - dx * a.sine;
+      if(!(out > 0.))
+        return stop(shot);
+      last_step_ = t * a.sine / out;
+      enter(shot, face.opposite[k], last_step_ * dy / a.sine, left, dx * a.cosine + dy * a.sine, out);
+    }
+    return last_step_;
+  }
+
+  /// where rounding leaves no way on, as at a vertex
+  double stop(Shot& shot)
+  {
+    shot.halfedge = null_index;
+    last_step_ = 0.;
+    return 0.;
+  }
+
+  static void enter(Shot& shot, Index h, double t, double length, double dx, double dy)
+  {
+    shot = {h, {(std::min)((std::max)(t, 0.), length), 0.}, dx, dy};
+  }
 
   double largest_separation() const
   {
@@ -310,7 +345,8 @@ private:
   const Geodesic_results& geodesics_;
   const Geodesic_faces& faces_;
   Path first_, second_, shot_, best_; // the last two forward
-  Shot before_{};
+  Shot before_{};           // as it was in the last face, and
+  double last_step_ = 0.;    // how far it went there
 };
 
 } // namespace internal
