@@ -174,9 +174,9 @@ public:
    *                           to 0.1. Time and memory then grow nearly linearly with the number of faces.}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{0}
-   *     \cgalParamExtra{for `Exact_geodesic_solver`, and not for `Cut_loci::Method::POLYHEDRAL`. On fine meshes of some
-   *                     100 000 faces and more, 1e-4 moves the curve by a few hundredths of an edge at most in the mean
-   *                     and saves half of the time and more, see Section \ref Surface_mesh_cut_locusError.}
+   *     \cgalParamExtra{for `Exact_geodesic_solver`, and not for `Cut_loci::Method::POLYHEDRAL`. On smooth meshes of
+   *                     100 000 to a million faces, 1e-5 moves the curve by less than a hundredth of an edge in the mean,
+   *                     see Section \ref Surface_mesh_cut_locus_error.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{snapping_tolerance}
    *     \cgalParamDescription{a barycentric coordinate of the source up to this value is taken for zero}

@@ -547,7 +547,8 @@ TEST_F(Program, Wrong_command_lines)
     expect_failure(run_on_torus(std::string(method) + "--smooth 4"), "--smooth is for --method laplacian");
   for(const char* error : {"-1", "0.2", "nan", "x"})
     expect_failure(run_on_torus(std::string("--max-relative-error=") + error), "--max-relative-error takes");
-  expect_failure(run_on_torus("--max-relative-error 0.001 --solver heat"), "--max-relative-error is for --solver exact");
+  expect_failure(run_on_torus("--max-relative-error 0.001 --solver heat"),
+                 "--max-relative-error is for --solver exact");
   expect_failure(run_on_torus("--max-relative-error 0.001 --method polyhedral"), "needs exact distances");
   expect_failure(run_on_torus("--max-relative-error 0.001 --min-branch-width 0"), "needs exact distances");
   expect_failure(run_on_torus("--curve both"), "--curve takes edges or faces");

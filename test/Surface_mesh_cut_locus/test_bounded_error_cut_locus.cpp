@@ -222,7 +222,8 @@ TEST(Bounded_error_cut_locus, refusals)
   EXPECT_THROW(heat.set_source(v, params::maximum_relative_error(1e-3)), Invalid_input);
   heat.set_source(v, params::maximum_relative_error(0.));
   const CGAL::Constant_property_map<Built::vertex_descriptor, double> distances(1.);
-  EXPECT_THROW(solver.set_source(v, params::maximum_relative_error(1e-3).vertex_distance_map(distances)), Invalid_input);
+  EXPECT_THROW(solver.set_source(v, params::maximum_relative_error(1e-3).vertex_distance_map(distances)),
+               Invalid_input);
 }
 
 } // namespace

@@ -174,11 +174,13 @@ TEST(Bounded_error_with_directions, distances_on_random_meshes)
   for(unsigned seed = 1; seed <= 24; ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    expect_bounds_with_directions(bumpy_grid(4 + seed % 20, 6 + seed % 21, std::pow(10., -2. + 0.5 * (seed % 6)), seed, 0.05 * (seed % 6)),
-                  1 + seed % 2, seed);
+    expect_bounds_with_directions(
+      bumpy_grid(4 + seed % 20, 6 + seed % 21, std::pow(10., -2. + 0.5 * (seed % 6)), seed, 0.05 * (seed % 6)),
+      1 + seed % 2, seed);
     expect_bounds_with_directions(torus(12 + seed % 33, 6 + seed % 21, 0.05 * (seed % 6), seed), 1 + seed % 2, seed);
-    expect_bounds_with_directions(perforated(bumpy_grid(9 + seed % 19, 8 + seed % 17, 0.2 * (seed % 4), seed, 0.15), 0.3, seed),
-                  1 + seed % 3, seed);
+    expect_bounds_with_directions(
+      perforated(bumpy_grid(9 + seed % 19, 8 + seed % 17, 0.2 * (seed % 4), seed, 0.15), 0.3, seed), 1 + seed % 3,
+      seed);
     Mesh needles = bumpy_grid(6 + seed % 17, 6 + seed % 15, 0.3, seed, 0.2);
     for(auto& p : needles.points)
       p[seed % 2] *= std::pow(10., -1. - 0.5 * (seed % 5));

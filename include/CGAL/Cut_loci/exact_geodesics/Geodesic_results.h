@@ -32,9 +32,9 @@ struct Exact_geodesic_options
   double maximum_distance = (std::numeric_limits<double>::infinity)(); ///< nothing beyond it is reached
   bool directions = false;                                             ///< whether directions at the source are wanted
   double maximum_relative_error = 0.;                                  ///< by which distances may be wrong
-  double merging_angle = 0.; ///< with such an error: by which directions may change where windows are merged
-  bool all_centroids = false;                                          ///< whether face centroids are query locations
-  std::vector<Indexed_location> queries;                               ///< further points whose distance is wanted
+  double merging_angle = 0.;  ///< with such an error: by which directions may change where windows are merged
+  bool all_centroids = false; ///< whether face centroids are query locations
+  std::vector<Indexed_location> queries; ///< further points whose distance is wanted
 };
 
 /// is the end of a shortest path: its last straight piece, in the frame of a halfedge of the face in which it ends.

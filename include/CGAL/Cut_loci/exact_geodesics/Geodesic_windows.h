@@ -27,10 +27,11 @@ namespace internal {
  */
 struct Geodesic_window
 {
-  double a, b;   // the interval on the halfedge
-  double x, y;   // the image of the source
-  double sigma;  // the distance of the image from the true source
-  double turn;   // the rotation from this frame to the one of the (pseudo-)source, or the error if there are no directions
+  double a, b;  // the interval on the halfedge
+  double x, y;  // the image of the source
+  double sigma; // the distance of the image from the true source
+  double
+    turn; // the rotation from this frame to the one of the (pseudo-)source, or the error if there are no directions
   double origin; // the number of the (pseudo-)source: that of a source, or the number of sources plus that of a vertex
   // With an error and directions: a ray at the angle p in this frame leaves the origin in the direction turn + rate p.
   double rate = 1.;

@@ -196,9 +196,9 @@ private:
       if(piece.gaps[k] >= piece.gaps[1 - k] - 1e-9)
       {
         const Plane_point p = ridges_.piece_end(e.piece, k);
-        result = (std::max)(result, geodesics_.is_approximate()
-                                      ? (*shots_)(e.face, p, piece.images[0], piece.images[1])
-                                      : (*measure_)(e.face, p, piece.images[0], piece.images[1]));
+        result =
+          (std::max)(result, geodesics_.is_approximate() ? (*shots_)(e.face, p, piece.images[0], piece.images[1])
+                                                         : (*measure_)(e.face, p, piece.images[0], piece.images[1]));
       }
     return result;
   }

@@ -198,9 +198,10 @@ private:
   void refuse_error_without_strength(const Branch_strength& least) const
   {
     if(least.is_none() && maximum_relative_error_ > 0.)
-      throw Invalid_input("all of the cut locus of a polyhedron needs exact distances: leave maximum_relative_error away, "
-                          "or ask for branches of some minimum_branch_width or minimum_branch_gap by "
-                          "cut_locus_method(Cut_loci::Method::DIRECTION)");
+      throw Invalid_input(
+        "all of the cut locus of a polyhedron needs exact distances: leave maximum_relative_error away, "
+        "or ask for branches of some minimum_branch_width or minimum_branch_gap by "
+        "cut_locus_method(Cut_loci::Method::DIRECTION)");
   }
 
   void compute_more(const Branch_strength& least)
@@ -343,7 +344,7 @@ private:
   Exact_geodesic_propagation geodesics_;
   double diagonal_;
   Exact_tree_thresholds default_;
-  Branch_strength least_; // of what the tree has
+  Branch_strength least_;              // of what the tree has
   double maximum_relative_error_ = 0.; // of the distances
 
   std::vector<Indexed_source> sources_;

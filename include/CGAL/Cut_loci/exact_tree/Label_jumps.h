@@ -43,16 +43,12 @@ public:
     least_angle_ = least_.least_angle(distance_);
   }
 
-  Geodesic_window window(const Geodesic_window_list& list, std::size_t i) const
-  {
-    return geodesics_.is_approximate() ? list.get<9>(i) : list.get<7>(i);
-  }
-
   /// whether two neighbors in the list differ
+  template <int columns>
   bool between_windows(const Geodesic_window_list& list) const
   {
-    if(geodesics_.is_approximate())
-      return between_merged_windows(list);
+    if(columns > 7)
+      return between_merged_windows<columns>(list);
     const double *b = list.column(1), *x = list.column(2), *y = list.column(3), *turn = list.column(5),
                  *origin = list.column(6);
     for(std::size_t i = list.begin; i + 1 < list.end; ++i)
@@ -73,12 +69,13 @@ public:
   }
 
   /// the same for windows whose directions do not turn as the rays do
+  template <int columns>
   bool between_merged_windows(const Geodesic_window_list& list) const
   {
     for(std::size_t i = list.begin; i + 1 < list.end; ++i)
     {
-      const Geodesic_window w = window(list, i);
-      if(differ(w, window(list, i + 1), w.b))
+      const Geodesic_window w = list.get<columns>(i);
+      if(differ(w, list.get<columns>(i + 1), w.b))
         return true;
     }
     return false;

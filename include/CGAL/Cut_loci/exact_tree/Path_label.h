@@ -34,11 +34,11 @@ inline double upper_angle(double x, double y)
  */
 struct Path_label
 {
-  double x, y;    // the image; y <= 0 if the paths come from behind the halfedge, and y >= 0 if from its face
-  double sigma;   // the distance of the image from the source
-  double turn;    // what turns directions of this frame into directions at the origin
-  Index origin;   // as in `Geodesic_window`
-  bool from_face; // whether the paths come out of the face of the halfedge
+  double x, y;      // the image; y <= 0 if the paths come from behind the halfedge, and y >= 0 if from its face
+  double sigma;     // the distance of the image from the source
+  double turn;      // what turns directions of this frame into directions at the origin
+  Index origin;     // as in `Geodesic_window`
+  bool from_face;   // whether the paths come out of the face of the halfedge
   double rate = 1.; // as in `Geodesic_window`
 
   double distance(double t) const { return sigma + std::sqrt((t - x) * (t - x) + y * y); }
@@ -53,8 +53,7 @@ struct Path_label
   /// the same in the frame of the opposite halfedge
   Path_label opposite(double length) const
   {
-    return {length - x, -y,         sigma, turn + (from_face ? -rate : rate) * geodesic_pi,
-            origin,     !from_face, rate};
+    return {length - x, -y, sigma, turn + (from_face ? -rate : rate) * geodesic_pi, origin, !from_face, rate};
   }
 };
 

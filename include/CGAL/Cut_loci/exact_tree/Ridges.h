@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_RIDGES_H
 #define CGAL_CUT_LOCI_EXACT_TREE_RIDGES_H
 
+#include <CGAL/Cut_loci/exact_tree/Edge_crossings.h>
 #include <CGAL/Cut_loci/exact_tree/Face_ridges.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Path_label.h>

@@ -187,7 +187,7 @@ private:
   double aside(const Shot& shot, const Vector& v) const
   {
     const Vector &a = mesh_.points[faces_.source(shot.halfedge)], &b = mesh_.points[faces_.target(shot.halfedge)];
-    const Vector &c = mesh_.points[faces_.source(Mesh::previous(shot.halfedge))];
+    const Vector& c = mesh_.points[faces_.source(Mesh::previous(shot.halfedge))];
     const Vector along = (1. / norm(b - a)) * (b - a), normal = cross(b - a, c - a);
     const Vector left = (1. / norm(normal)) * cross(normal, along);
     return dot(v, shot.dx * left - shot.dy * along);
@@ -345,8 +345,8 @@ private:
   const Geodesic_results& geodesics_;
   const Geodesic_faces& faces_;
   Path first_, second_, shot_, best_; // the last two forward
-  Shot before_{};           // as it was in the last face, and
-  double last_step_ = 0.;    // how far it went there
+  Shot before_{};                     // as it was in the last face, and
+  double last_step_ = 0.;             // how far it went there
 };
 
 } // namespace internal

@@ -156,8 +156,7 @@ private:
   Path_label bent(Index v, double angle) const
   {
     const Geodesic_arrival start = geodesics_.from_vertex(v);
-    return {0.,    0.,        start.sigma, geodesics_.is_origin(v) ? angle : start.turn, start.origin,
-            false, start.rate};
+    return {0., 0., start.sigma, geodesics_.is_origin(v) ? angle : start.turn, start.origin, false, start.rate};
   }
 
   /// the path to `v` and its neighbors
@@ -166,8 +165,8 @@ private:
     const Geodesic_arrival& arrival = geodesics_.arrival(v);
     const Plane_point end = geodesics_.end_in_frame(arrival, v);
     const double r = geodesics_.distance(v) - arrival.sigma;
-    Path_label label{r * std::cos(angle), -r * std::sin(angle), arrival.sigma, 0., arrival.origin, angle < 0.,
-                     arrival.rate};
+    Path_label label{r * std::cos(angle), -r * std::sin(angle), arrival.sigma, 0.,
+                     arrival.origin,      angle < 0.,           arrival.rate};
     label.turn = Geodesic_results::direction_at_origin(arrival, end) - label.direction(0.);
     return label;
   }
