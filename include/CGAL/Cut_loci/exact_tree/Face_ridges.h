@@ -74,6 +74,9 @@ public:
   {
     corners_ = corners;
     tolerance_ = tolerance;
+    rounding_ =
+      1e-8 * std::sqrt((std::max)({squared_distance(corners[0], corners[1]), squared_distance(corners[1], corners[2]),
+                                   squared_distance(corners[2], corners[0])}));
     is_doubtful = false;
     entries_ = nullptr;
     start(changes);
@@ -564,7 +567,7 @@ private:
   bool are_apart(const Plane_point& a, const Plane_point& b, const Plane_point& c, const Plane_point& d) const
   {
     const double at_c = cross(a, b, c), at_d = cross(a, b, d), least = (std::min)(std::fabs(at_c), std::fabs(at_d));
-    return at_c * at_d < 0. && least * least > tolerance_ * tolerance_ * squared_distance(a, b);
+    return at_c * at_d < 0. && least * least > rounding_ * rounding_ * squared_distance(a, b);
   }
 
   Index add_node(const Plane_point& p)
@@ -595,7 +598,7 @@ private:
 
   std::array<Plane_point, 3> corners_;
   const std::vector<Entry>* entries_ = nullptr; // null as long as no meeting has to be compared with all paths
-  double tolerance_ = 0.;
+  double tolerance_ = 0., rounding_ = 0.;
   std::vector<Front> fronts_;     // those that are alive are linked to a ring
   Index first_ = 0, size_ = 0;    // one of the ring, and the number of them
   std::vector<Meeting> meetings_; // a heap
