@@ -550,7 +550,7 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--max-relative-error 0.001 --solver heat"),
                  "--max-relative-error is for --solver exact");
   expect_failure(run_on_torus("--max-relative-error 0.001 --method polyhedral"), "needs exact distances");
-  expect_failure(run_on_torus("--max-relative-error 0.001 --min-branch-width 0"), "needs exact distances");
+  expect_failure(run_on_torus("--quiet --max-relative-error 0.001 --min-branch-width 0"), "needs exact distances");
   expect_failure(run_on_torus("--curve both"), "--curve takes edges or faces");
   expect_failure(run_on_torus("--method laplacian --curve edges --smooth 4"), "contradict");
   expect_failure(run_on_torus("--method laplacian --curve faces --smooth 0"), "contradict");
