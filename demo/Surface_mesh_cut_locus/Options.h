@@ -24,6 +24,7 @@ struct Options
   std::vector<std::size_t> sources;
   std::optional<std::array<double, 3>> source_point;
   std::string solver;
+  std::optional<double> maximum_relative_error; // of the distances
   std::optional<double> angle;
   std::optional<double> laplacian;
   std::optional<bool> grow; // or prune

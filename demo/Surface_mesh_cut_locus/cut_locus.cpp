@@ -57,19 +57,20 @@ std::size_t largest_component(const Input_mesh& input)
 void set_source(const Options& options, const Input_mesh& input, Cut_locus_solver& solver)
 {
   const Mesh& mesh = input.mesh;
+  const auto parameters = CGAL::parameters::maximum_relative_error(options.maximum_relative_error.value_or(0.));
   if(options.source_point)
   {
     const auto& p = *options.source_point;
-    solver.set_source(closest_location(mesh, Kernel::Point_3(p[0], p[1], p[2])));
+    solver.set_source(closest_location(mesh, Kernel::Point_3(p[0], p[1], p[2])), parameters);
     return;
   }
   std::vector<Mesh::Vertex_index> sources;
   for(std::size_t source : options.sources)
     sources.push_back(find_vertex(source, input));
   if(sources.size() == 1)
-    return solver.set_source(sources.front());
+    return solver.set_source(sources.front(), parameters);
   if(!sources.empty())
-    return solver.set_sources(sources);
+    return solver.set_sources(sources, parameters);
   const std::size_t component = largest_component(input);
   // the first one in the order of the file
   const auto is_in_component = [&](Mesh::Vertex_index v)
@@ -80,7 +81,7 @@ void set_source(const Options& options, const Input_mesh& input, Cut_locus_solve
     const Mesh::Face_index f = h.is_valid() ? mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h) : Mesh::null_face();
     return f != Mesh::null_face() && input.component[f] == component;
   };
-  solver.set_source(*std::find_if(input.vertex.begin(), input.vertex.end(), is_in_component));
+  solver.set_source(*std::find_if(input.vertex.begin(), input.vertex.end(), is_in_component), parameters);
 }
 
 // The options with the defaults of the library for this source. What they are is not passed to it.

@@ -132,6 +132,7 @@ void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Inp
   }
 
   report["solver"] = options.solver;
+  report["max_relative_error"] = options.maximum_relative_error.value_or(0.);
   report["method"] = options.method_name;
   report["curve"] = curve == CGAL::Cut_loci::Curve::MESH_EDGES ? "edges" : "faces";
   Json& parameters = report["parameters"]; // null: there is none

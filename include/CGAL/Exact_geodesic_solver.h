@@ -35,9 +35,15 @@ public:
     propagation_ = std::make_shared<Cut_loci::internal::Exact_geodesic_propagation>(mesh);
   }
 
+  /// lets distances be longer than the exact ones, by this share of their length at most; zero by default, and what the
+  /// parameter `maximum_relative_error` sets
+  void set_maximum_relative_error(double error) { maximum_relative_error_ = error; }
+
   void compute_distances(const Cut_loci::Indexed_source& source, std::vector<double>& distances)
   {
-    propagation_->run({source.location});
+    Cut_loci::internal::Exact_geodesic_options options;
+    options.maximum_relative_error = maximum_relative_error_;
+    propagation_->run({source.location}, options);
     distances = propagation_->distances();
   }
 
@@ -51,6 +57,7 @@ public:
 
 private:
   std::shared_ptr<Cut_loci::internal::Exact_geodesic_propagation> propagation_;
+  double maximum_relative_error_ = 0.;
 };
 
 } // namespace CGAL

@@ -186,6 +186,15 @@ public:
    *     \cgalParamExtra{Only the values in the component of the source are read. Unless the constructor was given a
    *                     `cut_locus_method`, this source is treated by `Cut_loci::Method::LAPLACIAN`.}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{maximum_relative_error}
+   *     \cgalParamDescription{by how much distances may be longer than the exact ones, as a share of their length, from 0
+   *                           to 0.1. Time and memory then grow nearly linearly with the number of faces.}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{0}
+   *     \cgalParamExtra{for `Exact_geodesic_solver`, and not for `Cut_loci::Method::POLYHEDRAL`. On smooth meshes of
+   *                     100 000 to a million faces, 1e-5 moves the curve by less than a hundredth of an edge in the mean,
+   *                     see Section \ref Surface_mesh_cut_locus_error.}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{snapping_tolerance}
    *     \cgalParamDescription{a barycentric coordinate of the source up to this value is taken for zero}
    *     \cgalParamType{`FT`}
@@ -194,8 +203,10 @@ public:
    * \cgalNamedParamsEnd
    *
    * @throws Cut_loci::Invalid_input if the source is null, isolated or not in the mesh, if a face of its component
-   *         has no area, if a vertex of its component is not manifold, if a distance is not a finite number, or if
-   *         a parameter is given that has no meaning for the method
+   *         has no area, if a vertex of its component is not manifold, if a distance is not a finite number, if a
+   *         parameter is given that has no meaning for the method, or if there is a `maximum_relative_error` that is out of
+   *         its range, or not zero where the distances are not those of `Exact_geodesic_solver` or the method is
+   *         `Cut_loci::Method::POLYHEDRAL`
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_source(vertex_descriptor v, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -236,6 +247,11 @@ public:
    * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
    *
    * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{maximum_relative_error}
+   *     \cgalParamDescription{as for `set_source()`}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{0}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{snapping_tolerance}
    *     \cgalParamDescription{a barycentric coordinate of a source up to this value is taken for zero, and sources whose
    *                           coordinates differ by no more for the same point}
@@ -443,6 +459,7 @@ private:
     Cut_loci::internal::refuse_parameters_of_other_methods(method, np);
     if(sources.size() > 1)
       Cut_loci::internal::refuse_several_sources(method);
+    const double error = Cut_loci::internal::read_maximum_relative_error(np);
     source_result_.reset();
     method_ = method;
     constexpr bool runs_solver = !Cut_loci::internal::is_given<NamedParameters, internal_np::vertex_distance_map_t>();
@@ -454,6 +471,7 @@ private:
     sources_.clear();
     for(const Cut_loci::Indexed_source& source : sources)
       sources_.push_back(component.local(source));
+    set_error(component, error, runs_solver);
     if(method_ == Cut_loci::Method::LAPLACIAN)
       solve(component, *component.laplacian, np);
     else
@@ -461,6 +479,23 @@ private:
       component.exact_tree->expect(default_thresholds(*component.exact_tree));
       solve(component, *component.exact_tree, np);
     }
+  }
+
+  void set_error(Component& component, double error, bool runs_solver)
+  {
+    if(error > 0. && !runs_solver)
+      Cut_loci::internal::refuse_error();
+    if(method_ != Cut_loci::Method::LAPLACIAN)
+      component.exact_tree->set_maximum_relative_error(error);
+    else if(runs_solver && !solver_at(component).set_maximum_relative_error(error) && error > 0.)
+      Cut_loci::internal::refuse_error();
+  }
+
+  Solver_handle& solver_at(Component& component) const
+  {
+    if(component.geodesic_solver.empty())
+      component.geodesic_solver = solver_.bound_to(*component.mesh);
+    return component.geodesic_solver;
   }
 
   template <typename Solver, typename NamedParameters>
@@ -536,9 +571,7 @@ private:
                                                                 std::vector<double>& distance,
                                                                 internal_np::Param_not_found)
   {
-    if(component.geodesic_solver.empty())
-      component.geodesic_solver = solver_.bound_to(*component.mesh);
-    component.geodesic_solver.compute_distances(source, distance);
+    solver_at(component).compute_distances(source, distance);
     check_distances(component, distance, "the geodesic solver returned");
     return component.geodesic_solver.geodesics();
   }

@@ -196,7 +196,12 @@ public:
   /// computes everything that has been asked for
   /// \throws Cut_loci::Invalid_input if there is no source, or if an error has been allowed and directions have been
   ///         asked for
-  void compute() { geodesics_.run(sources_, options_); }
+  void compute()
+  {
+    if(options_.directions && options_.maximum_relative_error > 0.)
+      throw Cut_loci::Invalid_input("directions need exact distances: the maximum relative error must be zero");
+    geodesics_.run(sources_, options_);
+  }
 
   /// the same with `source`, a vertex or a face location, as the only source
   template <typename Source>

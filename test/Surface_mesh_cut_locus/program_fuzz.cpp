@@ -284,6 +284,7 @@ Words wrong_command_line(const fs::path& folder, Random& random, std::string& ki
                                 "--source-point",
                                 "--repair",
                                 "--solver",
+                                "--max-relative-error",
                                 "--method",
                                 "--curve",
                                 "--min-branch-width",

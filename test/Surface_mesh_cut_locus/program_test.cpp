@@ -57,6 +57,7 @@ TEST_F(Program, Help)
   for(const char* option : {"--source ",
                             "--source-point",
                             "--solver",
+                            "--max-relative-error",
                             "--method",
                             "--curve",
                             "--min-branch-width",
@@ -544,6 +545,12 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--min-branch-width=-1"), "--min-branch-width takes");
   for(const char* method : {"", "--method direction ", "--method polyhedral "})
     expect_failure(run_on_torus(std::string(method) + "--smooth 4"), "--smooth is for --method laplacian");
+  for(const char* error : {"-1", "0.2", "nan", "x"})
+    expect_failure(run_on_torus(std::string("--max-relative-error=") + error), "--max-relative-error takes");
+  expect_failure(run_on_torus("--max-relative-error 0.001 --solver heat"),
+                 "--max-relative-error is for --solver exact");
+  expect_failure(run_on_torus("--max-relative-error 0.001 --method polyhedral"), "needs exact distances");
+  expect_failure(run_on_torus("--quiet --max-relative-error 0.001 --min-branch-width 0"), "needs exact distances");
   expect_failure(run_on_torus("--curve both"), "--curve takes edges or faces");
   expect_failure(run_on_torus("--method laplacian --curve edges --smooth 4"), "contradict");
   expect_failure(run_on_torus("--method laplacian --curve faces --smooth 0"), "contradict");

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-// Geodesic distances with a maximum relative error, against the exact ones.
+// Geodesic distances with a maximum relative error, without directions and with them, against the exact ones.
 
 #include "exact_geodesics_test_meshes.h"
 
@@ -129,6 +129,92 @@ TEST(Bounded_error, welded_of_any_genus)
       return Point{{p[0], p[1], p[2] + u(random)}};
                   }),
                   1 + seed % 3, seed);
+  }
+}
+
+/// That is the bound, in this direction: a distance is that to an image, which merging brings nearer.
+void expect_bounds_with_directions(const Mesh& mesh, std::size_t number_of_sources, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::vector<Indexed_location> sources;
+  for(unsigned k = 0; k < number_of_sources; ++k)
+    sources.push_back(random_location(mesh, random, seed + k));
+  Options options;
+  options.directions = true;
+  options.all_centroids = true;
+  Geodesics geodesics(mesh), exact(mesh);
+  exact.run(sources, options);
+  for(const double error : {0.1, 0.01, 1e-4})
+    for(const double angle : {0.1, 0.001})
+    {
+      SCOPED_TRACE("maximum relative error " + std::to_string(error) + ", merging angle " + std::to_string(angle));
+      options.maximum_relative_error = error;
+      options.merging_angle = angle;
+      geodesics.run(sources, options);
+      for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+      {
+        ASSERT_EQ(geodesics.is_reached(v), exact.is_reached(v));
+        if(!exact.is_reached(v))
+          continue;
+        const double d = exact.distance(v), slack = rounding * (d + 1.);
+        EXPECT_LE(geodesics.distance(v), d + slack);
+        EXPECT_GE(geodesics.distance(v) + geodesics.distance_error(v), d - slack);
+        EXPECT_LE(geodesics.distance_error(v), error * d + slack);
+      }
+      for(std::size_t q = 0; q < exact.number_of_queries(); ++q)
+      {
+        EXPECT_LE(geodesics.query_distance(q), exact.query_distance(q) * (1. + rounding) + rounding);
+        EXPECT_GE(geodesics.query_distance(q), exact.query_distance(q) * (1. - error - rounding) - rounding);
+      }
+    }
+}
+
+TEST(Bounded_error_with_directions, distances_on_random_meshes)
+{
+  for(unsigned seed = 1; seed <= 24; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_bounds_with_directions(
+      bumpy_grid(4 + seed % 20, 6 + seed % 21, std::pow(10., -2. + 0.5 * (seed % 6)), seed, 0.05 * (seed % 6)),
+      1 + seed % 2, seed);
+    expect_bounds_with_directions(torus(12 + seed % 33, 6 + seed % 21, 0.05 * (seed % 6), seed), 1 + seed % 2, seed);
+    expect_bounds_with_directions(
+      perforated(bumpy_grid(9 + seed % 19, 8 + seed % 17, 0.2 * (seed % 4), seed, 0.15), 0.3, seed), 1 + seed % 3,
+      seed);
+    Mesh needles = bumpy_grid(6 + seed % 17, 6 + seed % 15, 0.3, seed, 0.2);
+    for(auto& p : needles.points)
+      p[seed % 2] *= std::pow(10., -1. - 0.5 * (seed % 5));
+    expect_bounds_with_directions(needles, 1, seed);
+  }
+}
+
+/// the share of the vertices whose direction at the source is off by more than an angle, far from the cut locus or not
+double share_of_wrong_directions(const Mesh& mesh, double error, double angle)
+{
+  Options options;
+  options.directions = true;
+  Geodesics geodesics(mesh), exact(mesh);
+  exact.run(Index(0), options);
+  options.maximum_relative_error = error;
+  options.merging_angle = 0.01;
+  geodesics.run(Index(0), options);
+  std::size_t wrong = 0;
+  for(Index v = 1; v < mesh.number_of_vertices(); ++v)
+  {
+    const double difference = std::fabs(geodesics.direction_at_source(v) - exact.direction_at_source(v));
+    wrong += (std::min)(difference, exact.source_angle() - difference) > angle;
+  }
+  return double(wrong) / double(mesh.number_of_vertices());
+}
+
+TEST(Bounded_error_with_directions, directions_become_accurate)
+{
+  for(unsigned seed = 1; seed <= 4; ++seed)
+  {
+    const Mesh mesh = test_meshes::torus(120, 60, 0.2, seed);
+    EXPECT_LT(share_of_wrong_directions(mesh, 1e-3, 0.02), 0.02);
+    EXPECT_LT(share_of_wrong_directions(mesh, 1e-5, 0.005), 0.02);
+    EXPECT_LT(share_of_wrong_directions(mesh, 1e-5, 0.001), share_of_wrong_directions(mesh, 1e-3, 0.001));
   }
 }
 

@@ -44,7 +44,7 @@ public:
  * edges \cgalCite{ch-spp-90}; the ends of a batch lose the windows to which a path through a vertex of the face is
  * preferable \cgalCite{xw-ich-09}. Neighbouring windows are trimmed as described in `geodesic_window_trimming.h`.
  * Batches are forgotten once they have been propagated. If an error is allowed, neighbouring windows are merged as
- * described in `Geodesic_merging.h`; what is the direction otherwise, is then the error.
+ * described in `Geodesic_merging.h`; what is the direction otherwise, is then the error, unless both are asked for.
  *
  * The mesh geometry is read by the constructor. All memory is reused from one run to the next. Queries after a run
  * are const.
@@ -83,8 +83,11 @@ public:
 
   /// hands back a list that an observer has kept
   void release(Geodesic_window_list* list) { batches_.release(list); }
-  /// a list with room for `n` windows with directions
-  Geodesic_window_list* allocate(std::size_t n) { return batches_.allocate<7>(n); }
+  /// a list with room for `n` windows as the observer gets them
+  Geodesic_window_list* allocate(std::size_t n)
+  {
+    return is_approximate() ? batches_.allocate<9>(n) : batches_.allocate<7>(n);
+  }
   /// whether windows wait to cross the face of `h`
   bool waits(Index h) const { return batches_.waits(h); }
 
@@ -110,9 +113,10 @@ private:
   /// starts across all halfedges but `skipped` of the face of `h`, in whose frame the source is given
   template <int columns>
   void start_in_face(std::size_t number, Index h, const Plane_point& p, double turn, Index skipped);
-  /// sends the paths through the corner at the source of `h` with angles in `[from, to]` into the next face
+  /// sends the paths through the corner at the source of `h` with angles in `[from, to]` into the next face; `start` has
+  /// all but the frame
   template <int columns>
-  void emit(Index h, double from, double to, double sigma, double turn, Index origin);
+  void emit(Index h, double from, double to, Geodesic_arrival start);
   /// hands a window that leaves the face of `g` to the opposite of `g`, in whose frame it is given
   template <int columns>
   void send(Index g, const Geodesic_window& w);
@@ -137,7 +141,7 @@ private:
   Geodesic_batches batches_;
   Geodesic_window_observer* observer_ = nullptr; // in the run in work
   std::vector<unsigned char> sides_;             // of the apex, for the windows in work
-  double maximum_distance_ = infinity, tolerance_ = 0.;
+  double maximum_distance_ = infinity, tolerance_ = 0., merging_angle_ = 0.;
   std::size_t number_of_windows_ = 0;
 };
 

@@ -35,7 +35,9 @@ CGAL_CUT_LOCI_INLINE void Exact_geodesic_propagation::run(const std::vector<Inde
 {
   start(sources, options);
   observer_ = observer;
-  if(has_directions_ || sources.size() > 1)
+  if(has_directions_ && is_approximate())
+    propagate<9>();
+  else if(has_directions_ || sources.size() > 1)
     propagate<7>();
   else if(is_approximate())
     propagate<6>();
@@ -52,6 +54,7 @@ inline void Exact_geodesic_propagation::start(const std::vector<Indexed_location
   batches_.prepare(options.maximum_distance);
   maximum_distance_ = options.maximum_distance;
   tolerance_ = options.maximum_relative_error;
+  merging_angle_ = options.merging_angle;
   number_of_windows_ = 0;
 }
 
@@ -79,7 +82,7 @@ inline void Exact_geodesic_propagation::propagate()
   finish_queries();
   if(maximum_distance_ < infinity)
     cut_off(maximum_distance_);
-  if(is_approximate())
+  if(!has_turns())
     add_errors();
 }
 
@@ -100,7 +103,10 @@ inline void Exact_geodesic_propagation::start_at_vertex(std::size_t number)
   Index h = first;
   do
   {
-    emit<columns>(h, 0., faces_.angle(h), 0., is_approximate() ? 0. : angle, static_cast<Index>(number));
+    Geodesic_arrival start;
+    start.turn = has_turns() ? angle : 0.;
+    start.origin = static_cast<Index>(number);
+    emit<columns>(h, 0., faces_.angle(h), start);
     angle += faces_.angle(h);
     h = faces_.next_around_source(h);
   } while(h != null_index && h != first);
@@ -132,7 +138,7 @@ inline void Exact_geodesic_propagation::start_in_face(std::size_t number, Index 
   Geodesic_arrival arrival;
   arrival.x = p.x;
   arrival.y = p.y;
-  arrival.turn = is_approximate() ? 0. : turn;
+  arrival.turn = has_turns() ? turn : 0.;
   arrival.halfedge = h;
   arrival.origin = static_cast<Index>(number);
   const std::array<Plane_point, 3> corner = {{{0., 0.}, {faces_.length(h), 0.}, faces_.apex(h)}};
@@ -151,7 +157,7 @@ inline void Exact_geodesic_propagation::start_in_face(std::size_t number, Index 
       const double dx = p.x - to.x, dy = p.y - to.y;
       const double depth = dy * ux - dx * uy;
       Geodesic_window w{0., length, dx * ux + dy * uy, (std::min)(depth, 0.), 0., 0., double(number)};
-      if(!is_approximate())
+      if(has_turns())
         w.turn = turn + rotation - geodesic_pi;
       if(sources_.size() > 1 && o != null_index)
         batches_.mark_inner_source(o);
@@ -164,23 +170,19 @@ inline void Exact_geodesic_propagation::start_in_face(std::size_t number, Index 
 
 /// sends the paths through the corner at the source of `h` with angles in `[from, to]` into the next face
 template <int columns>
-inline void Exact_geodesic_propagation::emit(Index h, double from, double to, double sigma, double turn, Index origin)
+inline void Exact_geodesic_propagation::emit(Index h, double from, double to, Geodesic_arrival start)
 {
   const Geodesic_face& face = faces_.face_of(h);
   const Index next = Mesh::next(h), v = faces_.source(h);
   const Geodesic_face::Corner& here = face.corner[h % 3];
   const Geodesic_face::Corner& right = face.corner[next % 3];
   const Geodesic_face::Corner& left = face.corner[Mesh::previous(h) % 3];
-  Geodesic_arrival arrival;
-  arrival.sigma = sigma;
-  arrival.turn = turn;
-  arrival.halfedge = h;
-  arrival.origin = origin;
+  start.halfedge = h;
   const bool starts_at_edge = from <= 0., ends_at_edge = to >= here.angle;
   if(starts_at_edge)
-    reach(faces_.target(h), distance_[v] + here.length, arrival);
+    reach(faces_.target(h), distance_[v] + here.length, start);
   if(ends_at_edge)
-    reach(faces_.source(Mesh::previous(h)), distance_[v] + left.length, arrival);
+    reach(faces_.source(Mesh::previous(h)), distance_[v] + left.length, start);
   if(faces_.opposite(next) == null_index && observer_ == nullptr)
     return;
   Geodesic_window w;
@@ -192,9 +194,11 @@ inline void Exact_geodesic_propagation::emit(Index h, double from, double to, do
     return;
   w.x = left.length * left.cosine;
   w.y = -left.length * left.sine;
-  w.sigma = sigma;
-  w.turn = is_approximate() ? turn : turn - right.angle;
-  w.origin = double(origin);
+  w.sigma = start.sigma;
+  w.turn = has_turns() ? start.turn - start.rate * right.angle : start.turn;
+  w.origin = double(start.origin);
+  w.rate = start.rate;
+  w.error = start.error;
   send<columns>(next, w);
 }
 
@@ -233,9 +237,9 @@ inline void Exact_geodesic_propagation::bend(Index v)
   if(sigma == 0. || sigma > maximum_distance_)
     return;
   const Geodesic_arrival_direction in = arrival_direction(v);
-  const bool has_error = is_approximate();
-  const Index origin = has_error ? arrival_[v].origin : origin_of_vertex(v);
-  if(columns > 5 && !has_error)
+  Geodesic_arrival start = from_vertex(v);
+  const bool is_turned = has_turns() && is_origin(v);
+  if(columns > 5 && is_turned)
     bends_[v] = {direction_at_source(v), source_of(arrival_[v]), arrival_[v].origin,
                  direction_at_origin(arrival_[v], end_in_frame(arrival_[v], v))};
   // a shadow that is wider by the accuracy of the angle only adds a few paths that are not the shortest
@@ -248,9 +252,10 @@ inline void Exact_geodesic_propagation::bend(Index v)
   do
   {
     const double width = faces_.angle(h);
+    if(is_turned)
+      start.turn = angle;
     if(angle + width > first && angle < last)
-      emit<columns>(h, first - angle, (std::min)(last - angle, width), sigma, has_error ? arrival_[v].turn : angle,
-                    origin);
+      emit<columns>(h, first - angle, (std::min)(last - angle, width), start);
     angle += width;
     h = faces_.next_around_source(h);
   } while(h != null_index && angle < last);
@@ -262,8 +267,10 @@ inline void Exact_geodesic_propagation::bend(Index v)
   {
     const double width = faces_.angle(h);
     angle -= width;
+    if(is_turned)
+      start.turn = angle;
     if(angle < -first)
-      emit<columns>(h, 0., (std::min)(-first - angle, width), sigma, has_error ? arrival_[v].turn : angle, origin);
+      emit<columns>(h, 0., (std::min)(-first - angle, width), start);
     h = faces_.previous_around_source(h);
   }
 }
@@ -327,7 +334,7 @@ inline void Exact_geodesic_propagation::cross_face(Index h)
   }
   const Geodesic_face& face = faces_.face_of(h);
   if(columns > 5 && is_approximate() && list->size() > 1)
-    Geodesic_merging<columns>(*list, faces_.length(h), tolerance_)();
+    Geodesic_merging<columns>(*list, faces_.length(h), tolerance_, merging_angle_)();
   number_of_windows_ += list->size();
   const bool is_kept = observer_ != nullptr && observer_->take(h, *list);
   constexpr std::array<Index, 5> modulo_3 = {{0, 1, 2, 0, 1}}; // a condition here would be hard to predict
@@ -336,7 +343,7 @@ inline void Exact_geodesic_propagation::cross_face(Index h)
   const double length = corner_a.length, length_left = face.corner[k].length, length_right = corner_b.length;
   const Plane_point apex{length_left * corner_a.cosine, length_left * corner_a.sine};
 
-  const bool turns = !is_approximate();
+  const bool turns = has_turns();
 
   if(has_queries())
     answer_queries<columns>(h, *list);
@@ -377,9 +384,7 @@ inline void Exact_geodesic_propagation::cross_face(Index h)
   const Index vertex_a = face.vertex[i], vertex_b = face.vertex[j], vertex_c = face.vertex[k];
   if(winner != end && shortest < distance_[vertex_c])
   {
-    const Geodesic_window w = list->get<columns>(winner);
-    Geodesic_arrival arrival{w.x, w.y, w.sigma, w.turn, h, static_cast<Index>(w.origin), true};
-    reach(vertex_c, shortest, arrival);
+    reach(vertex_c, shortest, end_of(list->get<columns>(winner), h));
   }
   if(winner == end)
   {

@@ -26,21 +26,24 @@ namespace internal {
  * path bends at an end of the run, since the old paths, as short there, do not. The propagation therefore finds for
  * every point a path that is not longer than the shortest one.
  *
- * How much shorter the paths of a window may be than true ones is kept with it, in `Geodesic_window::turn`, as there
- * are no directions then. It stays below `tolerance` times the distance.
+ * How much shorter the paths of a window may be than true ones is kept with it, in `Geodesic_window::turn` if there
+ * are no directions. It stays below `tolerance` times the distance.
+ *
+ * With directions, those at the ends of the run are kept too, and in between they grow linearly with the angle at the
+ * image. As the true ones are monotone along the run, how wrong they are shows at the old ends of windows.
  */
 template <int columns>
 class Geodesic_merging
 {
 public:
-  Geodesic_merging(Geodesic_window_list& list, double length, double tolerance)
-    : list_(list), narrow_(geodesic_narrow * length), tolerance_(tolerance)
+  Geodesic_merging(Geodesic_window_list& list, double length, double tolerance, double angle)
+    : list_(list), narrow_(geodesic_narrow * length), tolerance_(tolerance), angle_(angle)
   {
   }
 
   void operator()()
   {
-    const double *a = list_.column(0), *b = list_.column(1), *origin = list_.column(columns - 1);
+    const double *a = list_.column(0), *b = list_.column(1), *origin = list_.column(columns > 6 ? 6 : 0);
     const auto is_run = [&](std::size_t i)
     { return a[i] - b[i - 1] <= narrow_ && (columns < 7 || origin[i] == origin[i - 1]); };
     const std::size_t end = list_.end;
@@ -107,7 +110,7 @@ private:
       w.y = -std::sqrt(square);
       const Fit fit = check(first, last, w);
       if(fit != too_long)
-        return fit == good;
+        return fit == good && (columns < 9 || fit_directions(first, last, w));
     }
     return false;
   }
@@ -122,7 +125,7 @@ private:
     for(std::size_t i = first; i < last; ++i)
     {
       const Geodesic_window old = list_.template get<columns>(i);
-      old_error = (std::max)(old_error, old.turn);
+      old_error = (std::max)(old_error, columns < 9 ? old.turn : old.error);
       const double slack = 1e-15 * (nearest + w.b); // for rounding
       // the difference has its extrema at the ends and where both paths are parallel
       const double extremum = (w.x * old.y - old.x * w.y) / (old.y - w.y);
@@ -136,12 +139,33 @@ private:
           error = (std::max)(error, gain);
         }
     }
-    w.turn = old_error + error;
-    return w.turn <= tolerance_ * nearest ? good : too_short;
+    (columns < 9 ? w.turn : w.error) = old_error + error;
+    return old_error + error <= tolerance_ * nearest ? good : too_short;
+  }
+
+  static double angle_to(const Geodesic_window& w, double t) { return std::atan2(-w.y, t - w.x); }
+  static double direction(const Geodesic_window& w, double t) { return w.turn + w.rate * angle_to(w, t); }
+
+  /// gives `w` the directions of `[first, last)` at the ends; returns whether they are accurate enough in between
+  bool fit_directions(std::size_t first, std::size_t last, Geodesic_window& w) const
+  {
+    const Geodesic_window left = list_.template get<columns>(first), right = list_.template get<columns>(last - 1);
+    const double from = direction(left, left.a), to = direction(right, right.b);
+    const double at_left = angle_to(w, w.a), spread = at_left - angle_to(w, w.b);
+    w.rate = spread > 0. ? (from - to) / spread : 0.;
+    w.turn = from - w.rate * at_left;
+    for(std::size_t i = first; i < last; ++i)
+    {
+      const Geodesic_window old = list_.template get<columns>(i);
+      for(double t : {old.a, old.b})
+        if(!(std::fabs(direction(w, t) - direction(old, t)) <= angle_))
+          return false;
+    }
+    return true;
   }
 
   Geodesic_window_list& list_;
-  double narrow_, tolerance_;
+  double narrow_, tolerance_, angle_;
   std::size_t top_ = 0;
 };
 

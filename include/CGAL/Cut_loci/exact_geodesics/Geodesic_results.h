@@ -33,9 +33,10 @@ struct Exact_geodesic_options
 {
   double maximum_distance = (std::numeric_limits<double>::infinity)(); ///< nothing beyond it is reached
   bool directions = false;                                             ///< whether directions at the source are wanted
-  double maximum_relative_error = 0.;                                  ///< by which distances may be too long
-  bool all_centroids = false;                                          ///< whether face centroids are query locations
-  std::vector<Indexed_location> queries;                               ///< further points whose distance is wanted
+  double maximum_relative_error = 0.;                                  ///< by which distances may be wrong
+  double merging_angle = 0.;  ///< with such an error: by which directions may change where windows are merged
+  bool all_centroids = false; ///< whether face centroids are query locations
+  std::vector<Indexed_location> queries; ///< further points whose distance is wanted
 };
 
 /// is the end of a shortest path: its last straight piece, in the frame of a halfedge of the face in which it ends.
@@ -46,6 +47,7 @@ struct Geodesic_arrival
   Index halfedge = null_index;   // of the frame
   Index origin = null_index;     // as in `Geodesic_window`
   bool crosses_halfedge = false; // else the image lies in the face itself
+  double rate = 1., error = 0.;  // as in `Geodesic_window`
 };
 
 /// is the direction of a shortest path at its end: an angle from a halfedge that leaves the end, counterclockwise.
@@ -98,10 +100,26 @@ public:
   /// the distance of each vertex, infinite if not reached
   const std::vector<double>& distances() const { return distance_; }
   double distance(Index v) const { return distance_[v]; }
-  /// by how much the distance of `v` may be too long, if an error is allowed; it is never too short
-  double distance_error(Index v) const { return is_approximate_ && is_reached(v) ? arrival_[v].turn : 0.; }
-  /// whether an error has been allowed; there are no directions and paths then
+  /// by how much the distance of `v` may be too long, if an error is allowed; it is never too short. With directions it is
+  /// the other way round: a distance is the one to the image from which the direction comes.
+  double distance_error(Index v) const
+  {
+    if(!is_approximate_ || !is_reached(v))
+      return 0.;
+    return has_directions_ ? arrival_[v].error : arrival_[v].turn;
+  }
+  /// whether an error has been allowed; there are no paths then, and directions if they have been asked for
   bool is_approximate() const { return is_approximate_; }
+  /// below this angle, what parts has not been told apart: zero but for distances with an error
+  double merging_angle() const { return is_approximate_ ? merging_angle_ : 0.; }
+  /// whether paths that bend at `v` have that as their origin; else they keep the origin and the direction of the path to it
+  bool is_origin(Index v) const
+  {
+    if(!is_approximate_)
+      return true;
+    const double straight = faces_.is_border(v) ? geodesic_pi : 2. * geodesic_pi;
+    return has_directions_ && faces_.total_angle(v) - straight > merging_angle_;
+  }
   bool is_reached(Index v) const { return distance_[v] < infinity; }
 
   /// the direction at its source in which the shortest path to `v` starts
@@ -197,7 +215,28 @@ public:
   /// that leads back, counterclockwise
   static double direction_at_origin(const Geodesic_arrival& arrival, const Plane_point& end)
   {
-    return arrival.turn + std::atan2(end.y - arrival.y, end.x - arrival.x);
+    return arrival.turn + arrival.rate * std::atan2(end.y - arrival.y, end.x - arrival.x);
+  }
+
+  /// what paths that go on from the vertex `v` begin with, but for the frame; at an origin, without the direction
+  Geodesic_arrival from_vertex(Index v) const
+  {
+    Geodesic_arrival result;
+    result.sigma = distance_[v];
+    result.error = arrival_[v].error;
+    result.origin = arrival_[v].origin;
+    if(distance_[v] == 0.)
+      return result;
+    if(is_origin(v))
+      result.origin = origin_of_vertex(v);
+    else if(has_directions_)
+    {
+      result.turn = direction_at_origin(arrival_[v], end_in_frame(arrival_[v], v));
+      result.rate = 0.;
+    }
+    else
+      result.turn = arrival_[v].turn;
+    return result;
   }
 
   /// replaces a vertex by the origin of the last piece of the path to it; returns the direction in which that piece leaves
@@ -323,11 +362,10 @@ protected:
     if(!(options.maximum_relative_error >= 0.))
       throw Invalid_input("the maximum relative error must not be negative");
     is_approximate_ = options.maximum_relative_error > 0.;
-    if(is_approximate_ && options.directions)
-      throw Invalid_input("directions need exact distances: the maximum relative error must be zero");
     sources_.clear();
     for(const Indexed_location& location : sources)
       sources_.push_back(classify(location));
+    merging_angle_ = options.merging_angle;
     has_directions_ = options.directions || (sources.size() > 1 && !is_approximate_);
     distance_.assign(faces_.number_of_vertices(), infinity);
     arrival_.resize(faces_.number_of_vertices());
@@ -355,6 +393,22 @@ protected:
       d = d <= maximum_distance ? d : infinity;
     for(Query& query : queries_)
       query.distance = query.distance <= maximum_distance ? query.distance : infinity;
+  }
+
+  /// the last piece of a path of a window that crosses `h`
+  static Geodesic_arrival end_of(const Geodesic_window& w, Index h)
+  {
+    Geodesic_arrival result;
+    result.x = w.x;
+    result.y = w.y;
+    result.sigma = w.sigma;
+    result.turn = w.turn;
+    result.halfedge = h;
+    result.origin = static_cast<Index>(w.origin);
+    result.crosses_halfedge = true;
+    result.rate = w.rate;
+    result.error = w.error;
+    return result;
   }
 
   /// turns distances that may be too short into ones that may be too long
@@ -389,7 +443,7 @@ protected:
         {
           const Geodesic_window w = list.get<columns>(i);
           query.distance = d;
-          query.arrival = Geodesic_arrival{w.x, w.y, w.sigma, w.turn, h, static_cast<Index>(w.origin), true};
+          query.arrival = end_of(w, h);
         }
       }
     }
@@ -409,13 +463,9 @@ protected:
         if(!(d < query.distance))
           continue;
         query.distance = d;
-        query.arrival = Geodesic_arrival();
+        query.arrival = from_vertex(v);
         query.arrival.halfedge = h;
-        query.arrival.origin = distance_[v] == 0. || is_approximate_ ? arrival_[v].origin : origin_of_vertex(v);
-        query.arrival.sigma = distance_[v];
-        if(is_approximate_)
-          query.arrival.turn = arrival_[v].turn;
-        else if(distance_[v] == 0.)
+        if(distance_[v] == 0. && has_turns())
           query.arrival.turn = faces_.angle_around_source(h);
       }
     }
@@ -434,14 +484,17 @@ protected:
       const double t = source.location.coordinates[Mesh::next(h) % 3] * faces_.length(h);
       finish_queries(i, h, {t, 0.}, 0.);
       if(o != null_index)
-        finish_queries(i, o, {faces_.length(h) - t, 0.}, is_approximate_ ? 0. : geodesic_pi);
+        finish_queries(i, o, {faces_.length(h) - t, 0.}, has_turns() ? geodesic_pi : 0.);
     }
   }
+
+  /// whether `turn` is what it says, and not the error
+  bool has_turns() const { return !is_approximate_ || has_directions_; }
 
   /// the direction at its source in which the path with the last piece `arrival` to the point `end` starts
   double direction_at_source(const Geodesic_arrival& arrival, const Plane_point& end) const
   {
-    if(arrival.sigma > 0.)
+    if(!is_source(arrival.origin))
     {
       const Index v = vertex_of_origin(arrival.origin);
       return bends_[v].source != null_index ? bends_[v].direction : direction_at_source(v);
@@ -532,7 +585,12 @@ private:
       if(d < query.distance)
       {
         query.distance = d;
-        query.arrival = Geodesic_arrival{source.x, source.y, 0., turn, h, static_cast<Index>(number), false};
+        query.arrival = Geodesic_arrival();
+        query.arrival.x = source.x;
+        query.arrival.y = source.y;
+        query.arrival.turn = turn;
+        query.arrival.halfedge = h;
+        query.arrival.origin = static_cast<Index>(number);
       }
     }
   }
@@ -552,6 +610,7 @@ private:
   std::vector<Query> queries_;
   std::vector<Index> query_first_, query_index_; // the queries of each face
   bool is_approximate_ = false;
+  double merging_angle_ = 0.;
 };
 
 } // namespace internal

@@ -27,11 +27,15 @@ namespace internal {
  */
 struct Geodesic_window
 {
-  double a, b;   // the interval on the halfedge
-  double x, y;   // the image of the source
-  double sigma;  // the distance of the image from the true source
-  double turn;   // the rotation from this frame to the one of the (pseudo-)source, or the error if one is allowed
+  double a, b;  // the interval on the halfedge
+  double x, y;  // the image of the source
+  double sigma; // the distance of the image from the true source
+  double
+    turn; // the rotation from this frame to the one of the (pseudo-)source, or the error if there are no directions
   double origin; // the number of the (pseudo-)source: that of a source, or the number of sources plus that of a vertex
+  // With an error and directions: a ray at the angle p in this frame leaves the origin in the direction turn + rate p.
+  double rate = 1.;
+  double error = 0.; // by how much distances may be too short
 
   double distance(double t) const { return sigma + std::sqrt((t - x) * (t - x) + y * y); }
 };
@@ -40,7 +44,7 @@ struct Geodesic_window
  * is a list of windows in one block of memory, one array per member of `Geodesic_window`.
  *
  * Only the first `columns` members are stored: 5 for distances alone, 6 with their errors, 7 with directions or with
- * several sources.
+ * several sources, and 9 with directions and errors.
  */
 struct Geodesic_window_list
 {
@@ -61,6 +65,11 @@ struct Geodesic_window_list
       w.turn = p[5 * capacity];
     if(columns > 6)
       w.origin = p[6 * capacity];
+    if(columns > 7)
+    {
+      w.rate = p[7 * capacity];
+      w.error = p[8 * capacity];
+    }
     return w;
   }
 
@@ -77,6 +86,11 @@ struct Geodesic_window_list
       p[5 * capacity] = w.turn;
     if(columns > 6)
       p[6 * capacity] = w.origin;
+    if(columns > 7)
+    {
+      p[7 * capacity] = w.rate;
+      p[8 * capacity] = w.error;
+    }
   }
 
   template <int columns>

@@ -69,11 +69,11 @@ inline void step_left(const Geodesic_window_list& in, std::size_t first, std::si
     const double turn = step.turn;
     CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
     for(std::size_t i = 0; i < 2 * pairs; ++i)
-      q[i + 5 * co] = p[i + 5 * ci] + turn;
+      q[i + 5 * co] = columns > 7 ? p[i + 5 * ci] + p[i + 7 * ci] * turn : p[i + 5 * ci] + turn;
   }
-  if(columns > 6)
+  for(std::size_t k = 6; k < columns; ++k)
     for(std::size_t i = 0; i < 2 * pairs; ++i)
-      q[i + 6 * co] = p[i + 6 * ci];
+      q[i + k * co] = p[i + k * ci];
   out.end += static_cast<std::uint32_t>(n);
 }
 
@@ -107,11 +107,11 @@ inline void step_right(const Geodesic_window_list& in, std::size_t first, std::s
     const double turn = step.turn;
     CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
     for(std::size_t i = 0; i < 2 * pairs; ++i)
-      q[i + 5 * co] = p[i + 5 * ci] + turn;
+      q[i + 5 * co] = columns > 7 ? p[i + 5 * ci] + p[i + 7 * ci] * turn : p[i + 5 * ci] + turn;
   }
-  if(columns > 6)
+  for(std::size_t k = 6; k < columns; ++k)
     for(std::size_t i = 0; i < 2 * pairs; ++i)
-      q[i + 6 * co] = p[i + 6 * ci];
+      q[i + k * co] = p[i + k * ci];
   out.end += static_cast<std::uint32_t>(n);
 }
 

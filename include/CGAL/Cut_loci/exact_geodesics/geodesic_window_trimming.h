@@ -117,6 +117,16 @@ inline bool are_mergeable(const Geodesic_window& left, const Geodesic_window& ri
          left.a <= right.b + geodesic_cover * length && left.origin == right.origin;
 }
 
+/// what becomes of the errors if `w` is joined to a window with the same image
+template <int columns>
+inline void take_larger_errors(Geodesic_window& joined, const Geodesic_window& w)
+{
+  if(columns > 7)
+    joined.error = (std::max)(joined.error, w.error);
+  else
+    joined.turn = (std::max)(joined.turn, w.turn); // the same direction, or the error
+}
+
 /// restores the order of a list, using its first places as a stack.
 template <int columns>
 class Geodesic_trimming
@@ -193,7 +203,7 @@ private:
       {
         top.a = (std::min)(top.a, w.a);
         top.b = (std::max)(top.b, w.b);
-        top.turn = (std::max)(top.turn, w.turn); // the same direction, or the error
+        take_larger_errors<columns>(top, w);
         --top_;
         push(top, false);
         return;
@@ -326,7 +336,7 @@ private:
          start - last.b <= narrow_)
       {
         last.b = stop;
-        last.turn = (std::max)(last.turn, w.turn);
+        take_larger_errors<columns>(last, w);
         result_->template set<columns>(result_->end - 1, last);
         return;
       }

@@ -46,9 +46,7 @@ public:
     if(is_drawn[h / 3] && is_drawn[o / 3])
       return false;
     jumps_.start(faces_.source(h), faces_.target(h), faces_.length(h));
-    const bool is_second = is_crossed_[o] || geodesics_.waits(o);
-    if(jumps_.between_windows(list) || has_jump_at_end(list, h, o) ||
-       (is_second && jumps_.is_mirrored(list.get<columns>(list.begin), list.get<columns>(list.end - 1))))
+    if(geodesics_.is_approximate() ? has_jump<9>(h, o, list) : has_jump<7>(h, o, list))
       is_drawn[h / 3] = is_drawn[o / 3] = 1;
     return false;
   }
@@ -57,14 +55,28 @@ public:
   void take_on_border(Index h, Geodesic_window_list* list) override
   {
     jumps_.start(faces_.target(h), faces_.source(h), faces_.length(h)); // in the frame of the opposite
-    if(!is_drawn[h / 3] && (jumps_.between_windows(*list) || has_jump_at_end(*list, h, h)))
+    if(!is_drawn[h / 3] &&
+       (geodesics_.is_approximate() ? has_jump_on_border<9>(h, *list) : has_jump_on_border<7>(h, *list)))
       is_drawn[h / 3] = 1;
     geodesics_.release(list);
   }
 
 private:
-  static constexpr int columns = 7;
+  template <int columns>
+  bool has_jump(Index h, Index o, const Geodesic_window_list& list)
+  {
+    const bool is_second = is_crossed_[o] || geodesics_.waits(o);
+    return jumps_.between_windows<columns>(list) || has_jump_at_end<columns>(list, h, o) ||
+           (is_second && jumps_.is_mirrored(list.get<columns>(list.begin), list.get<columns>(list.end - 1)));
+  }
 
+  template <int columns>
+  bool has_jump_on_border(Index h, const Geodesic_window_list& list)
+  {
+    return jumps_.between_windows<columns>(list) || has_jump_at_end<columns>(list, h, h);
+  }
+
+  template <int columns>
   bool has_jump_at_end(const Geodesic_window_list& list, Index h, Index o)
   {
     const Geodesic_window first = list.get<columns>(list.begin), last = list.get<columns>(list.end - 1);

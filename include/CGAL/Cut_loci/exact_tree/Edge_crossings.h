@@ -88,7 +88,10 @@ public:
       return true;
     }
     Geodesic_window_list* copy = geodesics_.allocate(list.size());
-    copy->append<columns>(list);
+    if(geodesics_.is_approximate())
+      copy->append<9>(list);
+    else
+      copy->append<7>(list);
     add(h, copy);
     return false;
   }
@@ -132,7 +135,6 @@ public:
   std::size_t number_of_late() const { return number_of_late_; }
 
 private:
-  static constexpr int columns = 7;
   enum : unsigned char { waits = 1, divided = 2 };
 
   struct Waiting
@@ -187,7 +189,10 @@ private:
   Geodesic_window_list* joined(Geodesic_window_list* first, Geodesic_window_list* second, double length)
   {
     Geodesic_window_list* both = geodesics_.allocate(4 * std::size_t(first->size() + second->size()));
-    Geodesic_envelope<columns>()(*first, *second, *both, length);
+    if(geodesics_.is_approximate())
+      Geodesic_envelope<9>()(*first, *second, *both, length);
+    else
+      Geodesic_envelope<7>()(*first, *second, *both, length);
     geodesics_.release(first);
     geodesics_.release(second);
     return both;
@@ -224,12 +229,23 @@ private:
   void add_crossing(Index h, double t, const Path_label& left, const Path_label& right)
   {
     const double angle = meeting_angle(left, right, t), gap = parting_angle_(left, right, t);
-    crossings.push_back({h, t, left, right, gap, angle, is_same_path(angle, gap)});
+    if(!geodesics_.is_approximate())
+      crossings.push_back({h, t, left, right, gap, angle, is_same_path(angle, gap)});
+    else if(!is_same_family(geodesics_, angle, gap))
+      crossings.push_back({h, t, left, right, gap, angle, false});
   }
 
 public:
   /// angles that are rounding: paths pass a vertex at `geodesic_cover` of an edge, and faces are not always well shaped
   static bool is_same_path(double meeting, double parting) { return meeting < 1e-7 && parting < 1e-7; }
+
+  /// the same for distances with an error: what is less has not been told apart
+  static bool is_same_family(const Geodesic_results& geodesics, double meeting, double parting)
+  {
+    return is_same_path(meeting, parting) || (meeting < steep && parting < geodesics.merging_angle());
+  }
+  /// Beside a point where paths meet at less than that, the way to it is longer by less than that share of an edge.
+  static constexpr double steep = 0.1;
 
 private:
   Exact_geodesic_propagation& geodesics_;

@@ -45,7 +45,10 @@ public:
   {
     length_ = faces_.length(h);
     windows_.clear();
-    read_windows(along, against);
+    if(geodesics_.is_approximate())
+      read_windows<9>(along, against);
+    else
+      read_windows<7>(along, against);
     add_paths_along(h);
     add_path_to_end(h, 0., faces_.source(h));
     add_path_to_end(h, length_, faces_.target(h));
@@ -53,25 +56,24 @@ public:
   }
 
 private:
-  static constexpr int columns = 7;
-
+  template <int columns>
   void read_windows(Geodesic_window_list* along, Geodesic_window_list* against)
   {
-    Geodesic_window_list* mirrored = against != nullptr ? mirror(*against) : nullptr;
+    Geodesic_window_list* mirrored = against != nullptr ? mirror<columns>(*against) : nullptr;
     if(along == nullptr || mirrored == nullptr)
     {
       Geodesic_window_list* list = along != nullptr ? along : mirrored;
       if(list != nullptr)
       {
         Geodesic_trimming<columns>(*list, length_, true)(list->begin);
-        append(*list);
+        append<columns>(*list);
       }
     }
     else
     {
       Geodesic_window_list* both = geodesics_.allocate(4 * std::size_t(along->size() + mirrored->size()));
       Geodesic_envelope<columns>()(*along, *mirrored, *both, length_);
-      append(*both);
+      append<columns>(*both);
       geodesics_.release(both);
     }
     if(mirrored != nullptr)
@@ -80,6 +82,7 @@ private:
 
   /// the windows of the opposite halfedge as if they came from behind the halfedge, at the same distances; numbers of
   /// their origins below zero mark them
+  template <int columns>
   Geodesic_window_list* mirror(const Geodesic_window_list& list) const
   {
     Geodesic_window_list* result = geodesics_.allocate(list.size());
@@ -96,17 +99,18 @@ private:
     return result;
   }
 
+  template <int columns>
   void append(const Geodesic_window_list& list)
   {
     for(std::size_t i = list.begin; i < list.end; ++i)
     {
       const Geodesic_window w = list.get<columns>(i);
-      Path_label label{w.x, w.y, w.sigma, w.turn, 0, w.origin < 0.};
+      Path_label label{w.x, w.y, w.sigma, w.turn, 0, w.origin < 0., w.rate};
       label.origin = static_cast<Index>(label.from_face ? -1. - w.origin : w.origin);
       if(label.from_face)
       {
         label.y = -w.y;
-        label.turn += geodesic_pi;
+        label.turn += label.rate * geodesic_pi;
       }
       windows_.push_back({w.a, w.b, label});
     }

@@ -15,6 +15,7 @@
 #include <CGAL/Cut_loci/exact_tree/Edge_crossings.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Ridges.h>
+#include <CGAL/Cut_loci/exact_tree/Shot_width.h>
 #include <CGAL/Cut_loci/exact_tree/Strong_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
@@ -47,6 +48,13 @@ public:
   {
   }
 
+  /// lets the distances have an error, see `Exact_geodesic_options`; the tree is one above some strength then
+  void allow_error(double maximum_relative_error, double merging_angle)
+  {
+    options_.maximum_relative_error = maximum_relative_error;
+    options_.merging_angle = merging_angle;
+  }
+
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
   const Mesh_connectivity& connectivity() const { return connectivity_; }
   const Exact_geodesic_propagation& geodesics() const { return geodesics_; }
@@ -63,7 +71,7 @@ public:
     for(double slack : {4., 32., (std::numeric_limits<double>::infinity)()})
     {
       crossings_.reset(new Edge_crossings(geodesics_, is_drawn_, slack));
-      geodesics_.run(sources, Exact_geodesic_options(), *crossings_);
+      geodesics_.run(sources, options_, *crossings_);
       crossings_->finish();
       if(crossings_->number_of_late() == 0)
         return;
@@ -96,6 +104,7 @@ public:
   {
     width_.assign(graph_->edges.size(), -1.f);
     measure_.reset(new Digon_width(mesh_, geodesics_));
+    shots_.reset(new Shot_width(mesh_, geodesics_));
   }
 
   const Tree_graph& graph() const { return *graph_; }
@@ -142,8 +151,7 @@ public:
         const Ridges::Piece& piece = ridges_.piece(e.piece);
         for(int k = 0; k < 2; ++k)
           if(piece.gaps[k] >= piece.gaps[1 - k] - 1e-9)
-            result = (std::max)(result, static_cast<float>((*measure_)(e.face, next_to_end(e.piece, k), piece.images[0],
-                                                                       piece.images[1])));
+            result = (std::max)(result, static_cast<float>(separation(e.face, piece, next_to_end(e.piece, k))));
       }
     }
     return result;
@@ -176,6 +184,13 @@ private:
     return !edge.is_between_sources() && edge.gap >= least.gap && graph_->can_be(e, least);
   }
 
+  /// of the two paths to a point of the piece
+  double separation(Index face, const Ridges::Piece& piece, const Plane_point& p) const
+  {
+    return geodesics_.is_approximate() ? (*shots_)(face, p, piece.images[0], piece.images[1])
+                                       : (*measure_)(face, p, piece.images[0], piece.images[1]);
+  }
+
   /// a point of a piece; at an end that is a vertex of the mesh nothing would tell how the paths to it go around that
   Plane_point next_to_end(Index piece, int end) const
   {
@@ -192,7 +207,7 @@ private:
       return;
     }
     Drawn_faces found(geodesics_, least_);
-    geodesics_.run(sources, Exact_geodesic_options(), found);
+    geodesics_.run(sources, options_, found);
     // between sources at the ends of an edge there may be no windows
     for(Index f = 0; f < mesh_.number_of_faces() && sources.size() > 1; ++f)
       for(Index v : mesh_.triangles[f])
@@ -206,6 +221,7 @@ private:
   const Mesh_connectivity& connectivity_;
   Exact_geodesic_propagation& geodesics_;
   std::vector<Index> source_vertices_;
+  Exact_geodesic_options options_;
   Branch_strength least_;
   std::vector<unsigned char> is_drawn_; // by face, and
   std::vector<float> bend_;             // by halfedge, until the ridges are drawn
@@ -217,6 +233,7 @@ private:
   std::vector<float> width_; // of each edge, negative as long as nobody has asked for it
   std::vector<float> shown_width_;
   std::unique_ptr<Digon_width> measure_;
+  std::unique_ptr<Shot_width> shots_; // for distances with an error
 };
 
 } // namespace internal

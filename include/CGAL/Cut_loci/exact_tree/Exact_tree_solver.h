@@ -60,9 +60,13 @@ public:
   // What does not pass may be left out; `filter()` computes it if it is asked for.
   void expect(const Branch_strength& least) override { least_ = least; }
 
+  // for all sources that follow
+  void set_maximum_relative_error(double error) override { maximum_relative_error_ = error; }
+
   // once per source, or set of sources, in four parts
   void compute_distance(const std::vector<Indexed_source>& sources) override
   {
+    refuse_error_without_strength(least_);
     sources_ = sources;
     tree_.reset();
     divided_.reset();
@@ -70,6 +74,8 @@ public:
       divided_.reset(new Divided_surface(mesh_, sources));
     start();
     distance_ = geodesics().distances();
+    for(Index v = 0; v < distance_.size() && maximum_relative_error_ > 0.; ++v)
+      distance_[v] += geodesics().distance_error(v);
     distance_.resize(mesh_.number_of_vertices());
     nearest_source_.clear();
     for(Index v = 0; v < mesh_.number_of_vertices() && sources.size() > 1; ++v)
@@ -110,7 +116,7 @@ public:
     std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds);
     // Cycles stay whatever their strength. Where one is weaker than what has been looked for, nothing is known of it but
     // that it is there: then once more, with all that is.
-    if(!tree_->is_known(kept) && !least_.is_none())
+    if(!tree_->is_known(kept) && !least_.is_none() && maximum_relative_error_ == 0.)
     {
       compute_more(Branch_strength());
       kept = tree_->kept(thresholds);
@@ -183,14 +189,26 @@ private:
       tree_.reset(new Exact_tree(divided_->mesh(), divided_->connectivity, divided_->geodesics, divided_->vertices()));
     else
       tree_.reset(new Exact_tree(mesh_, connectivity_, geodesics_, source_vertices()));
+    // Windows may be merged where what is between them is half of what the weakest branch needs.
+    tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(surface_->diagonal));
     tree_->propagate(locations(number), least_);
     for(double d : geodesics().distances())
       if(!(d < (std::numeric_limits<double>::infinity)()))
         throw Invalid_input("the exact solver does not reach all vertices: some faces may be too thin for it");
   }
 
+  void refuse_error_without_strength(const Branch_strength& least) const
+  {
+    if(least.is_none() && maximum_relative_error_ > 0.)
+      throw Invalid_input(
+        "all of the cut locus of a polyhedron needs exact distances: leave maximum_relative_error away, "
+        "or ask for branches of some minimum_branch_width or minimum_branch_gap by "
+        "cut_locus_method(Cut_loci::Method::DIRECTION)");
+  }
+
   void compute_more(const Branch_strength& least)
   {
+    refuse_error_without_strength(least);
     least_ = least;
     start();
     compute_strengths();
@@ -350,7 +368,8 @@ private:
   std::shared_ptr<const Surface> surface_;
   const Mesh_connectivity& connectivity_; // of that
   Exact_geodesic_propagation geodesics_;
-  Branch_strength least_; // of what the tree has
+  Branch_strength least_;              // of what the tree has
+  double maximum_relative_error_ = 0.; // of the distances
 
   std::vector<Indexed_source> sources_;
   std::unique_ptr<Divided_surface> divided_; // if there are several sources, and not all of them at vertices

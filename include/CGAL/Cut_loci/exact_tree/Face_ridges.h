@@ -42,6 +42,7 @@ public:
     Image before, after;
     bool is_ray;    // both paths come along the same line: one of them bends, and this is the boundary of its shadow
     bool is_shadow; // they are one path, so that this is no cut locus
+    double strength = 0.; // where images do not fit exactly: a star is put on the line between the two strongest
   };
 
   /// is a part of an edge of the face through which the straight paths from an image enter the face.
@@ -73,6 +74,9 @@ public:
   {
     corners_ = corners;
     tolerance_ = tolerance;
+    rounding_ =
+      1e-8 * std::sqrt((std::max)({squared_distance(corners[0], corners[1]), squared_distance(corners[1], corners[2]),
+                                   squared_distance(corners[2], corners[0])}));
     is_doubtful = false;
     entries_ = nullptr;
     start(changes);
@@ -111,6 +115,7 @@ private:
     double level;         // the distance at the node
     Index previous, next; // its neighbors
     bool is_alive;
+    double strength = 0.;
   };
 
   /// of a front with the next one
@@ -416,7 +421,7 @@ private:
     {
       const Change& c = changes[i];
       nodes.push_back(c.point);
-      Front front{i, c.before, c.after, c.is_ray, c.is_shadow, true, 0., null_index, null_index, true};
+      Front front{i, c.before, c.after, c.is_ray, c.is_shadow, true, 0., null_index, null_index, true, c.strength};
       front.goes_up = c.is_ray ? leaves_light(front, c.edge) : converge(front);
       front.level = c.after.distance(c.point);
       front.previous = i > 0 ? i - 1 : size_ - 1;
@@ -467,6 +472,7 @@ private:
   void draw_star()
   {
     Plane_point point{0., 0.};
+    bool has_point = false;
     std::array<Index, 3> three;
     Index number = 0;
     for(Index i = first_; number < size_; i = fronts_[i].next, ++number)
@@ -482,12 +488,35 @@ private:
       const std::size_t n = equidistant_points(a.before, b.before, c.before, candidates);
       for(std::size_t i = 0; i < n; ++i)
         if(is_among(candidates[i], nodes[a.node], nodes[b.node], nodes[c.node]))
+        {
           point = candidates[i];
+          has_point = true;
+        }
     }
+    if(!has_point)
+      move_to_strongest(point);
     const Index node = add_node(point);
     Index i = first_;
     for(Index k = 0; k < size_; ++k, i = fronts_[i].next)
       add_ridge(fronts_[i], node);
+  }
+
+  void move_to_strongest(Plane_point& point) const
+  {
+    std::array<Index, 2> best = {{null_index, null_index}};
+    Index i = first_;
+    for(Index k = 0; k < size_; ++k, i = fronts_[i].next)
+      if(best[0] == null_index || fronts_[i].strength > fronts_[best[0]].strength)
+        best = {{i, best[0]}};
+      else if(best[1] == null_index || fronts_[i].strength > fronts_[best[1]].strength)
+        best[1] = i;
+    if(!(fronts_[best[1]].strength > 0.))
+      return;
+    const Plane_point &p = nodes[fronts_[best[0]].node], &q = nodes[fronts_[best[1]].node];
+    const double l = squared_distance(p, q);
+    const double s = l > 0. ? ((point.x - p.x) * (q.x - p.x) + (point.y - p.y) * (q.y - p.y)) / l : 0.;
+    const double t = (std::min)((std::max)(s, 0.), 1.);
+    point = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
   }
 
   /// whether a point is in a triangle
@@ -538,7 +567,7 @@ private:
   bool are_apart(const Plane_point& a, const Plane_point& b, const Plane_point& c, const Plane_point& d) const
   {
     const double at_c = cross(a, b, c), at_d = cross(a, b, d), least = (std::min)(std::fabs(at_c), std::fabs(at_d));
-    return at_c * at_d < 0. && least * least > tolerance_ * tolerance_ * squared_distance(a, b);
+    return at_c * at_d < 0. && least * least > rounding_ * rounding_ * squared_distance(a, b);
   }
 
   Index add_node(const Plane_point& p)
@@ -569,7 +598,7 @@ private:
 
   std::array<Plane_point, 3> corners_;
   const std::vector<Entry>* entries_ = nullptr; // null as long as no meeting has to be compared with all paths
-  double tolerance_ = 0.;
+  double tolerance_ = 0., rounding_ = 0.;
   std::vector<Front> fronts_;     // those that are alive are linked to a ring
   Index first_ = 0, size_ = 0;    // one of the ring, and the number of them
   std::vector<Meeting> meetings_; // a heap

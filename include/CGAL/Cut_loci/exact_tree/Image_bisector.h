@@ -25,6 +25,7 @@ struct Image
   Index origin;
   unsigned char axis; // a normal of an edge of the face: 0 to 2 inward, 3 to 5 outward
   double direction;   // in which a path along the axis leaves the origin
+  double rate = 1.;   // by which that turns with the path
 
   double distance(const Plane_point& p) const
   {
@@ -37,7 +38,7 @@ struct Image
     const Plane_point &a = corners[axis % 3], &b = corners[(axis + 1) % 3];
     const double sign = axis < 3 ? 1. : -1., nx = sign * (a.y - b.y), ny = sign * (b.x - a.x);
     const double dx = p.x - x, dy = p.y - y;
-    return direction + std::atan2(nx * dy - ny * dx, nx * dx + ny * dy);
+    return direction + rate * std::atan2(nx * dy - ny * dx, nx * dx + ny * dy);
   }
 };
 

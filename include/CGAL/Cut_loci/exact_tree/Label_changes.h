@@ -90,7 +90,7 @@ private:
     const double direction = Geodesic_results::direction_at_origin(arrival, geodesics_->end_in_frame(arrival, v));
     c.gap = Parting_angle(*geodesics_)(arrival.origin, direction, label.origin, label.direction(c.t));
     c.angle = meeting_angle(c.left, c.right, c.t);
-    if(!Edge_crossings::is_same_path(c.angle, c.gap))
+    if(!Edge_crossings::is_same_family(*geodesics_, c.angle, c.gap))
       crossings_.push_back(c);
   }
 
@@ -117,7 +117,8 @@ private:
   void find_changes_at_vertices(const Vertex_labels& labels)
   {
     const Geodesic_faces& faces = geodesics_->faces();
-    constexpr double least = 1e-7; // as `Edge_crossings::is_same_path()`
+    // as `Edge_crossings::is_same_family()`, for the crossings behind the vertex
+    const double least = geodesics_->is_approximate() ? Edge_crossings::steep : 1e-7;
     std::vector<unsigned char> is_done(faces.number_of_vertices(), 0);
     for(Index h = 0; h < faces.number_of_halfedges(); ++h)
     {

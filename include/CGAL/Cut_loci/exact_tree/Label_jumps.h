@@ -44,8 +44,11 @@ public:
   }
 
   /// whether two neighbors in the list differ
+  template <int columns>
   bool between_windows(const Geodesic_window_list& list) const
   {
+    if(columns > 7)
+      return between_merged_windows<columns>(list);
     const double *b = list.column(1), *x = list.column(2), *y = list.column(3), *turn = list.column(5),
                  *origin = list.column(6);
     for(std::size_t i = list.begin; i + 1 < list.end; ++i)
@@ -60,6 +63,19 @@ public:
         (origin[i] == origin[i + 1]) &
         ((std::fabs((turn[i + 1] - turn[i]) * uu + cross) > least_angle_ * uu) | (std::fabs(cross) > steep * uu));
       if((bends | parts) && differ(list.get<7>(i), list.get<7>(i + 1), b[i]))
+        return true;
+    }
+    return false;
+  }
+
+  /// the same for windows whose directions do not turn as the rays do
+  template <int columns>
+  bool between_merged_windows(const Geodesic_window_list& list) const
+  {
+    for(std::size_t i = list.begin; i + 1 < list.end; ++i)
+    {
+      const Geodesic_window w = list.get<columns>(i);
+      if(differ(w, list.get<columns>(i + 1), w.b))
         return true;
     }
     return false;
@@ -106,7 +122,7 @@ private:
 
   static Path_label label(const Geodesic_window& w)
   {
-    return {w.x, w.y, w.sigma, w.turn, static_cast<Index>(w.origin), false};
+    return {w.x, w.y, w.sigma, w.turn, static_cast<Index>(w.origin), false, w.rate};
   }
 
   bool differ(const Geodesic_window& u, const Geodesic_window& v, double t) const

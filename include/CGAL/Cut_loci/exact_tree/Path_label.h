@@ -34,11 +34,12 @@ inline double upper_angle(double x, double y)
  */
 struct Path_label
 {
-  double x, y;    // the image; y <= 0 if the paths come from behind the halfedge, and y >= 0 if from its face
-  double sigma;   // the distance of the image from the source
-  double turn;    // what turns directions of this frame into directions at the origin
-  Index origin;   // as in `Geodesic_window`
-  bool from_face; // whether the paths come out of the face of the halfedge
+  double x, y;      // the image; y <= 0 if the paths come from behind the halfedge, and y >= 0 if from its face
+  double sigma;     // the distance of the image from the source
+  double turn;      // what turns directions of this frame into directions at the origin
+  Index origin;     // as in `Geodesic_window`
+  bool from_face;   // whether the paths come out of the face of the halfedge
+  double rate = 1.; // as in `Geodesic_window`
 
   double distance(double t) const { return sigma + std::sqrt((t - x) * (t - x) + y * y); }
 
@@ -46,13 +47,13 @@ struct Path_label
   double direction(double t) const
   {
     const double angle = upper_angle(t - x, std::fabs(y));
-    return from_face ? turn - angle : turn + angle;
+    return from_face ? turn - rate * angle : turn + rate * angle;
   }
 
   /// the same in the frame of the opposite halfedge
   Path_label opposite(double length) const
   {
-    return {length - x, -y, sigma, from_face ? turn - geodesic_pi : turn + geodesic_pi, origin, !from_face};
+    return {length - x, -y, sigma, turn + (from_face ? -rate : rate) * geodesic_pi, origin, !from_face, rate};
   }
 };
 

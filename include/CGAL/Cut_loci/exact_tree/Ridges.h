@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_RIDGES_H
 #define CGAL_CUT_LOCI_EXACT_TREE_RIDGES_H
 
+#include <CGAL/Cut_loci/exact_tree/Edge_crossings.h>
 #include <CGAL/Cut_loci/exact_tree/Face_ridges.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Path_label.h>
@@ -177,8 +178,8 @@ private:
     Plane_point p = to_face(h, label.x, label.y);
     fit_to_source(h, label, p);
     const Index axis = h % 3 + (label.from_face ? 3 : 0);
-    const double direction = label.turn + (label.from_face ? -0.5 : 0.5) * geodesic_pi;
-    return {p.x, p.y, label.sigma, label.origin, static_cast<unsigned char>(axis), direction};
+    const double direction = label.turn + label.rate * (label.from_face ? -0.5 : 0.5) * geodesic_pi;
+    return {p.x, p.y, label.sigma, label.origin, static_cast<unsigned char>(axis), direction, label.rate};
   }
 
   /// The image of one of several sources that is in the face is the source itself, from whichever edge it is seen.
@@ -213,12 +214,15 @@ private:
         add_change_at_vertex(at_vertices[next_at_vertex]);
       add_changes_on_edge(h);
     }
-    fit_labels_at_corners();
+    if(geodesics_->is_approximate())
+      unite_families();
+    else
+      fit_labels_at_corners();
     const double size = (std::max)({geodesics_->faces().length(3 * f), geodesics_->faces().length(3 * f + 1),
                                     geodesics_->faces().length(3 * f + 2)});
     // a path that is wrong by an angle is too long by the angle times its way through the face, at most
     drawing_.draw(
-      corners_, local_changes_, 1e-8 * size,
+      corners_, local_changes_, (std::max)(1e-8, geodesics_->merging_angle()) * size,
       [this, f]() -> const std::vector<Face_ridges::Entry>& { return entries(f); },
       [this](const Image& a, const Image& b, const Plane_point& p) { return gap(a, b, p) < 1e-7; });
     number_of_doubtful_ += drawing_.is_doubtful;
@@ -267,6 +271,43 @@ private:
     }
   }
 
+  /*
+   * Where windows have been merged, paths that belong together have different images on the edges of a face, and these fit
+   * each other up to the error of the distance. All of a family, between two changes and the next ones, get the image of
+   * its first part of the boundary.
+   */
+  void unite_families()
+  {
+    const std::size_t n = local_changes_.size();
+    own_images_.clear();
+    for(const Face_ridges::Change& c : local_changes_)
+      own_images_.push_back({{c.before, c.after}});
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t next = i + 1 < n ? i + 1 : 0;
+      const Plane_point p = local_changes_[i].point;
+      const Image own = local_changes_[i].after;
+      Image* const last = i > 0 ? &local_changes_[i - 1].after : nullptr;
+      for(std::size_t k = 0; k + 1 < i; ++k)
+      {
+        const Image& other = local_changes_[k].after;
+        if(!is_same_image(other, *last) && are_one_family(own, other, p) &&
+           (next != 0 || !is_same_image(other, local_changes_[0].after)))
+        {
+          local_changes_[i].after = other;
+          break;
+        }
+      }
+      local_changes_[next].before = local_changes_[i].after;
+    }
+  }
+
+  bool are_one_family(const Image& a, const Image& b, const Plane_point& p) const
+  {
+    return Edge_crossings::is_same_family(*geodesics_, angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y),
+                                          gap(a, b, p));
+  }
+
   static bool is_on_one_line(const Image& a, const Image& b, const Plane_point& p)
   {
     return angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y) < 1e-7;
@@ -281,7 +322,8 @@ private:
       const Edge_crossing& crossing = (*changes_)[c];
       const double t = is_reversed ? length - crossing.t : crossing.t;
       local_changes_.push_back({to_face(h, t, 0.), h % 3, image(h, label_before(c, is_reversed)),
-                                image(h, label_after(c, is_reversed)), crossing.angle < 1e-7, crossing.is_shadow});
+                                image(h, label_after(c, is_reversed)), crossing.angle < 1e-7, crossing.is_shadow,
+                                geodesics_->is_approximate() ? crossing.gap : 0.});
       Node node;
       node.crossing = crossing.is_shadow ? null_index : c;
       nodes_of_changes_.push_back(node);
@@ -389,7 +431,7 @@ private:
                 {r.images[0], r.images[1]},
                 {0., 0.},
                 face.first_node,
-                !drawing_.is_doubtful};
+                !drawing_.is_doubtful && !geodesics_->is_approximate()};
     for(int k = 0; k < 2; ++k)
     {
       Node& node = nodes_[face.first_node + piece.nodes[k]];
@@ -399,7 +441,25 @@ private:
       else if(node.vertex == null_index)
         piece.gaps[k] = gap(piece.images[0], piece.images[1], node.point);
     }
+    if(geodesics_->is_approximate())
+      use_own_images(r, piece);
     pieces_.push_back(piece);
+  }
+
+  /// The image of a family is one of several: at a crossing, a piece has those that are its own.
+  void use_own_images(const Face_ridges::Ridge& r, Piece& piece) const
+  {
+    int best = -1;
+    for(int k = 0; k < 2; ++k)
+      if(r.nodes[k] < own_images_.size() && nodes_of_changes_[r.nodes[k]].crossing != null_index &&
+         (best < 0 || piece.gaps[k] > piece.gaps[best]))
+        best = k;
+    if(best < 0)
+      return;
+    const std::array<Image, 2>& own = own_images_[r.nodes[best]];
+    piece.images[0] = own[best];
+    piece.images[1] = own[1 - best];
+    piece.gaps[1 - best] = (std::min)(piece.gaps[1 - best], (1. - 1e-6) * piece.gaps[best]);
   }
 
   /// the angle at which the paths from two images to a point part
@@ -452,6 +512,7 @@ private:
   std::vector<Face_ridges::Change> local_changes_;
   std::vector<Face_ridges::Entry> entries_;
   std::vector<Node> nodes_of_changes_;
+  std::vector<std::array<Image, 2>> own_images_; // of the changes, before those of a family become one
   Face_ridges drawing_;
   std::vector<Index> position_, parent_;
 };

@@ -57,7 +57,10 @@ public:
     if(!(geodesics_.distance(v) > 0.))
       return result;
     if(faces_.is_pseudo_source(v))
-      add_shadows(v, result);
+    {
+      if(!geodesics_.is_approximate()) // else the shadow is merged with what is beside it
+        add_shadows(v, result);
+    }
     else if(!faces_.is_border(v))
       result.push_back(branch(v));
     return result;
@@ -152,7 +155,8 @@ private:
   /// a path that bends at `v`
   Path_label bent(Index v, double angle) const
   {
-    return {0., 0., geodesics_.distance(v), angle, geodesics_.origin_of_vertex(v), false};
+    const Geodesic_arrival start = geodesics_.from_vertex(v);
+    return {0., 0., start.sigma, geodesics_.is_origin(v) ? angle : start.turn, start.origin, false, start.rate};
   }
 
   /// the path to `v` and its neighbors
@@ -161,7 +165,8 @@ private:
     const Geodesic_arrival& arrival = geodesics_.arrival(v);
     const Plane_point end = geodesics_.end_in_frame(arrival, v);
     const double r = geodesics_.distance(v) - arrival.sigma;
-    Path_label label{r * std::cos(angle), -r * std::sin(angle), arrival.sigma, 0., arrival.origin, angle < 0.};
+    Path_label label{r * std::cos(angle), -r * std::sin(angle), arrival.sigma, 0.,
+                     arrival.origin,      angle < 0.,           arrival.rate};
     label.turn = Geodesic_results::direction_at_origin(arrival, end) - label.direction(0.);
     return label;
   }

@@ -156,6 +156,23 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
   return result;
 }
 
+// Beyond a tenth, distances would say little about where paths meet.
+template <typename NamedParameters>
+double read_maximum_relative_error(const NamedParameters& np)
+{
+  const double result =
+    parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_relative_error), 0.);
+  if(!(result >= 0. && result <= 0.1))
+    throw Invalid_input("the maximum relative error must be a number from 0 to 0.1");
+  return result;
+}
+
+[[noreturn]] inline void refuse_error()
+{
+  throw Invalid_input("the parameter maximum_relative_error is for the package's own exact solver: leave it away, or "
+                      "geodesic_solver and vertex_distance_map");
+}
+
 struct Curve_parameters
 {
   Curve curve;

@@ -61,8 +61,15 @@ public:
     model_->compute_distances(source, distances);
   }
 
-  // what the package's exact solver found in the last call, or null
-  const Geodesic_results* geodesics() const { return model_->geodesics(); }
+  // of the distances that follow; returns whether the solver knows such an error
+  bool set_maximum_relative_error(double error) { return model_->set_maximum_relative_error(error); }
+
+  // what the package's exact solver found in the last call, or null; where windows have been merged there are no paths
+  const Geodesic_results* geodesics() const
+  {
+    const Geodesic_results* result = model_->geodesics();
+    return result != nullptr && result->is_approximate() ? nullptr : result;
+  }
 
 private:
   struct Concept
@@ -71,6 +78,7 @@ private:
     virtual std::unique_ptr<Concept> copy() const = 0;
     virtual void set_mesh(const Indexed_triangle_mesh& mesh) = 0;
     virtual void compute_distances(const Indexed_source& source, std::vector<double>& distances) = 0;
+    virtual bool set_maximum_relative_error(double error) = 0;
     virtual const Geodesic_results* geodesics() const = 0;
   };
 
@@ -84,6 +92,7 @@ private:
     {
       solver.compute_distances(source, distances);
     }
+    bool set_maximum_relative_error(double error) override { return set_own_error(solver, error, 0); }
     const Geodesic_results* geodesics() const override { return own_geodesics(solver, 0); }
     Solver solver;
   };
@@ -109,6 +118,19 @@ private:
   {
     return Method::LAPLACIAN;
   } // takes any distances
+
+  template <typename Solver>
+  static auto set_own_error(Solver& solver, double error, int)
+    -> decltype(solver.set_maximum_relative_error(error), bool()) // if it has that
+  {
+    solver.set_maximum_relative_error(error);
+    return true;
+  }
+  template <typename Solver>
+  static bool set_own_error(Solver&, double, long)
+  {
+    return false;
+  }
 
   template <typename Solver>
   static auto own_geodesics(const Solver& solver, int) -> decltype(&solver.geodesics()) // if it has them

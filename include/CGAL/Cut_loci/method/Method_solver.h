@@ -70,6 +70,8 @@ public:
   virtual const Exact_tree_thresholds& default_thresholds() const = 0;
   // What does not pass may be left out; `filter()` computes it if it is asked for.
   virtual void expect(const Branch_strength& least) = 0;
+  // of the distances of the sources that follow
+  virtual void set_maximum_relative_error(double error) = 0;
   // comes first, or, of the sources, after `expect()`; several sources are at different points
   virtual void compute_distance(const std::vector<Indexed_source>& sources) = 0;
   // `edges` becomes the curve of mesh edges, whichever curve is asked for

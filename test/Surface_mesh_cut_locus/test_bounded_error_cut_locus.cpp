@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// Cut loci from distances with a maximum relative error.
+
+#include "built_mesh.h"
+#include "direction_meshes.h"
+#include "test_meshes.h"
+
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Heat_method_geodesic_solver.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_cut_locus.h>
+#include <CGAL/property_map.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::Index;
+using CGAL::Cut_loci::Indexed_cut_locus;
+using CGAL::Cut_loci::Indexed_triangle_mesh;
+using CGAL::Cut_loci::Invalid_input;
+using CGAL::Cut_loci::Method;
+using direction_test::Solved;
+namespace params = CGAL::parameters;
+
+constexpr double rounding = 1e-12;
+
+// -- cut loci ----------------------------------------------------------------------------------------------------------
+
+void check_topology(const Indexed_triangle_mesh& mesh, const std::string& name)
+{
+  using namespace direction_test;
+  const Index f = mesh.number_of_faces() / 3;
+  for(double error : {1e-5, 1e-3, 0.1})
+  {
+    const std::string what = name + ", error " + std::to_string(error);
+    expect_invariants(mesh, at_vertex(mesh, 0), what + ", vertex", error);
+    expect_invariants(mesh, at_vertex(mesh, mesh.number_of_vertices() / 2), what + ", another vertex", error);
+    expect_invariants(mesh, in_face(f, 0.5, 0.3, 0.2), what + ", face", error);
+    expect_invariants(mesh, in_face(f, 0.4, 0.6, 0.), what + ", edge", error);
+  }
+}
+
+TEST(Bounded_error_cut_locus, topology)
+{
+  using namespace direction_test;
+  check_topology(box(5, {{3., 1., 0.4}}), "box");
+  check_topology(plate_with_holes(3, 2), "plate with holes");
+  check_topology(torus(60, 24), "torus");
+  check_topology(sphere(8), "sphere");
+  Indexed_triangle_mesh needles = torus(60, 24);
+  for(auto& p : needles.points)
+    p[2] *= 30.;
+  check_topology(needles, "needles");
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> random(-1., 1.);
+  Indexed_triangle_mesh rough = torus(30, 12);
+  for(auto& p : rough.points)
+    for(double& x : p)
+      x += 0.08 * random(generator);
+  check_topology(rough, "saddles everywhere");
+  check_topology(without_ball(torus(40, 16), {{1.4, 0., 0.}}, 0.3), "torus with a hole");
+  check_topology(without_ball(without_ball(sphere(8), {{0., 0., 1.}}, 0.4), {{1., 0., 0.}}, 0.3), "with two borders");
+}
+
+using Vector = std::array<double, 3>;
+
+double distance_to_segment(const Vector& p, const Vector& a, const Vector& b)
+{
+  Vector ab, ap;
+  double dot = 0., square = 0.;
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    ab[i] = b[i] - a[i];
+    ap[i] = p[i] - a[i];
+    dot += ab[i] * ap[i];
+    square += ab[i] * ab[i];
+  }
+  const double t = square > 0. ? (std::min)((std::max)(dot / square, 0.), 1.) : 0.;
+  double result = 0.;
+  for(std::size_t i = 0; i < 3; ++i)
+    result += (ap[i] - t * ab[i]) * (ap[i] - t * ab[i]);
+  return std::sqrt(result);
+}
+
+/// the largest distance of a point of one curve from the other, but for a share of them
+double distance(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& from, const Indexed_cut_locus& to)
+{
+  const auto point = [&](const Indexed_cut_locus& c, Index i)
+  { return direction_test::point_at(mesh, c.nodes[i].location); };
+  double result = 0.;
+  for(Index i = 0; i < from.nodes.size(); ++i)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for(const auto& e : to.edges)
+      least = (std::min)(least, distance_to_segment(point(from, i), point(to, e.source), point(to, e.target)));
+    result = (std::max)(result, least);
+  }
+  return result;
+}
+
+// The source is beside symmetries, so that no branch is about as wide as it has to be.
+TEST(Bounded_error_cut_locus, is_near_to_the_exact_one)
+{
+  const Indexed_triangle_mesh meshes[] = {
+    test_meshes::indexed(test_meshes::torus(1., 0.4, 200, 80, 0.2, 5)),
+    test_meshes::indexed(test_meshes::ellipsoid(1., 0.8, 0.6, 40, 0.2, 5)),
+  };
+  for(const Indexed_triangle_mesh& mesh : meshes)
+  {
+    const auto source = direction_test::at_vertex(mesh, 17);
+    const Solved exact(mesh, source), bounded(mesh, source, 1e-4);
+    const Indexed_cut_locus a = exact.through_faces(), b = bounded.through_faces();
+    const double h = exact.solver->connectivity().mean_edge_length;
+    ASSERT_GT(b.edges.size(), 20u);
+    EXPECT_LT(distance(mesh, a, b), 0.3 * h) << "all of it has been found";
+    EXPECT_LT(distance(mesh, b, a), 0.3 * h) << "and nothing else";
+  }
+}
+
+// -- the class -----------------------------------------------------------------------------------------------------------
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Built = Built_mesh<Mesh>;
+using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
+
+TEST(Bounded_error_cut_locus, parameter_of_each_source)
+{
+  const Built built(test_meshes::torus(1., 0.4, 80, 32, 0.2, 3));
+  Solver solver(built.mesh), exact(built.mesh);
+  exact.set_source(built.vertices[5]);
+  for(Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
+  {
+    solver.set_source(built.vertices[5], params::maximum_relative_error(1e-3));
+    const auto bounded = solver.cut_locus(params::cut_locus_curve(curve));
+    const auto expected = exact.cut_locus(params::cut_locus_curve(curve));
+    double largest = 0.;
+    for(const auto v : built.vertices)
+    {
+      const double d = expected.distance(v), error = bounded.distance(v) - d;
+      largest = (std::max)(largest, error);
+      EXPECT_GE(error, -rounding);
+      EXPECT_LE(error, 1e-3 * d + rounding);
+    }
+    EXPECT_GT(largest, 1e-9) << "windows have been merged";
+    if(curve == Curve::MESH_EDGES)
+    {
+      EXPECT_EQ(fault_of(built, bounded, 0, {5}, Method::DIRECTION), "");
+    }
+    solver.set_source(built.vertices[5]);
+    const auto again = solver.cut_locus(params::cut_locus_curve(curve));
+    EXPECT_EQ(num_edges(again.graph()), num_edges(expected.graph())) << "the error is gone";
+    EXPECT_EQ(again.distance(built.vertices[7]), expected.distance(built.vertices[7]));
+  }
+}
+
+TEST(Bounded_error_cut_locus, laplacian)
+{
+  const Built built(test_meshes::torus(1., 0.4, 80, 32, 0.2, 3));
+  Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN)), exact(built.mesh);
+  exact.set_source(built.vertices[5]);
+  const auto expected = exact.cut_locus();
+  for(double error : {1e-4, 1e-2})
+  {
+    solver.set_source(built.vertices[5], params::maximum_relative_error(error));
+    const auto result = solver.cut_locus();
+    EXPECT_EQ(fault_of(built, result, 0, {5}, Method::LAPLACIAN), "");
+    EXPECT_NE(result.distance(built.vertices[900]), expected.distance(built.vertices[900]));
+    EXPECT_NEAR(result.distance(built.vertices[900]), expected.distance(built.vertices[900]),
+                error * expected.distance(built.vertices[900]));
+  }
+}
+
+TEST(Bounded_error_cut_locus, several_sources)
+{
+  const Built built(test_meshes::torus(1., 0.4, 80, 32, 0.2, 3));
+  Solver solver(built.mesh);
+  const std::vector<Built::vertex_descriptor> sources = {built.vertices[5], built.vertices[700], built.vertices[1500]};
+  for(double error : {0., 1e-5, 1e-3})
+  {
+    solver.set_sources(sources, params::maximum_relative_error(error));
+    const auto result = solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES));
+    EXPECT_EQ(num_edges(result.graph()) + 1, num_vertices(result.graph()) + 2 - 1 + sources.size()) << error;
+  }
+}
+
+TEST(Bounded_error_cut_locus, refusals)
+{
+  const Built built(test_meshes::torus(1., 0.4, 40, 16, 0.2, 3));
+  const auto v = built.vertices[5];
+  Solver solver(built.mesh);
+  for(double bad : {-1e-9, 0.11, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(solver.set_source(v, params::maximum_relative_error(bad)), Invalid_input);
+  EXPECT_THROW(solver.set_sources(std::vector<Built::vertex_descriptor>{v}, params::maximum_relative_error(-1.)),
+               Invalid_input);
+
+  Solver full(built.mesh, params::cut_locus_method(Method::POLYHEDRAL));
+  EXPECT_THROW(full.set_source(v, params::maximum_relative_error(1e-3)), Invalid_input);
+  full.set_source(v);
+  EXPECT_GT(num_edges(full.cut_locus().graph()), 0u);
+
+  solver.set_source(v, params::maximum_relative_error(1e-3));
+  EXPECT_THROW(solver.cut_locus(params::minimum_branch_width(0.)), Invalid_input);
+  EXPECT_EQ(fault_of(built, solver.cut_locus(), 0, {5}, Method::DIRECTION), "") << "nothing is lost by that";
+  EXPECT_EQ(fault_of(built, solver.cut_locus(params::minimum_branch_width(1e-3)), 0, {5}, Method::DIRECTION), "");
+
+  Solver heat(built.mesh, params::geodesic_solver(CGAL::Heat_method_geodesic_solver()));
+  EXPECT_THROW(heat.set_source(v, params::maximum_relative_error(1e-3)), Invalid_input);
+  heat.set_source(v, params::maximum_relative_error(0.));
+  const CGAL::Constant_property_map<Built::vertex_descriptor, double> distances(1.);
+  EXPECT_THROW(solver.set_source(v, params::maximum_relative_error(1e-3).vertex_distance_map(distances)),
+               Invalid_input);
+}
+
+} // namespace
