@@ -595,7 +595,6 @@ private:
     }
   }
 
-private:
   std::shared_ptr<const Geodesic_faces> shared_faces_; // with others for the same mesh
 
 protected:
