@@ -128,9 +128,6 @@ private:
   void bend(Index v);
   /// a path of length `d` to the vertex `v` has been found
   void reach(Index v, double d, const Geodesic_arrival& arrival);
-  template <int columns>
-  void reach_beside(Index v, const Plane_point& apex, Index h, const Geodesic_window_list& list, std::size_t i,
-                    double t);
   void prefetch(Index far, Index near) const;
   /// takes the windows of `h` across the face of `h`
   template <int columns>

@@ -282,21 +282,6 @@ inline void Exact_geodesic_propagation::reach(Index v, double d, const Geodesic_
     batches_.push_vertex(d, v);
 }
 
-/// the same for the path by the window `i` of `h` to the point `t` and then to the apex, if it is straight up to rounding
-template <int columns>
-inline void Exact_geodesic_propagation::reach_beside(Index v, const Plane_point& apex, Index h,
-                                                     const Geodesic_window_list& list, std::size_t i, double t)
-{
-  constexpr double rounding = 1e-12; // of distances, some hundred edges on
-  const Plane_point image{list.column(2)[i], list.column(3)[i]};
-  const double sigma = list.column(4)[i];
-  const double d = sigma + distance_on_axis(image, t) + distance_on_axis(apex, t);
-  if(d >= distance_[v] || d - sigma > (1. + rounding) * std::hypot(apex.x - image.x, apex.y - image.y))
-    return;
-  const Geodesic_window w = list.get<columns>(i);
-  reach(v, d, Geodesic_arrival{w.x, w.y, w.sigma, w.turn, h, static_cast<Index>(w.origin), true});
-}
-
 // -- propagation ---------------------------------------------------------------------------------------------------
 
 inline void Exact_geodesic_propagation::prefetch(Index far, Index near) const
@@ -385,14 +370,6 @@ inline void Exact_geodesic_propagation::cross_face(Index h)
   if(winner != end && shortest < distance_[vertex_c])
   {
     reach(vertex_c, shortest, end_of(list->get<columns>(winner), h));
-  }
-  if(winner == end)
-  {
-    // rounding may have left a gap between the windows where the path to the apex goes
-    if(behind_left > begin)
-      reach_beside<columns>(vertex_c, apex, h, *list, behind_left - 1, b[behind_left - 1]);
-    if(first_right < end)
-      reach_beside<columns>(vertex_c, apex, h, *list, first_right, a[first_right]);
   }
   const double distance_a = distance_[vertex_a], distance_b = distance_[vertex_b];
   const double distance_c =
