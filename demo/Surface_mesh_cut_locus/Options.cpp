@@ -127,10 +127,9 @@ po::options_description visible_options()
     "solver", po::value<std::string>()->value_name("NAME")->default_value(default_solver_name()),
     ("geodesic distances by:\n" + solver_descriptions()).c_str())(
     "max-relative-error", po::value<std::string>()->value_name("E"),
-    "lets the distances of the solver exact be wrong by this share of their length, up to 0.1, with the methods "
-    "direction "
-    "and laplacian: faster on meshes of some 100 000 faces and more, where 1e-4 moves the curve by little (default: "
-    "0)")(
+    "lets the distances of the solver exact be longer by this share of their length, up to 0.1, with the methods "
+    "direction and laplacian: faster on smooth meshes of 100 000 faces and more, where 1e-5 moves the curve by a "
+    "hundredth of an edge at most, in the mean (default: 0)")(
     "method", po::value<std::string>()->value_name("NAME")->default_value("auto"),
     ("how the cut locus is found:\n"
      "  auto: " +

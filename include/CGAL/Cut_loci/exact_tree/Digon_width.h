@@ -9,7 +9,9 @@
 
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/exact_tree/Image_bisector.h>
+#include <CGAL/Cut_loci/exact_tree/Point_on_path.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
@@ -51,7 +53,8 @@ public:
         break;
       Walk& next = first.next.distance >= second.next.distance ? first : second;
       const Walk& other = &next == &first ? second : first;
-      result = (std::max)(result, squared_norm(next.next.point - at_distance(other, next.next.distance)));
+      result =
+        (std::max)(result, squared_norm(next.next.point - point_between(other.last, other.next, next.next.distance)));
       advance(next);
     }
     return std::sqrt(result);
@@ -59,12 +62,6 @@ public:
 
 private:
   using Mesh = Indexed_triangle_mesh;
-
-  struct Point_on_path
-  {
-    Vector point;
-    double distance; // from the source
-  };
 
   /// is on its way back to the source: at the end of a straight piece in one face.
   struct Walk
@@ -79,14 +76,6 @@ private:
   };
 
   static double squared_norm(const Vector& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
-
-  static Vector at_distance(const Walk& walk, double d)
-  {
-    const Point_on_path &a = walk.last, &b = walk.next;
-    const double l = a.distance - b.distance;
-    const double s = l > 0. ? (std::min)((std::max)((a.distance - d) / l, 0.), 1.) : 0.;
-    return a.point + s * (b.point - a.point);
-  }
 
   /// Paths through the same edge to the same image cross the same faces from there on. In the plane of these they come
   /// closer, and in space they are no farther apart: whether that is less than a separation, given by its square.
@@ -108,7 +97,7 @@ private:
   {
     const Plane_point q{faces_.length(3 * f), 0.}, r = faces_.apex(3 * f);
     const double third = p.y / r.y, second = (p.x - third * r.x) / q.x;
-    walk.last = {point(f, {{1. - second - third, second, third}}), image.distance(p)};
+    walk.last = {position(mesh_, {f, {{1. - second - third, second, third}}}), image.distance(p)};
     walk.origin = image.origin;
     walk.sigma = image_sigma(walk.origin);
     walk.is_done = false;
@@ -145,8 +134,7 @@ private:
     }
     else if(geodesics_.is_source(walk.origin))
     {
-      const Indexed_location& source = geodesics_.source_location(walk.origin);
-      walk.next = {point(source.face, source.coordinates), 0.};
+      walk.next = {position(mesh_, geodesics_.source_location(walk.origin)), 0.};
     }
     else
       walk.next = {mesh_.points[geodesics_.vertex_of_origin(walk.origin)], walk.sigma};
@@ -185,14 +173,6 @@ private:
   double image_sigma(Index origin) const
   {
     return geodesics_.is_source(origin) ? 0. : geodesics_.distance(geodesics_.vertex_of_origin(origin));
-  }
-
-  Vector point(Index f, const std::array<double, 3>& c) const
-  {
-    Vector result = {{0., 0., 0.}};
-    for(std::size_t i = 0; i < 3; ++i)
-      result = result + c[i] * mesh_.points[mesh_.triangles[f][i]];
-    return result;
   }
 
   /// whether what a path starts from is in, or a corner of, the face

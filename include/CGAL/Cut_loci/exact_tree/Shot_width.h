@@ -9,7 +9,9 @@
 
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
 #include <CGAL/Cut_loci/exact_tree/Image_bisector.h>
+#include <CGAL/Cut_loci/exact_tree/Point_on_path.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
@@ -44,7 +46,7 @@ public:
   {
     const std::array<Plane_point, 3> corners = {{{0., 0.}, {faces_.length(3 * f), 0.}, faces_.apex(3 * f)}};
     const double third = p.y / corners[2].y, second = (p.x - third * corners[2].x) / corners[1].x;
-    const Vector end = point(f, {{1. - second - third, second, third}});
+    const Vector end = position(mesh_, {f, {{1. - second - third, second, third}}});
     Leg first{a.origin, a.direction_to(p, corners), a.distance(p), spread(a.distance(p) - a.sigma, a.rate), end};
     Leg other{b.origin, b.direction_to(p, corners), b.distance(p), spread(b.distance(p) - b.sigma, b.rate), end};
     for(Path* path : {&first_, &second_})
@@ -76,24 +78,11 @@ private:
     Vector end;
   };
 
-  struct Point_on_path
-  {
-    Vector point;
-    double distance; // from the source
-  };
   using Path = std::vector<Point_on_path>; // backward
 
   double distance(Index origin) const
   {
     return geodesics_.is_source(origin) ? 0. : geodesics_.distance(geodesics_.vertex_of_origin(origin));
-  }
-
-  Vector point(Index f, const std::array<double, 3>& c) const
-  {
-    Vector result = {{0., 0., 0.}};
-    for(std::size_t i = 0; i < 3; ++i)
-      result = result + c[i] * mesh_.points[mesh_.triangles[f][i]];
-    return result;
   }
 
   /// adds a leg to the path, and goes on to the one before it
@@ -163,7 +152,7 @@ private:
   {
     shot_.clear();
     Shot shot = start(leg.origin, direction);
-    shot_.push_back({position(shot.halfedge, shot.from), begin});
+    shot_.push_back({point_on(shot.halfedge, shot.from), begin});
     double way = leave_first_face(shot);
     // the separation of two paths changes slowly: points at every edge, or so, and not more than some hundred
     const double step = (std::max)(faces_.mean_edge_length(), 0.01 * length);
@@ -172,14 +161,14 @@ private:
     {
       if(way >= next)
       {
-        shot_.push_back({position(shot.halfedge, shot.from), begin + way});
+        shot_.push_back({point_on(shot.halfedge, shot.from), begin + way});
         next = way + step;
       }
       way += leave_face(shot);
     }
     const double rest = (std::min)(way, length) - (way - last_step_);
     const Plane_point to{before_.from.x + rest * before_.dx, before_.from.y + rest * before_.dy};
-    shot_.push_back({position(before_.halfedge, to), begin + (std::min)(way, length)});
+    shot_.push_back({point_on(before_.halfedge, to), begin + (std::min)(way, length)});
     return aside(before_, leg.end - shot_.back().point);
   }
 
@@ -194,7 +183,7 @@ private:
   }
 
   /// a point in the frame of `h`, in the plane of its face
-  Vector position(Index h, const Plane_point& p) const
+  Vector point_on(Index h, const Plane_point& p) const
   {
     const Plane_point apex = faces_.apex(h);
     const double third = p.y / apex.y, second = (p.x - third * apex.x) / faces_.length(h);
@@ -202,7 +191,7 @@ private:
     c[h % 3] = 1. - second - third;
     c[Mesh::next(h) % 3] = second;
     c[Mesh::previous(h) % 3] = third;
-    return point(h / 3, c);
+    return position(mesh_, {h / 3, c});
   }
 
   Shot start(Index origin, double direction) const
@@ -328,17 +317,10 @@ private:
       const Point_on_path& p = is_first ? first_[++i] : second_[++j];
       const Path& other = is_first ? second_ : first_;
       const std::size_t k = is_first ? j : i;
-      const Vector d = p.point - at_distance(other[k], other[k + 1], p.distance);
+      const Vector d = p.point - point_between(other[k], other[k + 1], p.distance);
       result = (std::max)(result, dot(d, d));
     }
     return std::sqrt(result);
-  }
-
-  static Vector at_distance(const Point_on_path& a, const Point_on_path& b, double d)
-  {
-    const double l = a.distance - b.distance;
-    const double s = l > 0. ? (std::min)((std::max)((a.distance - d) / l, 0.), 1.) : 0.;
-    return a.point + s * (b.point - a.point);
   }
 
   const Indexed_triangle_mesh& mesh_;

@@ -51,7 +51,6 @@ public:
 
   /// the edges from the inside out, which is from strong to weak: the core first
   const std::vector<Edge>& edges() const { return edges_; }
-  std::size_t number_of_core_edges() const { return number_of_core_edges_; }
   /// a node that is always left, or null if there is none
   Index root() const { return root_; }
 
@@ -112,7 +111,6 @@ private:
       {
         const auto nodes = ends(e);
         edges_.push_back({e, nodes[0], nodes[1], always});
-        ++number_of_core_edges_;
         root_ = nodes[0];
       }
     std::reverse(edges_.begin(), edges_.end());
@@ -121,7 +119,6 @@ private:
   }
 
   Index root_ = null_index;
-  std::size_t number_of_core_edges_ = 0;
   std::vector<Edge> edges_;
 };
 
