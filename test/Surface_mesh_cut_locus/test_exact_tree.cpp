@@ -317,6 +317,39 @@ TEST(Exact_tree, is_that_of_the_surface_and_not_of_its_triangulation)
   }
 }
 
+TEST(Exact_tree, touches_the_border_wherever_a_symmetric_source_is_moved_to)
+{
+  // A source at a corner is moved into a face, and what then leads to the corner is removed again: up to the border, if
+  // that is where it comes from.
+  for(int n : {1, 2})
+  {
+    test_meshes::Mesh_data data = test_meshes::cube(n);
+    const auto is_in_window = [&](const test_meshes::Triangle& t)
+    {
+      return std::all_of(t.begin(), t.end(),
+                         [&](std::size_t v) {
+        return data.points[v][0] == 1. && data.points[v][1] <= 1. / n && data.points[v][2] <= 1. / n;
+      });
+    };
+    data.triangles.erase(std::remove_if(data.triangles.begin(), data.triangles.end(), is_in_window),
+                         data.triangles.end());
+    const Indexed_triangle_mesh mesh = indexed(data);
+    const CGAL::Cut_loci::Mesh_connectivity connectivity(mesh);
+    Exact_tree_solver solver(mesh);
+    for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    {
+      Indexed_source source;
+      source.vertex = mesh.source(h);
+      source.location.face = h / 3;
+      source.location.coordinates = {{0., 0., 0.}};
+      source.location.coordinates[h % 3] = 1.;
+      SCOPED_TRACE(testing::Message() << n << ", vertex " << source.vertex << ", face " << source.location.face);
+      solve(solver, source);
+      expect_topology(mesh, connectivity, curve_of(solver));
+    }
+  }
+}
+
 TEST(Exact_tree, gap_and_width_in_closed_form)
 {
   // From the middle of a face of the unit cube the paths to the middle of the opposite one come over four faces. The two

@@ -120,7 +120,7 @@ public:
     return edges[e].gap >= angle || (edges[e].piece != null_index && ridges_.meeting_angle(edges[e].piece) >= angle);
   }
 
-  /// removes the edges from a leaf at a vertex of the mesh up to the first node at which others meet
+  /// removes the edges from a leaf at a vertex of the mesh up to the first node at which others meet, or the border
   void remove_branch_to(Index vertex)
   {
     std::vector<Incidence> incidence(nodes.size());
@@ -129,15 +129,16 @@ public:
         incidence[i].add(e);
     std::vector<unsigned char> is_removed(edges.size(), 0);
     for(Index i = 0; i < nodes.size(); ++i)
-      for(Index k = nodes[i].vertex == vertex ? i : null_index; k != null_index && incidence[k].degree == 1;)
-      {
-        const Index e = incidence[k].exclusive_or;
-        const Index other = edges[e].nodes[0] == k ? edges[e].nodes[1] : edges[e].nodes[0];
-        is_removed[e] = 1;
-        incidence[k].remove(e);
-        incidence[other].remove(e);
-        k = other;
-      }
+      if(nodes[i].vertex == vertex)
+        for(Index k = i; k >= number_of_loops() && incidence[k].degree == 1;)
+        {
+          const Index e = incidence[k].exclusive_or;
+          const Index other = edges[e].nodes[0] == k ? edges[e].nodes[1] : edges[e].nodes[0];
+          is_removed[e] = 1;
+          incidence[k].remove(e);
+          incidence[other].remove(e);
+          k = other;
+        }
     remove(is_removed);
   }
 
