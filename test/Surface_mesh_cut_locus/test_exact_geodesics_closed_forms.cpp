@@ -370,4 +370,51 @@ TEST(Closed_forms, directions_in_the_plane)
   }
 }
 
+/// a square on a slope, divided at points of a few simple coordinates, one after the other: most faces are needles, and
+/// many vertices are in one line. Noise makes it flat but for rounding, as decimated models are.
+Mesh divided_square(std::size_t divisions, double noise, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::vector<Point> points = {{{0., 0., 0.}}, {{1., 0., 0.}}, {{1., 0.6, 0.8}}, {{0., 0.6, 0.8}}};
+  std::vector<Mesh::Triangle> triangles = {{{0, 1, 2}}, {{0, 2, 3}}};
+  std::uniform_int_distribution<int> part(1, 2); // so that many are in one line
+  for(std::size_t n = 0; n < divisions; ++n)
+  {
+    const std::size_t f = random() % triangles.size();
+    const Mesh::Triangle t = triangles[f];
+    const std::array<double, 3> c = {{double(part(random)), double(part(random)), double(part(random))}};
+    const double sum = c[0] + c[1] + c[2];
+    Point p = {{0., 0., 0.}};
+    for(std::size_t k = 0; k < 3; ++k)
+      for(std::size_t i = 0; i < 3; ++i)
+        p[k] += c[i] / sum * points[t[i]][k];
+    p[2] += noise * std::uniform_real_distribution<double>(-1., 1.)(random);
+    const Index v = static_cast<Index>(points.size());
+    points.push_back(p);
+    triangles[f] = {{t[0], t[1], v}};
+    triangles.push_back({{t[1], t[2], v}});
+    triangles.push_back({{t[2], t[0], v}});
+  }
+  return make_mesh(points, triangles);
+}
+
+TEST(Closed_forms, needles_that_are_flat_but_for_rounding)
+{
+  for(double noise : {0., 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6})
+    for(unsigned seed = 1; seed <= 5; ++seed)
+    {
+      const Mesh mesh = divided_square(300, noise, seed);
+      Geodesics geodesics(mesh);
+      for(Index f = 0; f < mesh.number_of_faces(); f += 13)
+      {
+        const Index source = mesh.triangles[f][0];
+        geodesics.run({location(f, 1., 0., 0.)});
+        double worst = 0.;
+        for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+          worst = (std::max)(worst, std::fabs(geodesics.distance(v) - distance(mesh.points[source], mesh.points[v])));
+        EXPECT_LE(worst, 1e-9 + 10. * noise) << "noise " << noise << ", seed " << seed << ", source " << source;
+      }
+    }
+}
+
 } // namespace

@@ -100,6 +100,13 @@ public:
 private:
   using Mesh = Indexed_triangle_mesh;
 
+  struct Path_beside
+  {
+    Index vertex;
+    double distance;
+    Geodesic_arrival arrival;
+  };
+
   void run(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options,
            Geodesic_window_observer* observer);
   void start(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options);
@@ -128,6 +135,13 @@ private:
   void bend(Index v);
   /// a path of length `d` to the vertex `v` has been found
   void reach(Index v, double d, const Geodesic_arrival& arrival);
+  /// notes the path by the window `i` of `h` to its end `t` and from there to the apex `v`, if it is straight up to
+  /// rounding: it counts if no window covers `v`
+  template <int columns>
+  void note_path_beside(Index v, const Plane_point& apex, Index h, const Geodesic_window_list& list, std::size_t i,
+                        double t);
+  /// reaches the vertices that rounding has left between windows; whether there were any
+  bool reach_beside_windows();
   void prefetch(Index far, Index near) const;
   /// takes the windows of `h` across the face of `h`
   template <int columns>
@@ -138,6 +152,7 @@ private:
   Geodesic_batches batches_;
   Geodesic_window_observer* observer_ = nullptr; // in the run in work
   std::vector<unsigned char> sides_;             // of the apex, for the windows in work
+  std::vector<Path_beside> beside_;              // see `note_path_beside()`
   double maximum_distance_ = infinity, tolerance_ = 0., merging_angle_ = 0.;
   std::size_t number_of_windows_ = 0;
 };

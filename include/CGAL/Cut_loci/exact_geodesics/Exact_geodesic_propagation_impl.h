@@ -56,6 +56,7 @@ inline void Exact_geodesic_propagation::start(const std::vector<Indexed_location
   tolerance_ = options.maximum_relative_error;
   merging_angle_ = options.merging_angle;
   number_of_windows_ = 0;
+  beside_.clear();
 }
 
 template <int columns>
@@ -66,19 +67,22 @@ inline void Exact_geodesic_propagation::propagate()
       start_at_vertex<columns>(i);
     else
       start_in_face<columns>(i);
-  Index item;
-  while(batches_.pop(item))
+  do
   {
-    prefetch(batches_.peek(6), batches_.peek(3));
-    if(item < faces_.number_of_halfedges())
+    Index item;
+    while(batches_.pop(item))
     {
-      if(observer_ != nullptr)
-        observer_->advance(batches_.key());
-      cross_face<columns>(item);
+      prefetch(batches_.peek(6), batches_.peek(3));
+      if(item < faces_.number_of_halfedges())
+      {
+        if(observer_ != nullptr)
+          observer_->advance(batches_.key());
+        cross_face<columns>(item);
+      }
+      else
+        bend<columns>(item - faces_.number_of_halfedges());
     }
-    else
-      bend<columns>(item - faces_.number_of_halfedges());
-  }
+  } while(reach_beside_windows());
   finish_queries();
   if(maximum_distance_ < infinity)
     cut_off(maximum_distance_);
@@ -282,6 +286,35 @@ inline void Exact_geodesic_propagation::reach(Index v, double d, const Geodesic_
     batches_.push_vertex(d, v);
 }
 
+template <int columns>
+inline void Exact_geodesic_propagation::note_path_beside(Index v, const Plane_point& apex, Index h,
+                                                         const Geodesic_window_list& list, std::size_t i, double t)
+{
+  const Plane_point image{list.column(2)[i], list.column(3)[i]};
+  const double d = distance_on_axis(image, t) + distance_on_axis(apex, t);
+  // the accuracy of windows; what bends by more than its root is in a shadow
+  if(d > (1. + geodesic_cover) * std::hypot(apex.x - image.x, apex.y - image.y))
+    return;
+  const Geodesic_window w = list.get<columns>(i);
+  beside_.push_back(
+    {v, w.sigma + d, {w.x, w.y, w.sigma, w.turn, h, static_cast<Index>(w.origin), true, w.rate, w.error}});
+}
+
+inline bool Exact_geodesic_propagation::reach_beside_windows()
+{
+  std::sort(beside_.begin(), beside_.end(),
+            [](const Path_beside& p, const Path_beside& q) { return p.distance < q.distance; });
+  bool result = false;
+  for(const Path_beside& path : beside_)
+    if(!is_reached(path.vertex))
+    {
+      reach(path.vertex, path.distance, path.arrival);
+      result = true;
+    }
+  beside_.clear();
+  return result;
+}
+
 // -- propagation ---------------------------------------------------------------------------------------------------
 
 inline void Exact_geodesic_propagation::prefetch(Index far, Index near) const
@@ -370,6 +403,13 @@ inline void Exact_geodesic_propagation::cross_face(Index h)
   if(winner != end && shortest < distance_[vertex_c])
   {
     reach(vertex_c, shortest, end_of(list->get<columns>(winner), h));
+  }
+  if(winner == end && !is_reached(vertex_c))
+  {
+    if(behind_left > begin)
+      note_path_beside<columns>(vertex_c, apex, h, *list, behind_left - 1, b[behind_left - 1]);
+    if(first_right < end)
+      note_path_beside<columns>(vertex_c, apex, h, *list, first_right, a[first_right]);
   }
   const double distance_a = distance_[vertex_a], distance_b = distance_[vertex_b];
   const double distance_c =
