@@ -101,8 +101,7 @@ public:
       start(number);
       tree_->draw_ridges();
       tree_->join();
-      for(Index v : divided_ != nullptr ? divided_->vertices() : source_vertices())
-        tree_->remove_branch_to(v);
+      remove_branches_to_sources();
     }
   }
 
@@ -114,13 +113,7 @@ public:
     if(thresholds.gap < least_.gap || thresholds.width < least_.width)
       compute_more(thresholds);
     std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds);
-    // Cycles stay whatever their strength. Where one is weaker than what has been looked for, nothing is known of it but
-    // that it is there: then once more, with all that is.
-    if(!tree_->is_known(kept) && !least_.is_none() && maximum_relative_error_ == 0.)
-    {
-      compute_more(Branch_strength());
-      kept = tree_->kept(thresholds);
-    }
+    see_all_of(kept, thresholds);
     tree_->measure_widths(kept);
     const Source_faces at_sources(mesh_, connectivity_, sources_);
     if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
@@ -206,14 +199,40 @@ private:
         "cut_locus_method(Cut_loci::Method::DIRECTION)");
   }
 
-  void compute_more(const Branch_strength& least)
+  /*
+   * Cycles stay whatever their strength. Where one is weaker than what has been looked for, or a symmetric source leaves
+   * it to rounding where it is, nothing is known of it but that it is there. Then once more, with the source moved, and
+   * if that does not help, with all that is.
+   */
+  void see_all_of(std::vector<Tree_branches::Edge>& kept, const Exact_tree_thresholds& thresholds)
+  {
+    for(int time = 1; time <= 2 && !tree_->is_known(kept) && !least_.is_none(); ++time)
+    {
+      if(time == 1)
+        compute_more(least_, 1);
+      else if(maximum_relative_error_ == 0.)
+        compute_more(Branch_strength());
+      kept = tree_->kept(thresholds);
+    }
+  }
+
+  // `number` as for `start()`
+  void compute_more(const Branch_strength& least, int number = 0)
   {
     refuse_error_without_strength(least);
     least_ = least;
-    start();
+    start(number);
     compute_strengths();
     grow_tree();
+    if(number > 0)
+      remove_branches_to_sources();
     close_cycles();
+  }
+
+  void remove_branches_to_sources()
+  {
+    for(Index v : divided_ != nullptr ? divided_->vertices() : source_vertices())
+      tree_->remove_branch_to(v);
   }
 
   std::vector<unsigned char> short_ones(const Exact_tree_thresholds& thresholds, const Indexed_cut_locus& edges) const
