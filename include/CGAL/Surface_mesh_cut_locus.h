@@ -296,7 +296,8 @@ public:
    *                           points of a branch, in radians in [0, pi]; it grows from the tips of branches inward}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{0; with `Cut_loci::Method::DIRECTION` on a polyhedron whose curvature is in a few sharp vertices,
-   *                       such as a cube, 0.5, for the branches of these}
+   *                       such as a cube, 0.5 for the sum of this angle and the one at which the paths meet, which is
+   *                       the curvature that they enclose: the branches of these vertices, up to their tips}
    *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. With both thresholds, a branch must pass both.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{gradient_angle_threshold}

@@ -274,4 +274,24 @@ TEST(Branch_thresholds, Widths_are_those_of_the_polyhedron_however_it_is_divided
   }
 }
 
+// Near a sharp vertex the paths to its branch part at a small angle, and meet at a large one.
+TEST(Branch_thresholds, A_polyhedron_shows_the_branches_of_its_vertices_up_to_these)
+{
+  const std::vector<Case> polyhedra = {{"cube", test_meshes::cube(1)},
+                                       {"divided cube", test_meshes::cube(3)},
+                                       {"L-shape", test_meshes::l_shape(1)},
+                                       {"convex", test_meshes::random_convex_polyhedron(10, 3)}};
+  for(const Case& c : polyhedra)
+    for(std::size_t source : {std::size_t(0), c.data.points.size() / 2})
+    {
+      SCOPED_TRACE(c.name + ", source " + std::to_string(source));
+      const Built_mesh<Mesh> built(c.data);
+      const auto faces = params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES);
+      const auto by_default = CGAL::compute_cut_locus(built.mesh, built.vertices[source], faces);
+      const auto all = CGAL::compute_cut_locus(built.mesh, built.vertices[source],
+                                               faces.cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+      EXPECT_NEAR(length(by_default, 0.), length(all, 0.), 1e-4 * length(all, 0.));
+    }
+}
+
 } // namespace

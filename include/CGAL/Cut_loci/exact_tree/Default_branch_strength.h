@@ -38,7 +38,8 @@ namespace internal {
  *
  * What the mesh and noise explain are independent and add as squares do: the width is h &radic;(9 + t<sup>2</sup>), where
  * t is twice (s/h)<sup>4/9</sup>, and L the diagonal of the bounding box. A polyhedron of which more than half of the
- * curvature is in a few sharp vertices stands for itself: there branches count at any width, if they come from these.
+ * curvature is in a few sharp vertices stands for itself: there branches count at any width, if they enclose as much as
+ * one of these has.
  */
 class Default_branch_strength
 {
@@ -47,7 +48,7 @@ public:
   static constexpr double sharp = 0.5;
 
   double width = 0.; ///< a length
-  double gap = 0.;   ///< an angle
+  double gap = 0.;   ///< an angle, the sum of those where the two paths part and where they meet
 
   /// @param diagonal of the bounding box
   Default_branch_strength(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,

@@ -181,7 +181,8 @@ private:
   bool is_a_branch(Index e, const Branch_strength& least) const
   {
     const Tree_graph::Edge& edge = graph_->edges[e];
-    return !edge.is_between_sources() && edge.gap >= least.gap && graph_->can_be(e, least);
+    const double meeting = least.counts_meeting && edge.piece != null_index ? ridges_.meeting_angle(edge.piece) : 0.;
+    return !edge.is_between_sources() && edge.gap + meeting >= least.gap && graph_->can_be(e, least);
   }
 
   /// of the two paths to a point of the piece

@@ -110,7 +110,7 @@ public:
   // once per threshold; `edges` becomes the curve of mesh edges, whichever curve is asked for
   Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges) override
   {
-    if(thresholds.gap < least_.gap || thresholds.width < least_.width)
+    if(thresholds.is_weaker_than(least_))
       compute_more(thresholds);
     std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds);
     see_all_of(kept, thresholds);
@@ -370,6 +370,7 @@ private:
       const Default_branch_strength strength(mesh, connectivity, *faces, diagonal);
       thresholds.gap = strength.gap;
       thresholds.width = strength.width;
+      thresholds.counts_meeting = strength.gap > 0.;
     }
 
     Mesh_connectivity connectivity;

@@ -144,6 +144,7 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
   Exact_tree_thresholds result = by_default;
   if(is_asked)
   {
+    result.counts_meeting = false;
     result.gap = choose_parameter(get_parameter(np, internal_np::minimum_branch_gap), 0.);
     result.width = diagonal * choose_parameter(get_parameter(np, internal_np::minimum_branch_width), 0.);
   }

@@ -62,8 +62,15 @@ struct Branch_strength
 {
   double gap = 0.;   // an angle
   double width = 0.; // a length
+  // The gap is that of the two paths where they part and where they meet: by Gauss-Bonnet the curvature that they
+  // enclose. On a branch that goes around one vertex it is that of the vertex from the tip on, where they part at none.
+  bool counts_meeting = false;
 
   bool is_none() const { return gap == 0. && width == 0.; }
+  bool is_weaker_than(const Branch_strength& other) const
+  {
+    return gap < other.gap || width < other.width || (counts_meeting && !other.counts_meeting);
+  }
 
   /*
    * Of the gap, at this distance from where the paths part. Where the curvature is not negative, two paths of the length
