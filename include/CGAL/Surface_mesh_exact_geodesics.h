@@ -44,8 +44,9 @@ namespace CGAL {
  * \cgalCite{Xin2009Improvingchenandhan}, and, as Xu et al. \cgalCite{xu-fwp-15} and Qin et al. \cgalCite{qin-vtp-16}, in batches: all
  * windows of a halfedge cross its face at once.
  *
- * In the worst case, time grows like \cgalBigO{n^2} and more with the number of faces. On meshes of smooth surfaces,
- * the number of windows grows like \cgalBigO{n^{1.5}}, the time a little slower, and the memory linearly.
+ * In the worst case, time grows like \cgalBigO{n^2} and more with the number of faces. On the meshes of smooth surfaces
+ * that were measured, the number of windows grows like \cgalBigO{n^{1.5}}; for time and memory see the tables in
+ * Section \ref Surface_mesh_cut_locus_performance.
  *
  * Where distances need not be exact, `set_maximum_relative_error()` bounds their error and makes the growth nearly linear.
  *
