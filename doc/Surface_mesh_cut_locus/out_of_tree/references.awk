@@ -8,6 +8,7 @@ function value(line) {
   gsub(/\{\\"o\}/, "\\&ouml;", line)
   gsub(/\{\\'e\}/, "\\&eacute;", line)
   gsub(/\{\\c c\}/, "\\&ccedil;", line)
+  gsub(/\{\\ae\}/, "\\&aelig;", line)
   gsub(/[{}]/, "", line)
   gsub(/--/, "\\&ndash;", line)
   return line
