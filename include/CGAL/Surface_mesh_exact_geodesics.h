@@ -50,7 +50,7 @@ namespace CGAL {
  *
  * Where distances need not be exact, `set_maximum_relative_error()` bounds their error and makes the growth nearly linear.
  *
- * Faces must have an area: a face whose height is less than about `1e-13` of its longest edge can not be unfolded in
+ * Faces must have an area: a face whose height is less than about `1e-13` of its longest edge cannot be unfolded in
  * `double`, and is refused. Vertices whose faces form more than one fan are refused as well. In both cases the
  * constructor throws `Cut_loci::Invalid_input` with a message that names the element.
  *
