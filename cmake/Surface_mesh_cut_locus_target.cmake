@@ -5,9 +5,12 @@ get_filename_component(SURFACE_MESH_CUT_LOCUS_ROOT ${CMAKE_CURRENT_LIST_DIR} DIR
 add_library(Surface_mesh_cut_locus INTERFACE)
 add_library(CGAL::Surface_mesh_cut_locus ALIAS Surface_mesh_cut_locus)
 # include_np adds the package's named parameters to CGAL's list and must come before CGAL's own headers. It is installed
-# apart, so that it never overwrites CGAL's file.
+# apart, so that it never overwrites CGAL's file. In CGAL's tree it does not exist.
+if(EXISTS ${SURFACE_MESH_CUT_LOCUS_ROOT}/include_np)
+  target_include_directories(Surface_mesh_cut_locus INTERFACE
+    $<BUILD_INTERFACE:${SURFACE_MESH_CUT_LOCUS_ROOT}/include_np>)
+endif()
 target_include_directories(Surface_mesh_cut_locus INTERFACE
-  $<BUILD_INTERFACE:${SURFACE_MESH_CUT_LOCUS_ROOT}/include_np>
   $<BUILD_INTERFACE:${SURFACE_MESH_CUT_LOCUS_ROOT}/include>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/Surface_mesh_cut_locus/named_parameters>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

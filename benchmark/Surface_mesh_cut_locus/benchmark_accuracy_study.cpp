@@ -4,7 +4,7 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-// The accuracy of the default method with its default parameters, against cut loci of smooth surfaces that are known in
+// The accuracy of a method with its default parameters and exact distances, against cut loci of smooth surfaces that are known in
 // closed form or found by shooting geodesics: on isotropic, jittered, stretched and noisy meshes at several
 // resolutions, for the curve through the faces and for that of mesh edges.
 //
@@ -126,12 +126,12 @@ Errors compare(const Polylines& curve, const std::vector<Point>& leaves, const T
 // Computes and compares both curves.
 template <typename Surface>
 void run(const Surface& surface, const std::string& surface_name, const std::string& mesh_name, const Mesh& mesh,
-         const Point& at, const True_cut_locus& truth, Table& table)
+         const Point& at, const True_cut_locus& truth, CGAL::Cut_loci::Method method, Table& table)
 {
   const double h = mean_edge_length(mesh);
   const Mesh::Vertex_index source_vertex = vertex_at(mesh, at);
   const auto start = std::chrono::steady_clock::now();
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh);
+  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(method));
   solver.set_source(source_vertex);
   const double source_time = seconds_since(start);
   for(Curve kind : {Curve::THROUGH_FACES, Curve::MESH_EDGES})
@@ -166,10 +166,17 @@ struct Source
 
 struct Options
 {
-  std::string cache, csv;
+  std::string cache, csv, method;
   std::vector<std::string> surfaces, meshes;
   std::vector<std::size_t> faces;
 };
+
+CGAL::Cut_loci::Method method_named(const std::string& name)
+{
+  if(name != "direction" && name != "laplacian")
+    throw std::runtime_error("there is no method " + name);
+  return name == "direction" ? CGAL::Cut_loci::Method::DIRECTION : CGAL::Cut_loci::Method::LAPLACIAN;
+}
 
 bool is_wanted(const std::vector<std::string>& wanted, const std::string& name)
 {
@@ -223,7 +230,7 @@ void run(const Surface& surface, const std::string& file_name, std::vector<Sourc
       else if(kind.compare(0, 6, "noise_") == 0)
         add_noise(surface, mesh, std::stod(kind.substr(6)), points);
       for(const Source& s : sources)
-        run(surface, s.name, kind, mesh, s.point, s.truth, table);
+        run(surface, s.name, kind, mesh, s.point, s.truth, method_named(options.method), table);
     }
   }
 }
@@ -234,12 +241,12 @@ int main(int argc, char** argv)
 {
   namespace po = boost::program_options;
   Options o;
-  po::options_description options("Accuracy of the default method on meshes of smooth surfaces");
+  po::options_description options("Accuracy on meshes of smooth surfaces");
   options.add_options()("help", "print this")("cache", po::value(&o.cache), "folder that keeps the generated meshes")(
     "csv", po::value(&o.csv), "file for the table, as comma separated values")(
     "faces", po::value(&o.faces)->multitoken()->default_value({5000, 20000, 80000}, "5000 20000 80000"),
-    "numbers of faces, nearly")("surface", po::value(&o.surfaces)->multitoken(),
-                                "only the surfaces whose names contain one of these")(
+    "numbers of faces, nearly")("method", po::value(&o.method)->default_value("direction"), "direction or laplacian")(
+    "surface", po::value(&o.surfaces)->multitoken(), "only the surfaces whose names contain one of these")(
     "mesh", po::value(&o.meshes)->multitoken(),
     "only the kinds of meshes whose names contain one of these; all are isotropic, jittered, 4:1 and "
     "10:1 (long along x), 1:4 and 1:10 (short along x), noise_0.03 and noise_0.1");

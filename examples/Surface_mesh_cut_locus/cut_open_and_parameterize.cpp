@@ -56,8 +56,17 @@ int main(int argc, char* argv[])
 
   const Edge_map seam_edges = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
   const Vertex_map seam_vertices = mesh.add_property_map<Mesh::Vertex_index, bool>("v:seam", false).first;
-  CGAL::mark_cut_locus_seams(mesh, cut_locus, seam_edges, seam_vertices);
-  const Seam_mesh seam_mesh(mesh, seam_edges, seam_vertices);
+  const Mesh::Halfedge_index seam = CGAL::mark_cut_locus_seams(mesh, cut_locus, seam_edges, seam_vertices);
+  Seam_mesh seam_mesh(mesh, seam_edges, seam_vertices);
   std::cout << "So has the mesh with seams: " << num_vertices(seam_mesh) << ".\n";
+
+  // a vertex of a seam has several places in the plane: one for each corner, that is, for each halfedge to it
+  using Seam_halfedge = boost::graph_traits<Seam_mesh>::halfedge_descriptor;
+  const auto corner_uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  const Seam_halfedge on_border = opposite(Seam_halfedge(seam), seam_mesh);
+  if(SMP::parameterize(seam_mesh, on_border, corner_uv) != SMP::OK)
+    return EXIT_FAILURE;
+  std::ofstream seam_out("parameterized_with_seams.off");
+  SMP::IO::output_uvmap_to_off(seam_mesh, on_border, corner_uv, seam_out);
   return EXIT_SUCCESS;
 }

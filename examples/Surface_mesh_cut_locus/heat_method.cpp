@@ -4,26 +4,23 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-// Another geodesic solver: CGAL's heat method is fast, and approximates. Here the source is a point inside a face, and the
-// edges of the cut locus are marked, ready for CGAL::Seam_mesh.
+// Another geodesic solver: CGAL's heat method, which approximates. It factors two matrices once for the mesh and all vertices
+// as sources; a source inside of a face would take new ones. The edges of the cut locus are marked in a property map.
 
-#include <CGAL/compute_cut_locus.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
+#include <CGAL/Surface_mesh_cut_locus.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <iostream>
 #include <string>
-#include <utility>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Face_location = std::pair<Mesh::Face_index, std::array<double, 3>>;
 
 int main(int argc, char* argv[])
 {
@@ -35,14 +32,18 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  const Face_location source(*mesh.faces().begin(), {{0.2, 0.3, 0.5}});
+  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh,
+                                            CGAL::parameters::geodesic_solver(CGAL::Heat_method_geodesic_solver<>()));
   auto is_cut = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_cut", false).first;
-  const auto cut_locus = CGAL::compute_cut_locus(
-    mesh, source,
-    CGAL::parameters::geodesic_solver(CGAL::Heat_method_geodesic_solver<>()).edge_is_constrained_map(is_cut));
-
-  const auto number_of_cut_edges =
-    std::count_if(mesh.edges_begin(), mesh.edges_end(), [&](Mesh::Edge_index e) { return get(is_cut, e); });
-  std::cout << "source at " << cut_locus.source().point << ", " << number_of_cut_edges << " edges to cut\n";
+  for(const Mesh::size_type i : {Mesh::size_type(0), mesh.number_of_vertices() / 2})
+  {
+    solver.set_source(Mesh::Vertex_index(i));
+    for(const Mesh::Edge_index e : mesh.edges())
+      is_cut[e] = false;
+    solver.cut_locus(CGAL::parameters::edge_is_constrained_map(is_cut));
+    std::cout << "source " << i << ": "
+              << std::count_if(mesh.edges_begin(), mesh.edges_end(), [&](Mesh::Edge_index e) { return is_cut[e]; })
+              << " edges to cut\n";
+  }
   return EXIT_SUCCESS;
 }

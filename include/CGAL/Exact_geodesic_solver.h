@@ -20,7 +20,7 @@ namespace CGAL {
  * \ingroup PkgSurfaceMeshCutLocusSolvers
  *
  * computes exact geodesic distances by the propagation of windows, as `Surface_mesh_exact_geodesics` does: exact on the
- * polyhedron up to rounding errors, and one to two orders of magnitude faster than `Surface_mesh_shortest_path`.
+ * polyhedron up to rounding errors, and faster than `Surface_mesh_shortest_path`, the more the finer the mesh.
  *
  * \cgalModels{GeodesicSolver}
  */

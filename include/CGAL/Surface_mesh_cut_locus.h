@@ -47,8 +47,8 @@ namespace CGAL {
  * its result, so that it follows a slider.
  *
  * With the default solver, the cut locus of the polyhedron is computed from the windows of exact geodesics, and the
- * branches that come from the mesh or from noise are left out (`Cut_loci::Method::DIRECTION`): there is nothing to tune,
- * and no shortest path crosses it. Otherwise the method is that of Mancinelli, Livesu and Puppo
+ * branches that the mesh and its noise explain are left out (`Cut_loci::Method::DIRECTION`). No shortest path crosses
+ * what is left. Otherwise the method is that of Mancinelli, Livesu and Puppo
  * \cgalCite{cgal:mlp-pccld-21} (`Cut_loci::Method::LAPLACIAN`), which takes any distances: a spanning tree is grown
  * from the vertex farthest from the source along the valleys of the Laplacian of the distance, thinned, completed by
  * homology generators, and its weak branches are removed. The parameter `cut_locus_method` chooses one of them.

@@ -44,12 +44,13 @@ namespace CGAL {
  * \cgalCite{Xin2009Improvingchenandhan}, and, as Xu et al. \cgalCite{xu-fwp-15} and Qin et al. \cgalCite{qin-vtp-16}, in batches: all
  * windows of a halfedge cross its face at once.
  *
- * In the worst case, time grows like \cgalBigO{n^2} and more with the number of faces. On meshes of smooth surfaces,
- * the number of windows grows like \cgalBigO{n^{1.5}}, the time a little slower, and the memory linearly.
+ * In the worst case, time grows like \cgalBigO{n^2} and more with the number of faces. On the meshes of smooth surfaces
+ * that were measured, the number of windows grows like \cgalBigO{n^{1.5}}; for time and memory see the tables in
+ * Section \ref Surface_mesh_cut_locus_performance.
  *
  * Where distances need not be exact, `set_maximum_relative_error()` bounds their error and makes the growth nearly linear.
  *
- * Faces must have an area: a face whose height is less than about `1e-13` of its longest edge can not be unfolded in
+ * Faces must have an area: a face whose height is less than about `1e-13` of its longest edge cannot be unfolded in
  * `double`, and is refused. Vertices whose faces form more than one fan are refused as well. In both cases the
  * constructor throws `Cut_loci::Invalid_input` with a message that names the element.
  *

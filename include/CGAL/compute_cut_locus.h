@@ -59,7 +59,7 @@ struct Is_range<T, std::void_t<decltype(std::declval<const T&>().begin()), declt
  *
  * @return the graph of the cut locus, and the distances to the source, or to the nearest one
  *
- * @throws Cut_loci::Invalid_input where the mesh, the source or a parameter can not be used, with a message that
+ * @throws Cut_loci::Invalid_input where the mesh, the source or a parameter cannot be used, with a message that
  *         names the cause
  */
 template <typename TriangleMesh, typename Source, typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -30,7 +30,7 @@ namespace CGAL {
  * as many vertices of the result as there are fans of faces between the seams at it.
  *
  * The result has the component of the source alone: the others have no cut locus. Edges of the cut locus on the border
- * of `tm` are not cut. If the component has no border and the cut locus has less than two edges, as on a sphere where
+ * of `tm` are not cut. If the component has no border and the cut locus has fewer than two edges, as on a sphere where
  * it may be a single point, then edges next to it are cut until there are two: a shorter cut would split no vertex.
  * Time is O(n log k), for n faces and k vertices of the cut locus.
  *

@@ -23,7 +23,7 @@ namespace CGAL {
  *
  * computes the exact geodesic distances from `source` to all vertices of a triangle mesh.
  *
- * Vertices that can not be reached get an infinite distance. For more than one source, directions, shortest paths,
+ * Vertices that cannot be reached get an infinite distance. For more than one source, directions, shortest paths,
  * points in faces, or a maximum distance, see `CGAL::Surface_mesh_exact_geodesics`, which also says how long it takes;
  * whoever needs the distances from many points, one after the other, should use it, too.
  *
@@ -48,7 +48,7 @@ namespace CGAL {
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws Cut_loci::Invalid_input if the mesh or the source can not be used
+ * \throws Cut_loci::Invalid_input if the mesh or the source cannot be used
  */
 template <typename TriangleMesh, typename VertexDistanceMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 void exact_geodesic_distances(const TriangleMesh& tm,

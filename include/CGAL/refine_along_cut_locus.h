@@ -49,7 +49,7 @@ inline Index resolution_of(double tolerance)
  * splits the faces that a cut locus runs through, so that it consists of edges of the result: straight seams, where
  * edges of the mesh zigzag.
  *
- * The surface stays the same but for the rounding of points, and each face of the result is a part of one of `tm`. The
+ * The surface stays the same except for the rounding of points, and each face of the result is a part of one of `tm`. The
  * cut locus is rounded first: its barycentric coordinates become multiples of the snapping tolerance, so that it goes
  * through a vertex that it passes closely, and no face is degenerate: all have at least the square of the tolerance of
  * the area of the face that they are a part of. See `Cut_loci::refine_along_curve()`.
@@ -139,11 +139,11 @@ void refine_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh
  *
  * cuts a surface open along a cut locus that may run through the faces: it splits these as `refine_along_cut_locus()`
  * does, and then cuts along the edges of the result as `cut_along_cut_locus()` does. The result is one topological disk
- * with straight seams, the component of the source alone. Parameters and errors are those of these functions, but for
+ * with straight seams, the component of the source alone. Parameters and errors are those of these functions, except for
  * `edge_is_constrained_map`.
  *
- * Parts of the curve that touch after rounding, and so enclose faces, are opened. A smoothed curve may have left the
- * border, or slipped off a thin handle: then the shortest ways over edges are cut, too. See `Cut_loci::repair_seams()`.
+ * Parts of the curve that touch after rounding, and so enclose faces, are opened. Where a part has come off the border
+ * or off the rest, the shortest ways over edges are cut, too. See `Cut_loci::repair_seams()`.
  */
 template <typename TriangleMesh, typename Point_3, typename OutputMesh,
           typename NamedParametersIn = parameters::Default_named_parameters,

@@ -4,7 +4,7 @@
 >>> result.points[result.edges]                 # the segments of the cut locus
 >>> distance = cut_locus.exact_geodesic_distances(V, F, 0)
 
-Lengths are in the unit of the points, angles in radians. Arrays that are returned can not be written to: copy them
+Lengths are in the unit of the points, angles in radians. Arrays that are returned cannot be written to: copy them
 first. A computation releases the GIL, so that threads with objects of their own run at the same time.
 """
 

@@ -13,7 +13,7 @@ _Path = Tuple[_Floats, _Ints, _Floats]
 solver_names: Tuple[str, ...]
 
 class InvalidInput(ValueError):
-    """The mesh, the source or a parameter can not be used. The message names the cause and the element."""
+    """The mesh, the source or a parameter cannot be used. The message names the cause and the element."""
 
 class _Enumeration:
     __members__: ClassVar[Dict[str, Any]]

@@ -221,7 +221,7 @@ class CutLocus:
     progress : callable, optional
         Called as ``progress(stage, ends)`` when a stage starts and when it ends: "preprocessing", "distance",
         "strength", "tree", "homology" or "filter". What it raises ends the computation and comes out of it. Ctrl-C is
-        looked for at the same places. It can not use the object that calls it.
+        looked for at the same places. It cannot use the object that calls it.
 
     Raises
     ------
@@ -364,7 +364,7 @@ def compute(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *, s
     Raises
     ------
     InvalidInput
-        Where the mesh, the source or a parameter can not be used. It is a ValueError.
+        Where the mesh, the source or a parameter cannot be used. It is a ValueError.
     TypeError
         If the arrays do not hold real numbers, or whole ones.
     """

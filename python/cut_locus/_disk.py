@@ -64,7 +64,7 @@ def cut_open(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *,
     InvalidInput
         As `compute()`.
     RuntimeError
-        If the surface can not be flattened.
+        If the surface cannot be flattened.
     """
     from ._cut_locus import compute
 

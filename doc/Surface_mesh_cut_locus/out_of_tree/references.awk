@@ -8,6 +8,7 @@ function value(line) {
   gsub(/\{\\"o\}/, "\\&ouml;", line)
   gsub(/\{\\'e\}/, "\\&eacute;", line)
   gsub(/\{\\c c\}/, "\\&ccedil;", line)
+  gsub(/\{\\ae\}/, "\\&aelig;", line)
   gsub(/[{}]/, "", line)
   gsub(/--/, "\\&ndash;", line)
   return line
@@ -31,7 +32,7 @@ END {
     keys[j + 1] = moved
   }
   if(output == "page") {
-    print "/*!\n\\page references References\n"
+    print "/*!\n\\page references References\n\nWhat the manual cites.\n"
     for(i = 1; i <= count; ++i)
       printf "\\anchor %s\n<b>[%d]</b> %s.\n\n", label(keys[i]), i, reference(keys[i])
     print "*/"
@@ -49,7 +50,8 @@ function reference(key,   text, names) {
   gsub(/ and /, ", ", names)
   text = names ". " field[key, "title"] ". "
   if(field[key, "journal"] != "")
-    text = text "<em>" field[key, "journal"] "</em>, " field[key, "volume"] "(" field[key, "number"] "):" field[key, "pages"] ", "
+    text = text "<em>" field[key, "journal"] "</em>, " field[key, "volume"] \
+           (field[key, "number"] != "" ? "(" field[key, "number"] ")" : "") ":" field[key, "pages"] ", "
   else if(field[key, "booktitle"] != "")
     text = text "In <em>" field[key, "booktitle"] "</em>, pages " field[key, "pages"] ", "
   else

@@ -16,7 +16,7 @@ namespace Cut_loci {
 /*!
  * \ingroup PkgSurfaceMeshCutLocusRef
  *
- * is thrown where the mesh, the source or a parameter can not be used. Its message names the cause and, where there is
+ * is thrown where the mesh, the source or a parameter cannot be used. Its message names the cause and, where there is
  * one, the element, by its position in the ranges `vertices(mesh)` and `faces(mesh)`. It is thrown in release builds,
  * too.
  */

@@ -45,8 +45,9 @@ struct Injectivity_radius
  * \ingroup PkgSurfaceMeshCutLocusRef
  *
  * computes the injectivity radius of the exponential map at the source: the smallest distance on the cut locus, and
- * where it is reached. Within this radius each point has one shortest path to the source. Time is proportional to the
- * size of the cut locus.
+ * where it is reached. On the smooth surface, each point within this radius has one shortest path to the source. On the
+ * polyhedron, this holds for the cut locus of `Cut_loci::Method::POLYHEDRAL`, which has a branch to each vertex of
+ * positive curvature. Time is proportional to the size of the cut locus.
  *
  * The distance between the ends of an edge of length l, with distances a and b, is taken to be that to a point of a
  * plane: the square of the distance is a parabola, and its minimum is the foot of the perpendicular. That is exact

@@ -284,7 +284,7 @@ read_source(const TriangleMesh& tm, const Read& read,
  * @throws Invalid_input if a vertex has more than the angle above, with a message that names it; if the cut locus is not
  *         found accurately enough to cut along it wherever the source is moved, as may happen with thousands of faces, or
  *         with thin ones, as hulls of scans have them: nothing that does not fit together is returned; and as
- *         `Surface_mesh_cut_locus` does if the mesh or the source can not be used
+ *         `Surface_mesh_cut_locus` does if the mesh or the source cannot be used
  */
 template <typename TriangleMesh, typename Source, typename CGAL_NP_TEMPLATE_PARAMETERS>
 auto source_unfolding(const TriangleMesh& tm, const Source& source,
