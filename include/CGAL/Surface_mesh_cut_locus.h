@@ -295,9 +295,9 @@ public:
    *     \cgalParamDescription{the least angle at the source, or where they part, between the two shortest paths to the
    *                           points of a branch, in radians in [0, pi]; it grows from the tips of branches inward}
    *     \cgalParamType{`double`}
-   *     \cgalParamDefault{0; with `Cut_loci::Method::DIRECTION` on a polyhedron whose curvature is in a few sharp vertices,
-   *                       such as a cube, 0.5 for the sum of this angle and the one at which the paths meet, which is
-   *                       the curvature that they enclose: the branches of these vertices, up to their tips}
+   *     \cgalParamDefault{0; with `Cut_loci::Method::DIRECTION` on a polyhedron whose curvature is for the most part in a
+   *                       few sharp vertices 0.5, for the branches of these; where there is no other, as on a cube, for
+   *                       the sum of this angle and the one at which the paths meet, up to the vertices}
    *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. With both thresholds, a branch must pass both.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{gradient_angle_threshold}

@@ -38,8 +38,8 @@ namespace internal {
  *
  * What the mesh and noise explain are independent and add as squares do: the width is h &radic;(9 + t<sup>2</sup>), where
  * t is twice (s/h)<sup>4/9</sup>, and L the diagonal of the bounding box. A polyhedron of which more than half of the
- * curvature is in a few sharp vertices stands for itself: there branches count at any width, if they enclose as much as
- * one of these has.
+ * curvature is in a few sharp vertices stands for itself: there branches count at any width, if the paths part at as much
+ * as one of these bends them, or if there is no other curvature, if they enclose that much.
  */
 class Default_branch_strength
 {
@@ -47,17 +47,20 @@ public:
   /// the angle of a sharp vertex: a smooth surface with such vertices has a dozen edges around it
   static constexpr double sharp = 0.5;
 
-  double width = 0.; ///< a length
-  double gap = 0.;   ///< an angle, the sum of those where the two paths part and where they meet
+  double width = 0.;           ///< a length
+  double gap = 0.;             ///< an angle
+  bool counts_meeting = false; ///< see `Branch_strength`
 
   /// @param diagonal of the bounding box
   Default_branch_strength(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                           const Geodesic_faces& faces, double diagonal)
     : mesh_(mesh), connectivity_(connectivity), faces_(faces)
   {
-    if(is_plain_polyhedron())
+    const double share = sharp_share();
+    if(share >= 0.5)
     {
       gap = sharp;
+      counts_meeting = share > 1. - 1e-6; // up to rounding of coordinates
       return;
     }
     const double h = connectivity_.mean_edge_length;
@@ -125,7 +128,8 @@ private:
     return number > 0;
   }
 
-  bool is_plain_polyhedron() const
+  /// the part of the curvature that is in sharp vertices
+  double sharp_share() const
   {
     double in_sharp = 0., all = 0.;
     for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
@@ -136,7 +140,7 @@ private:
       all += curvature;
       in_sharp += curvature >= sharp ? curvature : 0.;
     }
-    return 2. * in_sharp >= all;
+    return all > 0. ? in_sharp / all : 1.;
   }
 
   double deficit(Index v) const { return 2. * geodesic_pi - faces_.total_angle(v); }

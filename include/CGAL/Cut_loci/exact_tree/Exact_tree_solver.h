@@ -200,16 +200,17 @@ private:
   }
 
   /*
-   * Cycles stay whatever their strength. Where one is weaker than what has been looked for, or a symmetric source leaves
-   * it to rounding where it is, nothing is known of it but that it is there. Then once more, with the source moved, and
-   * if that does not help, with all that is.
+   * Cycles stay whatever their strength, and what leads to a hole of the surface. Where that is weaker than what has been
+   * looked for, or a symmetric source leaves it to rounding where it is, nothing is known of it but that it is there.
+   * Then once more, with the source moved, for what is weaker: all that is takes many times as long.
    */
   void see_all_of(std::vector<Tree_branches::Edge>& kept, const Exact_tree_thresholds& thresholds)
   {
-    for(int time = 1; time <= 2 && !tree_->is_known(kept) && !least_.is_none(); ++time)
+    constexpr int most = 3;
+    for(int time = 1; time <= most && !tree_->is_known(kept) && !least_.is_none(); ++time)
     {
-      if(time == 1)
-        compute_more(least_, 1);
+      if(time < most)
+        compute_more(least_.part(0.25), 1);
       else if(maximum_relative_error_ == 0.)
         compute_more(Branch_strength());
       kept = tree_->kept(thresholds);
@@ -370,7 +371,7 @@ private:
       const Default_branch_strength strength(mesh, connectivity, *faces, diagonal);
       thresholds.gap = strength.gap;
       thresholds.width = strength.width;
-      thresholds.counts_meeting = strength.gap > 0.;
+      thresholds.counts_meeting = strength.counts_meeting;
     }
 
     Mesh_connectivity connectivity;
