@@ -155,9 +155,9 @@ public:
 
   /*!
    * makes a copy for other sources: it has the parameters of `other`, and no source. What has been computed for the mesh
-   * alone, before and with the first source, is shared by all copies, and nothing else: so each thread may set sources of
-   * a copy of its own, while nobody changes the mesh. Copies are made before the threads start, or while no other one
-   * uses `other`.
+   * alone, by `prepare()` or with the first source, is shared by all copies, and nothing else: so each thread may set
+   * sources of a copy of its own, while nobody changes the mesh. Copies are made before the threads start, or while no
+   * other one uses `other`.
    *
    * A geodesic solver and a visitor are copied, too; one that is held by `std::ref()` is then used by several threads.
    */
@@ -171,6 +171,28 @@ public:
       components_[component.first].reset(new Component(*component.second));
   }
   Surface_mesh_cut_locus& operator=(const Surface_mesh_cut_locus&) = delete;
+
+  /*!
+   * does what depends on the mesh alone for the components of these sources, which else is done with the first source of
+   * each. Copies that are made afterwards share it. The source that is set, if there is one, stays.
+   *
+   * @tparam SourceRange a model of `ConstRange` as for `set_sources()`; here the sources may be in different components
+   *
+   * @param sources the sources that will be set one after another, by this object or its copies
+   * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those that `set_source()` will be
+   *        given
+   *
+   * @throws Cut_loci::Invalid_input where `set_source()` throws it for what is wrong with a source, its component or the
+   *         parameters
+   */
+  template <typename SourceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  void prepare(const SourceRange& sources, const CGAL_NP_CLASS& np = parameters::default_values())
+  {
+    const Cut_loci::Method method = method_for(np);
+    Cut_loci::internal::refuse_parameters_of_other_methods(method, np);
+    for(const auto& source : Cut_loci::internal::read_sources(tm_, *read_, sources, snapping_tolerance(np)))
+      component_at((*component_of_face_)[source.location.face], method);
+  }
 
   /*!
    * computes the distances to vertex `v` and all that `cut_locus()` needs.
@@ -466,7 +488,7 @@ private:
     source_angle_threshold_ = runs_solver && solver_.gradient_angle_threshold() > 0.
                                 ? solver_.gradient_angle_threshold()
                                 : default_gradient_angle_threshold();
-    Component& component = component_at((*component_of_face_)[sources.front().location.face]);
+    Component& component = component_at((*component_of_face_)[sources.front().location.face], method);
     component_ = &component;
     sources_.clear();
     for(const Cut_loci::Indexed_source& source : sources)
@@ -553,15 +575,15 @@ private:
     Cut_loci::internal::refuse_distances(method_);
   }
 
-  Component& component_at(Index id)
+  Component& component_at(Index id, Cut_loci::Method method)
   {
     std::unique_ptr<Component>& component = components_[id];
-    if(component && component->has_solver(method_))
+    if(component && component->has_solver(method))
       return *component;
     const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
     if(!component)
       component.reset(new Component(read_->mesh, *component_of_face_, id, number_of_components_));
-    component->make_solver(method_, laplacian_operator_, read_->mesh, read_->positions);
+    component->make_solver(method, laplacian_operator_, read_->mesh, read_->positions);
     return *component;
   }
 
