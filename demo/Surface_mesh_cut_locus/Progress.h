@@ -54,4 +54,21 @@ private:
   std::vector<std::pair<std::string, double>> seconds_;
 };
 
+// The visitor that passes what a solver does to a progress, if there is one.
+struct Progress_visitor
+{
+  Progress* progress = nullptr;
+
+  void start_stage(CGAL::Cut_loci::Stage stage) const
+  {
+    if(progress != nullptr)
+      progress->start_stage(stage);
+  }
+  void end_stage(CGAL::Cut_loci::Stage stage) const
+  {
+    if(progress != nullptr)
+      progress->end_stage(stage);
+  }
+};
+
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_PROGRESS_H

@@ -8,6 +8,7 @@
 #define CGAL_COMPUTE_CUT_LOCI_H
 
 #include <CGAL/Cut_loci/face_graph/concurrency.h>
+#include <CGAL/Cut_loci/internal/Copy_pool.h>
 #include <CGAL/Cut_loci/internal/transform_in_order.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
 
@@ -15,46 +16,10 @@
 #include <cstddef>
 #include <iterator>
 #include <memory>
-#include <mutex>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
-
-namespace Cut_loci {
-namespace internal {
-
-// Copies of a solver, each of them lent to one thread at a time.
-template <typename Solver>
-class Solver_pool
-{
-public:
-  explicit Solver_pool(const Solver& original) : original_(original) {}
-
-  std::unique_ptr<Solver> take()
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if(free_.empty())
-      return std::unique_ptr<Solver>(new Solver(original_));
-    std::unique_ptr<Solver> result = std::move(free_.back());
-    free_.pop_back();
-    return result;
-  }
-
-  void give_back(std::unique_ptr<Solver> solver)
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    free_.push_back(std::move(solver));
-  }
-
-private:
-  const Solver& original_;
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<Solver>> free_;
-};
-
-} // namespace internal
-} // namespace Cut_loci
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusRef
@@ -116,7 +81,7 @@ OutputIterator compute_cut_loci(const TriangleMesh& tm, const SourceRange& sourc
   if(all.empty())
     return output;
   original.prepare(all, np);
-  Cut_loci::internal::Solver_pool<Solver> pool(original);
+  Cut_loci::internal::Copy_pool<Solver> pool(original);
   Cut_loci::internal::transform_in_order<Cut_loci::internal::is_parallel<CGAL_NP_CLASS>()>(
     all.size(),
     [&](std::size_t i)
