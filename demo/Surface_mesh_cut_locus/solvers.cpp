@@ -30,7 +30,7 @@ std::unique_ptr<Cut_locus_solver> make(const Mesh& mesh, CGAL::Cut_loci::Method 
 {
   return std::make_unique<Cut_locus_solver>(
     mesh,
-    CGAL::parameters::geodesic_solver(GeodesicSolver()).cut_locus_method(method).visitor(Progress_visitor{progress}));
+    CGAL::parameters::geodesic_solver(GeodesicSolver()).cut_locus_method(method).visitor(Progress_visitor(progress)));
 }
 
 template <typename GeodesicSolver>

@@ -114,7 +114,7 @@ public:
    *                     own exact solver, and not distances alone.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
-   *     \cgalParamDescription{a visitor that is told when a stage starts and ends}
+   *     \cgalParamDescription{a visitor that is told when a stage starts and ends, and how far it is}
    *     \cgalParamType{a model of `CutLocusVisitor`}
    *     \cgalParamDefault{`Cut_loci::Default_visitor()`}
    *     \cgalParamExtra{It is copied; pass `std::ref(visitor)` to keep its state.}
@@ -395,10 +395,12 @@ public:
   {
     using namespace Cut_loci::internal;
     if(!source_result_)
-      throw Cut_loci::Invalid_input("there is no source: set_source() comes before cut_locus()");
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::NO_SOURCE,
+                                    "there is no source: set_source() comes before cut_locus()");
     refuse_parameters_of_other_methods(method_, np);
 
     const Stage_scope scope(visitor_, Cut_loci::Stage::FILTER);
+    report(*component_, Cut_loci::Stage::FILTER); // what has been left out may be computed
     const Curve_parameters curve = read_curve(np, method_);
     Cut_loci::Indexed_cut_locus found, mesh_edges;
     if(method_ == Cut_loci::Method::LAPLACIAN)
@@ -513,6 +515,13 @@ private:
       Cut_loci::internal::refuse_error();
   }
 
+  // lets the visitor know how far the stage is that follows; the method by the Laplacian has fast ones, but for distances
+  void report(Component& component, Cut_loci::Stage stage) const
+  {
+    if(method_ != Cut_loci::Method::LAPLACIAN)
+      component.exact_tree->report_to(visitor_.progress(stage));
+  }
+
   Solver_handle& solver_at(Component& component) const
   {
     if(component.geodesic_solver.empty())
@@ -525,14 +534,17 @@ private:
   {
     {
       const Stage_scope scope(visitor_, Cut_loci::Stage::DISTANCE);
+      report(component, Cut_loci::Stage::DISTANCE);
       set_distances(component, solver, parameters::get_parameter(np, internal_np::vertex_distance_map));
     }
     {
       const Stage_scope scope(visitor_, Cut_loci::Stage::STRENGTH);
+      report(component, Cut_loci::Stage::STRENGTH);
       solver.compute_strengths();
     }
     {
       const Stage_scope scope(visitor_, Cut_loci::Stage::TREE);
+      report(component, Cut_loci::Stage::TREE);
       solver.grow_tree();
     }
     {
@@ -593,7 +605,9 @@ private:
                                                                 std::vector<double>& distance,
                                                                 internal_np::Param_not_found)
   {
-    solver_at(component).compute_distances(source, distance);
+    Solver_handle& solver = solver_at(component);
+    solver.report_to(visitor_.progress(Cut_loci::Stage::DISTANCE));
+    solver.compute_distances(source, distance);
     check_distances(component, distance, "the geodesic solver returned");
     return component.geodesic_solver.geodesics();
   }
@@ -614,12 +628,14 @@ private:
   void check_distances(const Component& component, const std::vector<double>& distance, const std::string& who) const
   {
     if(distance.size() != component.mesh->number_of_vertices())
-      throw Cut_loci::Invalid_input(who + " " + std::to_string(distance.size()) + " distances for " +
-                                    std::to_string(component.mesh->number_of_vertices()) + " vertices");
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_DISTANCE,
+                                    who + " " + std::to_string(distance.size()) + " distances for " +
+                                      std::to_string(component.mesh->number_of_vertices()) + " vertices");
     for(Index v = 0; v < distance.size(); ++v)
       if(!std::isfinite(distance[v]))
-        throw Cut_loci::Invalid_input(who + " a distance that is not a finite number for " +
-                                      Cut_loci::internal::vertex_name(read_->positions[component.vertex(v)]));
+        throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_DISTANCE,
+                                      who + " a distance that is not a finite number for " +
+                                        Cut_loci::internal::vertex_name(read_->positions[component.vertex(v)]));
   }
 
   // No shortest path is longer than one of edges, which passes each of them once at most. What is longer may also be too
@@ -629,10 +645,12 @@ private:
     const double longest = component.sum_of_edge_lengths();
     for(Index v = 0; v < distance.size(); ++v)
       if(distance[v] < 0. || distance[v] > longest)
-        throw Cut_loci::Invalid_input("the vertex distance map holds a distance that is " +
-                                      std::string(distance[v] < 0. ? "negative" : "longer than all edges together") +
-                                      " for " + Cut_loci::internal::vertex_name(read_->positions[component.vertex(v)]) +
-                                      ": it must hold the geodesic distances to the source, in the unit of the points");
+        throw Cut_loci::Invalid_input(
+          Cut_loci::Cause::INVALID_DISTANCE,
+          "the vertex distance map holds a distance that is " +
+            std::string(distance[v] < 0. ? "negative" : "longer than all edges together") + " for " +
+            Cut_loci::internal::vertex_name(read_->positions[component.vertex(v)]) +
+            ": it must hold the geodesic distances to the source, in the unit of the points");
   }
 
   void mark_edges(const Cut_loci::Indexed_cut_locus&, internal_np::Param_not_found) const {}

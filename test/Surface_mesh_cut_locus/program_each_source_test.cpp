@@ -128,7 +128,7 @@ TEST_F(Each_source, Wrong_sources_and_options)
   refuse("-1\n", "line 1 of");
   refuse("nan 0 0\n", "line 1 of");
   refuse("1\n99999\n", "99999 is out of range");
-  refuse("0\n", "belongs to no face");
+  refuse("0\n", "isolated vertex");
   expect_failure(run_on_torus("--each-source " + quoted(path("x.jsonl")) + output), "would overwrite");
 }
 

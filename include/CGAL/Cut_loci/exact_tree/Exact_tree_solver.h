@@ -20,6 +20,7 @@
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/exact_tree/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -63,6 +64,13 @@ public:
   // for all sources that follow
   void set_maximum_relative_error(double error) override { maximum_relative_error_ = error; }
 
+  void report_to(const Progress& progress) override
+  {
+    progress_ = progress;
+    if(tree_)
+      tree_->report_to(progress);
+  }
+
   // once per source, or set of sources, in four parts
   void compute_distance(const std::vector<Indexed_source>& sources) override
   {
@@ -95,10 +103,13 @@ public:
    */
   void grow_tree() override
   {
+    const Progress all = progress_;
     tree_->join();
     for(int number = 1; number <= 2 && least_.is_none() && !tree_->is_sure(); ++number)
     {
+      report_to(all.part(0.5 * number - 0.5, 0.5 * number - 0.1));
       start(number);
+      report_to(all.part(0.5 * number - 0.1, 0.5 * number));
       tree_->draw_ridges();
       tree_->join();
       for(Index v : divided_ != nullptr ? divided_->vertices() : source_vertices())
@@ -106,19 +117,24 @@ public:
     }
   }
 
-  void close_cycles() override { tree_->prepare_widths(); }
+  void close_cycles() override
+  {
+    tree_->prepare_widths();
+    is_complete_ = true;
+  }
 
   // once per threshold; `edges` becomes the curve of mesh edges, whichever curve is asked for
   Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges) override
   {
-    if(thresholds.gap < least_.gap || thresholds.width < least_.width)
-      compute_more(thresholds);
+    const Progress all = progress_;
+    if(thresholds.gap < least_.gap || thresholds.width < least_.width || !is_complete_)
+      compute_more(thresholds, all.part(0., 0.5));
     std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds);
     // Cycles stay whatever their strength. Where one is weaker than what has been looked for, nothing is known of it but
     // that it is there: then once more, with all that is.
     if(!tree_->is_known(kept) && !least_.is_none() && maximum_relative_error_ == 0.)
     {
-      compute_more(Branch_strength());
+      compute_more(Branch_strength(), all.part(0.5, 1.));
       kept = tree_->kept(thresholds);
     }
     tree_->measure_widths(kept);
@@ -185,33 +201,40 @@ private:
   // `number` other than 0: with the sources moved, each time elsewhere
   void start(int number = 0)
   {
+    is_complete_ = false;
     if(divided_ != nullptr)
       tree_.reset(new Exact_tree(divided_->mesh(), divided_->connectivity, divided_->geodesics, divided_->vertices()));
     else
       tree_.reset(new Exact_tree(mesh_, connectivity_, geodesics_, source_vertices()));
+    tree_->report_to(progress_);
     // Windows may be merged where what is between them is half of what the weakest branch needs.
     tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(surface_->diagonal));
     tree_->propagate(locations(number), least_);
     for(double d : geodesics().distances())
       if(!(d < (std::numeric_limits<double>::infinity)()))
-        throw Invalid_input("the exact solver does not reach all vertices: some faces may be too thin for it");
+        throw Invalid_input(Cause::TOO_INACCURATE,
+                            "the exact solver does not reach all vertices: some faces may be too thin for it");
   }
 
   void refuse_error_without_strength(const Branch_strength& least) const
   {
     if(least.is_none() && maximum_relative_error_ > 0.)
       throw Invalid_input(
+        Cause::PARAMETER_OF_OTHER_METHOD,
         "all of the cut locus of a polyhedron needs exact distances: leave maximum_relative_error away, "
         "or ask for branches of some minimum_branch_width or minimum_branch_gap by "
         "cut_locus_method(Cut_loci::Method::DIRECTION)");
   }
 
-  void compute_more(const Branch_strength& least)
+  void compute_more(const Branch_strength& least, const Progress& progress)
   {
     refuse_error_without_strength(least);
     least_ = least;
+    report_to(progress.part(0., 0.6));
     start();
+    report_to(progress.part(0.6, 0.7));
     compute_strengths();
+    report_to(progress.part(0.7, 1.));
     grow_tree();
     close_cycles();
   }
@@ -310,9 +333,10 @@ private:
 
   [[noreturn]] void throw_source_without_face(Index i) const
   {
-    throw Invalid_input("source " + std::to_string(i) +
-                        " has no face to itself, as other sources lie on the same ones: no curve of mesh edges "
-                        "separates them; ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
+    throw Invalid_input(Cause::NO_FACE_AT_SOURCE,
+                        "source " + std::to_string(i) +
+                          " has no face to itself, as other sources lie on the same ones: no curve of mesh edges "
+                          "separates them; ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
   }
 
   bool is_source(Index v) const
@@ -377,6 +401,8 @@ private:
   std::vector<Index> nearest_source_; // of each vertex, if there are several
   Index farthest_ = null_index;
   std::unique_ptr<Exact_tree> tree_;
+  bool is_complete_ = false; // and not left at an exception of the progress
+  Progress progress_;
 };
 
 } // namespace internal

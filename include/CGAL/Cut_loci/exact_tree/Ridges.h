@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/exact_tree/Face_ridges.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Path_label.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
@@ -71,13 +72,16 @@ public:
   Ridges() = default;
 
   Ridges(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Geodesic_results& geodesics,
-         const Label_changes& changes)
+         const Label_changes& changes, const Progress& progress = {})
     : mesh_(&mesh), connectivity_(&connectivity), geodesics_(&geodesics), changes_(&changes)
   {
     std::size_t next_at_vertex = 0;
     const std::vector<Vertex_labels::Change>& at_vertices = changes.at_vertices();
+    constexpr Index faces_between_reports = 8192; // some milliseconds
     for(Index f = 0; f < mesh.number_of_faces(); ++f)
     {
+      if(f % faces_between_reports == 0)
+        progress(static_cast<double>(f) / mesh.number_of_faces());
       while(next_at_vertex < at_vertices.size() && at_vertices[next_at_vertex].halfedge < 3 * f)
         ++next_at_vertex;
       if(changes.is_drawn(f) && (has_crossings(f) || has_two_ends(f, next_at_vertex)))

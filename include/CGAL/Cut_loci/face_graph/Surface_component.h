@@ -143,15 +143,17 @@ struct Surface_component
       std::string name = face_name(f) + " (vertices";
       for(Index v : whole.triangles[f])
         name += " " + std::to_string(positions[v]);
-      throw Invalid_input(name + ") has no area, or in this unit of length one that is not a normal number: it must be "
+      throw Invalid_input(Cause::FACE_WITHOUT_AREA,
+                          name + ") has no area, or in this unit of length one that is not a normal number: it must be "
                                  "removed or repaired first "
                                  "(CGAL::Polygon_mesh_processing::remove_degenerate_faces() does)");
     }
     catch(const Non_manifold_vertex& error)
     {
-      throw Invalid_input(vertex_name(positions[vertex(error.vertex)]) +
-                          " is not manifold: its faces form several "
-                          "fans (CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() splits it)");
+      throw Invalid_input(Cause::NON_MANIFOLD,
+                          vertex_name(positions[vertex(error.vertex)]) +
+                            " is not manifold: its faces form several "
+                            "fans (CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() splits it)");
     }
   }
 };
