@@ -5,10 +5,10 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "Options.h"
-#include "each_source.h"
 #include "flatten.h"
 #include "output.h"
 #include "solvers.h"
+#include "threads.h"
 #include "unfolding.h"
 
 #include <boost/program_options.hpp>
@@ -135,7 +135,8 @@ po::options_description visible_options()
     "only the sources of the I-th of N parts of that file; the outputs of all parts, one after another, are that of "
     "one "
     "run")("threads", po::value<std::string>()->value_name("N"),
-           "threads for --each-source; 0: as many as the machine has (default: 1)")(
+           "threads; 0: as many as the machine has (default: 1). They are worth most with --each-source: distances "
+           "from one source take one")(
     "solver", po::value<std::string>()->value_name("NAME")->default_value(default_solver_name()),
     ("geodesic distances by:\n" + solver_descriptions()).c_str())(
     "max-relative-error", po::value<std::string>()->value_name("E"),
@@ -273,9 +274,8 @@ void read_each_source(const po::variables_map& given, Options& options)
   const auto text = [&](const char* name) { return given[name].as<std::string>(); };
   if(given.count("each-source") == 0)
   {
-    for(const char* name : {"part", "threads"})
-      if(given.count(name))
-        throw Usage_error("--" + std::string(name) + " is for --each-source");
+    if(given.count("part"))
+      throw Usage_error("--part is for --each-source");
     return;
   }
   options.each_source = text("each-source");
@@ -284,8 +284,6 @@ void read_each_source(const po::variables_map& given, Options& options)
       throw Usage_error("--each-source and --" + std::string(name) + " exclude each other");
   if(given.count("part"))
     read_part(text("part"), options);
-  if(given.count("threads"))
-    options.threads = number_of_threads(to_count(text("threads"), "--threads"));
   if(options.outputs.size() != 1 || std::filesystem::path(options.outputs.front()).extension() != ".jsonl")
     throw Usage_error("--each-source takes one file for its results, -o FILE.jsonl");
 }
@@ -437,6 +435,8 @@ Options parse_command_line(int argc, char* argv[])
   if(given.count("report"))
     check_output_path(options.report = text("report"), "--report");
   read_each_source(given, options);
+  if(given.count("threads"))
+    options.threads = number_of_threads(to_count(text("threads"), "--threads"));
   check_overwriting(options);
   return options;
 }

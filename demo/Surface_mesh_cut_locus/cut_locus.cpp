@@ -15,6 +15,7 @@
 #include "output.h"
 #include "report.h"
 #include "solvers.h"
+#include "threads.h"
 #include "thresholds.h"
 #include "unfolding.h"
 
@@ -90,6 +91,7 @@ std::string component_note(const Options& options, const Input_mesh& input, cons
 // whether the result is right, as far as it is checked
 bool run(const Options& options)
 {
+  const Thread_limit limit(options.threads);
   Progress progress(options.is_quiet);
   const Input_mesh input = progress.run("read", [&]() { return read_mesh(options.mesh, options.may_repair); });
   const Mesh& mesh = input.mesh;

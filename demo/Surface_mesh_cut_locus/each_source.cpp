@@ -27,11 +27,6 @@
 #include <variant>
 #include <vector>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-#endif
-
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -216,9 +211,6 @@ bool compute_each_source(const Options& options, const Input_mesh& input, Cut_lo
   };
   const auto compute_all = [&]()
   {
-#ifdef CGAL_LINKED_WITH_TBB
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, options.threads);
-#endif
     solver.prepare(sources);
     CGAL::Cut_loci::internal::Copy_pool<Cut_locus_solver> pool(solver);
     const auto compute_one = [&](std::size_t i)
@@ -244,15 +236,4 @@ bool compute_each_source(const Options& options, const Input_mesh& input, Cut_lo
     std::cerr << "cut_locus: " << summary.failed << " of " << sources.size()
               << " sources failed: see the lines with \"error\" in '" << options.outputs.front() << "'" << std::endl;
   return summary.failed == 0;
-}
-
-unsigned number_of_threads(std::size_t asked_for)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  return static_cast<unsigned>(asked_for == 0 ? std::size_t(tbb::this_task_arena::max_concurrency()) : asked_for);
-#else
-  if(asked_for > 1)
-    throw Usage_error("--threads: this program has been built without TBB, and has one");
-  return 1;
-#endif
 }

@@ -16,7 +16,4 @@
 // whether all of them were found; one that was not has the cause in its line.
 bool compute_each_source(const Options& options, const Input_mesh& input, Cut_locus_solver& solver, Progress& progress);
 
-// As many as are asked for; 0: as many as the machine has. Throws `Usage_error` where there is just one.
-unsigned number_of_threads(std::size_t asked_for);
-
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_EACH_SOURCE_H

@@ -28,9 +28,10 @@ struct Solver_entry
 template <typename GeodesicSolver>
 std::unique_ptr<Cut_locus_solver> make(const Mesh& mesh, CGAL::Cut_loci::Method method, Progress* progress)
 {
-  return std::make_unique<Cut_locus_solver>(
-    mesh,
-    CGAL::parameters::geodesic_solver(GeodesicSolver()).cut_locus_method(method).visitor(Progress_visitor(progress)));
+  return std::make_unique<Cut_locus_solver>(mesh, CGAL::parameters::geodesic_solver(GeodesicSolver())
+                                                    .cut_locus_method(method)
+                                                    .visitor(Progress_visitor(progress))
+                                                    .concurrency_tag(CGAL::Parallel_if_available_tag()));
 }
 
 template <typename GeodesicSolver>

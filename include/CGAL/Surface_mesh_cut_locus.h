@@ -13,9 +13,11 @@
 #include <CGAL/Cut_loci/face_graph/Cut_locus_builder.h>
 #include <CGAL/Cut_loci/face_graph/Surface_component.h>
 #include <CGAL/Cut_loci/face_graph/Visitor_handle.h>
+#include <CGAL/Cut_loci/face_graph/concurrency.h>
 #include <CGAL/Cut_loci/face_graph/method_parameters.h>
 #include <CGAL/Cut_loci/face_graph/read_source.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/method/Geodesic_solver_handle.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
@@ -113,6 +115,13 @@ public:
    *     \cgalParamExtra{`Cut_loci::Method::DIRECTION` and `Cut_loci::Method::POLYHEDRAL` need the paths of the package's
    *                     own exact solver, and not distances alone.}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{concurrency_tag}
+   *     \cgalParamDescription{whether several threads are used, by TBB, for what depends on the mesh and for strengths. Most
+   *                           of the time is that of distances, which take one. The results are the same.}
+   *     \cgalParamType{`Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`}
+   *     \cgalParamDefault{`Sequential_tag`}
+   *     \cgalParamExtra{Copies of the object use one thread each.}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
    *     \cgalParamDescription{a visitor that is told when a stage starts and ends, and how far it is}
    *     \cgalParamType{a model of `CutLocusVisitor`}
@@ -145,6 +154,7 @@ public:
     Cut_loci::internal::refuse_parameters_of_other_methods(method_, np);
     visitor_ = Cut_loci::internal::Visitor_handle(
       choose_parameter(get_parameter(np, internal_np::visitor), Cut_loci::Default_visitor()));
+    threads_ = Cut_loci::internal::threads_of<CGAL_NP_CLASS>();
     const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
     const auto read = std::make_shared<Read>(Cut_loci::internal::read_triangle_mesh(tm, vpm_));
     Cut_loci::internal::normalize_lengths(*read);
@@ -157,7 +167,7 @@ public:
    * makes a copy for other sources: it has the parameters of `other`, and no source. What has been computed for the mesh
    * alone, by `prepare()` or with the first source, is shared by all copies, and nothing else: so each thread may set
    * sources of a copy of its own, while nobody changes the mesh. Copies are made before the threads start, or while no
-   * other one uses `other`.
+   * other one uses `other`. Whatever `concurrency_tag` says, a copy uses one thread.
    *
    * A geodesic solver and a visitor are copied, too; one that is held by `std::ref()` is then used by several threads.
    */
@@ -595,7 +605,7 @@ private:
     const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
     if(!component)
       component.reset(new Component(read_->mesh, *component_of_face_, id, number_of_components_));
-    component->make_solver(method, laplacian_operator_, read_->mesh, read_->positions);
+    component->make_solver(method, laplacian_operator_, threads_, read_->mesh, read_->positions);
     return *component;
   }
 
@@ -672,6 +682,7 @@ private:
   bool has_own_solver_;                                   // another one than the package's exact one
   Solver_handle solver_;                                  // as given; each component has its own
   Cut_loci::internal::Visitor_handle visitor_;
+  Cut_loci::internal::Threads threads_; // not of copies
 
   std::shared_ptr<const Read> read_;
   std::shared_ptr<const std::vector<Index>> component_of_face_;

@@ -114,7 +114,6 @@ TEST_F(Each_source, Wrong_sources_and_options)
   expect_failure(run_on_torus(sources() + " -o " + quoted(path("x.obj"))), "-o FILE.jsonl");
   expect_failure(run_on_torus(sources() + output + " --source 3"), "exclude each other");
   expect_failure(run_on_torus("--part 1/2"), "--part is for --each-source");
-  expect_failure(run_on_torus("--threads 2"), "--threads is for --each-source");
   for(const char* part : {"0/2", "3/2", "1", "1/", "/2", "1/2/3", "a/b", "1/0"})
     expect_failure(run_on_torus(sources() + output + " --part " + part), "--part takes");
   expect_failure(run_on_torus("--quiet --each-source " + quoted(path("none.txt")) + output), "cannot read");

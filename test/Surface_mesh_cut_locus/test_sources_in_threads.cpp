@@ -4,7 +4,7 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-// The cut loci of many sources, in one thread and, where TBB is linked, in several.
+// The cut loci of many sources, and what is computed for one, in one thread and, where TBB is linked, in several.
 
 #include "built_mesh.h"
 #include "result_numbers.h"
@@ -174,6 +174,54 @@ TEST_F(Many_sources, The_class_prepares_what_its_copies_share_and_keeps_its_sour
     EXPECT_EQ(result_numbers(copy.cut_locus()), result_numbers(CGAL::compute_cut_locus(built.mesh, built.vertices[v])));
   }
   EXPECT_EQ(number, 3);
+}
+
+class One_source : public testing::Test
+{
+protected:
+  // in threads, and to the last bit
+  template <typename NamedParameters>
+  void expect_the_same(const Mesh& mesh, const NamedParameters& np) const
+  {
+    const auto v = *mesh.vertices().begin();
+    EXPECT_EQ(result_numbers(CGAL::compute_cut_locus(mesh, v, np.concurrency_tag(CGAL::Parallel_if_available_tag()))),
+              result_numbers(CGAL::compute_cut_locus(mesh, v, np)));
+  }
+
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::global_control threads{tbb::global_control::max_allowed_parallelism, 4};
+#endif
+};
+
+// of several blocks of faces each
+TEST_F(One_source, Has_the_same_cut_locus_in_threads)
+{
+  const Built_mesh<Mesh> torus(test_meshes::torus(1., 0.4, 180, 70, 0.2, 1));
+  const auto faces = params::cut_locus_curve(Curve::THROUGH_FACES);
+  expect_the_same(torus.mesh, faces.cut_locus_method(Method::DIRECTION));
+  expect_the_same(torus.mesh, faces.cut_locus_method(Method::DIRECTION).maximum_relative_error(1e-4));
+  expect_the_same(torus.mesh, params::cut_locus_method(Method::LAPLACIAN));
+  const Built_mesh<Mesh> smaller(test_meshes::torus(1., 0.4, 80, 30, 0.2, 1));
+  expect_the_same(smaller.mesh, faces.cut_locus_method(Method::POLYHEDRAL));
+}
+
+TEST_F(One_source, Has_the_same_errors_in_threads)
+{
+  test_meshes::Mesh_data flat = test_meshes::torus(1., 0.4, 20, 10, 0.2, 1);
+  flat.points[flat.triangles[7][0]] = flat.points[flat.triangles[7][1]];
+  const Built_mesh<Mesh> built(flat);
+  for(int run = 0; run < 20; ++run)
+    try
+    {
+      CGAL::compute_cut_locus(built.mesh, built.vertices[3],
+                              params::concurrency_tag(CGAL::Parallel_if_available_tag()));
+      FAIL();
+    }
+    catch(const CGAL::Cut_loci::Invalid_input& error)
+    {
+      EXPECT_EQ(error.cause(), CGAL::Cut_loci::Cause::FACE_WITHOUT_AREA);
+      EXPECT_NE(std::string(error.what()).find("remove_degenerate_faces"), std::string::npos) << error.what();
+    }
 }
 
 } // namespace

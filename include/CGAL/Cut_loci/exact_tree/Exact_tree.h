@@ -20,6 +20,7 @@
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
+#include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -84,11 +85,11 @@ public:
     }
   }
 
-  void draw_ridges()
+  void draw_ridges(const Threads& threads = {})
   {
     changes_ = Label_changes(connectivity_, geodesics_, *crossings_, std::move(is_drawn_), std::move(bend_));
     crossings_.reset();
-    ridges_ = Ridges(mesh_, connectivity_, geodesics_, changes_, progress_.part(0.5, 1.));
+    ridges_ = Ridges(mesh_, connectivity_, geodesics_, changes_, threads, progress_.part(0.5, 1.));
   }
 
   void join()

@@ -21,6 +21,7 @@
 #include <CGAL/Cut_loci/exact_tree/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
+#include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -30,6 +31,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <string>
@@ -45,9 +47,10 @@ class Exact_tree_solver : public Exact_tree_method
 {
 public:
   // once per mesh
-  explicit Exact_tree_solver(const Indexed_triangle_mesh& mesh)
-    : Exact_tree_solver(mesh, std::make_shared<const Surface>(mesh))
+  explicit Exact_tree_solver(const Indexed_triangle_mesh& mesh, const Threads& threads = {})
+    : Exact_tree_solver(mesh, std::make_shared<const Surface>(mesh, threads))
   {
+    threads_ = threads;
   }
 
   std::unique_ptr<Exact_tree_method> for_other_sources() const override
@@ -92,7 +95,7 @@ public:
   }
   void compute_distance(const Indexed_source& source) { compute_distance(std::vector<Indexed_source>(1, source)); }
 
-  void compute_strengths() override { tree_->draw_ridges(); }
+  void compute_strengths() override { tree_->draw_ridges(threads_); }
 
   /*
    * Where several shortest paths lead to a vertex at which they bend, all points behind it have several, and where such
@@ -110,7 +113,7 @@ public:
       report_to(all.part(0.5 * number - 0.5, 0.5 * number - 0.1));
       start(number);
       report_to(all.part(0.5 * number - 0.1, 0.5 * number));
-      tree_->draw_ridges();
+      tree_->draw_ridges(threads_);
       tree_->join();
       for(Index v : divided_ != nullptr ? divided_->vertices() : source_vertices())
         tree_->remove_branch_to(v);
@@ -368,23 +371,40 @@ private:
   // what depends on the mesh alone
   struct Surface
   {
-    explicit Surface(const Indexed_triangle_mesh& mesh)
-      : connectivity(mesh), faces(std::make_shared<const Geodesic_faces>(checked_mesh(mesh, connectivity))),
-        diagonal(Exact_tree_solver::diagonal(mesh))
+    Surface(const Indexed_triangle_mesh& mesh, const Threads& threads) : diagonal(Exact_tree_solver::diagonal(mesh))
     {
-      const Default_branch_strength strength(mesh, connectivity, *faces, diagonal);
+      std::exception_ptr error;
+      const auto read = [&](std::size_t i)
+      {
+        if(i == 0)
+          connectivity.reset(new Mesh_connectivity(mesh));
+        else
+          try
+          {
+            faces = std::make_shared<const Geodesic_faces>(mesh);
+          }
+          catch(...)
+          {
+            error = std::current_exception();
+          }
+      };
+      threads.run(2, read);
+      checked_mesh(mesh, *connectivity); // has more to say
+      if(error)
+        std::rethrow_exception(error);
+      const Default_branch_strength strength(mesh, *connectivity, *faces, diagonal);
       thresholds.gap = strength.gap;
       thresholds.width = strength.width;
     }
 
-    Mesh_connectivity connectivity;
+    std::unique_ptr<const Mesh_connectivity> connectivity;
     std::shared_ptr<const Geodesic_faces> faces;
     double diagonal;
     Exact_tree_thresholds thresholds; // the default
   };
 
   Exact_tree_solver(const Indexed_triangle_mesh& mesh, std::shared_ptr<const Surface> surface)
-    : mesh_(mesh), surface_(std::move(surface)), connectivity_(surface_->connectivity), geodesics_(surface_->faces)
+    : mesh_(mesh), surface_(std::move(surface)), connectivity_(*surface_->connectivity), geodesics_(surface_->faces)
   {
   }
 
@@ -403,6 +423,7 @@ private:
   std::unique_ptr<Exact_tree> tree_;
   bool is_complete_ = false; // and not left at an exception of the progress
   Progress progress_;
+  Threads threads_;
 };
 
 } // namespace internal

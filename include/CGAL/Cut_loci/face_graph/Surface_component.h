@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/face_graph/make_solver.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/method/Geodesic_solver_handle.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -115,16 +116,16 @@ struct Surface_component
   }
 
   // `positions` of the vertices of the whole mesh, for messages.
-  void make_solver(Method method, Laplacian_operator laplacian_operator, const Indexed_triangle_mesh& whole,
-                   const std::vector<Index>& positions)
+  void make_solver(Method method, Laplacian_operator laplacian_operator, const Threads& threads,
+                   const Indexed_triangle_mesh& whole, const std::vector<Index>& positions)
   {
     name_faults(whole, positions,
                 [&]
                 {
       if(method == Method::LAPLACIAN)
-        laplacian = make_laplacian_solver(*mesh, laplacian_operator);
+        laplacian = make_laplacian_solver(*mesh, laplacian_operator, threads);
       else
-        exact_tree = make_exact_tree_solver(*mesh);
+        exact_tree = make_exact_tree_solver(*mesh, threads);
     });
   }
 

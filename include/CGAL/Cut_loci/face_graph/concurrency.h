@@ -7,10 +7,16 @@
 #ifndef CGAL_CUT_LOCI_FACE_GRAPH_CONCURRENCY_H
 #define CGAL_CUT_LOCI_FACE_GRAPH_CONCURRENCY_H
 
+#include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 
 #include <CGAL/tags.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+#include <cstddef>
 #include <type_traits>
 
 namespace CGAL {
@@ -30,6 +36,18 @@ constexpr bool is_parallel()
                 "pass CGAL::Parallel_if_available_tag");
 #endif
   return result;
+}
+
+// the threads that it asks for
+template <typename NamedParameters>
+Threads threads_of()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel<NamedParameters>())
+    return Threads([](std::size_t number, const Threads::Task& task)
+                   { tbb::parallel_for(std::size_t(0), number, [&](std::size_t i) { task(i); }); });
+#endif
+  return Threads();
 }
 
 } // namespace internal
