@@ -13,8 +13,8 @@
 
 #include <exception>
 
-// The library's visitor: within stages and between them it takes the GIL, lets Python handle signals such as that of Ctrl-C, and tells
-// a function, if there is one. What that raises ends the computation.
+// The library's visitor: within stages and between them it takes the GIL, lets Python handle signals such as that of
+// Ctrl-C, and between them tells a function, if there is one. What that raises ends the computation.
 class Progress
 {
 public:

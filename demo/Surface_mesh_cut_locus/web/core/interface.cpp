@@ -4,8 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-// The functions that the page's worker calls. All return 1, or 0 after an error, whose message and cause `last_error` and `last_cause` give.
-// Results are read from arrays of the session; their numbers are those in src/arrays.js.
+// The functions that the page's worker calls. All return 1, or 0 after an error, whose message and cause
+// `last_error` and `last_cause` give. Results are read from arrays of the session; their numbers are those in src/arrays.js.
 
 #include "../../Input_mesh.h"
 #include "Session.h"
