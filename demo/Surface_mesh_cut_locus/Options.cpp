@@ -8,6 +8,7 @@
 #include "flatten.h"
 #include "output.h"
 #include "solvers.h"
+#include "threads.h"
 #include "unfolding.h"
 
 #include <boost/program_options.hpp>
@@ -21,10 +22,6 @@
 
 namespace po = boost::program_options;
 
-namespace {
-
-constexpr std::size_t maximum_smoothing = 1000;
-
 // Numbers are read as text, so that a message can quote what was given: the library takes -1 for an unsigned number.
 double to_number(const std::string& text, const std::string& option)
 {
@@ -35,19 +32,23 @@ double to_number(const std::string& text, const std::string& option)
   return value;
 }
 
+std::size_t to_count(const std::string& text, const std::string& option)
+{
+  if(text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos)
+    throw Usage_error(option + " takes a whole number from 0 to 999999999, not '" + text + "'");
+  return std::strtoul(text.c_str(), nullptr, 10);
+}
+
+namespace {
+
+constexpr std::size_t maximum_smoothing = 1000;
+
 double to_non_negative_number(const std::string& text, const std::string& option)
 {
   const double value = to_number(text, option);
   if(value < 0.)
     throw Usage_error(option + " takes a number that is not negative, not '" + text + "'");
   return value;
-}
-
-std::size_t to_count(const std::string& text, const std::string& option)
-{
-  if(text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos)
-    throw Usage_error(option + " takes a whole number from 0 to 999999999, not '" + text + "'");
-  return std::strtoul(text.c_str(), nullptr, 10);
 }
 
 std::array<double, 3> to_point(const std::string& text, const std::string& option)
@@ -100,6 +101,8 @@ void check_overwriting(const Options& options)
     return fs::equivalent(a, b, error) || fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
   };
   std::vector<std::pair<fs::path, std::string>> earlier = {{options.mesh, "the mesh"}};
+  if(!options.each_source.empty())
+    earlier.emplace_back(options.each_source, "the file of --each-source");
   for(const auto& [path, option] : outputs)
   {
     std::error_code error;
@@ -124,6 +127,16 @@ po::options_description visible_options()
                            "faces); repeatable, for the "
                            "Voronoi diagram of several with the cut loci in its cells")(
     "source-point", po::value<std::string>()->value_name("X,Y,Z"), "the point of the surface closest to x,y,z")(
+    "each-source", po::value<std::string>()->value_name("FILE"),
+    "a cut locus for each source of a file, one on a line: a vertex, or x,y,z. The file of -o must end in .jsonl: it "
+    "gets "
+    "a line of JSON for each, with the injectivity radius, other figures and the polylines; --report gets a summary")(
+    "part", po::value<std::string>()->value_name("I/N"),
+    "only the sources of the I-th of N parts of that file; the outputs of all parts, one after another, are that of "
+    "one "
+    "run")("threads", po::value<std::string>()->value_name("N"),
+           "threads; 0: as many as the machine has (default: 1). They are worth most with --each-source: distances "
+           "from one source take one")(
     "solver", po::value<std::string>()->value_name("NAME")->default_value(default_solver_name()),
     ("geodesic distances by:\n" + solver_descriptions()).c_str())(
     "max-relative-error", po::value<std::string>()->value_name("E"),
@@ -242,6 +255,39 @@ void read_maximum_relative_error(const std::string& text, Options& options)
   options.maximum_relative_error = error;
 }
 
+// "2/10"
+void read_part(const std::string& text, Options& options)
+{
+  const std::size_t slash = text.find('/');
+  if(slash != std::string::npos)
+  {
+    options.part = to_count(text.substr(0, slash), "--part");
+    options.number_of_parts = to_count(text.substr(slash + 1), "--part");
+  }
+  if(slash == std::string::npos || options.part < 1 || options.part > options.number_of_parts)
+    throw Usage_error("--part takes the number of a part and that of all, from 1/N to N/N, not '" + text + "'");
+}
+
+// What many sources take, and what they do not.
+void read_each_source(const po::variables_map& given, Options& options)
+{
+  const auto text = [&](const char* name) { return given[name].as<std::string>(); };
+  if(given.count("each-source") == 0)
+  {
+    if(given.count("part"))
+      throw Usage_error("--part is for --each-source");
+    return;
+  }
+  options.each_source = text("each-source");
+  for(const char* name : {"source", "source-point", "edges", "uv", "unfold", "check", "view"})
+    if(given.count(name) && !given[name].defaulted())
+      throw Usage_error("--each-source and --" + std::string(name) + " exclude each other");
+  if(given.count("part"))
+    read_part(text("part"), options);
+  if(options.outputs.size() != 1 || std::filesystem::path(options.outputs.front()).extension() != ".jsonl")
+    throw Usage_error("--each-source takes one file for its results, -o FILE.jsonl");
+}
+
 void read_curve(const std::string& name, Options& options)
 {
   using CGAL::Cut_loci::Curve;
@@ -358,7 +404,7 @@ Options parse_command_line(int argc, char* argv[])
   for(const std::string& output : options.outputs)
   {
     check_output_path(output, "-o");
-    if(!is_output_name(output))
+    if(!is_output_name(output) && given.count("each-source") == 0)
       throw Usage_error("-o: the extension of '" + output + "' must be one of" + output_extensions());
   }
   if(given.count("view"))
@@ -388,6 +434,9 @@ Options parse_command_line(int argc, char* argv[])
   }
   if(given.count("report"))
     check_output_path(options.report = text("report"), "--report");
+  read_each_source(given, options);
+  if(given.count("threads"))
+    options.threads = number_of_threads(to_count(text("threads"), "--threads"));
   check_overwriting(options);
   return options;
 }

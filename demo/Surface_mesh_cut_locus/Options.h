@@ -23,6 +23,9 @@ struct Options
   bool may_repair = true;
   std::vector<std::size_t> sources;
   std::optional<std::array<double, 3>> source_point;
+  std::string each_source;                   // a file of sources, each of which gets a cut locus
+  std::size_t part = 1, number_of_parts = 1; // of that file
+  unsigned threads = 1;
   std::string solver;
   std::optional<double> maximum_relative_error; // of the distances
   std::optional<double> angle;
@@ -52,6 +55,10 @@ struct Usage_error : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
+
+// Numbers as text: `option` is what a message names. They throw `Usage_error`.
+double to_number(const std::string& text, const std::string& option);
+std::size_t to_count(const std::string& text, const std::string& option);
 
 // Throws `Usage_error`.
 Options parse_command_line(int argc, char* argv[]);

@@ -10,6 +10,27 @@
 #include <cstdio>
 #include <exception>
 
+#if defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
+#endif
+
+namespace {
+
+constexpr int bar_length = 30;
+
+bool shows_a_terminal()
+{
+#if defined(__unix__) || defined(__APPLE__)
+  return isatty(STDERR_FILENO) != 0;
+#else
+  return false;
+#endif
+}
+
+} // namespace
+
+Progress::Progress(bool is_quiet) : is_quiet_(is_quiet), is_terminal_(shows_a_terminal()) {}
+
 Progress::~Progress()
 {
   if(!stage_.empty())
@@ -24,12 +45,27 @@ void Progress::start(const std::string& stage)
     std::fflush(stderr);
   }
   stage_ = stage;
-  start_ = Clock::now();
+  start_ = shown_ = Clock::now();
+}
+
+void Progress::progress(CGAL::Cut_loci::Stage, double share)
+{
+  constexpr std::chrono::milliseconds pause(100);
+  const Clock::time_point now = Clock::now();
+  if(is_quiet_ || !is_terminal_ || now - shown_ < pause)
+    return;
+  shown_ = now;
+  const int done = static_cast<int>(share * bar_length);
+  std::fprintf(stderr, "\r%-10s [%s%s] %3d %%", stage_.c_str(), std::string(done, '#').c_str(),
+               std::string(bar_length - done, ' ').c_str(), static_cast<int>(100. * share));
+  std::fflush(stderr);
 }
 
 void Progress::end()
 {
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  if(!is_quiet_ && shown_ != start_) // over the bar
+    std::fprintf(stderr, "\r%-10s %*s\r%-10s ", stage_.c_str(), bar_length + 8, "", stage_.c_str());
   if(!is_quiet_) // a stage that failed gets no time, but its line ends before that of the error starts
   {
     if(std::uncaught_exceptions() == 0)

@@ -18,7 +18,7 @@
 class Progress
 {
 public:
-  explicit Progress(bool is_quiet) : is_quiet_(is_quiet) {}
+  explicit Progress(bool is_quiet);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -28,6 +28,8 @@ public:
 
   void start_stage(CGAL::Cut_loci::Stage stage);
   void end_stage(CGAL::Cut_loci::Stage) { end(); }
+  // Shows the share of the stage that is done, if somebody looks and it takes long.
+  void progress(CGAL::Cut_loci::Stage stage, double share);
 
   // In the order in which they came first.
   const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }
@@ -48,10 +50,36 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  bool is_quiet_;
+  bool is_quiet_, is_terminal_;
   std::string stage_; // empty between stages
-  Clock::time_point start_;
+  Clock::time_point start_, shown_;
   std::vector<std::pair<std::string, double>> seconds_;
+};
+
+// The visitor that passes what a solver does to a progress, if there is one.
+class Progress_visitor
+{
+public:
+  explicit Progress_visitor(Progress* progress) : progress_(progress) {}
+
+  void start_stage(CGAL::Cut_loci::Stage stage)
+  {
+    if(progress_ != nullptr)
+      progress_->start_stage(stage);
+  }
+  void end_stage(CGAL::Cut_loci::Stage stage)
+  {
+    if(progress_ != nullptr)
+      progress_->end_stage(stage);
+  }
+  void progress(CGAL::Cut_loci::Stage stage, double share)
+  {
+    if(progress_ != nullptr)
+      progress_->progress(stage, share);
+  }
+
+private:
+  Progress* progress_;
 };
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_PROGRESS_H

@@ -11,9 +11,12 @@
 #include "Progress.h"
 #include "atlas.h"
 #include "check.h"
+#include "each_source.h"
 #include "output.h"
 #include "report.h"
 #include "solvers.h"
+#include "threads.h"
+#include "thresholds.h"
 #include "unfolding.h"
 
 #include <algorithm>
@@ -31,22 +34,6 @@ namespace {
 
 using CGAL::Cut_loci::Curve;
 using CGAL::Cut_loci::Method;
-
-constexpr std::size_t enough_smoothing = 4; // steps
-
-// The vertex of the mesh with a number of the file.
-Mesh::Vertex_index find_vertex(std::size_t number, const Input_mesh& input)
-{
-  if(number >= input.vertex.size())
-    throw Usage_error("--source " + std::to_string(number) + " is out of range: the mesh has the vertices 0 to " +
-                      std::to_string(input.vertex.size() - 1));
-  const Mesh::Vertex_index v = input.vertex[number];
-  if(v == Mesh::null_vertex())
-    throw Usage_error("--source " + std::to_string(number) +
-                      ": this vertex belongs to no face that has an area, and is not in the repaired mesh (" +
-                      description(input.repairs) + "): another vertex, or --source-point, is needed");
-  return v;
-}
 
 std::size_t largest_component(const Input_mesh& input)
 {
@@ -84,61 +71,6 @@ void set_source(const Options& options, const Input_mesh& input, Cut_locus_solve
   solver.set_source(*std::find_if(input.vertex.begin(), input.vertex.end(), is_in_component), parameters);
 }
 
-// The options with the defaults of the library for this source. What they are is not passed to it.
-Options fill_in_defaults(Options options, const Cut_locus_solver& solver)
-{
-  const auto fill_in = [](auto& option, auto value)
-  {
-    if(!option)
-      option = value;
-  };
-  const bool is_laplacian = options.method == Method::LAPLACIAN;
-  if(is_laplacian)
-  {
-    fill_in(options.angle, solver.gradient_angle_threshold());
-    fill_in(options.grow, false);
-    fill_in(options.smoothing, options.curve == Curve::THROUGH_FACES ? enough_smoothing : 0);
-  }
-  else if(options.minimum_branch_gap || options.minimum_branch_width)
-  {
-    fill_in(options.minimum_branch_gap, 0.);
-    fill_in(options.minimum_branch_width, 0.);
-  }
-  else
-  {
-    options.minimum_branch_gap = solver.minimum_branch_gap();
-    options.minimum_branch_width = solver.minimum_branch_width();
-  }
-  fill_in(options.minimum_branch_edges, is_laplacian ? solver.default_minimum_branch_edges() : 0);
-  fill_in(options.minimum_branch_length, 0.);
-  return options;
-}
-
-Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver, Curve curve)
-{
-  using CGAL::Cut_loci::Filter_policy;
-  const double least_length = options.minimum_branch_length.value_or(0.);
-  if(options.method != Method::LAPLACIAN)
-  {
-    const auto parameters = CGAL::parameters::minimum_branch_edges(options.minimum_branch_edges.value_or(0))
-                              .minimum_branch_length(least_length)
-                              .cut_locus_curve(curve);
-    // one of the two replaces the defaults of both
-    return options.minimum_branch_gap || options.minimum_branch_width
-             ? solver.cut_locus(parameters.minimum_branch_gap(options.minimum_branch_gap.value_or(0.))
-                                  .minimum_branch_width(options.minimum_branch_width.value_or(0.)))
-             : solver.cut_locus(parameters);
-  }
-  const std::size_t smoothing = curve == Curve::MESH_EDGES ? 0 : options.smoothing.value_or(enough_smoothing);
-  return solver.cut_locus(
-    CGAL::parameters::gradient_angle_threshold(options.angle.value_or(solver.gradient_angle_threshold()))
-      .laplacian_threshold(options.laplacian.value_or(-std::numeric_limits<double>::infinity()))
-      .filter_policy(options.grow.value_or(false) ? Filter_policy::GROWING : Filter_policy::PRUNING)
-      .minimum_branch_edges(options.minimum_branch_edges.value_or(solver.default_minimum_branch_edges()))
-      .minimum_branch_length(least_length)
-      .number_of_iterations(smoothing));
-}
-
 Unfolding unfolded(const Mesh& mesh, const Cut_locus& cut_locus)
 {
   const auto& source = cut_locus.source();
@@ -159,12 +91,17 @@ std::string component_note(const Options& options, const Input_mesh& input, cons
 // whether the result is right, as far as it is checked
 bool run(const Options& options)
 {
+  const Thread_limit limit(options.threads);
   Progress progress(options.is_quiet);
   const Input_mesh input = progress.run("read", [&]() { return read_mesh(options.mesh, options.may_repair); });
   const Mesh& mesh = input.mesh;
   if(!options.is_quiet && !input.repairs.is_empty())
     std::cerr << "repaired: " << description(input.repairs) << std::endl;
-  const std::unique_ptr<Cut_locus_solver> solver = make_solver(options.solver, options.method, mesh, progress);
+  const bool is_each_source = !options.each_source.empty(); // then stages are those of many sources at once
+  const std::unique_ptr<Cut_locus_solver> solver =
+    make_solver(options.solver, options.method, mesh, is_each_source ? nullptr : &progress);
+  if(is_each_source)
+    return compute_each_source(options, input, *solver, progress);
   set_source(options, input, *solver);
   // the curve that all is about but files that are for one of the two
   const Curve curve =
@@ -172,10 +109,9 @@ bool run(const Options& options)
   const Cut_locus cut_locus = apply_thresholds(options, *solver, curve);
   const auto along = [&](Curve wanted)
   { return wanted == curve ? cut_locus : apply_thresholds(options, *solver, wanted); };
-  const bool draws_faces = !options.curve && options.method != Method::LAPLACIAN;
   std::optional<Cut_locus> drawn, mesh_edges;
   if(!options.outputs.empty())
-    drawn = along(draws_faces ? Curve::THROUGH_FACES : curve);
+    drawn = along(curve_of_files(options));
   if(!options.edges.empty())
     mesh_edges = along(Curve::MESH_EDGES);
   progress.run("write",

@@ -12,7 +12,6 @@
 #include <CGAL/Shortest_path_geodesic_solver.h>
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 #include <stdexcept>
 
@@ -22,15 +21,17 @@ struct Solver_entry
 {
   const char* name;
   const char* description;
-  std::unique_ptr<Cut_locus_solver> (*make)(const Mesh&, CGAL::Cut_loci::Method, Progress&);
+  std::unique_ptr<Cut_locus_solver> (*make)(const Mesh&, CGAL::Cut_loci::Method, Progress*);
   CGAL::Cut_loci::Method method;
 };
 
 template <typename GeodesicSolver>
-std::unique_ptr<Cut_locus_solver> make(const Mesh& mesh, CGAL::Cut_loci::Method method, Progress& progress)
+std::unique_ptr<Cut_locus_solver> make(const Mesh& mesh, CGAL::Cut_loci::Method method, Progress* progress)
 {
-  return std::make_unique<Cut_locus_solver>(
-    mesh, CGAL::parameters::geodesic_solver(GeodesicSolver()).cut_locus_method(method).visitor(std::ref(progress)));
+  return std::make_unique<Cut_locus_solver>(mesh, CGAL::parameters::geodesic_solver(GeodesicSolver())
+                                                    .cut_locus_method(method)
+                                                    .visitor(Progress_visitor(progress))
+                                                    .concurrency_tag(CGAL::Parallel_if_available_tag()));
 }
 
 template <typename GeodesicSolver>
@@ -104,7 +105,7 @@ std::string default_methods()
 }
 
 std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, CGAL::Cut_loci::Method method, const Mesh& mesh,
-                                              Progress& progress)
+                                              Progress* progress)
 {
   const Solver_entry* const solver = find_solver(name);
   if(solver == nullptr)

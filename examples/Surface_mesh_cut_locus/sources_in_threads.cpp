@@ -5,7 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 // The vertex with the most room: the one whose injectivity radius is largest. Each thread has its own copy of the solver;
-// all copies share what has been read of the mesh.
+// all copies share what has been read of the mesh. CGAL::compute_cut_loci() does the same by TBB.
 
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
@@ -39,7 +39,7 @@ int main(int argc, char* argv[])
   std::vector<double> radius(vertices.size(), 0.);
 
   CGAL::Surface_mesh_cut_locus<Mesh> original(mesh);
-  original.set_source(vertices.front()); // reads all that the copies share
+  original.prepare(vertices); // reads all that the copies share
   const std::size_t number = (std::max)(std::thread::hardware_concurrency(), 1u);
   std::vector<std::thread> threads;
   for(std::size_t i = 0; i < number; ++i)

@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <memory>
@@ -43,11 +44,18 @@ public:
   {
     Cut_loci::internal::Exact_geodesic_options options;
     options.maximum_relative_error = maximum_relative_error_;
+    options.progress = progress_;
     propagation_->run({source.location}, options);
     distances = propagation_->distances();
   }
 
 #ifndef DOXYGEN_RUNNING
+  // is told the share of the vertices that are reached
+  void report_to(const Cut_loci::internal::Progress& progress)
+  {
+    progress_ = progress;
+  }
+
   // the shortest paths of the last call
   const Cut_loci::internal::Geodesic_results& geodesics() const
   {
@@ -58,6 +66,7 @@ public:
 private:
   std::shared_ptr<Cut_loci::internal::Exact_geodesic_propagation> propagation_;
   double maximum_relative_error_ = 0.;
+  Cut_loci::internal::Progress progress_;
 };
 
 } // namespace CGAL

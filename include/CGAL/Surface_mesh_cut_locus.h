@@ -13,9 +13,11 @@
 #include <CGAL/Cut_loci/face_graph/Cut_locus_builder.h>
 #include <CGAL/Cut_loci/face_graph/Surface_component.h>
 #include <CGAL/Cut_loci/face_graph/Visitor_handle.h>
+#include <CGAL/Cut_loci/face_graph/concurrency.h>
 #include <CGAL/Cut_loci/face_graph/method_parameters.h>
 #include <CGAL/Cut_loci/face_graph/read_source.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/method/Geodesic_solver_handle.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
@@ -113,8 +115,15 @@ public:
    *     \cgalParamExtra{`Cut_loci::Method::DIRECTION` and `Cut_loci::Method::POLYHEDRAL` need the paths of the package's
    *                     own exact solver, and not distances alone.}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{concurrency_tag}
+   *     \cgalParamDescription{whether several threads are used, by TBB, for what depends on the mesh and for strengths. Most
+   *                           of the time is that of distances, which take one. The results are the same.}
+   *     \cgalParamType{`Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`}
+   *     \cgalParamDefault{`Sequential_tag`}
+   *     \cgalParamExtra{Copies of the object use one thread each.}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
-   *     \cgalParamDescription{a visitor that is told when a stage starts and ends}
+   *     \cgalParamDescription{a visitor that is told when a stage starts and ends, and how far it is}
    *     \cgalParamType{a model of `CutLocusVisitor`}
    *     \cgalParamDefault{`Cut_loci::Default_visitor()`}
    *     \cgalParamExtra{It is copied; pass `std::ref(visitor)` to keep its state.}
@@ -145,6 +154,7 @@ public:
     Cut_loci::internal::refuse_parameters_of_other_methods(method_, np);
     visitor_ = Cut_loci::internal::Visitor_handle(
       choose_parameter(get_parameter(np, internal_np::visitor), Cut_loci::Default_visitor()));
+    threads_ = Cut_loci::internal::threads_of<CGAL_NP_CLASS>();
     const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
     const auto read = std::make_shared<Read>(Cut_loci::internal::read_triangle_mesh(tm, vpm_));
     Cut_loci::internal::normalize_lengths(*read);
@@ -155,9 +165,9 @@ public:
 
   /*!
    * makes a copy for other sources: it has the parameters of `other`, and no source. What has been computed for the mesh
-   * alone, before and with the first source, is shared by all copies, and nothing else: so each thread may set sources of
-   * a copy of its own, while nobody changes the mesh. Copies are made before the threads start, or while no other one
-   * uses `other`.
+   * alone, by `prepare()` or with the first source, is shared by all copies, and nothing else: so each thread may set
+   * sources of a copy of its own, while nobody changes the mesh. Copies are made before the threads start, or while no
+   * other one uses `other`. Whatever `concurrency_tag` says, a copy uses one thread.
    *
    * A geodesic solver and a visitor are copied, too; one that is held by `std::ref()` is then used by several threads.
    */
@@ -171,6 +181,28 @@ public:
       components_[component.first].reset(new Component(*component.second));
   }
   Surface_mesh_cut_locus& operator=(const Surface_mesh_cut_locus&) = delete;
+
+  /*!
+   * does what depends on the mesh alone for the components of these sources, which else is done with the first source of
+   * each. Copies that are made afterwards share it. The source that is set, if there is one, stays.
+   *
+   * @tparam SourceRange a model of `ConstRange` as for `set_sources()`; here the sources may be in different components
+   *
+   * @param sources the sources that will be set one after another, by this object or its copies
+   * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those that `set_source()` will be
+   *        given
+   *
+   * @throws Cut_loci::Invalid_input where `set_source()` throws it for what is wrong with a source, its component or the
+   *         parameters
+   */
+  template <typename SourceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  void prepare(const SourceRange& sources, const CGAL_NP_CLASS& np = parameters::default_values())
+  {
+    const Cut_loci::Method method = method_for(np);
+    Cut_loci::internal::refuse_parameters_of_other_methods(method, np);
+    for(const auto& source : Cut_loci::internal::read_sources(tm_, *read_, sources, snapping_tolerance(np)))
+      component_at((*component_of_face_)[source.location.face], method);
+  }
 
   /*!
    * computes the distances to vertex `v` and all that `cut_locus()` needs.
@@ -374,10 +406,12 @@ public:
   {
     using namespace Cut_loci::internal;
     if(!source_result_)
-      throw Cut_loci::Invalid_input("there is no source: set_source() comes before cut_locus()");
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::NO_SOURCE,
+                                    "there is no source: set_source() comes before cut_locus()");
     refuse_parameters_of_other_methods(method_, np);
 
     const Stage_scope scope(visitor_, Cut_loci::Stage::FILTER);
+    report(*component_, Cut_loci::Stage::FILTER); // what has been left out may be computed
     const Curve_parameters curve = read_curve(np, method_);
     Cut_loci::Indexed_cut_locus found, mesh_edges;
     if(method_ == Cut_loci::Method::LAPLACIAN)
@@ -467,7 +501,7 @@ private:
     source_angle_threshold_ = runs_solver && solver_.gradient_angle_threshold() > 0.
                                 ? solver_.gradient_angle_threshold()
                                 : default_gradient_angle_threshold();
-    Component& component = component_at((*component_of_face_)[sources.front().location.face]);
+    Component& component = component_at((*component_of_face_)[sources.front().location.face], method);
     component_ = &component;
     sources_.clear();
     for(const Cut_loci::Indexed_source& source : sources)
@@ -492,6 +526,13 @@ private:
       Cut_loci::internal::refuse_error();
   }
 
+  // lets the visitor know how far the stage is that follows; the method by the Laplacian has fast ones, but for distances
+  void report(Component& component, Cut_loci::Stage stage) const
+  {
+    if(method_ != Cut_loci::Method::LAPLACIAN)
+      component.exact_tree->report_to(visitor_.progress(stage));
+  }
+
   Solver_handle& solver_at(Component& component) const
   {
     if(component.geodesic_solver.empty())
@@ -504,14 +545,17 @@ private:
   {
     {
       const Stage_scope scope(visitor_, Cut_loci::Stage::DISTANCE);
+      report(component, Cut_loci::Stage::DISTANCE);
       set_distances(component, solver, parameters::get_parameter(np, internal_np::vertex_distance_map));
     }
     {
       const Stage_scope scope(visitor_, Cut_loci::Stage::STRENGTH);
+      report(component, Cut_loci::Stage::STRENGTH);
       solver.compute_strengths();
     }
     {
       const Stage_scope scope(visitor_, Cut_loci::Stage::TREE);
+      report(component, Cut_loci::Stage::TREE);
       solver.grow_tree();
     }
     {
@@ -554,15 +598,15 @@ private:
     Cut_loci::internal::refuse_distances(method_);
   }
 
-  Component& component_at(Index id)
+  Component& component_at(Index id, Cut_loci::Method method)
   {
     std::unique_ptr<Component>& component = components_[id];
-    if(component && component->has_solver(method_))
+    if(component && component->has_solver(method))
       return *component;
     const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
     if(!component)
       component.reset(new Component(read_->mesh, *component_of_face_, id, number_of_components_));
-    component->make_solver(method_, laplacian_operator_, read_->mesh, read_->positions);
+    component->make_solver(method, laplacian_operator_, threads_, read_->mesh, read_->positions);
     return *component;
   }
 
@@ -572,7 +616,9 @@ private:
                                                                 std::vector<double>& distance,
                                                                 internal_np::Param_not_found)
   {
-    solver_at(component).compute_distances(source, distance);
+    Solver_handle& solver = solver_at(component);
+    solver.report_to(visitor_.progress(Cut_loci::Stage::DISTANCE));
+    solver.compute_distances(source, distance);
     check_distances(component, distance, "the geodesic solver returned");
     return component.geodesic_solver.geodesics();
   }
@@ -593,12 +639,14 @@ private:
   void check_distances(const Component& component, const std::vector<double>& distance, const std::string& who) const
   {
     if(distance.size() != component.mesh->number_of_vertices())
-      throw Cut_loci::Invalid_input(who + " " + std::to_string(distance.size()) + " distances for " +
-                                    std::to_string(component.mesh->number_of_vertices()) + " vertices");
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_DISTANCE,
+                                    who + " " + std::to_string(distance.size()) + " distances for " +
+                                      std::to_string(component.mesh->number_of_vertices()) + " vertices");
     for(Index v = 0; v < distance.size(); ++v)
       if(!std::isfinite(distance[v]))
-        throw Cut_loci::Invalid_input(who + " a distance that is not a finite number for " +
-                                      Cut_loci::internal::vertex_name(read_->positions[component.vertex(v)]));
+        throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_DISTANCE,
+                                      who + " a distance that is not a finite number for " +
+                                        Cut_loci::internal::vertex_name(read_->positions[component.vertex(v)]));
   }
 
   // No shortest path is longer than one of edges, which passes each of them once at most. What is longer may also be too
@@ -608,10 +656,12 @@ private:
     const double longest = component.sum_of_edge_lengths();
     for(Index v = 0; v < distance.size(); ++v)
       if(distance[v] < 0. || distance[v] > longest)
-        throw Cut_loci::Invalid_input("the vertex distance map holds a distance that is " +
-                                      std::string(distance[v] < 0. ? "negative" : "longer than all edges together") +
-                                      " for " + Cut_loci::internal::vertex_name(read_->positions[component.vertex(v)]) +
-                                      ": it must hold the geodesic distances to the source, in the unit of the points");
+        throw Cut_loci::Invalid_input(
+          Cut_loci::Cause::INVALID_DISTANCE,
+          "the vertex distance map holds a distance that is " +
+            std::string(distance[v] < 0. ? "negative" : "longer than all edges together") + " for " +
+            Cut_loci::internal::vertex_name(read_->positions[component.vertex(v)]) +
+            ": it must hold the geodesic distances to the source, in the unit of the points");
   }
 
   void mark_edges(const Cut_loci::Indexed_cut_locus&, internal_np::Param_not_found) const {}
@@ -633,6 +683,7 @@ private:
   bool has_own_solver_;                                   // another one than the package's exact one
   Solver_handle solver_;                                  // as given; each component has its own
   Cut_loci::internal::Visitor_handle visitor_;
+  Cut_loci::internal::Threads threads_; // not of copies
 
   std::shared_ptr<const Read> read_;
   std::shared_ptr<const std::vector<Index>> component_of_face_;

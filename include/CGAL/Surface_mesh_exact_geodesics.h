@@ -130,10 +130,11 @@ public:
   void add_source(vertex_descriptor v)
   {
     if(v == Graph_traits::null_vertex())
-      throw Cut_loci::Invalid_input("the source is the null vertex");
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_SOURCE, "the source is the null vertex");
     const Cut_loci::Index i = index(v);
     if(i == Cut_loci::null_index)
-      throw Cut_loci::Invalid_input("the source is an isolated vertex: it is on no face");
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_SOURCE,
+                                    "the source is an isolated vertex: it is on no face");
     sources_.push_back(geodesics_.vertex_location(i));
   }
 
@@ -158,7 +159,7 @@ public:
   void set_maximum_distance(FT distance)
   {
     if(!(distance >= 0.))
-      throw Cut_loci::Invalid_input("the maximum distance must not be negative");
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER, "the maximum distance must not be negative");
     options_.maximum_distance = distance;
   }
 
@@ -172,7 +173,8 @@ public:
   void set_maximum_relative_error(FT error)
   {
     if(!(error >= 0.))
-      throw Cut_loci::Invalid_input("the maximum relative error must not be negative");
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
+                                    "the maximum relative error must not be negative");
     options_.maximum_relative_error = error;
   }
 
@@ -200,7 +202,8 @@ public:
   void compute()
   {
     if(options_.directions && options_.maximum_relative_error > 0.)
-      throw Cut_loci::Invalid_input("directions need exact distances: the maximum relative error must be zero");
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::PARAMETER_OF_OTHER_METHOD,
+                                    "directions need exact distances: the maximum relative error must be zero");
     geodesics_.run(sources_, options_);
   }
 
@@ -349,7 +352,8 @@ private:
   void require_exact() const
   {
     if(geodesics_.is_approximate())
-      throw Cut_loci::Invalid_input("directions and paths need exact distances: "
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::PARAMETER_OF_OTHER_METHOD,
+                                    "directions and paths need exact distances: "
                                     "the maximum relative error must be zero");
   }
 
@@ -363,7 +367,7 @@ private:
   Cut_loci::Indexed_location to_indexed(const Face_location& location) const
   {
     if(location.first == Graph_traits::null_face())
-      throw Cut_loci::Invalid_input("a location is in the null face");
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_SOURCE, "a location is in the null face");
     Cut_loci::Indexed_location result;
     result.face = get(read_.index_of_face, location.first);
     result.coordinates = location.second;

@@ -36,7 +36,7 @@ inline Index resolution_of(double tolerance)
 {
   constexpr double least = 1. / (1 << 20); // the square of its reciprocal is far below what rounding errors spoil
   if(!(tolerance >= least && tolerance <= 0.5))
-    throw Invalid_input("the snapping tolerance must be from 2^-20 to 0.5");
+    throw Invalid_input(Cause::INVALID_PARAMETER, "the snapping tolerance must be from 2^-20 to 0.5");
   return static_cast<Index>(std::lround(1. / tolerance));
 }
 

@@ -59,6 +59,13 @@ void Progress::start_stage(Stage stage)
   tell(stage, false);
 }
 
+void Progress::progress(Stage, double)
+{
+  const py::gil_scoped_acquire gil;
+  if(PyErr_CheckSignals() != 0)
+    throw py::error_already_set();
+}
+
 void Progress::end_stage(Stage stage) noexcept
 {
   if(raised_ || std::uncaught_exceptions() > 0)

@@ -13,8 +13,8 @@
 
 #include <exception>
 
-// The library's visitor: between two stages it takes the GIL, lets Python handle signals such as that of Ctrl-C, and tells
-// a function, if there is one. What that raises ends the computation.
+// The library's visitor: within stages and between them it takes the GIL, lets Python handle signals such as that of
+// Ctrl-C, and between them tells a function, if there is one. What that raises ends the computation.
 class Progress
 {
 public:
@@ -25,6 +25,8 @@ public:
 
   void start_stage(CGAL::Cut_loci::Stage stage);
   void end_stage(CGAL::Cut_loci::Stage stage) noexcept;
+  // lets Python handle signals
+  void progress(CGAL::Cut_loci::Stage stage, double share);
 
   // Calls a function of the library that is given this as its visitor.
   template <typename Function>

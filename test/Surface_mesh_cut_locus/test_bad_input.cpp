@@ -23,6 +23,7 @@
 // locus. Nothing loops, crashes or returns NaN.
 
 using namespace test_meshes;
+using CGAL::Cut_loci::Cause;
 using CGAL::Cut_loci::Invalid_input;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -51,8 +52,16 @@ std::string message_of(const std::function<void()>& f)
 }
 
 // each of `words` is in the message
-void expect_refused(const std::function<void()>& f, const std::vector<std::string>& words)
+void expect_refused(const std::function<void()>& f, Cause cause, const std::vector<std::string>& words)
 {
+  try
+  {
+    f();
+  }
+  catch(const Invalid_input& error)
+  {
+    EXPECT_EQ(error.cause(), cause) << error.what();
+  }
   const std::string message = message_of(f);
   for(const std::string& word : words)
     EXPECT_NE(message.find(word), std::string::npos) << '"' << word << "\" is not in \"" << message << '"';
@@ -128,17 +137,19 @@ void expect_sound_from_everywhere(const Mesh_data& data, std::size_t number_of_f
 TEST(Bad_input, an_empty_mesh_is_refused)
 {
   const Mesh empty;
-  expect_refused([&] { Solver solver(empty); }, {"empty", "no vertices"});
-  expect_refused([&] { CGAL::compute_cut_locus(empty, Mesh::Vertex_index(0)); }, {"empty", "no vertices"});
+  expect_refused([&] { Solver solver(empty); }, Cause::EMPTY_MESH, {"empty", "no vertices"});
+  expect_refused([&] { CGAL::compute_cut_locus(empty, Mesh::Vertex_index(0)); }, Cause::EMPTY_MESH,
+                 {"empty", "no vertices"});
   const Polyhedron polyhedron;
-  expect_refused([&] { CGAL::Surface_mesh_cut_locus<Polyhedron> solver(polyhedron); }, {"empty", "no vertices"});
+  expect_refused([&] { CGAL::Surface_mesh_cut_locus<Polyhedron> solver(polyhedron); }, Cause::EMPTY_MESH,
+                 {"empty", "no vertices"});
 }
 
 TEST(Bad_input, a_mesh_without_faces_is_refused)
 {
   Mesh mesh;
   const auto v = mesh.add_vertex(Kernel::Point_3(0., 0., 0.));
-  expect_refused([&] { CGAL::compute_cut_locus(mesh, v); }, {"no faces"});
+  expect_refused([&] { CGAL::compute_cut_locus(mesh, v); }, Cause::EMPTY_MESH, {"no faces"});
 }
 
 TEST(Bad_input, a_face_that_is_not_a_triangle_is_refused_by_its_position_and_number_of_sides)
@@ -150,17 +161,19 @@ TEST(Bad_input, a_face_that_is_not_a_triangle_is_refused_by_its_position_and_num
     v.push_back(mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2])));
   mesh.add_face(v[1], v[4], v[2]);
   mesh.add_face(v[0], v[1], v[2], v[3]);
-  expect_refused([&] { CGAL::compute_cut_locus(mesh, v[0]); }, {"face #1", "4 sides", "triangle"});
+  expect_refused([&] { CGAL::compute_cut_locus(mesh, v[0]); }, Cause::NO_TRIANGLE, {"face #1", "4 sides", "triangle"});
 }
 
 TEST(Bad_input, a_null_source_is_refused)
 {
   const Built built(octahedron());
-  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, Built::Traits::null_vertex()); }, {"source", "null"});
+  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, Built::Traits::null_vertex()); }, Cause::INVALID_SOURCE,
+                 {"source", "null"});
   Solver::Face_location location;
   location.first = Built::Traits::null_face();
   location.second = {{1., 0., 0.}};
-  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, location); }, {"face of the source", "null"});
+  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, location); }, Cause::INVALID_SOURCE,
+                 {"face of the source", "null"});
 }
 
 TEST(Bad_input, an_isolated_source_is_refused)
@@ -171,7 +184,8 @@ TEST(Bad_input, an_isolated_source_is_refused)
     for(std::size_t& v : t)
       v += v >= 2 ? 1 : 0;
   const Built built(data);
-  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[2]); }, {"source", "isolated"});
+  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[2]); }, Cause::INVALID_SOURCE,
+                 {"source", "isolated"});
 }
 
 TEST(Bad_input, a_source_that_is_not_in_the_mesh_is_refused)
@@ -180,7 +194,7 @@ TEST(Bad_input, a_source_that_is_not_in_the_mesh_is_refused)
   // removed elements in front and behind, and numbers past the end
   const Mesh::size_type nv = built.mesh.num_vertices(), nf = built.mesh.num_faces();
   for(Mesh::size_type v : {Mesh::size_type(0), nv - 1, nv, Mesh::size_type(1000000000)})
-    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, Mesh::Vertex_index(v)); },
+    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, Mesh::Vertex_index(v)); }, Cause::INVALID_SOURCE,
                    {"source", "not a vertex of the mesh"});
   for(Mesh::size_type f : {Mesh::size_type(0), nf - 1, nf, Mesh::size_type(1000000000)})
     expect_refused(
@@ -191,7 +205,7 @@ TEST(Bad_input, a_source_that_is_not_in_the_mesh_is_refused)
       location.second = {{0.2, 0.3, 0.5}};
       CGAL::compute_cut_locus(built.mesh, location);
       },
-      {"face of the source", "not a face of the mesh"});
+      Cause::INVALID_SOURCE, {"face of the source", "not a face of the mesh"});
 }
 
 TEST(Bad_input, barycentric_coordinates_that_are_no_point_of_the_face_are_refused)
@@ -200,12 +214,12 @@ TEST(Bad_input, barycentric_coordinates_that_are_no_point_of_the_face_are_refuse
   const auto compute = [&](double a, double b, double c) {
     return [=, &built] { CGAL::compute_cut_locus(built.mesh, Solver::Face_location(built.faces[0], {{a, b, c}})); };
   };
-  expect_refused(compute(not_a_number, 0.5, 0.5), {"barycentric coordinate", "not finite"});
-  expect_refused(compute(infinity, 0.5, 0.5), {"barycentric coordinate", "not finite"});
-  expect_refused(compute(-0.1, 0.6, 0.5), {"barycentric coordinate", "negative"});
-  expect_refused(compute(0., 0., 0.), {"barycentric coordinates", "zero"});
+  expect_refused(compute(not_a_number, 0.5, 0.5), Cause::INVALID_SOURCE, {"barycentric coordinate", "not finite"});
+  expect_refused(compute(infinity, 0.5, 0.5), Cause::INVALID_SOURCE, {"barycentric coordinate", "not finite"});
+  expect_refused(compute(-0.1, 0.6, 0.5), Cause::INVALID_SOURCE, {"barycentric coordinate", "negative"});
+  expect_refused(compute(0., 0., 0.), Cause::INVALID_SOURCE, {"barycentric coordinates", "zero"});
   EXPECT_EQ(message_of(compute(2., 3., 5.)), "nothing was thrown") << "coordinates are normalized";
-  expect_refused(compute(1e308, 1e308, 1e308), {"barycentric coordinates", "not finite"});
+  expect_refused(compute(1e308, 1e308, 1e308), Cause::INVALID_SOURCE, {"barycentric coordinates", "not finite"});
 }
 
 TEST(Bad_input, a_coordinate_that_is_not_finite_is_refused_by_its_vertex)
@@ -216,7 +230,8 @@ TEST(Bad_input, a_coordinate_that_is_not_finite_is_refused_by_its_vertex)
       Mesh_data data = octahedron();
       data.points[4][axis] = bad;
       const Built built(data);
-      expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, {"vertex #4", "not finite"});
+      expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, Cause::INVALID_COORDINATE,
+                     {"vertex #4", "not finite"});
     }
 }
 
@@ -240,7 +255,8 @@ TEST(Bad_input, a_face_without_area_is_refused_by_its_vertices)
     EXPECT_NE(message.find("(vertices "), std::string::npos) << message;
   }
   const Built built(all_in_one);
-  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, {"face #0", "no area"});
+  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, Cause::FACE_WITHOUT_AREA,
+                 {"face #0", "no area"});
 }
 
 TEST(Bad_input, a_face_without_area_in_another_component_does_no_harm)
@@ -251,10 +267,12 @@ TEST(Bad_input, a_face_without_area_in_another_component_does_no_harm)
   const Mesh_data data = disjoint_union(flat, octahedron(), {{5., 0., 0.}});
   const Built built(data);
   EXPECT_EQ(fault_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[5]), 4, {5}, Method::DIRECTION), "");
-  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, {"face #0", "no area"});
+  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, Cause::FACE_WITHOUT_AREA,
+                 {"face #0", "no area"});
   // positions are those in the whole mesh
   const Built other(disjoint_union(octahedron(), flat, {{5., 0., 0.}}));
-  expect_refused([&] { CGAL::compute_cut_locus(other.mesh, other.vertices[6]); }, {"face #8", "no area"});
+  expect_refused([&] { CGAL::compute_cut_locus(other.mesh, other.vertices[6]); }, Cause::FACE_WITHOUT_AREA,
+                 {"face #8", "no area"});
 }
 
 TEST(Bad_input, a_vertex_where_two_fans_of_one_component_meet_is_refused_by_its_position)
@@ -269,7 +287,7 @@ TEST(Bad_input, a_vertex_where_two_fans_of_one_component_meet_is_refused_by_its_
   data = without_isolated_vertices(data);
   const Built built(data);
   const std::size_t pinched = data.triangles.front()[0];
-  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[9]); },
+  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[9]); }, Cause::NON_MANIFOLD,
                  {"vertex #" + std::to_string(pinched), "not manifold"});
 }
 
@@ -301,26 +319,32 @@ TEST(Bad_input, thresholds_that_are_not_in_their_range_are_refused)
 {
   const Built built(octahedron());
   Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
-  expect_refused([&] { solver.cut_locus(); }, {"no source", "set_source()"});
+  expect_refused([&] { solver.cut_locus(); }, Cause::NO_SOURCE, {"no source", "set_source()"});
   solver.set_source(built.vertices[0]);
-  expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(not_a_number)); },
+  expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(not_a_number)); }, Cause::INVALID_PARAMETER,
                  {"gradient angle", "not negative"});
-  expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(-0.1)); }, {"gradient angle", "not negative"});
-  expect_refused([&] { solver.cut_locus(params::laplacian_threshold(not_a_number)); }, {"Laplacian", "not a number"});
-  expect_refused([&] { solver.cut_locus(params::minimum_branch_length(not_a_number)); },
+  expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(-0.1)); }, Cause::INVALID_PARAMETER,
+                 {"gradient angle", "not negative"});
+  expect_refused([&] { solver.cut_locus(params::laplacian_threshold(not_a_number)); }, Cause::INVALID_PARAMETER,
+                 {"Laplacian", "not a number"});
+  expect_refused([&] { solver.cut_locus(params::minimum_branch_length(not_a_number)); }, Cause::INVALID_PARAMETER,
                  {"minimum length", "not negative"});
-  expect_refused([&] { solver.cut_locus(params::minimum_branch_length(-1.)); }, {"minimum length", "not negative"});
+  expect_refused([&] { solver.cut_locus(params::minimum_branch_length(-1.)); }, Cause::INVALID_PARAMETER,
+                 {"minimum length", "not negative"});
   EXPECT_EQ(message_of([&] { solver.cut_locus(params::gradient_angle_threshold(infinity)); }), "nothing was thrown");
   EXPECT_EQ(message_of([&] { solver.cut_locus(params::laplacian_threshold(-infinity)); }), "nothing was thrown");
-  expect_refused([&] { solver.cut_locus(params::minimum_branch_edges(-1)); }, {"minimum_branch_edges", "negative"});
-  expect_refused([&] { solver.cut_locus(params::number_of_iterations(-1)); }, {"number_of_iterations", "negative"});
+  expect_refused([&] { solver.cut_locus(params::minimum_branch_edges(-1)); }, Cause::INVALID_PARAMETER,
+                 {"minimum_branch_edges", "negative"});
+  expect_refused([&] { solver.cut_locus(params::number_of_iterations(-1)); }, Cause::INVALID_PARAMETER,
+                 {"number_of_iterations", "negative"});
 
   Solver by_direction(built.mesh);
   by_direction.set_source(built.vertices[0]);
-  expect_refused([&] { by_direction.cut_locus(params::minimum_branch_width(not_a_number)); },
+  expect_refused([&] { by_direction.cut_locus(params::minimum_branch_width(not_a_number)); }, Cause::INVALID_PARAMETER,
                  {"minimum width", "not negative"});
-  expect_refused([&] { by_direction.cut_locus(params::minimum_branch_gap(4.)); }, {"minimum gap", "from 0 to pi"});
-  expect_refused([&] { by_direction.cut_locus(params::minimum_branch_length(-1.)); },
+  expect_refused([&] { by_direction.cut_locus(params::minimum_branch_gap(4.)); }, Cause::INVALID_PARAMETER,
+                 {"minimum gap", "from 0 to pi"});
+  expect_refused([&] { by_direction.cut_locus(params::minimum_branch_length(-1.)); }, Cause::INVALID_PARAMETER,
                  {"minimum length", "not negative"});
 }
 
@@ -330,12 +354,15 @@ void expect_refused_everywhere(const NamedParameters& method, const Parameter& p
                                const std::vector<std::string>& words)
 {
   const Built built(octahedron());
-  expect_refused([&] { Solver solver(built.mesh, parameter(method)); }, words);
-  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], parameter(method)); }, words);
+  expect_refused([&] { Solver solver(built.mesh, parameter(method)); }, Cause::PARAMETER_OF_OTHER_METHOD, words);
+  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], parameter(method)); },
+                 Cause::PARAMETER_OF_OTHER_METHOD, words);
   Solver solver(built.mesh, method);
-  expect_refused([&] { solver.set_source(built.vertices[0], parameter(params::snapping_tolerance(1e-10))); }, words);
+  expect_refused([&] { solver.set_source(built.vertices[0], parameter(params::snapping_tolerance(1e-10))); },
+                 Cause::PARAMETER_OF_OTHER_METHOD, words);
   solver.set_source(built.vertices[0]);
-  expect_refused([&] { solver.cut_locus(parameter(params::snapping_tolerance(1e-10))); }, words);
+  expect_refused([&] { solver.cut_locus(parameter(params::snapping_tolerance(1e-10))); },
+                 Cause::PARAMETER_OF_OTHER_METHOD, words);
   EXPECT_EQ(message_of([&] { solver.cut_locus(); }), "nothing was thrown") << "the source was lost";
 }
 
@@ -374,9 +401,9 @@ TEST(Bad_input, parameters_that_contradict_each_other_about_the_curve_are_refuse
   Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
   solver.set_source(built.vertices[0]);
   expect_refused([&] { solver.cut_locus(params::cut_locus_curve(Curve::MESH_EDGES).number_of_iterations(4)); },
-                 {"cut_locus_curve", "number_of_iterations", "contradict"});
+                 Cause::INVALID_PARAMETER, {"cut_locus_curve", "number_of_iterations", "contradict"});
   expect_refused([&] { solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES).number_of_iterations(0)); },
-                 {"cut_locus_curve", "number_of_iterations", "contradict"});
+                 Cause::INVALID_PARAMETER, {"cut_locus_curve", "number_of_iterations", "contradict"});
   EXPECT_EQ(
     message_of([&] { solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES).number_of_iterations(2)); }),
     "nothing was thrown");
@@ -390,7 +417,7 @@ TEST(Bad_input, iterations_are_refused_by_methods_that_need_none)
     Solver solver(built.mesh, params::cut_locus_method(method));
     solver.set_source(built.vertices[0]);
     for(int n : {0, 4})
-      expect_refused([&] { solver.cut_locus(params::number_of_iterations(n)); },
+      expect_refused([&] { solver.cut_locus(params::number_of_iterations(n)); }, Cause::PARAMETER_OF_OTHER_METHOD,
                      {"number_of_iterations", "THROUGH_FACES", "LAPLACIAN"});
   }
 }
@@ -419,7 +446,7 @@ TEST(Bad_input, distances_that_are_not_finite_are_refused_by_their_vertex)
     for(std::size_t v = 0; v < built.vertices.size(); ++v)
       put(distance, built.vertices[v], v == 4 ? bad : double(v));
     const auto np = params::vertex_distance_map(distance);
-    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], np); },
+    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], np); }, Cause::INVALID_DISTANCE,
                    {"distance map", "not a finite number", "vertex #4"});
   }
 }
@@ -515,7 +542,7 @@ TEST(Bad_input, distances_that_are_none_are_refused_by_their_vertex)
     for(std::size_t v = 0; v < built.vertices.size(); ++v)
       put(distance, built.vertices[v], v == 4 ? bad : double(v));
     const auto np = params::vertex_distance_map(distance);
-    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], np); },
+    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], np); }, Cause::INVALID_DISTANCE,
                    {"distance map", cause, "vertex #4"});
   }
 }

@@ -8,6 +8,7 @@
 // the thread sanitizer.
 
 #include "built_mesh.h"
+#include "result_numbers.h"
 #include "test_meshes.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -29,46 +30,17 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
 namespace params = CGAL::parameters;
 
-// all numbers of a result
-template <typename Cut_locus>
-std::vector<double> numbers(const Cut_locus& cut_locus)
-{
-  std::vector<double> result;
-  const auto& graph = cut_locus.graph();
-  for(std::size_t v = 0; v < num_vertices(graph); ++v)
-    result.insert(result.end(), {graph[v].point.x(), graph[v].point.y(), graph[v].point.z(), graph[v].distance});
-  for(auto range = edges(graph); range.first != range.second; ++range.first)
-  {
-    const auto e = *range.first;
-    result.insert(result.end(),
-                  {double(source(e, graph)), double(target(e, graph)), graph[e].strength, graph[e].width});
-  }
-  return result;
-}
-
 std::vector<double> solve(Solver& solver, Mesh::Vertex_index source)
 {
   solver.set_source(source);
-  return numbers(solver.cut_locus());
-}
-
-test_meshes::Mesh_data two_tori()
-{
-  test_meshes::Mesh_data result = test_meshes::torus(1., 0.4, 24, 12, 0.2, 1);
-  const test_meshes::Mesh_data other = test_meshes::torus(1., 0.5, 20, 12, 0.2, 2);
-  const std::size_t n = result.points.size();
-  for(test_meshes::Point p : other.points)
-    result.points.push_back({{p[0] + 5., p[1], p[2]}});
-  for(const auto& t : other.triangles)
-    result.triangles.push_back({{t[0] + n, t[1] + n, t[2] + n}});
-  return result;
+  return result_numbers(solver.cut_locus());
 }
 
 constexpr std::array<Method, 3> methods = {{Method::DIRECTION, Method::POLYHEDRAL, Method::LAPLACIAN}};
 
 TEST(Copies, Threads_find_what_one_finds_alone)
 {
-  const Built_mesh<Mesh> built(two_tori());
+  const Built_mesh<Mesh> built(test_meshes::two_tori());
   for(Method method : methods)
     for(bool has_source_before : {false, true})
     {
@@ -104,20 +76,20 @@ TEST(Copies, Threads_find_what_one_finds_alone)
 
 TEST(Copies, A_copy_outlives_its_original_and_does_not_change_it)
 {
-  const Built_mesh<Mesh> built(two_tori());
+  const Built_mesh<Mesh> built(test_meshes::two_tori());
   std::unique_ptr<Solver> original(new Solver(built.mesh));
   const std::vector<double> of_first = solve(*original, built.vertices[5]);
   Solver copy(*original);
   const std::vector<double> of_other = solve(copy, built.vertices[90]);
-  EXPECT_EQ(numbers(original->cut_locus()), of_first);
+  EXPECT_EQ(result_numbers(original->cut_locus()), of_first);
   original.reset();
-  EXPECT_EQ(numbers(copy.cut_locus()), of_other);
+  EXPECT_EQ(result_numbers(copy.cut_locus()), of_other);
   EXPECT_EQ(solve(copy, built.vertices[5]), of_first);
 }
 
 TEST(Copies, A_copy_has_the_parameters_of_its_original_and_no_source)
 {
-  const Built_mesh<Mesh> built(two_tori());
+  const Built_mesh<Mesh> built(test_meshes::two_tori());
   Solver original(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
   original.set_source(built.vertices[5]);
   Solver copy(original);

@@ -527,6 +527,19 @@ inline Mesh_data shuffled(const Mesh_data& m, unsigned seed, std::vector<std::si
   return result;
 }
 
+// A mesh of two components.
+inline Mesh_data two_tori()
+{
+  Mesh_data result = torus(1., 0.4, 24, 12, 0.2, 1);
+  const Mesh_data other = torus(1., 0.5, 20, 12, 0.2, 2);
+  const std::size_t n = result.points.size();
+  for(const Point& p : other.points)
+    result.points.push_back({{p[0] + 5., p[1], p[2]}});
+  for(const Triangle& t : other.triangles)
+    result.triangles.push_back({{t[0] + n, t[1] + n, t[2] + n}});
+  return result;
+}
+
 // The position of the vertex nearest to `p`.
 inline std::size_t nearest_vertex(const Mesh_data& m, const Point& p)
 {

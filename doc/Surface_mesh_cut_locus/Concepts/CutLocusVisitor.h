@@ -9,8 +9,9 @@
  * \cgalConcept
  *
  * The concept `CutLocusVisitor` describes what is told when the stages of `CGAL::Surface_mesh_cut_locus` start and end,
- * for example to show progress, to take the time, or to cancel: an exception that `start_stage()` throws leaves the
- * computation. The object can be used again then; if it was in `set_source()`, it has no source until the next call.
+ * and how far they are, for example to show progress, to take the time, or to cancel: an exception that `start_stage()` or
+ * `progress()` throws leaves the computation. The object can be used again then; if it was in `set_source()`, it has no
+ * source until the next call.
  *
  * \cgalRefines{CopyConstructible}
  *
@@ -26,4 +27,10 @@ public:
 
   /// is called after a stage, also if that ended by an exception. It must not throw.
   void end_stage(CGAL::Cut_loci::Stage stage);
+
+  /// is called every few milliseconds within the stages that take long: distances of the package's own exact solver, and
+  /// strengths. `share` is the part of the stage that is done, from 0 to 1, and does not get smaller: that of the vertices
+  /// to which a path has been found, or of the faces. Distances take longer the farther they are, so it is not that of the
+  /// time. It may throw. This function may be missing.
+  void progress(CGAL::Cut_loci::Stage stage, double share);
 };

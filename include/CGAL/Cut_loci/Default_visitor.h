@@ -27,6 +27,8 @@ struct Default_visitor
 {
   void start_stage(Stage) {} ///< called before a stage
   void end_stage(Stage) {}   ///< called after it
+  /// called within a stage, with the share of it that is done
+  void progress(Stage, double) {}
 };
 
 } // namespace Cut_loci

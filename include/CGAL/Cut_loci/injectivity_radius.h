@@ -67,7 +67,7 @@ Injectivity_radius<TriangleMesh, Point_3> injectivity_radius(const Cut_locus<Tri
 {
   const auto& graph = cut_locus.graph();
   if(num_vertices(graph) == 0)
-    throw Invalid_input("the cut locus is empty: it has no distance to the source");
+    throw Invalid_input(Cause::INVALID_CUT_LOCUS, "the cut locus is empty: it has no distance to the source");
 
   Injectivity_radius<TriangleMesh, Point_3> result;
   for(auto v : CGAL::make_range(vertices(graph)))

@@ -100,7 +100,7 @@ void throw_if_paths_bend(const Read& read, const Surface_component& component, c
          << ": shortest paths bend there, and what the cut locus leaves of the surface is not flat. Source unfoldings "
             "are for convex surfaces (CGAL::convex_hull_3() makes one); to flatten others see "
             "CGAL::cut_along_cut_locus()";
-    throw Invalid_input(text.str());
+    throw Invalid_input(Cause::NOT_CONVEX, text.str());
   }
 }
 

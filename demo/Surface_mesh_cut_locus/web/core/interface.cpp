@@ -4,13 +4,15 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-// The functions that the page's worker calls. All return 1, or 0 after an error, whose message `last_error` gives.
-// Results are read from arrays of the session; their numbers are those in src/arrays.js.
+// The functions that the page's worker calls. All return 1, or 0 after an error, whose message and cause
+// `last_error` and `last_cause` give. Results are read from arrays of the session; their numbers are those in src/arrays.js.
 
 #include "../../Input_mesh.h"
 #include "Session.h"
 #include "report_stage.h"
 #include "samples.h"
+
+#include <CGAL/Cut_loci/Invalid_input.h>
 
 #include <emscripten.h>
 
@@ -27,11 +29,13 @@ Session session;
 Thresholds thresholds;
 std::vector<Location> sources;
 std::string error, text;
+int cause = -1; // of the error, in the order of `CGAL::Cut_loci::Cause`, if the library says it
 
 template <typename Function>
 int run(const Function& function)
 {
   error.clear();
+  cause = -1;
   try
   {
     function();
@@ -40,6 +44,11 @@ int run(const Function& function)
   catch(const std::bad_alloc&)
   {
     error = "the mesh is too large for the memory that a page can have";
+  }
+  catch(const CGAL::Cut_loci::Invalid_input& e)
+  {
+    error = e.what();
+    cause = static_cast<int>(e.cause());
   }
   catch(const std::exception& e)
   {
@@ -149,6 +158,10 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE const char* last_error()
 {
   return error.c_str();
+}
+EMSCRIPTEN_KEEPALIVE int last_cause()
+{
+  return cause;
 }
 EMSCRIPTEN_KEEPALIVE const void* array_data(int id)
 {

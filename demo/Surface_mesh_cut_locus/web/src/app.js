@@ -62,7 +62,7 @@ export class App {
       return true;
     } catch (error) {
       // what another command has replaced needs no words
-      if (!(error instanceof Cancelled)) this.panel.showMessage(explain(error.message));
+      if (!(error instanceof Cancelled)) this.panel.showMessage(explain(error));
       return false;
     } finally {
       this.panel.setBusy(--this.jobs > 0);
@@ -347,7 +347,7 @@ export class App {
       } while (this.wantsUpdate);
       this.sheet.cutAtRest();
     } catch (error) {
-      if (!(error instanceof Cancelled)) this.panel.showMessage(explain(error.message));
+      if (!(error instanceof Cancelled)) this.panel.showMessage(explain(error));
     } finally {
       this.isUpdating = false;
     }

@@ -24,7 +24,7 @@ export class Engine {
     };
   }
 
-  settle({ id, result, error, fatal }) {
+  settle({ id, result, error, cause, fatal }) {
     const entry = this.pending.get(id);
     if (!entry) return;
     this.pending.delete(id);
@@ -33,7 +33,7 @@ export class Engine {
       return;
     }
     if (fatal) this.restart();
-    entry.reject(new Error(fatal ? `out of memory or broken (${error})` : error));
+    entry.reject(Object.assign(new Error(fatal ? `out of memory or broken (${error})` : error), { cause }));
   }
 
   failAll(error) {

@@ -1,20 +1,26 @@
 // Errors in words that say what is wrong with the mesh and what to do about it.
 
-const explanations = [
+// what is wrong with the mesh and the sources, by the cause that the library names; `element` is a face or a vertex
+const byCause = {
+  emptyMesh: () => 'There is no surface in this file: it has no faces.',
+  faceWithoutArea: (element) => `The ${element} of this mesh has no area. Remove degenerate faces first and open it again.`,
+  nonManifold: (element) =>
+    `The faces do not form a surface: at the ${element} several sheets touch in a point. Split that vertex first.`,
+  sourcesApart: () => 'Sources must be on the same part of the mesh: no path leads from one part to another.',
+};
+
+// and with the file, of which there are words alone
+const byWords = [
   [/an edge belongs to more than two faces/,
     () => 'The faces do not form an oriented surface: an edge belongs to more than two faces, or to two of opposite orientation.'],
-  [/(vertex #\d+ is not manifold|meets others at a vertex that is not manifold)/,
+  [/meets others at a vertex that is not manifold/,
     () => 'The faces do not form a surface: at some vertex several sheets touch in a point. Split that vertex first.'],
-  [/(face #\d+).* has no area/,
-    (m) => `The ${m[1]} of this mesh has no area. Remove degenerate faces first and open it again.`],
   [/(face #\d+) has a vertex twice/,
     (m) => `The ${m[1]} of this mesh has the same vertex twice. Remove degenerate faces first and open it again.`],
   [/(face #\d+) refers to a vertex that does not exist/,
     (m) => `The file is damaged: its ${m[1]} refers to a vertex that is not there.`],
-  [/different components|same component/,
-    () => 'Sources must be on the same part of the mesh: no path leads from one part to another.'],
   [/no face of it has an area/, () => 'No face of this mesh has an area.'],
-  [/there are no (vertices|faces)|the mesh (is empty|has no faces)/,
+  [/there are no (vertices|faces)/,
     () => 'There is no surface in this file: it has no faces.'],
   [/out of bounds|unreachable|null function|signature mismatch/,
     () => 'The computation broke down here, which is an error of the program. Move the source a little, or take another method.'],
@@ -24,8 +30,9 @@ const explanations = [
     () => 'The file cannot be read: it is damaged, or its content does not match the ending of its name.'],
 ];
 
-export function explain(message) {
-  for (const [pattern, text] of explanations) {
+export function explain({ message, cause }) {
+  if (cause in byCause) return byCause[cause]((message.match(/(face|vertex) #\d+/) || ['mesh'])[0]);
+  for (const [pattern, text] of cause ? [] : byWords) {
     const match = message.match(pattern);
     if (match) return text(match);
   }

@@ -1,6 +1,6 @@
 // Runs the library in a thread of its own. It takes messages { id, command, ...arguments } and answers each with
-// { id, result } or { id, error }; meanwhile { stage, starts } tell how far it is.
-import { arrays, curveNames } from './arrays.js';
+// { id, result } or { id, error, cause }; meanwhile { stage, starts } tell how far it is.
+import { arrays, causeNames, curveNames } from './arrays.js';
 
 const base = new URL('.', self.location.href);
 importScripts(new URL('cut_locus.js', base).href);
@@ -48,7 +48,10 @@ function setThresholds(module, p) {
 }
 
 function check(module, success) {
-  if (!success) throw new Error(module.UTF8ToString(module._last_error()));
+  if (success) return;
+  const error = new Error(module.UTF8ToString(module._last_error()));
+  error.cause = causeNames[module._last_cause()];
+  throw error;
 }
 
 function call(module, name, types, values) {
@@ -147,6 +150,6 @@ self.onmessage = async ({ data }) => {
   } catch (error) {
     // what is not an error of the library leaves the module in an unknown state
     const fatal = error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
-    self.postMessage({ id: data.id, error: error.message || String(error), fatal });
+    self.postMessage({ id: data.id, error: error.message || String(error), cause: error.cause, fatal });
   }
 };

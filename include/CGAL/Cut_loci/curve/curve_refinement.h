@@ -238,7 +238,8 @@ private:
         segments_[f].push_back(segment);
         return;
       }
-    throw Invalid_input("the cut locus does not belong to the mesh: an edge of it is in no face");
+    throw Invalid_input(Cause::INVALID_CUT_LOCUS,
+                        "the cut locus does not belong to the mesh: an edge of it is in no face");
   }
 
   // ---- crossings
@@ -345,7 +346,8 @@ private:
   {
     const Indexed_triangle_mesh::Triangle& t = mesh_.triangles[f];
     if(t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
-      throw Invalid_input("a face that the cut locus runs through has the same vertex at two corners");
+      throw Invalid_input(Cause::NON_MANIFOLD,
+                          "a face that the cut locus runs through has the same vertex at two corners");
     Triangulation cdt;
     std::map<Index, Triangulation::Vertex_handle> handle;
     const auto insert = [&](Index v, const Coordinates& c)

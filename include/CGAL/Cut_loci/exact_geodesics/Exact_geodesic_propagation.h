@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_batches.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_windows.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/separate_compilation.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
@@ -143,6 +144,8 @@ private:
   /// reaches the vertices that rounding has left between windows; whether there were any
   bool reach_beside_windows();
   void prefetch(Index far, Index near) const;
+  /// tells the progress, and when to do so again
+  void report_progress();
   /// takes the windows of `h` across the face of `h`
   template <int columns>
   void cross_face(Index h);
@@ -154,7 +157,8 @@ private:
   std::vector<unsigned char> sides_;             // of the apex, for the windows in work
   std::vector<Path_beside> beside_;              // see `note_path_beside()`
   double maximum_distance_ = infinity, tolerance_ = 0., merging_angle_ = 0.;
-  std::size_t number_of_windows_ = 0;
+  std::size_t number_of_windows_ = 0, next_report_ = 0; // and at which number of them the progress is told
+  Progress progress_;
 };
 
 } // namespace internal

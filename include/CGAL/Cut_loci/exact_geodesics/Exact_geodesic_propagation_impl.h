@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -49,7 +50,7 @@ inline void Exact_geodesic_propagation::start(const std::vector<Indexed_location
                                               const Exact_geodesic_options& options)
 {
   if(sources.empty())
-    throw Invalid_input("no source");
+    throw Invalid_input(Cause::NO_SOURCE, "no source");
   prepare(sources, options);
   batches_.prepare(options.maximum_distance);
   maximum_distance_ = options.maximum_distance;
@@ -57,6 +58,8 @@ inline void Exact_geodesic_propagation::start(const std::vector<Indexed_location
   merging_angle_ = options.merging_angle;
   number_of_windows_ = 0;
   beside_.clear();
+  progress_ = options.progress;
+  next_report_ = progress_.is_wanted() ? 0 : (std::numeric_limits<std::size_t>::max)();
 }
 
 template <int columns>
@@ -73,6 +76,8 @@ inline void Exact_geodesic_propagation::propagate()
     while(batches_.pop(item))
     {
       prefetch(batches_.peek(6), batches_.peek(3));
+      if(number_of_windows_ >= next_report_)
+        report_progress();
       if(item < faces_.number_of_halfedges())
       {
         if(observer_ != nullptr)
@@ -313,6 +318,21 @@ inline bool Exact_geodesic_propagation::reach_beside_windows()
     }
   beside_.clear();
   return result;
+}
+
+inline void Exact_geodesic_propagation::report_progress()
+{
+  // one or two milliseconds, and so nothing beside them for the look at a sample of the vertices
+  constexpr std::size_t windows = std::size_t(1) << 16, sample = 256;
+  next_report_ = number_of_windows_ + windows;
+  const std::size_t step = 1 + distance_.size() / sample;
+  std::size_t number = 0, reached = 0;
+  for(std::size_t v = 0; v < distance_.size(); v += step)
+  {
+    ++number;
+    reached += distance_[v] < infinity;
+  }
+  progress_(static_cast<double>(reached) / static_cast<double>(number));
 }
 
 // -- propagation ---------------------------------------------------------------------------------------------------

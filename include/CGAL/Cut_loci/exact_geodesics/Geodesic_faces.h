@@ -173,7 +173,7 @@ private:
       const double longest = (std::max)((std::max)(length[0], length[1]), length[2]);
       // below this height the rounding of the coordinates decides the shape; the test also fails on NaN and infinity
       if(!(twice_area > 1e-13 * longest * longest) || !(twice_area < (std::numeric_limits<double>::max)()))
-        throw Invalid_input(describe_bad_face(mesh, f, positions));
+        throw Invalid_input(Cause::FACE_WITHOUT_AREA, describe_bad_face(mesh, f, positions));
       for(std::size_t i = 0; i < 3; ++i)
       {
         const std::size_t k = i == 0 ? 2 : i - 1;
@@ -222,7 +222,7 @@ private:
         if(faces_[f].opposite[i] == null_index)
         {
           if(kind_[v] != 0)
-            throw Invalid_input(describe_bad_vertex(v, positions));
+            throw Invalid_input(Cause::NON_MANIFOLD, describe_bad_vertex(v, positions));
           kind_[v] = border;
           first_[v] = 3 * f + i;
         }
@@ -240,7 +240,7 @@ private:
           break;
       }
       if(count != valence[v])
-        throw Invalid_input(describe_bad_vertex(v, positions));
+        throw Invalid_input(Cause::NON_MANIFOLD, describe_bad_vertex(v, positions));
       // sums of angles carry rounding errors of some 1e-15 each: an excess below 1e-11 is none, and the detour it could
       // save is of the square of it
       if(is_border(v) ? total_angle_[v] > geodesic_pi + 1e-11 : total_angle_[v] > 2. * geodesic_pi + 1e-11)

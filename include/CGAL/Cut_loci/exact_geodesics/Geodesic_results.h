@@ -12,6 +12,7 @@
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_windows.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_kernels.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
@@ -37,6 +38,7 @@ struct Exact_geodesic_options
   double merging_angle = 0.;  ///< with such an error: by which directions may change where windows are merged
   bool all_centroids = false; ///< whether face centroids are query locations
   std::vector<Indexed_location> queries; ///< further points whose distance is wanted
+  Progress progress; ///< is told, every few milliseconds, the share of the vertices that are reached
 };
 
 /// is the end of a shortest path: its last straight piece, in the frame of a halfedge of the face in which it ends.
@@ -70,7 +72,7 @@ public:
   Indexed_location vertex_location(Index v) const
   {
     if(v >= faces_.number_of_vertices() || faces_.first_halfedge(v) == null_index)
-      throw Invalid_input("vertex #" + std::to_string(v) + " is on no face");
+      throw Invalid_input(Cause::INVALID_SOURCE, "vertex #" + std::to_string(v) + " is on no face");
     const Index h = faces_.first_halfedge(v);
     Indexed_location location;
     location.face = h / 3;
@@ -82,7 +84,8 @@ public:
   void check(const Indexed_location& location) const
   {
     if(location.face >= faces_.number_of_faces())
-      throw Invalid_input("a location is in face " + std::to_string(location.face) + ", which does not exist");
+      throw Invalid_input(Cause::INVALID_SOURCE,
+                          "a location is in face " + std::to_string(location.face) + ", which does not exist");
     double sum = 0.;
     bool is_inside = true;
     for(double c : location.coordinates)
@@ -91,8 +94,8 @@ public:
       sum += c;
     }
     if(!is_inside || !(std::fabs(sum - 1.) <= 1e-9))
-      throw Invalid_input("the coordinates of a location in face " + std::to_string(location.face) +
-                          " are not barycentric");
+      throw Invalid_input(Cause::INVALID_SOURCE, "the coordinates of a location in face " +
+                                                   std::to_string(location.face) + " are not barycentric");
   }
 
   const Geodesic_faces& faces() const { return faces_; }
@@ -360,7 +363,7 @@ protected:
   void prepare(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options)
   {
     if(!(options.maximum_relative_error >= 0.))
-      throw Invalid_input("the maximum relative error must not be negative");
+      throw Invalid_input(Cause::INVALID_PARAMETER, "the maximum relative error must not be negative");
     is_approximate_ = options.maximum_relative_error > 0.;
     sources_.clear();
     for(const Indexed_location& location : sources)

@@ -19,6 +19,8 @@
 #include <CGAL/Cut_loci/exact_tree/Strong_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
+#include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -55,6 +57,9 @@ public:
     options_.merging_angle = merging_angle;
   }
 
+  /// is told the share of a stage that is done
+  void report_to(const Progress& progress) { progress_ = progress; }
+
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
   const Mesh_connectivity& connectivity() const { return connectivity_; }
   const Exact_geodesic_propagation& geodesics() const { return geodesics_; }
@@ -68,6 +73,7 @@ public:
     find_drawn_faces(sources);
     // Windows of an edge come once the front is there, up to a face or two. If that is not enough on this mesh, once
     // more with room for more, and then for all.
+    options_.progress = progress_.part(least_.is_none() ? 0. : 0.5, 1.);
     for(double slack : {4., 32., (std::numeric_limits<double>::infinity)()})
     {
       crossings_.reset(new Edge_crossings(geodesics_, is_drawn_, slack));
@@ -75,14 +81,15 @@ public:
       crossings_->finish();
       if(crossings_->number_of_late() == 0)
         return;
+      options_.progress = progress_.part(1., 1.);
     }
   }
 
-  void draw_ridges()
+  void draw_ridges(const Threads& threads = {})
   {
     changes_ = Label_changes(connectivity_, geodesics_, *crossings_, std::move(is_drawn_), std::move(bend_));
     crossings_.reset();
-    ridges_ = Ridges(mesh_, connectivity_, geodesics_, changes_);
+    ridges_ = Ridges(mesh_, connectivity_, geodesics_, changes_, threads, progress_.part(0.5, 1.));
   }
 
   void join()
@@ -208,6 +215,7 @@ private:
       return;
     }
     Drawn_faces found(geodesics_, least_);
+    options_.progress = progress_.part(0., 0.5);
     geodesics_.run(sources, options_, found);
     // between sources at the ends of an edge there may be no windows
     for(Index f = 0; f < mesh_.number_of_faces() && sources.size() > 1; ++f)
@@ -223,6 +231,7 @@ private:
   Exact_geodesic_propagation& geodesics_;
   std::vector<Index> source_vertices_;
   Exact_geodesic_options options_;
+  Progress progress_;
   Branch_strength least_;
   std::vector<unsigned char> is_drawn_; // by face, and
   std::vector<float> bend_;             // by halfedge, until the ridges are drawn

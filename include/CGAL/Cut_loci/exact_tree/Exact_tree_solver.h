@@ -20,6 +20,8 @@
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/exact_tree/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
+#include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -29,6 +31,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <string>
@@ -44,9 +47,10 @@ class Exact_tree_solver : public Exact_tree_method
 {
 public:
   // once per mesh
-  explicit Exact_tree_solver(const Indexed_triangle_mesh& mesh)
-    : Exact_tree_solver(mesh, std::make_shared<const Surface>(mesh))
+  explicit Exact_tree_solver(const Indexed_triangle_mesh& mesh, const Threads& threads = {})
+    : Exact_tree_solver(mesh, std::make_shared<const Surface>(mesh, threads))
   {
+    threads_ = threads;
   }
 
   std::unique_ptr<Exact_tree_method> for_other_sources() const override
@@ -62,6 +66,13 @@ public:
 
   // for all sources that follow
   void set_maximum_relative_error(double error) override { maximum_relative_error_ = error; }
+
+  void report_to(const Progress& progress) override
+  {
+    progress_ = progress;
+    if(tree_)
+      tree_->report_to(progress);
+  }
 
   // once per source, or set of sources, in four parts
   void compute_distance(const std::vector<Indexed_source>& sources) override
@@ -84,7 +95,7 @@ public:
   }
   void compute_distance(const Indexed_source& source) { compute_distance(std::vector<Indexed_source>(1, source)); }
 
-  void compute_strengths() override { tree_->draw_ridges(); }
+  void compute_strengths() override { tree_->draw_ridges(threads_); }
 
   /*
    * Where several shortest paths lead to a vertex at which they bend, all points behind it have several, and where such
@@ -95,25 +106,33 @@ public:
    */
   void grow_tree() override
   {
+    const Progress all = progress_;
     tree_->join();
     for(int number = 1; number <= 2 && least_.is_none() && !tree_->is_sure(); ++number)
     {
+      report_to(all.part(0.5 * number - 0.5, 0.5 * number - 0.1));
       start(number);
-      tree_->draw_ridges();
+      report_to(all.part(0.5 * number - 0.1, 0.5 * number));
+      tree_->draw_ridges(threads_);
       tree_->join();
       remove_branches_to_sources();
     }
   }
 
-  void close_cycles() override { tree_->prepare_widths(); }
+  void close_cycles() override
+  {
+    tree_->prepare_widths();
+    is_complete_ = true;
+  }
 
   // once per threshold; `edges` becomes the curve of mesh edges, whichever curve is asked for
   Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges) override
   {
-    if(thresholds.is_weaker_than(least_))
-      compute_more(thresholds);
+    const Progress all = progress_;
+    if(thresholds.is_weaker_than(least_) || !is_complete_)
+      compute_more(thresholds, 0, all.part(0., 0.5));
     std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds);
-    see_all_of(kept, thresholds);
+    see_all_of(kept, thresholds, all.part(0.5, 1.));
     tree_->measure_widths(kept);
     const Source_faces at_sources(mesh_, connectivity_, sources_);
     if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
@@ -178,22 +197,26 @@ private:
   // `number` other than 0: with the sources moved, each time elsewhere
   void start(int number = 0)
   {
+    is_complete_ = false;
     if(divided_ != nullptr)
       tree_.reset(new Exact_tree(divided_->mesh(), divided_->connectivity, divided_->geodesics, divided_->vertices()));
     else
       tree_.reset(new Exact_tree(mesh_, connectivity_, geodesics_, source_vertices()));
+    tree_->report_to(progress_);
     // Windows may be merged where what is between them is half of what the weakest branch needs.
     tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(surface_->diagonal));
     tree_->propagate(locations(number), least_);
     for(double d : geodesics().distances())
       if(!(d < (std::numeric_limits<double>::infinity)()))
-        throw Invalid_input("the exact solver does not reach all vertices: some faces may be too thin for it");
+        throw Invalid_input(Cause::TOO_INACCURATE,
+                            "the exact solver does not reach all vertices: some faces may be too thin for it");
   }
 
   void refuse_error_without_strength(const Branch_strength& least) const
   {
     if(least.is_none() && maximum_relative_error_ > 0.)
       throw Invalid_input(
+        Cause::PARAMETER_OF_OTHER_METHOD,
         "all of the cut locus of a polyhedron needs exact distances: leave maximum_relative_error away, "
         "or ask for branches of some minimum_branch_width or minimum_branch_gap by "
         "cut_locus_method(Cut_loci::Method::DIRECTION)");
@@ -204,26 +227,31 @@ private:
    * looked for, or a symmetric source leaves it to rounding where it is, nothing is known of it but that it is there.
    * Then once more, with the source moved, for what is weaker: all that is takes many times as long.
    */
-  void see_all_of(std::vector<Tree_branches::Edge>& kept, const Exact_tree_thresholds& thresholds)
+  void see_all_of(std::vector<Tree_branches::Edge>& kept, const Exact_tree_thresholds& thresholds,
+                  const Progress& progress)
   {
     constexpr int most = 3;
     for(int time = 1; time <= most && !tree_->is_known(kept) && !least_.is_none(); ++time)
     {
+      const Progress part = progress.part((time - 1.) / most, double(time) / most);
       if(time < most)
-        compute_more(least_.part(0.25), 1);
+        compute_more(least_.part(0.25), 1, part);
       else if(maximum_relative_error_ == 0.)
-        compute_more(Branch_strength());
+        compute_more(Branch_strength(), 0, part);
       kept = tree_->kept(thresholds);
     }
   }
 
   // `number` as for `start()`
-  void compute_more(const Branch_strength& least, int number = 0)
+  void compute_more(const Branch_strength& least, int number, const Progress& progress)
   {
     refuse_error_without_strength(least);
     least_ = least;
+    report_to(progress.part(0., 0.6));
     start(number);
+    report_to(progress.part(0.6, 0.7));
     compute_strengths();
+    report_to(progress.part(0.7, 1.));
     grow_tree();
     if(number > 0)
       remove_branches_to_sources();
@@ -330,9 +358,10 @@ private:
 
   [[noreturn]] void throw_source_without_face(Index i) const
   {
-    throw Invalid_input("source " + std::to_string(i) +
-                        " has no face to itself, as other sources lie on the same ones: no curve of mesh edges "
-                        "separates them; ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
+    throw Invalid_input(Cause::NO_FACE_AT_SOURCE,
+                        "source " + std::to_string(i) +
+                          " has no face to itself, as other sources lie on the same ones: no curve of mesh edges "
+                          "separates them; ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
   }
 
   bool is_source(Index v) const
@@ -364,24 +393,41 @@ private:
   // what depends on the mesh alone
   struct Surface
   {
-    explicit Surface(const Indexed_triangle_mesh& mesh)
-      : connectivity(mesh), faces(std::make_shared<const Geodesic_faces>(checked_mesh(mesh, connectivity))),
-        diagonal(Exact_tree_solver::diagonal(mesh))
+    Surface(const Indexed_triangle_mesh& mesh, const Threads& threads) : diagonal(Exact_tree_solver::diagonal(mesh))
     {
-      const Default_branch_strength strength(mesh, connectivity, *faces, diagonal);
+      std::exception_ptr error;
+      const auto read = [&](std::size_t i)
+      {
+        if(i == 0)
+          connectivity.reset(new Mesh_connectivity(mesh));
+        else
+          try
+          {
+            faces = std::make_shared<const Geodesic_faces>(mesh);
+          }
+          catch(...)
+          {
+            error = std::current_exception();
+          }
+      };
+      threads.run(2, read);
+      checked_mesh(mesh, *connectivity); // has more to say
+      if(error)
+        std::rethrow_exception(error);
+      const Default_branch_strength strength(mesh, *connectivity, *faces, diagonal);
       thresholds.gap = strength.gap;
       thresholds.width = strength.width;
       thresholds.counts_meeting = strength.counts_meeting;
     }
 
-    Mesh_connectivity connectivity;
+    std::unique_ptr<const Mesh_connectivity> connectivity;
     std::shared_ptr<const Geodesic_faces> faces;
     double diagonal;
     Exact_tree_thresholds thresholds; // the default
   };
 
   Exact_tree_solver(const Indexed_triangle_mesh& mesh, std::shared_ptr<const Surface> surface)
-    : mesh_(mesh), surface_(std::move(surface)), connectivity_(surface_->connectivity), geodesics_(surface_->faces)
+    : mesh_(mesh), surface_(std::move(surface)), connectivity_(*surface_->connectivity), geodesics_(surface_->faces)
   {
   }
 
@@ -398,6 +444,9 @@ private:
   std::vector<Index> nearest_source_; // of each vertex, if there are several
   Index farthest_ = null_index;
   std::unique_ptr<Exact_tree> tree_;
+  bool is_complete_ = false; // and not left at an exception of the progress
+  Progress progress_;
+  Threads threads_;
 };
 
 } // namespace internal

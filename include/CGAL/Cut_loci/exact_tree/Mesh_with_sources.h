@@ -195,7 +195,7 @@ private:
     for(double& c : best.coordinates)
       c /= sum;
     if(std::count(best.coordinates.begin(), best.coordinates.end(), 0.) > 1)
-      throw Invalid_input("two sources in a face are at the same point, up to rounding");
+      throw Invalid_input(Cause::SAME_SOURCES, "two sources in a face are at the same point, up to rounding");
     return best;
   }
 

@@ -11,6 +11,8 @@
 #include <CGAL/Cut_loci/exact_tree/Face_ridges.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Path_label.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
+#include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
@@ -71,17 +73,24 @@ public:
   Ridges() = default;
 
   Ridges(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Geodesic_results& geodesics,
-         const Label_changes& changes)
+         const Label_changes& changes, const Threads& threads = {}, const Progress& progress = {})
     : mesh_(&mesh), connectivity_(&connectivity), geodesics_(&geodesics), changes_(&changes)
   {
-    std::size_t next_at_vertex = 0;
-    const std::vector<Vertex_labels::Change>& at_vertices = changes.at_vertices();
-    for(Index f = 0; f < mesh.number_of_faces(); ++f)
+    constexpr std::size_t block = 4096; // faces, which take a millisecond or two
+    const std::size_t number = (mesh.number_of_faces() + block - 1) / block;
+    for(std::size_t first = 0; first < number; first += threads.number_at_once())
     {
-      while(next_at_vertex < at_vertices.size() && at_vertices[next_at_vertex].halfedge < 3 * f)
-        ++next_at_vertex;
-      if(changes.is_drawn(f) && (has_crossings(f) || has_two_ends(f, next_at_vertex)))
-        add_face(f, next_at_vertex);
+      progress(static_cast<double>(first) / static_cast<double>(number));
+      std::vector<Ridges> parts((std::min)(threads.number_at_once(), number - first), empty_copy());
+      threads.run(parts.size(),
+                  [&](std::size_t i)
+                  {
+        const std::size_t begin = (first + i) * block;
+        parts[i].add_faces(static_cast<Index>(begin),
+                           static_cast<Index>((std::min)(begin + block, std::size_t(mesh.number_of_faces()))));
+      });
+      for(const Ridges& part : parts)
+        append(part);
     }
   }
 
@@ -129,6 +138,52 @@ public:
   }
 
 private:
+  // with the same mesh and changes, and no face
+  Ridges empty_copy() const
+  {
+    Ridges result;
+    result.mesh_ = mesh_;
+    result.connectivity_ = connectivity_;
+    result.geodesics_ = geodesics_;
+    result.changes_ = changes_;
+    return result;
+  }
+
+  void add_faces(Index begin, Index end)
+  {
+    const std::vector<Vertex_labels::Change>& at_vertices = changes_->at_vertices();
+    const auto is_before = [](const Vertex_labels::Change& c, Index h) { return c.halfedge < h; };
+    std::size_t next_at_vertex = static_cast<std::size_t>(
+      std::lower_bound(at_vertices.begin(), at_vertices.end(), 3 * begin, is_before) - at_vertices.begin());
+    for(Index f = begin; f < end; ++f)
+    {
+      while(next_at_vertex < at_vertices.size() && at_vertices[next_at_vertex].halfedge < 3 * f)
+        ++next_at_vertex;
+      if(changes_->is_drawn(f) && (has_crossings(f) || has_two_ends(f, next_at_vertex)))
+        add_face(f, next_at_vertex);
+    }
+  }
+
+  void append(const Ridges& part)
+  {
+    const Index nodes = static_cast<Index>(nodes_.size()), pieces = static_cast<Index>(pieces_.size());
+    nodes_.insert(nodes_.end(), part.nodes_.begin(), part.nodes_.end());
+    for(Piece piece : part.pieces_)
+    {
+      piece.first_node += nodes;
+      pieces_.push_back(piece);
+    }
+    for(Face face : part.faces_)
+    {
+      face.first_node += nodes;
+      face.end_node += nodes;
+      face.first_piece += pieces;
+      face.end_piece += pieces;
+      faces_.push_back(face);
+    }
+    number_of_doubtful_ += part.number_of_doubtful_;
+  }
+
   bool has_crossings(Index f) const
   {
     for(Index h = 3 * f; h < 3 * f + 3; ++h)

@@ -30,7 +30,8 @@ namespace internal {
 struct Unfolding_failure : Invalid_input
 {
   Unfolding_failure()
-    : Invalid_input("the cut locus of this source is not found accurately enough to cut the surface along it: too many "
+    : Invalid_input(Cause::TOO_INACCURATE,
+                    "the cut locus of this source is not found accurately enough to cut the surface along it: too many "
                     "shortest paths to some points are equally long up to rounding, or some faces are too thin; try "
                     "another source")
   {

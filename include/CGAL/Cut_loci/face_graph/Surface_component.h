@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/face_graph/make_solver.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/method/Geodesic_solver_handle.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -115,16 +116,16 @@ struct Surface_component
   }
 
   // `positions` of the vertices of the whole mesh, for messages.
-  void make_solver(Method method, Laplacian_operator laplacian_operator, const Indexed_triangle_mesh& whole,
-                   const std::vector<Index>& positions)
+  void make_solver(Method method, Laplacian_operator laplacian_operator, const Threads& threads,
+                   const Indexed_triangle_mesh& whole, const std::vector<Index>& positions)
   {
     name_faults(whole, positions,
                 [&]
                 {
       if(method == Method::LAPLACIAN)
-        laplacian = make_laplacian_solver(*mesh, laplacian_operator);
+        laplacian = make_laplacian_solver(*mesh, laplacian_operator, threads);
       else
-        exact_tree = make_exact_tree_solver(*mesh);
+        exact_tree = make_exact_tree_solver(*mesh, threads);
     });
   }
 
@@ -143,15 +144,17 @@ struct Surface_component
       std::string name = face_name(f) + " (vertices";
       for(Index v : whole.triangles[f])
         name += " " + std::to_string(positions[v]);
-      throw Invalid_input(name + ") has no area, or in this unit of length one that is not a normal number: it must be "
+      throw Invalid_input(Cause::FACE_WITHOUT_AREA,
+                          name + ") has no area, or in this unit of length one that is not a normal number: it must be "
                                  "removed or repaired first "
                                  "(CGAL::Polygon_mesh_processing::remove_degenerate_faces() does)");
     }
     catch(const Non_manifold_vertex& error)
     {
-      throw Invalid_input(vertex_name(positions[vertex(error.vertex)]) +
-                          " is not manifold: its faces form several "
-                          "fans (CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() splits it)");
+      throw Invalid_input(Cause::NON_MANIFOLD,
+                          vertex_name(positions[vertex(error.vertex)]) +
+                            " is not manifold: its faces form several "
+                            "fans (CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() splits it)");
     }
   }
 };

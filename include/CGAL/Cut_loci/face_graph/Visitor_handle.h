@@ -8,44 +8,65 @@
 #define CGAL_CUT_LOCI_FACE_GRAPH_VISITOR_HANDLE_H
 
 #include <CGAL/Cut_loci/Default_visitor.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 
 #include <functional>
+#include <memory>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-// Holds a visitor of any type, or a reference to one.
+// Holds a visitor of any type, or a reference to one. What a visitor is told within a stage it need not have a function
+// for; `Default_visitor` itself costs nothing there.
 class Visitor_handle
 {
+  struct Concept
+  {
+    virtual ~Concept() = default;
+    virtual std::unique_ptr<Concept> copy() const = 0;
+    virtual void start_stage(Stage stage) = 0;
+    virtual void end_stage(Stage stage) = 0;
+    virtual bool wants_progress() const = 0;
+    virtual void progress(Stage stage, double share) = 0;
+  };
+
 public:
   Visitor_handle() = default;
 
   template <typename Visitor>
-  explicit Visitor_handle(Visitor visitor)
-    : visit_(
-        [visitor](Stage stage, bool starts) mutable
-        {
-    auto& v = unwrapped(visitor);
-    if(starts)
-      v.start_stage(stage);
-    else
-      v.end_stage(stage);
-      })
+  explicit Visitor_handle(const Visitor& visitor) : model_(new Model<Visitor>(visitor))
   {
+  }
+
+  Visitor_handle(const Visitor_handle& other) : model_(other.model_ ? other.model_->copy() : nullptr) {}
+  Visitor_handle& operator=(Visitor_handle&&) = default;
+
+  // for a stage; it must not outlive the handle
+  Progress progress(Stage stage) const
+  {
+    Concept* const model = model_.get();
+    return model != nullptr && model->wants_progress()
+             ? Progress([model, stage](double share) { model->progress(stage, share); })
+             : Progress();
   }
 
   // A stage lasts as long as its scope.
   class Scope
   {
   public:
-    Scope(const Visitor_handle& handle, Stage stage) : handle_(handle), stage_(stage) { handle_.visit_(stage_, true); }
-    ~Scope() { handle_.visit_(stage_, false); }
+    Scope(const Visitor_handle& handle, Stage stage) : visitor_(*handle.model_), stage_(stage)
+    {
+      visitor_.start_stage(stage_);
+    }
+    ~Scope() { visitor_.end_stage(stage_); }
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
 
   private:
-    const Visitor_handle& handle_;
+    Concept& visitor_;
     Stage stage_;
   };
 
@@ -61,7 +82,43 @@ private:
     return t.get();
   }
 
-  std::function<void(Stage, bool)> visit_;
+  template <typename T>
+  static auto has_progress(int) -> decltype(std::declval<T&>().progress(Stage(), 0.), bool())
+  {
+    return !std::is_same<T, Default_visitor>::value;
+  }
+  template <typename T>
+  static bool has_progress(long)
+  {
+    return false;
+  }
+
+  template <typename T>
+  static auto tell_progress(T& visitor, Stage stage, double share, int)
+    -> decltype(visitor.progress(stage, share), void())
+  {
+    visitor.progress(stage, share);
+  }
+  template <typename T>
+  static void tell_progress(T&, Stage, double, long)
+  {
+  }
+
+  template <typename Visitor>
+  struct Model : public Concept
+  {
+    using Unwrapped = typename std::remove_reference<decltype(unwrapped(std::declval<Visitor&>()))>::type;
+
+    explicit Model(const Visitor& v) : visitor(v) {}
+    std::unique_ptr<Concept> copy() const override { return std::unique_ptr<Concept>(new Model(visitor)); }
+    void start_stage(Stage stage) override { unwrapped(visitor).start_stage(stage); }
+    void end_stage(Stage stage) override { unwrapped(visitor).end_stage(stage); }
+    bool wants_progress() const override { return has_progress<Unwrapped>(0); }
+    void progress(Stage stage, double share) override { tell_progress(unwrapped(visitor), stage, share, 0); }
+    Visitor visitor;
+  };
+
+  std::unique_ptr<Concept> model_;
 };
 
 } // namespace internal

@@ -43,7 +43,7 @@ struct Curve_on_mesh
 
 [[noreturn]] inline void throw_foreign_cut_locus(const std::string& what)
 {
-  throw Invalid_input("the cut locus does not belong to the mesh: " + what);
+  throw Invalid_input(Cause::INVALID_CUT_LOCUS, "the cut locus does not belong to the mesh: " + what);
 }
 
 // Descriptors of another mesh must not be used for a look-up: those of this one are looked up among them.
@@ -55,9 +55,10 @@ Curve_on_mesh curve_on_mesh(const Read_triangle_mesh<TriangleMesh>& read, const 
   using Vertex = typename Cut_locus<TriangleMesh, Point_3>::Vertex;
   const auto& graph = cut_locus.graph();
   if(num_vertices(graph) == 0)
-    throw Invalid_input("the cut locus is empty");
+    throw Invalid_input(Cause::INVALID_CUT_LOCUS, "the cut locus is empty");
   if(cut_locus.number_of_sources() > 1)
-    throw Invalid_input("the cut locus is that of several sources: its complement is as many disks, and not one");
+    throw Invalid_input(Cause::INVALID_CUT_LOCUS,
+                        "the cut locus is that of several sources: its complement is as many disks, and not one");
 
   std::map<typename Traits::vertex_descriptor, Index> vertex_index;
   std::map<typename Traits::halfedge_descriptor, Index> halfedge_index;
@@ -191,7 +192,8 @@ inline Curve_on_component on_component(const Indexed_triangle_mesh& mesh, Curve_
 inline void throw_unless_of_mesh_edges(const Curve_on_mesh& curve)
 {
   if(!curve.is_of_mesh_edges)
-    throw Invalid_input("the cut locus runs through faces: cut by CGAL::cut_along_curve(), which splits these, "
+    throw Invalid_input(Cause::INVALID_CUT_LOCUS,
+                        "the cut locus runs through faces: cut by CGAL::cut_along_curve(), which splits these, "
                         "or compute it on the edges of the mesh (Curve::MESH_EDGES, without smoothing)");
 }
 
@@ -199,7 +201,8 @@ inline Mesh_connectivity manifold_connectivity(const Indexed_triangle_mesh& mesh
 {
   Mesh_connectivity result(mesh);
   if(!result.first_non_manifold.empty())
-    throw Invalid_input("the faces around a vertex form more than one fan: the mesh is not manifold");
+    throw Invalid_input(Cause::NON_MANIFOLD,
+                        "the faces around a vertex form more than one fan: the mesh is not manifold");
   return result;
 }
 

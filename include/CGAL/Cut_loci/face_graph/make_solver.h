@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_FACE_GRAPH_MAKE_SOLVER_H
 #define CGAL_CUT_LOCI_FACE_GRAPH_MAKE_SOLVER_H
 
+#include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/internal/separate_compilation.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
@@ -19,8 +20,9 @@ namespace Cut_loci {
 namespace internal {
 
 // The mesh must stay where it is.
-std::unique_ptr<Laplacian_method> make_laplacian_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type);
-std::unique_ptr<Exact_tree_method> make_exact_tree_solver(const Indexed_triangle_mesh& mesh);
+std::unique_ptr<Laplacian_method> make_laplacian_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type,
+                                                        const Threads& threads);
+std::unique_ptr<Exact_tree_method> make_exact_tree_solver(const Indexed_triangle_mesh& mesh, const Threads& threads);
 
 } // namespace internal
 } // namespace Cut_loci

@@ -17,15 +17,16 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-CGAL_CUT_LOCI_INLINE std::unique_ptr<Laplacian_method> make_laplacian_solver(const Indexed_triangle_mesh& mesh,
-                                                                             Laplacian_operator type)
+CGAL_CUT_LOCI_INLINE std::unique_ptr<Laplacian_method>
+make_laplacian_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type, const Threads& threads)
 {
-  return std::unique_ptr<Laplacian_method>(new Laplacian_solver(mesh, type));
+  return std::unique_ptr<Laplacian_method>(new Laplacian_solver(mesh, type, threads));
 }
 
-CGAL_CUT_LOCI_INLINE std::unique_ptr<Exact_tree_method> make_exact_tree_solver(const Indexed_triangle_mesh& mesh)
+CGAL_CUT_LOCI_INLINE std::unique_ptr<Exact_tree_method> make_exact_tree_solver(const Indexed_triangle_mesh& mesh,
+                                                                               const Threads& threads)
 {
-  return std::unique_ptr<Exact_tree_method>(new Exact_tree_solver(mesh));
+  return std::unique_ptr<Exact_tree_method>(new Exact_tree_solver(mesh, threads));
 }
 
 } // namespace internal

@@ -36,24 +36,26 @@ constexpr bool is_given()
 
 inline void refuse_parameter(const std::string& name, Method method, const std::string& remedy)
 {
-  throw Invalid_input("the parameter " + name + " has no meaning for the method " + name_of(method) +
-                      ", which is in force: " + remedy);
+  throw Invalid_input(Cause::PARAMETER_OF_OTHER_METHOD, "the parameter " + name + " has no meaning for the method " +
+                                                          name_of(method) + ", which is in force: " + remedy);
 }
 
 [[noreturn]] inline void refuse_distances(Method method)
 {
-  throw Invalid_input("the method " + std::string(name_of(method)) +
-                      " needs the paths of the package's own exact solver, and not distances alone: leave "
-                      "geodesic_solver and vertex_distance_map away, or pass "
-                      "cut_locus_method(Cut_loci::Method::LAPLACIAN)");
+  throw Invalid_input(Cause::PARAMETER_OF_OTHER_METHOD,
+                      "the method " + std::string(name_of(method)) +
+                        " needs the paths of the package's own exact solver, and not distances alone: leave "
+                        "geodesic_solver and vertex_distance_map away, or pass "
+                        "cut_locus_method(Cut_loci::Method::LAPLACIAN)");
 }
 
 inline void refuse_several_sources(Method method)
 {
   if(method == Method::LAPLACIAN)
-    throw Invalid_input("the method " + std::string(name_of(method)) +
-                        " takes one source: several need the paths of the package's own exact solver, with "
-                        "Cut_loci::Method::DIRECTION or Cut_loci::Method::POLYHEDRAL");
+    throw Invalid_input(Cause::PARAMETER_OF_OTHER_METHOD,
+                        "the method " + std::string(name_of(method)) +
+                          " takes one source: several need the paths of the package's own exact solver, with "
+                          "Cut_loci::Method::DIRECTION or Cut_loci::Method::POLYHEDRAL");
 }
 
 // A parameter of another method would be ignored, and the caller would take the result for what it asked for.
@@ -94,7 +96,7 @@ template <typename Number>
 std::size_t to_count(Number value, const char* name)
 {
   if(static_cast<double>(value) < 0.)
-    throw Invalid_input(std::string("the parameter ") + name + " must not be negative");
+    throw Invalid_input(Cause::INVALID_PARAMETER, std::string("the parameter ") + name + " must not be negative");
   return static_cast<std::size_t>(value);
 }
 
@@ -109,7 +111,8 @@ void read_least_branch(const NamedParameters& np, std::size_t default_edges, dou
   thresholds.minimum_edges = static_cast<Index>((std::min)(edges, static_cast<std::size_t>(null_index)));
   thresholds.minimum_length = choose_parameter(get_parameter(np, internal_np::minimum_branch_length), 0.);
   if(!(thresholds.minimum_length >= 0.))
-    throw Invalid_input("the minimum length of a branch must be a number that is not negative");
+    throw Invalid_input(Cause::INVALID_PARAMETER,
+                        "the minimum length of a branch must be a number that is not negative");
   thresholds.minimum_length *= diagonal;
 }
 
@@ -124,9 +127,10 @@ Branch_thresholds read_branch_thresholds(const NamedParameters& np, double defau
   result.laplacian = choose_parameter(get_parameter(np, internal_np::laplacian_threshold), result.laplacian);
   result.policy = choose_parameter(get_parameter(np, internal_np::filter_policy), result.policy);
   if(!(result.gradient_angle >= 0.))
-    throw Invalid_input("the threshold for the gradient angle must be a number that is not negative");
+    throw Invalid_input(Cause::INVALID_PARAMETER,
+                        "the threshold for the gradient angle must be a number that is not negative");
   if(std::isnan(result.laplacian))
-    throw Invalid_input("the threshold for the Laplacian is not a number");
+    throw Invalid_input(Cause::INVALID_PARAMETER, "the threshold for the Laplacian is not a number");
   read_least_branch(np, default_edges, diagonal, result);
   return result;
 }
@@ -149,9 +153,10 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
     result.width = diagonal * choose_parameter(get_parameter(np, internal_np::minimum_branch_width), 0.);
   }
   if(!(result.gap >= 0. && result.gap <= geodesic_pi))
-    throw Invalid_input("the minimum gap of a branch must be an angle from 0 to pi");
+    throw Invalid_input(Cause::INVALID_PARAMETER, "the minimum gap of a branch must be an angle from 0 to pi");
   if(!(result.width >= 0. && result.width <= (std::numeric_limits<double>::max)()))
-    throw Invalid_input("the minimum width of a branch must be a number that is not negative");
+    throw Invalid_input(Cause::INVALID_PARAMETER,
+                        "the minimum width of a branch must be a number that is not negative");
   read_least_branch(np, 0, diagonal, result);
   result.is_voronoi = choose_parameter(get_parameter(np, internal_np::voronoi), false);
   return result;
@@ -164,13 +169,14 @@ double read_maximum_relative_error(const NamedParameters& np)
   const double result =
     parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_relative_error), 0.);
   if(!(result >= 0. && result <= 0.1))
-    throw Invalid_input("the maximum relative error must be a number from 0 to 0.1");
+    throw Invalid_input(Cause::INVALID_PARAMETER, "the maximum relative error must be a number from 0 to 0.1");
   return result;
 }
 
 [[noreturn]] inline void refuse_error()
 {
-  throw Invalid_input("the parameter maximum_relative_error is for the package's own exact solver: leave it away, or "
+  throw Invalid_input(Cause::PARAMETER_OF_OTHER_METHOD,
+                      "the parameter maximum_relative_error is for the package's own exact solver: leave it away, or "
                       "geodesic_solver and vertex_distance_map");
 }
 
@@ -195,7 +201,8 @@ Curve_parameters read_curve(const NamedParameters& np, Method method)
   const Curve by_default = method == Method::POLYHEDRAL ? Curve::THROUGH_FACES : by_iterations;
   const Curve curve = choose_parameter(get_parameter(np, internal_np::cut_locus_curve), by_default);
   if(has_curve && has_iterations && curve != by_iterations)
-    throw Invalid_input("the parameters cut_locus_curve and number_of_iterations contradict each other: no iterations "
+    throw Invalid_input(Cause::INVALID_PARAMETER,
+                        "the parameters cut_locus_curve and number_of_iterations contradict each other: no iterations "
                         "leave edges of the mesh, and one or more of them give a curve through the faces");
   return {curve, curve == Curve::THROUGH_FACES && iterations == 0 ? enough : iterations};
 }

@@ -44,7 +44,7 @@ Index outgoing_halfedge(const TriangleMesh& tm, const Read_triangle_mesh<Triangl
       if(read.mesh.triangles[fi][i] == v)
         return 3 * fi + i;
   }
-  throw Invalid_input("the source is an isolated vertex: no face is incident to it");
+  throw Invalid_input(Cause::INVALID_SOURCE, "the source is an isolated vertex: no face is incident to it");
 }
 
 template <typename TriangleMesh>
@@ -52,15 +52,15 @@ Indexed_source source_at_vertex(const TriangleMesh& tm, const Read_triangle_mesh
                                 typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
 {
   if(v == boost::graph_traits<TriangleMesh>::null_vertex())
-    throw Invalid_input("the source is the null vertex");
+    throw Invalid_input(Cause::INVALID_SOURCE, "the source is the null vertex");
   // A descriptor of another mesh must not be used for a look-up: the search is linear, like all that a source costs.
   const auto found = std::find(read.vertices.begin(), read.vertices.end(), v);
   if(found == read.vertices.end())
   {
     for(auto w : CGAL::make_range(vertices(tm)))
       if(w == v)
-        throw Invalid_input("the source is an isolated vertex: no face is incident to it");
-    throw Invalid_input("the source is not a vertex of the mesh");
+        throw Invalid_input(Cause::INVALID_SOURCE, "the source is an isolated vertex: no face is incident to it");
+    throw Invalid_input(Cause::INVALID_SOURCE, "the source is not a vertex of the mesh");
   }
   const Index index = static_cast<Index>(found - read.vertices.begin());
   const Index h = outgoing_halfedge(tm, read, index);
@@ -78,14 +78,14 @@ Indexed_source source_in_face(const TriangleMesh& tm, const Read_triangle_mesh<T
                               const std::array<FT, 3>& coordinates, double tolerance)
 {
   if(f == boost::graph_traits<TriangleMesh>::null_face())
-    throw Invalid_input("the face of the source is null");
+    throw Invalid_input(Cause::INVALID_SOURCE, "the face of the source is null");
   Indexed_source source;
   source.location.face = 0;
   while(source.location.face < read.mesh.number_of_faces() &&
         face(read.halfedges[3 * std::size_t(source.location.face)], tm) != f)
     ++source.location.face;
   if(source.location.face == read.mesh.number_of_faces())
-    throw Invalid_input("the face of the source is not a face of the mesh");
+    throw Invalid_input(Cause::INVALID_SOURCE, "the face of the source is not a face of the mesh");
 
   std::array<double, 3>& c = source.location.coordinates;
   double sum = 0.;
@@ -93,17 +93,18 @@ Indexed_source source_in_face(const TriangleMesh& tm, const Read_triangle_mesh<T
   {
     c[i] = to_double(coordinates[i]);
     if(!std::isfinite(c[i]))
-      throw Invalid_input("a barycentric coordinate of the source is not finite");
+      throw Invalid_input(Cause::INVALID_SOURCE, "a barycentric coordinate of the source is not finite");
     if(c[i] < -tolerance)
-      throw Invalid_input("a barycentric coordinate of the source is negative: it is outside its face");
+      throw Invalid_input(Cause::INVALID_SOURCE,
+                          "a barycentric coordinate of the source is negative: it is outside its face");
     if(c[i] <= tolerance)
       c[i] = 0.;
     sum += c[i];
   }
   if(!std::isfinite(sum))
-    throw Invalid_input("the sum of the barycentric coordinates of the source is not finite");
+    throw Invalid_input(Cause::INVALID_SOURCE, "the sum of the barycentric coordinates of the source is not finite");
   if(!(sum > 0.))
-    throw Invalid_input("the barycentric coordinates of the source sum up to zero");
+    throw Invalid_input(Cause::INVALID_SOURCE, "the barycentric coordinates of the source sum up to zero");
   for(int i = 0; i < 3; ++i)
   {
     c[i] /= sum;
@@ -149,10 +150,10 @@ std::vector<Indexed_source> read_sources(const TriangleMesh& tm, const Read_tria
     }
     catch(const Invalid_input& error)
     {
-      throw Invalid_input("source " + std::to_string(result.size()) + ": " + error.what());
+      throw Invalid_input(error.cause(), "source " + std::to_string(result.size()) + ": " + error.what());
     }
   if(result.empty())
-    throw Invalid_input("the range of sources is empty");
+    throw Invalid_input(Cause::NO_SOURCE, "the range of sources is empty");
   return result;
 }
 
@@ -185,7 +186,8 @@ inline void check_sources(const Indexed_triangle_mesh& mesh, const std::vector<I
   {
     const Indexed_location& at = sources[i].location;
     if(component_of_face[at.face] != component_of_face[sources.front().location.face])
-      throw Invalid_input(name(0, i) + " are in different components of the mesh: each component is a surface of its "
+      throw Invalid_input(Cause::SOURCES_APART,
+                          name(0, i) + " are in different components of the mesh: each component is a surface of its "
                                        "own, whose cut locus has to be computed for the sources in it");
     Index smallest = null_index;
     for(std::size_t k = 0; k < 3; ++k)
@@ -193,7 +195,7 @@ inline void check_sources(const Indexed_triangle_mesh& mesh, const std::vector<I
         smallest = (std::min)(smallest, mesh.triangles[at.face][k]);
     for(Index k : at_vertex[smallest])
       if(is_same_point(mesh, sources[k], sources[i], tolerance))
-        throw Invalid_input(name(k, i) + " are at the same point");
+        throw Invalid_input(Cause::SAME_SOURCES, name(k, i) + " are at the same point");
     at_vertex[smallest].push_back(i);
   }
 }

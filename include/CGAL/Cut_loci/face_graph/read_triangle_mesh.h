@@ -77,7 +77,7 @@ Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, Vert
     has_vertices = true;
   }
   if(!has_vertices)
-    throw Invalid_input("the mesh is empty: it has no vertices");
+    throw Invalid_input(Cause::EMPTY_MESH, "the mesh is empty: it has no vertices");
 
   auto index_of_halfedge = get(CGAL::dynamic_halfedge_property_t<Index>(), tm);
   result.halfedges.reserve(3 * num_faces(tm)); // at least as many as there are: some meshes count removed ones
@@ -91,9 +91,9 @@ Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, Vert
       std::size_t sides = 1;
       for(halfedge_descriptor h = h1; h != h0; h = next(h, tm))
         ++sides;
-      throw Invalid_input(face_name(nf) + " has " + std::to_string(sides) +
-                          " sides: all faces must be triangles "
-                          "(CGAL::Polygon_mesh_processing::triangulate_faces() makes them so)");
+      throw Invalid_input(Cause::NO_TRIANGLE, face_name(nf) + " has " + std::to_string(sides) +
+                                                " sides: all faces must be triangles "
+                                                "(CGAL::Polygon_mesh_processing::triangulate_faces() makes them so)");
     }
     put(result.index_of_face, f, nf);
     for(halfedge_descriptor h : {h0, h1, h2})
@@ -105,7 +105,7 @@ Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, Vert
     ++nf;
   }
   if(nf == 0)
-    throw Invalid_input("the mesh has no faces");
+    throw Invalid_input(Cause::EMPTY_MESH, "the mesh has no faces");
 
   result.mesh.points.reserve(num_vertices(tm));
   result.vertices.reserve(num_vertices(tm));
@@ -119,7 +119,7 @@ Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, Vert
       const Indexed_triangle_mesh::Point point = {
         {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
       if(!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
-        throw Invalid_input(vertex_name(position) + " has a coordinate that is not finite");
+        throw Invalid_input(Cause::INVALID_COORDINATE, vertex_name(position) + " has a coordinate that is not finite");
       put(result.index_of_vertex, v, result.mesh.number_of_vertices());
       result.mesh.points.push_back(point);
       result.vertices.push_back(v);

@@ -19,3 +19,6 @@ CGAL_add_named_parameter(minimum_branch_gap_t, minimum_branch_gap, minimum_branc
 CGAL_add_named_parameter(minimum_branch_width_t, minimum_branch_width, minimum_branch_width)
 CGAL_add_named_parameter(voronoi_t, voronoi, voronoi)
 CGAL_add_named_parameter(maximum_relative_error_t, maximum_relative_error, maximum_relative_error)
+#if CGAL_VERSION_NR < 1060000000 // has it itself since then
+CGAL_add_named_parameter(concurrency_tag_t, concurrency_tag, concurrency_tag)
+#endif

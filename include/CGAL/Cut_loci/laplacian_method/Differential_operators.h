@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_DIFFERENTIAL_OPERATORS_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_DIFFERENTIAL_OPERATORS_H
 
+#include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/laplacian_method/quadratic_fit.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -49,9 +50,10 @@ struct Differential_operators
   Matrix laplacian; ///< n x n, negative semidefinite in the sense that the Laplacian of `x^2` is 2
 
   Differential_operators(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                         Laplacian_operator type = Laplacian_operator::QUADRATIC_FIT)
+                         Laplacian_operator type = Laplacian_operator::QUADRATIC_FIT,
+                         const internal::Threads& threads = {})
   {
-    fit(mesh, connectivity);
+    fit(mesh, connectivity, threads);
     if(type == Laplacian_operator::COTANGENT)
       laplacian = cotangent_laplacian(mesh, connectivity);
   }
@@ -105,7 +107,16 @@ struct Differential_operators
   }
 
 private:
-  void fit(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity)
+  using Coefficients = internal::Quadratic_fit::Coefficients;
+
+  // of successive vertices
+  struct Rows
+  {
+    std::vector<Coefficients> entries;
+    std::vector<std::size_t> end; // of each vertex
+  };
+
+  void fit(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const internal::Threads& threads)
   {
     const Index nv = mesh.number_of_vertices();
     frames.resize(nv);
@@ -115,23 +126,51 @@ private:
     gradient.reserve(2 * 13 * static_cast<Eigen::Index>(nv));
     laplacian.reserve(13 * static_cast<Eigen::Index>(nv));
 
-    internal::Quadratic_fit quadric(mesh, connectivity);
-    for(Index v = 0; v < nv; ++v)
+    constexpr std::size_t block = 2048; // vertices, which take some milliseconds
+    std::vector<Rows> rows(threads.number_at_once());
+    for(std::size_t first = 0; first < nv; first += rows.size() * block)
     {
-      quadric.fit(v);
-      frames[v] = {quadric.e1, quadric.e2};
-      for(int r = 0; r < 2; ++r)
-      {
-        gradient.startVec(static_cast<int>(2 * v) + r);
-        for(const internal::Quadratic_fit::Coefficients& c : quadric.row)
-          gradient.insertBack(static_cast<int>(2 * v) + r, static_cast<int>(c.vertex)) = c.gradient[r];
-      }
-      laplacian.startVec(static_cast<int>(v));
-      for(const internal::Quadratic_fit::Coefficients& c : quadric.row)
-        laplacian.insertBack(static_cast<int>(v), static_cast<int>(c.vertex)) = c.laplacian;
+      const auto begin = [&](std::size_t i)
+      { return static_cast<Index>((std::min)(first + i * block, std::size_t(nv))); };
+      threads.run(rows.size(), [&](std::size_t i) { fit(mesh, connectivity, begin(i), begin(i + 1), rows[i]); });
+      for(std::size_t i = 0; i < rows.size(); ++i)
+        append(rows[i], begin(i));
     }
     gradient.finalize();
     laplacian.finalize();
+  }
+
+  void fit(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, Index begin, Index end, Rows& rows)
+  {
+    internal::Quadratic_fit quadric(mesh, connectivity);
+    rows.entries.clear();
+    rows.end.clear();
+    for(Index v = begin; v < end; ++v)
+    {
+      quadric.fit(v);
+      frames[v] = {quadric.e1, quadric.e2};
+      rows.entries.insert(rows.entries.end(), quadric.row.begin(), quadric.row.end());
+      rows.end.push_back(rows.entries.size());
+    }
+  }
+
+  // `first` is their first vertex
+  void append(const Rows& rows, Index first)
+  {
+    std::size_t begin = 0;
+    for(std::size_t i = 0; i < rows.end.size(); begin = rows.end[i++])
+    {
+      const int v = static_cast<int>(first + i);
+      for(int r = 0; r < 2; ++r)
+      {
+        gradient.startVec(2 * v + r);
+        for(std::size_t k = begin; k < rows.end[i]; ++k)
+          gradient.insertBack(2 * v + r, static_cast<int>(rows.entries[k].vertex)) = rows.entries[k].gradient[r];
+      }
+      laplacian.startVec(v);
+      for(std::size_t k = begin; k < rows.end[i]; ++k)
+        laplacian.insertBack(v, static_cast<int>(rows.entries[k].vertex)) = rows.entries[k].laplacian;
+    }
   }
 };
 

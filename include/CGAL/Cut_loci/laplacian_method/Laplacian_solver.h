@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
+#include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/laplacian_method/Branch_filter.h>
 #include <CGAL/Cut_loci/laplacian_method/Differential_operators.h>
 #include <CGAL/Cut_loci/laplacian_method/Tangent_directions.h>
@@ -40,8 +41,8 @@ class Laplacian_solver : public Laplacian_method
 {
 public:
   // once per mesh
-  Laplacian_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type)
-    : Laplacian_solver(mesh, std::make_shared<const Surface>(mesh, type))
+  Laplacian_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type, const Threads& threads = {})
+    : Laplacian_solver(mesh, std::make_shared<const Surface>(mesh, type, threads))
   {
   }
 
@@ -176,9 +177,9 @@ private:
   // what depends on the mesh alone
   struct Surface
   {
-    Surface(const Indexed_triangle_mesh& mesh, Laplacian_operator type)
+    Surface(const Indexed_triangle_mesh& mesh, Laplacian_operator type, const Threads& threads)
       : connectivity(mesh), tangent(checked_mesh(mesh, connectivity), connectivity),
-        operators(mesh, connectivity, type), genus(connectivity.genus(mesh))
+        operators(mesh, connectivity, type, threads), genus(connectivity.genus(mesh))
     {
       tangent.align(mesh, connectivity, operators.frames);
     }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <memory>
@@ -64,6 +65,9 @@ public:
   // of the distances that follow; returns whether the solver knows such an error
   bool set_maximum_relative_error(double error) { return model_->set_maximum_relative_error(error); }
 
+  // is told the share of the next distances that is done, if the solver knows it
+  void report_to(const Progress& progress) { model_->report_to(progress); }
+
   // what the package's exact solver found in the last call, or null; where windows have been merged there are no paths
   const Geodesic_results* geodesics() const
   {
@@ -79,6 +83,7 @@ private:
     virtual void set_mesh(const Indexed_triangle_mesh& mesh) = 0;
     virtual void compute_distances(const Indexed_source& source, std::vector<double>& distances) = 0;
     virtual bool set_maximum_relative_error(double error) = 0;
+    virtual void report_to(const Progress& progress) = 0;
     virtual const Geodesic_results* geodesics() const = 0;
   };
 
@@ -93,6 +98,7 @@ private:
       solver.compute_distances(source, distances);
     }
     bool set_maximum_relative_error(double error) override { return set_own_error(solver, error, 0); }
+    void report_to(const Progress& progress) override { set_own_progress(solver, progress, 0); }
     const Geodesic_results* geodesics() const override { return own_geodesics(solver, 0); }
     Solver solver;
   };
@@ -130,6 +136,17 @@ private:
   static bool set_own_error(Solver&, double, long)
   {
     return false;
+  }
+
+  template <typename Solver>
+  static auto set_own_progress(Solver& solver, const Progress& progress, int)
+    -> decltype(solver.report_to(progress)) // if it has that
+  {
+    solver.report_to(progress);
+  }
+  template <typename Solver>
+  static void set_own_progress(Solver&, const Progress&, long)
+  {
   }
 
   template <typename Solver>

@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
@@ -72,6 +73,8 @@ public:
   virtual void expect(const Branch_strength& least) = 0;
   // of the distances of the sources that follow
   virtual void set_maximum_relative_error(double error) = 0;
+  // is told the share of the next stage that is done; what it throws leaves the solver for the next source
+  virtual void report_to(const Progress& progress) = 0;
   // comes first, or, of the sources, after `expect()`; several sources are at different points
   virtual void compute_distance(const std::vector<Indexed_source>& sources) = 0;
   // `edges` becomes the curve of mesh edges, whichever curve is asked for

@@ -256,7 +256,7 @@ inline void complete_seams(const Indexed_triangle_mesh& mesh, const Mesh_connect
     }
   }
   if(second == null_index)
-    throw Invalid_input("the surface has too few edges to cut it open");
+    throw Invalid_input(Cause::TOO_INACCURATE, "the surface has too few edges to cut it open");
   add_seam(mesh, connectivity.ring_halfedge[begin + first], seams);
   add_seam(mesh, connectivity.ring_halfedge[begin + second], seams);
 }

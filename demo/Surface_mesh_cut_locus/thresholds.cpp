@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "thresholds.h"
+
+#include <limits>
+#include <string>
+
+using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::Method;
+
+namespace {
+
+constexpr std::size_t enough_smoothing = 4; // steps
+
+} // namespace
+
+Mesh::Vertex_index find_vertex(std::size_t number, const Input_mesh& input, const std::string& origin)
+{
+  if(number >= input.vertex.size())
+    throw Usage_error(origin + " " + std::to_string(number) + " is out of range: the mesh has the vertices 0 to " +
+                      std::to_string(input.vertex.size() - 1));
+  const Mesh::Vertex_index v = input.vertex[number];
+  if(v == Mesh::null_vertex())
+    throw Usage_error(origin + " " + std::to_string(number) +
+                      ": this vertex belongs to no face that has an area, and is not in the repaired mesh (" +
+                      description(input.repairs) + "): another vertex, or --source-point, is needed");
+  return v;
+}
+
+Options fill_in_defaults(Options options, const Cut_locus_solver& solver)
+{
+  const auto fill_in = [](auto& option, auto value)
+  {
+    if(!option)
+      option = value;
+  };
+  const bool is_laplacian = options.method == Method::LAPLACIAN;
+  if(is_laplacian)
+  {
+    fill_in(options.angle, solver.gradient_angle_threshold());
+    fill_in(options.grow, false);
+    fill_in(options.smoothing, options.curve == Curve::THROUGH_FACES ? enough_smoothing : 0);
+  }
+  else if(options.minimum_branch_gap || options.minimum_branch_width)
+  {
+    fill_in(options.minimum_branch_gap, 0.);
+    fill_in(options.minimum_branch_width, 0.);
+  }
+  else
+  {
+    options.minimum_branch_gap = solver.minimum_branch_gap();
+    options.minimum_branch_width = solver.minimum_branch_width();
+  }
+  fill_in(options.minimum_branch_edges, is_laplacian ? solver.default_minimum_branch_edges() : 0);
+  fill_in(options.minimum_branch_length, 0.);
+  return options;
+}
+
+Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver, Curve curve)
+{
+  using CGAL::Cut_loci::Filter_policy;
+  const double least_length = options.minimum_branch_length.value_or(0.);
+  if(options.method != Method::LAPLACIAN)
+  {
+    const auto parameters = CGAL::parameters::minimum_branch_edges(options.minimum_branch_edges.value_or(0))
+                              .minimum_branch_length(least_length)
+                              .cut_locus_curve(curve);
+    // one of the two replaces the defaults of both
+    return options.minimum_branch_gap || options.minimum_branch_width
+             ? solver.cut_locus(parameters.minimum_branch_gap(options.minimum_branch_gap.value_or(0.))
+                                  .minimum_branch_width(options.minimum_branch_width.value_or(0.)))
+             : solver.cut_locus(parameters);
+  }
+  const std::size_t smoothing = curve == Curve::MESH_EDGES ? 0 : options.smoothing.value_or(enough_smoothing);
+  return solver.cut_locus(
+    CGAL::parameters::gradient_angle_threshold(options.angle.value_or(solver.gradient_angle_threshold()))
+      .laplacian_threshold(options.laplacian.value_or(-std::numeric_limits<double>::infinity()))
+      .filter_policy(options.grow.value_or(false) ? Filter_policy::GROWING : Filter_policy::PRUNING)
+      .minimum_branch_edges(options.minimum_branch_edges.value_or(solver.default_minimum_branch_edges()))
+      .minimum_branch_length(least_length)
+      .number_of_iterations(smoothing));
+}
+
+Curve curve_of_files(const Options& options)
+{
+  const bool smooths = options.smoothing.value_or(0) > 0;
+  const Curve by_default = options.method != Method::LAPLACIAN || smooths ? Curve::THROUGH_FACES : Curve::MESH_EDGES;
+  return options.curve.value_or(by_default);
+}

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_INTERNAL_PROGRESS_H
+#define CGAL_CUT_LOCI_INTERNAL_PROGRESS_H
+
+#include <functional>
+#include <utility>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// Tells whoever wants to know which share of the work is done. What the receiver throws leaves the work.
+class Progress
+{
+public:
+  Progress() = default;
+  explicit Progress(std::function<void(double)> receiver) : receiver_(std::move(receiver)) {}
+
+  bool is_wanted() const { return receiver_ != nullptr; }
+
+  void operator()(double share) const
+  {
+    if(is_wanted())
+      receiver_(first_ + share * (last_ - first_));
+  }
+
+  // that of a part of the work
+  Progress part(double first, double last) const
+  {
+    Progress result(*this);
+    result.first_ = first_ + first * (last_ - first_);
+    result.last_ = first_ + last * (last_ - first_);
+    return result;
+  }
+
+private:
+  std::function<void(double)> receiver_;
+  double first_ = 0., last_ = 1.;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_INTERNAL_PROGRESS_H

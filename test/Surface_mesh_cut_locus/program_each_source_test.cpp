@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// The cut loci of many sources by the program, in parts and in threads.
+
+#include "program_fixture.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Json = nlohmann::json;
+
+class Each_source : public Program
+{
+protected:
+  void SetUp() override
+  {
+    Program::SetUp();
+    write("sources.txt", "# vertices, and points\n1\n17\n\n 203 \n1.4, 0, 0\n-1.4 0 0\n88\n240\n");
+  }
+
+  std::string sources() const { return "--each-source " + quoted(path("sources.txt")); }
+
+  std::string results(const std::string& name, const std::string& arguments) const
+  {
+    const Outcome outcome = run_on_torus(sources() + " --quiet -o " + quoted(path(name)) + " " + arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.messages;
+    EXPECT_EQ(outcome.messages, "");
+    return read_file(path(name));
+  }
+
+  static std::vector<Json> lines(const std::string& text)
+  {
+    std::vector<Json> result;
+    std::istringstream is(text);
+    for(std::string line; std::getline(is, line);)
+      result.push_back(Json::parse(line));
+    return result;
+  }
+};
+
+TEST_F(Each_source, All_parts_one_after_another_are_one_run)
+{
+  const std::string all = results("all.jsonl", "");
+  EXPECT_EQ(lines(all).size(), 7u);
+  for(int parts : {1, 2, 3, 7, 9}) // of nine two are empty
+  {
+    std::string joined;
+    for(int part = 1; part <= parts; ++part)
+      joined += results("part.jsonl", "--part " + std::to_string(part) + "/" + std::to_string(parts));
+    EXPECT_EQ(joined, all) << parts << " parts";
+  }
+}
+
+TEST_F(Each_source, Threads_find_the_same)
+{
+  EXPECT_EQ(results("threads.jsonl", "--threads 0"), results("one.jsonl", ""));
+  for(const char* method : {"--method polyhedral", "--method laplacian --curve faces", "--max-relative-error 1e-3"})
+    EXPECT_EQ(results("threads.jsonl", std::string("--threads 0 ") + method), results("one.jsonl", method)) << method;
+}
+
+TEST_F(Each_source, A_line_tells_what_a_run_for_this_source_tells)
+{
+  const std::vector<Json> all = lines(results("all.jsonl", ""));
+  ASSERT_EQ(all.size(), 7u);
+  EXPECT_EQ(all[2]["source"], 203);
+  EXPECT_EQ(all[3]["source"], Json({1.4, 0., 0.}));
+  for(std::size_t i : {std::size_t(2), std::size_t(3)})
+  {
+    const std::string source = i == 2 ? "--source 203" : "--source-point 1.4,0,0";
+    ASSERT_EQ(run_on_torus(source + " --curve faces --quiet --report " + quoted(path("report.json"))).status, 0);
+    const Json report = Json::parse(read_file(path("report.json")));
+    for(const char* figure :
+        {"edges", "cycles", "leaves", "branchings", "length", "injectivity_radius", "farthest", "farthest_distance"})
+      EXPECT_EQ(all[i][figure], report[figure]) << figure;
+  }
+  std::size_t number_of_edges = 0;
+  for(const Json& polyline : all[2]["polylines"])
+    number_of_edges += polyline.size() - 1;
+  EXPECT_EQ(number_of_edges, all[2]["edges"]);
+}
+
+TEST_F(Each_source, The_report_names_the_smallest_and_the_largest_injectivity_radius)
+{
+  const std::vector<Json> all = lines(results("all.jsonl", "--report " + quoted(path("report.json"))));
+  const Json report = Json::parse(read_file(path("report.json")));
+  EXPECT_EQ(report["sources"], 7);
+  EXPECT_EQ(report["failed"], 0);
+  EXPECT_EQ(report["part"], Json({1, 1}));
+  double smallest = 1e9, largest = 0.;
+  for(const Json& line : all)
+  {
+    smallest = std::min(smallest, line["injectivity_radius"].get<double>());
+    largest = std::max(largest, line["injectivity_radius"].get<double>());
+  }
+  EXPECT_EQ(report["smallest_injectivity_radius"]["injectivity_radius"], smallest);
+  EXPECT_EQ(report["largest_injectivity_radius"]["injectivity_radius"], largest);
+}
+
+TEST_F(Each_source, Wrong_sources_and_options)
+{
+  const std::string output = " -o " + quoted(path("x.jsonl"));
+  expect_failure(run_on_torus(sources()), "-o FILE.jsonl");
+  expect_failure(run_on_torus(sources() + " -o " + quoted(path("x.obj"))), "-o FILE.jsonl");
+  expect_failure(run_on_torus(sources() + output + " --source 3"), "exclude each other");
+  expect_failure(run_on_torus("--part 1/2"), "--part is for --each-source");
+  for(const char* part : {"0/2", "3/2", "1", "1/", "/2", "1/2/3", "a/b", "1/0"})
+    expect_failure(run_on_torus(sources() + output + " --part " + part), "--part takes");
+  expect_failure(run_on_torus("--quiet --each-source " + quoted(path("none.txt")) + output), "cannot read");
+  const auto refuse = [&](const std::string& text, const std::string& part)
+  {
+    write("wrong.txt", text);
+    expect_failure(run_on_torus("--quiet --each-source " + quoted(path("wrong.txt")) + output), part);
+  };
+  refuse("", "empty");
+  refuse("1\n2 3\n", "line 2 of");
+  refuse("-1\n", "line 1 of");
+  refuse("nan 0 0\n", "line 1 of");
+  refuse("1\n99999\n", "99999 is out of range");
+  refuse("0\n", "isolated vertex");
+  expect_failure(run_on_torus("--each-source " + quoted(path("x.jsonl")) + output), "would overwrite");
+}
+
+} // namespace

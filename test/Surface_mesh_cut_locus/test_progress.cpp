@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// A visitor is told how far a stage is, and what it throws there leaves the computation, not the object.
+
+#include "built_mesh.h"
+#include "result_numbers.h"
+#include "test_meshes.h"
+
+#include <CGAL/Cut_loci/Default_visitor.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_cut_locus.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Stage;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
+namespace params = CGAL::parameters;
+
+struct Recording_visitor : public CGAL::Cut_loci::Default_visitor
+{
+  std::map<Stage, std::vector<double>> shares; // of the last run of each stage
+  std::vector<Stage> open;
+
+  void start_stage(Stage stage)
+  {
+    shares[stage].clear();
+    open.push_back(stage);
+  }
+  void end_stage(Stage) { open.pop_back(); }
+  void progress(Stage stage, double share)
+  {
+    EXPECT_FALSE(open.empty() || open.back() != stage);
+    shares[stage].push_back(share);
+  }
+};
+
+struct Canceled : public std::runtime_error
+{
+  Canceled() : std::runtime_error("canceled") {}
+};
+
+// throws at one of the calls within a stage
+struct Canceling_visitor
+{
+  Stage stage;
+  std::size_t at, number = 0;
+
+  Canceling_visitor(Stage s, std::size_t i) : stage(s), at(i) {}
+  void start_stage(Stage) {}
+  void end_stage(Stage) {}
+  void progress(Stage s, double)
+  {
+    if(s == stage && ++number == at)
+      throw Canceled();
+  }
+};
+
+class Progress_of_stages : public testing::Test
+{
+protected:
+  const Built_mesh<Mesh> built{test_meshes::torus(1., 0.4, 120, 48, 0.2, 1)};
+  const Mesh::Vertex_index source = built.vertices[7], other = built.vertices[5000];
+};
+
+TEST_F(Progress_of_stages, It_grows_from_zero_to_one)
+{
+  for(Method method : {Method::DIRECTION, Method::POLYHEDRAL, Method::LAPLACIAN})
+  {
+    Recording_visitor visitor;
+    Solver solver(built.mesh, params::cut_locus_method(method).visitor(std::ref(visitor)));
+    solver.set_source(source);
+    EXPECT_GE(visitor.shares[Stage::DISTANCE].size(), 4u);
+    EXPECT_LT(visitor.shares[Stage::DISTANCE].front(), 0.1);
+    EXPECT_GT(visitor.shares[Stage::DISTANCE].back(), 0.9);
+    EXPECT_EQ(visitor.shares[Stage::STRENGTH].empty(), method == Method::LAPLACIAN);
+    for(const auto& [stage, shares] : visitor.shares)
+      for(std::size_t i = 0; i < shares.size(); ++i)
+      {
+        EXPECT_GE(shares[i], i == 0 ? 0. : shares[i - 1]);
+        EXPECT_LE(shares[i], 1.);
+      }
+  }
+}
+
+TEST_F(Progress_of_stages, What_is_thrown_leaves_no_source_and_an_object_that_can_be_used)
+{
+  for(Method method : {Method::DIRECTION, Method::POLYHEDRAL, Method::LAPLACIAN})
+  {
+    Solver untouched(built.mesh, params::cut_locus_method(method));
+    untouched.set_source(source);
+    const std::vector<double> expected = result_numbers(untouched.cut_locus());
+    for(Stage stage : {Stage::DISTANCE, Stage::STRENGTH})
+      for(std::size_t at : {1, 2})
+      {
+        if(method == Method::LAPLACIAN && stage == Stage::STRENGTH)
+          continue;
+        Canceling_visitor visitor(stage, at);
+        Solver solver(built.mesh, params::cut_locus_method(method).visitor(std::ref(visitor)));
+        visitor.number = at; // not yet
+        solver.set_source(other);
+        visitor.number = 0;
+        EXPECT_THROW(solver.set_source(source), Canceled);
+        EXPECT_THROW(solver.cut_locus(), CGAL::Cut_loci::Invalid_input);
+        solver.set_source(source);
+        EXPECT_EQ(result_numbers(solver.cut_locus()), expected);
+      }
+  }
+}
+
+TEST_F(Progress_of_stages, A_threshold_that_needs_more_can_be_canceled_too)
+{
+  Canceling_visitor visitor(Stage::FILTER, 3);
+  Solver solver(built.mesh, params::visitor(std::ref(visitor)));
+  solver.set_source(source);
+  const std::vector<double> by_default = result_numbers(solver.cut_locus());
+  const auto all = params::minimum_branch_width(0.);
+  visitor.number = 0;
+  EXPECT_THROW(solver.cut_locus(all), Canceled);
+  EXPECT_EQ(result_numbers(solver.cut_locus()), by_default);
+  Solver untouched(built.mesh);
+  untouched.set_source(source);
+  EXPECT_EQ(result_numbers(solver.cut_locus(all)), result_numbers(untouched.cut_locus(all)));
+}
+
+// knows nothing of shares
+struct Plain_visitor
+{
+  int number = 0;
+  void start_stage(Stage) { ++number; }
+  void end_stage(Stage) {}
+};
+
+TEST_F(Progress_of_stages, A_visitor_needs_no_function_for_it)
+{
+  Plain_visitor visitor;
+  Solver solver(built.mesh, params::visitor(std::ref(visitor)));
+  solver.set_source(source);
+  EXPECT_EQ(visitor.number, 6); // twice for the mesh
+  EXPECT_FALSE(result_numbers(solver.cut_locus()).empty());
+}
+
+} // namespace
