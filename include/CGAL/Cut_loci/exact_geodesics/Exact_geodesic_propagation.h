@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_batches.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_slim_edges.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_windows.h>
 #include <CGAL/Cut_loci/internal/separate_compilation.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -63,7 +64,8 @@ public:
   /// for a mesh that has been read: several of them may share it, also in several threads
   explicit Exact_geodesic_propagation(std::shared_ptr<const Geodesic_faces> faces)
     : Geodesic_results(std::move(faces)),
-      batches_(faces_.number_of_halfedges(), faces_.number_of_vertices(), 0.5 * faces_.mean_edge_length())
+      batches_(faces_.number_of_halfedges(), faces_.number_of_vertices(), 0.5 * faces_.mean_edge_length()),
+      slim_edges_(faces_)
   {
   }
 
@@ -136,6 +138,7 @@ private:
   bool goes_right(std::size_t w, std::size_t first, std::size_t winner) const;
 
   Geodesic_batches batches_;
+  Geodesic_slim_edges slim_edges_;
   Geodesic_window_observer* observer_ = nullptr; // in the run in work
   std::vector<unsigned char> sides_;             // of the apex, for the windows in work
   double maximum_distance_ = infinity, tolerance_ = 0., merging_angle_ = 0.;
