@@ -26,7 +26,7 @@ namespace internal {
  *
  * Straight lines that go up a spike wind around it, about as often as it is longer than wide, and nothing that a batch
  * knows says that they are not shortest: the batch of the first turn has been forgotten. So what has crossed the long
- * edges of slim faces is remembered, from both sides, and what comes later and is nowhere shorter is dropped.
+ * edges of slim faces many times is remembered, from both sides, and what comes later and is nowhere shorter is dropped.
  */
 class Geodesic_slim_edges
 {
@@ -56,10 +56,14 @@ public:
     if(found == known_.end())
       return;
     Known& known = found->second;
+    if(known.visits < first_visits)
+    {
+      ++known.visits;
+      return;
+    }
     const bool is_mirrored = edge(h) != h;
     const double length = faces_.length(h);
-    if(++known.visits > first_visits)
-      drop<columns>(known, list, length, is_mirrored);
+    drop<columns>(known, list, length, is_mirrored);
     if(!list.empty())
       remember<columns>(known, list, length, is_mirrored);
   }
@@ -67,8 +71,9 @@ public:
 private:
   // Well shaped faces have none; a spike of this shape has some hundred windows.
   static constexpr double slim = 32.;
-  // Where an edge is on the cut locus, shortest paths reach all of it from both sides: these come first.
-  static constexpr unsigned first_visits = 4;
+  // Batches that come once from each side, or a few times, are cheaper than what is remembered of them. And where an edge
+  // is on the cut locus, shortest paths reach all of it from both sides, and neither is to be dropped: these come first.
+  static constexpr unsigned first_visits = 8;
 
   struct Known
   {
