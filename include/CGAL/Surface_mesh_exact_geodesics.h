@@ -18,6 +18,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -171,13 +172,13 @@ public:
   /// Neighbouring windows are then merged, so that a halfedge seldom has more than a few of them, and time and memory
   /// grow about linearly with the number of faces. No distance is shorter than the exact one, nor longer than
   /// `1 + error` times it, both up to rounding; `distance_error()` says how accurate each is. There are no directions
-  /// and no paths: functions that need them throw.
+  /// and no paths: functions that need them throw. More than a tenth is taken for a tenth, as it would save nothing.
   /// \throws Cut_loci::Invalid_input if `error` is negative or not a number
   void set_maximum_relative_error(FT error)
   {
     if(!(error >= 0.))
       throw Cut_loci::Invalid_input("the maximum relative error must not be negative");
-    options_.maximum_relative_error = error;
+    options_.maximum_relative_error = (std::min)(error, FT(0.1));
   }
 
   /// asks for the directions at the source, at the price of some 10 % more time. Off by default.

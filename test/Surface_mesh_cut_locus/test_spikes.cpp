@@ -10,6 +10,8 @@
 #include "built_mesh.h"
 #include "polyhedra.h"
 
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_exact_geodesics.h>
@@ -19,6 +21,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 namespace {
 
@@ -104,6 +107,25 @@ TEST(Spikes, have_cut_loci)
         CGAL::compute_cut_locus(built.mesh, built.vertices[source], params::cut_locus_method(Method::POLYHEDRAL));
       EXPECT_EQ(num_vertices(full.graph()), num_edges(full.graph()) + 1) << k;
     }
+}
+
+// Rounding makes both diagonals of the faces of this spike look wrong: the heat method would flip them for ever.
+TEST(Spikes, for_which_the_heat_method_does_not_end_are_refused)
+{
+  Mesh_data m = test_meshes::cube(2);
+  for(double& x : m.points[m.triangles[7][0]])
+    x *= 1e8;
+  const Built built(m);
+  try
+  {
+    CGAL::compute_cut_locus(built.mesh, built.vertices[m.triangles[20][0]],
+                            params::geodesic_solver(CGAL::Heat_method_geodesic_solver<>()));
+    ADD_FAILURE() << "no error";
+  }
+  catch(const CGAL::Cut_loci::Invalid_input& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("Intrinsic_Delaunay does not end"), std::string::npos) << error.what();
+  }
 }
 
 } // namespace
