@@ -7,6 +7,8 @@
 #ifndef CGAL_HEAT_METHOD_GEODESIC_SOLVER_H
 #define CGAL_HEAT_METHOD_GEODESIC_SOLVER_H
 
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/face_graph/intrinsic_flips.h>
 #include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/insert_vertex.h>
@@ -14,6 +16,7 @@
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -24,7 +27,8 @@ namespace CGAL {
  * approximates geodesic distances with `CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3`
  * \cgalCite{cgal:cww-ghnac-13}. The matrices are factored once per mesh; each
  * source takes two back substitutions. A source that is not a vertex is inserted into a copy of the mesh, which is
- * factored anew.
+ * factored anew. Where the edge flips of `Heat_method_3::Intrinsic_Delaunay` would not end, the mesh is refused by a
+ * `Cut_loci::Invalid_input`.
  *
  * @tparam Mode `Heat_method_3::Direct`, or `Heat_method_3::Intrinsic_Delaunay`, which is more accurate on meshes with
  *         badly shaped faces
@@ -68,8 +72,20 @@ private:
     Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, Mode> heat_method;
 
     explicit Factored(const Cut_loci::Indexed_triangle_mesh& input)
-      : mesh(Cut_loci::internal::surface_mesh_copy(input)), heat_method(mesh)
+      : mesh(checked(Cut_loci::internal::surface_mesh_copy(input))), heat_method(mesh)
     {
+    }
+
+    static Mesh checked(Mesh mesh)
+    {
+      if constexpr(std::is_same<Mode, Heat_method_3::Intrinsic_Delaunay>::value)
+        if(!Cut_loci::internal::Intrinsic_flips(mesh).end())
+          throw Cut_loci::Invalid_input(
+            Cut_loci::Cause::TOO_INACCURATE,
+            "the heat method with Heat_method_3::Intrinsic_Delaunay does not end on this mesh, which has faces so thin "
+            "that rounding decides which edges to flip: take Heat_method_geodesic_solver<Heat_method_3::Direct> or the "
+            "default solver, or remesh the faces");
+      return mesh;
     }
 
     void compute(Cut_loci::Index source, std::vector<double>& distances)

@@ -15,6 +15,7 @@
 #include <CGAL/Cut_loci/face_graph/Visitor_handle.h>
 #include <CGAL/Cut_loci/face_graph/concurrency.h>
 #include <CGAL/Cut_loci/face_graph/method_parameters.h>
+#include <CGAL/Cut_loci/face_graph/read_edge_lengths.h>
 #include <CGAL/Cut_loci/face_graph/read_source.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
@@ -28,6 +29,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -95,6 +97,17 @@ public:
    *     \cgalParamType{`Vertex_point_map`}
    *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{edge_length_map}
+   *     \cgalParamDescription{the lengths of the edges, which are the metric then: an intrinsic triangulation, or a metric
+   *                           without an embedding. The points are for output only.}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a number as value type}
+   *     \cgalParamDefault{the distances between the points}
+   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN` and other solvers, which need points. What is in units of
+   *                     the diagonal of the bounding box is then in units of the square root of the area, and the width of
+   *                     a branch is found from the angles at which paths part and meet, see Section
+   *                     \ref Surface_mesh_cut_locus_lengths.}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{geodesic_solver}
    *     \cgalParamDescription{the solver that computes the distances}
    *     \cgalParamType{a model of `GeodesicSolver`}
@@ -131,7 +144,7 @@ public:
    * \cgalNamedParamsEnd
    *
    * @throws Cut_loci::Invalid_input if the mesh has no vertices or no faces, a face is not a triangle, a coordinate is
-   *         not finite, or a parameter is given that has no meaning for the method
+   *         not finite, lengths are no lengths of triangles, or a parameter is given that has no meaning for the method
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Surface_mesh_cut_locus(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -152,11 +165,16 @@ public:
     fixed_method_ = choose_parameter(get_parameter(np, internal_np::cut_locus_method), fixed_method_);
     method_ = method_for(np);
     Cut_loci::internal::refuse_parameters_of_other_methods(method_, np);
+    constexpr bool has_lengths = Cut_loci::internal::has_edge_lengths<CGAL_NP_CLASS>();
+    if(has_lengths && has_own_solver_)
+      Cut_loci::internal::refuse_lengths("the geodesic_solver");
+    refuse_lengths(has_lengths, method_);
     visitor_ = Cut_loci::internal::Visitor_handle(
       choose_parameter(get_parameter(np, internal_np::visitor), Cut_loci::Default_visitor()));
     threads_ = Cut_loci::internal::threads_of<CGAL_NP_CLASS>();
     const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
-    const auto read = std::make_shared<Read>(Cut_loci::internal::read_triangle_mesh(tm, vpm_));
+    const auto read = std::make_shared<Read>(Cut_loci::internal::read_triangle_mesh(tm, vpm_, !has_lengths));
+    Cut_loci::internal::read_edge_lengths(tm, *read, get_parameter(np, internal_np::edge_length_map));
     Cut_loci::internal::normalize_lengths(*read);
     read_ = read;
     component_of_face_ = std::make_shared<const std::vector<Index>>(
@@ -234,9 +252,11 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
+   * Faces without area are taken, but for `Cut_loci::Method::LAPLACIAN`: see Section \ref Surface_mesh_cut_locus_robustness.
+   *
    * @throws Cut_loci::Invalid_input if the source is null, isolated or not in the mesh, if a face of its component
-   *         has no area, if a vertex of its component is not manifold, if a distance is not a finite number, if a
-   *         parameter is given that has no meaning for the method, or if there is a `maximum_relative_error` that is out of
+   *         has no area that the method needs, if a vertex of its component is not manifold, if a distance is not a
+   *         finite number, if a parameter is given that has no meaning for the method, or if there is a `maximum_relative_error` that is out of
    *         its range, or not zero where the distances are not those of `Exact_geodesic_solver` or the method is
    *         `Cut_loci::Method::POLYHEDRAL`
    */
@@ -314,7 +334,8 @@ public:
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{minimum_branch_width}
    *     \cgalParamDescription{the least value, over the points of a branch, of the largest separation of the two shortest
-   *                           paths to them, in units of the diagonal of the bounding box of the source's component: how
+   *                           paths to them, in units of the diagonal of the bounding box of the source's component, or,
+   *                           with an `edge_length_map`, of the square root of its area: how
    *                           large what the branch goes around is}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{with `Cut_loci::Method::DIRECTION` what the mesh and its noise explain, see
@@ -425,8 +446,10 @@ public:
     else
     {
       Exact_tree_method& solver = *component_->exact_tree;
-      found = solver.filter(read_exact_tree_thresholds(np, default_thresholds(solver), component_->diagonal),
-                            curve.curve, mesh_edges);
+      Exact_tree_thresholds thresholds =
+        read_exact_tree_thresholds(np, default_thresholds(solver), component_->diagonal);
+      thresholds.width = (std::max)(thresholds.width, component_->least_width);
+      found = solver.filter(thresholds, curve.curve, mesh_edges);
     }
     mark_edges(mesh_edges, parameters::get_parameter(np, internal_np::edge_is_constrained));
     return Builder(tm_, vpm_, read_, *component_)(found, sources_, source_result_);
@@ -495,6 +518,7 @@ private:
     if(sources.size() > 1)
       Cut_loci::internal::refuse_several_sources(method);
     const double error = Cut_loci::internal::read_maximum_relative_error(np);
+    refuse_lengths(read_->mesh.is_intrinsic, method);
     source_result_.reset();
     method_ = method;
     constexpr bool runs_solver = !Cut_loci::internal::is_given<NamedParameters, internal_np::vertex_distance_map_t>();
@@ -538,6 +562,12 @@ private:
     if(component.geodesic_solver.empty())
       component.geodesic_solver = solver_.bound_to(*component.mesh);
     return component.geodesic_solver;
+  }
+
+  static void refuse_lengths(bool has_lengths, Cut_loci::Method method)
+  {
+    if(has_lengths && method == Cut_loci::Method::LAPLACIAN)
+      Cut_loci::internal::refuse_lengths("the method " + std::string(Cut_loci::name_of(method)));
   }
 
   template <typename Solver, typename NamedParameters>

@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_path_tracing.h>
+#include <CGAL/Cut_loci/face_graph/read_edge_lengths.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -17,6 +18,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -101,17 +103,21 @@ public:
    *     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t` must be
    *                     available in `TriangleMesh`.}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{edge_length_map}
+   *     \cgalParamDescription{the lengths of the edges, which are the metric then: an intrinsic triangulation, or a metric
+   *                           without an embedding. The points are for output only.}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a number as value type}
+   *     \cgalParamDefault{the distances between the points}
+   *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \throws Cut_loci::Invalid_input if `tm` has no faces, a face that is no triangle or has no area, a coordinate that
-   *         is not finite, or a vertex whose faces form more than one fan
+   * \throws Cut_loci::Invalid_input if `tm` has no faces, a face that is no triangle, a coordinate that is not finite,
+   *         lengths that no triangle has, or a vertex whose faces form more than one fan
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Surface_mesh_exact_geodesics(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
-    : mesh_(&tm), read_(Cut_loci::internal::read_triangle_mesh(
-                    tm, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                     get_const_property_map(CGAL::vertex_point, tm)))),
-      geodesics_(read_.mesh, &read_.positions)
+    : mesh_(&tm), read_(read(tm, np)), geodesics_(read_.mesh, &read_.positions)
   {
     // the solver has a copy of all it needs
     read_.mesh = Cut_loci::Indexed_triangle_mesh();
@@ -168,14 +174,14 @@ public:
   /// Neighbouring windows are then merged, so that a halfedge seldom has more than a few of them, and time and memory
   /// grow about linearly with the number of faces. No distance is shorter than the exact one, nor longer than
   /// `1 + error` times it, both up to rounding; `distance_error()` says how accurate each is. There are no directions
-  /// and no paths: functions that need them throw.
+  /// and no paths: functions that need them throw. More than a tenth is taken for a tenth, as it would save nothing.
   /// \throws Cut_loci::Invalid_input if `error` is negative or not a number
   void set_maximum_relative_error(FT error)
   {
     if(!(error >= 0.))
       throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
                                     "the maximum relative error must not be negative");
-    options_.maximum_relative_error = error;
+    options_.maximum_relative_error = (std::min)(error, FT(0.1));
   }
 
   /// asks for the directions at the source, at the price of some 10 % more time. Off by default.
@@ -347,6 +353,24 @@ public:
   std::size_t number_of_windows() const { return geodesics_.number_of_windows(); }
 
 private:
+  using Read = Cut_loci::internal::Read_triangle_mesh<TriangleMesh>;
+
+  template <typename NamedParameters>
+  static Read read(const TriangleMesh& tm, const NamedParameters& np)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    namespace internal = Cut_loci::internal;
+    Read result = internal::read_triangle_mesh(
+      tm,
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm)),
+      !internal::has_edge_lengths<NamedParameters>());
+    internal::read_edge_lengths(tm, result, get_parameter(np, internal_np::edge_length_map));
+    if(internal::needs_mollification(result.mesh))
+      result.mesh.lengths = internal::Mollification(result.mesh).lengths;
+    return result;
+  }
+
   static constexpr FT infinity() { return (std::numeric_limits<FT>::infinity)(); }
 
   void require_exact() const
@@ -384,7 +408,7 @@ private:
   }
 
   const TriangleMesh* mesh_;
-  Cut_loci::internal::Read_triangle_mesh<TriangleMesh> read_;
+  Read read_;
   Cut_loci::internal::Exact_geodesic_propagation geodesics_;
   Cut_loci::internal::Exact_geodesic_options options_;
   std::vector<Cut_loci::Indexed_location> sources_;

@@ -46,6 +46,13 @@ namespace CGAL {
  *     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t` must be
  *                     available in `TriangleMesh`.}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_length_map}
+ *     \cgalParamDescription{the lengths of the edges, which are the metric then: an intrinsic triangulation, or a metric
+ *                           without an embedding. The points are for output only.}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a number as value type}
+ *     \cgalParamDefault{the distances between the points}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \throws Cut_loci::Invalid_input if the mesh or the source cannot be used

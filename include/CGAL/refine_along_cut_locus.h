@@ -11,7 +11,9 @@
 #include <CGAL/Cut_loci/curve/curve_refinement.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/output_maps.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
+#include <CGAL/Cut_loci/surface/split_fans.h>
 #include <CGAL/Cut_locus.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -21,7 +23,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -124,11 +125,12 @@ void refine_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh
   const auto read = internal::read_triangle_mesh(
     tm, choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm)));
   const internal::Curve_on_mesh curve = internal::curve_on_mesh(read, tm, cut_locus);
+  const internal::Mesh_of_fans fans = internal::split_fans(read.mesh); // components may touch in a vertex
   const Cut_loci::Refined_mesh refined =
-    Cut_loci::refine_along_curve(read.mesh, internal::manifold_connectivity(read.mesh), curve.graph, resolution);
+    Cut_loci::refine_along_curve(fans.mesh, Cut_loci::Mesh_connectivity(fans.mesh), curve.graph, resolution);
 
-  std::vector<Cut_loci::Index> origin(refined.mesh.number_of_vertices(), Cut_loci::null_index);
-  std::iota(origin.begin(), origin.begin() + read.mesh.number_of_vertices(), Cut_loci::Index(0));
+  std::vector<Cut_loci::Index> origin = fans.vertices;
+  origin.resize(refined.mesh.number_of_vertices(), Cut_loci::null_index);
   const auto built = internal::output_mesh(tm, read, refined.mesh, origin, refined.faces, output, np_in, np_out);
   internal::output_seams(refined.mesh, refined.seams, built, output,
                          get_parameter(np_out, internal_np::edge_is_constrained));

@@ -35,7 +35,7 @@ BAD_MESHES = {
     "three faces": (np.concatenate([POINTS, [[2., 2., 0.]]]), np.concatenate([FACES, [[0, 2, 6]]]), "same direction"),
     "two fans": (np.concatenate([POINTS, POINTS[1:] + [2., 0., 0.]]),
                  np.concatenate([FACES, np.where(FACES == 1, 0, FACES + 5 + (FACES == 0))]), "not manifold"),
-    "no area": (with_value(POINTS, 0, POINTS[2]), FACES, r"face #0 \(vertices 0 2 4\) has no area"),
+    "no area": (POINTS * [1., 0., 0.], FACES, r"face #0 \(vertices 0 2 4\) has no area"),
 }
 
 
@@ -47,6 +47,12 @@ def test_meshes(name):
         cut_locus.compute(points, faces, 1)
     with pytest.raises(ValueError):
         cut_locus.exact_geodesic_distances(points, faces, 1)
+
+
+def test_faces_without_area():
+    points = with_value(POINTS, 0, POINTS[2])
+    assert cut_locus.exact_geodesic_distances(points, FACES, 2)[0] == pytest.approx(0., abs=1e-11)
+    assert len(cut_locus.compute(points, FACES, 1).vertices) > 0
 
 
 def test_open_fans():

@@ -235,7 +235,7 @@ TEST(Bad_input, a_coordinate_that_is_not_finite_is_refused_by_its_vertex)
     }
 }
 
-TEST(Bad_input, a_face_without_area_is_refused_by_its_vertices)
+TEST(Bad_input, a_face_without_area_is_refused_by_its_vertices_where_points_are_needed)
 {
   Mesh_data data = square(4);
   // the middle of three vertices in a row moved onto the line between two neighbors: a cap
@@ -249,7 +249,12 @@ TEST(Bad_input, a_face_without_area_is_refused_by_its_vertices)
   for(const Mesh_data& bad : {data, same_point})
   {
     const Built built(bad);
-    const std::string message = message_of([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); });
+    const std::string message = message_of(
+      [&]
+      {
+      CGAL::compute_cut_locus(built.mesh, built.vertices[0],
+                              params::cut_locus_method(CGAL::Cut_loci::Method::LAPLACIAN));
+    });
     EXPECT_NE(message.find("has no area"), std::string::npos) << message;
     EXPECT_NE(message.find("face #"), std::string::npos) << message;
     EXPECT_NE(message.find("(vertices "), std::string::npos) << message;

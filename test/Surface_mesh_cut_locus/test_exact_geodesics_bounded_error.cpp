@@ -286,6 +286,16 @@ TEST(Bounded_error, has_no_directions_and_paths)
   CGAL::Surface_mesh_exact_geodesics<Surface_mesh> geodesics(mesh);
   for(double bad : {-1., std::numeric_limits<double>::quiet_NaN()})
     EXPECT_THROW(geodesics.set_maximum_distance(bad), Invalid_input);
+  geodesics.set_maximum_relative_error(0.);
+  geodesics.compute(*vertices(mesh).begin());
+  const std::size_t exact = geodesics.number_of_windows();
+  // however large the error, it ends, and takes no longer than without
+  for(double error : {0.1, 1., 1e15, std::numeric_limits<double>::infinity()})
+  {
+    geodesics.set_maximum_relative_error(error);
+    geodesics.compute(*vertices(mesh).begin());
+    EXPECT_LE(geodesics.number_of_windows(), exact) << error;
+  }
   EXPECT_THROW(geodesics.set_maximum_relative_error(-0.1), Invalid_input);
   EXPECT_THROW(geodesics.set_maximum_relative_error(std::numeric_limits<double>::quiet_NaN()), Invalid_input);
   geodesics.set_maximum_relative_error(0.1);

@@ -67,9 +67,7 @@ public:
       const Index e = exclusive_or[p];
       const Index a = point_of(graph.edges[e].source), b = point_of(graph.edges[e].target), q = a == p ? b : a;
       twig_at[p] = static_cast<Index>(twigs_.size());
-      twigs_.push_back({e, p, q, null_index,
-                        norm(position(mesh, graph.nodes[graph.edges[e].source]) -
-                             position(mesh, graph.nodes[graph.edges[e].target]))});
+      twigs_.push_back({e, p, q, null_index, length(mesh, graph, graph.edges[e])});
       exclusive_or[q] ^= e;
       if(--degree[q] == 1)
         stack.push_back(q);
@@ -97,6 +95,14 @@ public:
   }
 
 private:
+  static double length(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& graph,
+                       const Indexed_cut_locus::Edge& e)
+  {
+    return e.halfedge != null_index
+             ? edge_length(mesh, e.halfedge)
+             : norm(position(mesh, graph.nodes[e.source]) - position(mesh, graph.nodes[e.target]));
+  }
+
   static Vector position(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus::Node& node)
   {
     Vector result = {{0., 0., 0.}};

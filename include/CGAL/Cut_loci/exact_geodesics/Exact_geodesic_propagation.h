@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_batches.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_slim_edges.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_windows.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/separate_compilation.h>
@@ -64,7 +65,8 @@ public:
   /// for a mesh that has been read: several of them may share it, also in several threads
   explicit Exact_geodesic_propagation(std::shared_ptr<const Geodesic_faces> faces)
     : Geodesic_results(std::move(faces)),
-      batches_(faces_.number_of_halfedges(), faces_.number_of_vertices(), 0.5 * faces_.mean_edge_length())
+      batches_(faces_.number_of_halfedges(), faces_.number_of_vertices(), 0.5 * faces_.mean_edge_length()),
+      slim_edges_(faces_)
   {
   }
 
@@ -153,6 +155,7 @@ private:
   bool goes_right(std::size_t w, std::size_t first, std::size_t winner) const;
 
   Geodesic_batches batches_;
+  Geodesic_slim_edges slim_edges_;
   Geodesic_window_observer* observer_ = nullptr; // in the run in work
   std::vector<unsigned char> sides_;             // of the apex, for the windows in work
   std::vector<Path_beside> beside_;              // see `note_path_beside()`

@@ -53,6 +53,7 @@ inline void Exact_geodesic_propagation::start(const std::vector<Indexed_location
     throw Invalid_input(Cause::NO_SOURCE, "no source");
   prepare(sources, options);
   batches_.prepare(options.maximum_distance);
+  slim_edges_.clear();
   maximum_distance_ = options.maximum_distance;
   tolerance_ = options.maximum_relative_error;
   merging_angle_ = options.merging_angle;
@@ -365,6 +366,8 @@ template <int columns>
 inline void Exact_geodesic_propagation::cross_face(Index h)
 {
   Geodesic_window_list* list = batches_.collect<columns>(h, faces_.length(h));
+  if(!slim_edges_.empty() && !is_approximate() && !list->empty())
+    slim_edges_.trim<columns>(h, *list);
   if(list->empty())
   {
     batches_.release(list);

@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Triangle_shape.h>
 
 #include <algorithm>
 #include <array>
@@ -72,7 +73,8 @@ class Geodesic_faces
 public:
   using Mesh = Indexed_triangle_mesh;
 
-  /// \throws Invalid_input if a coordinate is not finite, a face has no area, or a vertex has more than one fan
+  /// \throws Invalid_input if a coordinate is not finite, a face has no area, or a vertex has more than one fan; faces of
+  /// given lengths must have some
   explicit Geodesic_faces(const Mesh& mesh, const std::vector<Index>* positions = nullptr)
     : faces_(mesh.number_of_faces()), total_angle_(mesh.number_of_vertices(), 0.),
       first_(mesh.number_of_vertices(), null_index), kind_(mesh.number_of_vertices(), 0)
@@ -155,21 +157,12 @@ private:
     for(Index f = 0; f < mesh.number_of_faces(); ++f)
     {
       Geodesic_face& face = faces_[f];
-      std::array<Mesh::Point, 3> edge;
       std::array<double, 3> length, dots;
-      for(std::size_t i = 0; i < 3; ++i)
-      {
-        const std::size_t j = i == 2 ? 0 : i + 1;
-        const Mesh::Point& p = mesh.points[mesh.triangles[f][i]];
-        const Mesh::Point& q = mesh.points[mesh.triangles[f][j]];
-        edge[i] = {{q[0] - p[0], q[1] - p[1], q[2] - p[2]}};
-        length[i] = norm(edge[i][0], edge[i][1], edge[i][2]);
-        face.vertex[i] = mesh.triangles[f][i];
-        face.opposite[i] = mesh.opposite[3 * f + i];
-      }
-      const double twice_area =
-        norm(edge[0][1] * edge[1][2] - edge[0][2] * edge[1][1], edge[0][2] * edge[1][0] - edge[0][0] * edge[1][2],
-             edge[0][0] * edge[1][1] - edge[0][1] * edge[1][0]);
+      double twice_area;
+      if(mesh.lengths.empty())
+        read_points(mesh, f, length, dots, twice_area);
+      else
+        read_lengths(mesh, f, length, dots, twice_area);
       const double longest = (std::max)((std::max)(length[0], length[1]), length[2]);
       // below this height the rounding of the coordinates decides the shape; the test also fails on NaN and infinity
       if(!(twice_area > 1e-13 * longest * longest) || !(twice_area < (std::numeric_limits<double>::max)()))
@@ -177,13 +170,13 @@ private:
       for(std::size_t i = 0; i < 3; ++i)
       {
         const std::size_t k = i == 0 ? 2 : i - 1;
-        const double dot = -(edge[i][0] * edge[k][0] + edge[i][1] * edge[k][1] + edge[i][2] * edge[k][2]);
         const double scale = 1. / (length[i] * length[k]);
+        face.vertex[i] = mesh.triangles[f][i];
+        face.opposite[i] = mesh.opposite[3 * f + i];
         face.corner[i].length = length[i];
-        face.corner[i].cosine = dot * scale;
+        face.corner[i].cosine = dots[i] * scale;
         face.corner[i].sine = twice_area * scale;
         sum += length[i];
-        dots[i] = dot;
       }
       // the largest angle is the rest: that keeps small angles accurate
       const std::size_t i = longest == length[0] ? 2 : longest == length[1] ? 0 : 1, j = (i + 1) % 3, k = (i + 2) % 3;
@@ -194,6 +187,38 @@ private:
     }
     if(mesh.number_of_faces() > 0)
       mean_edge_length_ = sum / (3. * mesh.number_of_faces());
+  }
+
+  static void read_points(const Mesh& mesh, Index f, std::array<double, 3>& length, std::array<double, 3>& dots,
+                          double& twice_area)
+  {
+    std::array<Mesh::Point, 3> edge;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const std::size_t j = i == 2 ? 0 : i + 1;
+      const Mesh::Point& p = mesh.points[mesh.triangles[f][i]];
+      const Mesh::Point& q = mesh.points[mesh.triangles[f][j]];
+      edge[i] = {{q[0] - p[0], q[1] - p[1], q[2] - p[2]}};
+      length[i] = norm(edge[i][0], edge[i][1], edge[i][2]);
+    }
+    twice_area =
+      norm(edge[0][1] * edge[1][2] - edge[0][2] * edge[1][1], edge[0][2] * edge[1][0] - edge[0][0] * edge[1][2],
+           edge[0][0] * edge[1][1] - edge[0][1] * edge[1][0]);
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const std::size_t k = i == 0 ? 2 : i - 1;
+      dots[i] = -(edge[i][0] * edge[k][0] + edge[i][1] * edge[k][1] + edge[i][2] * edge[k][2]);
+    }
+  }
+
+  static void read_lengths(const Mesh& mesh, Index f, std::array<double, 3>& length, std::array<double, 3>& dots,
+                           double& twice_area)
+  {
+    for(std::size_t i = 0; i < 3; ++i)
+      length[i] = mesh.lengths[3 * std::size_t(f) + i];
+    const Triangle_shape shape(length);
+    dots = shape.dots;
+    twice_area = shape.twice_area;
   }
 
   static std::string name(Index v, const std::vector<Index>* positions)

@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_EXACT_TREE_H
 
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/exact_tree/Comparison_width.h>
 #include <CGAL/Cut_loci/exact_tree/Branch_widths.h>
 #include <CGAL/Cut_loci/exact_tree/Cut_graph.h>
 #include <CGAL/Cut_loci/exact_tree/Digon_width.h>
@@ -195,6 +196,8 @@ private:
   /// of the two paths to a point of the piece
   double separation(Index face, const Ridges::Piece& piece, const Plane_point& p) const
   {
+    if(mesh_.is_intrinsic)
+      return Comparison_width(geodesics_)(face, p, piece.images[0], piece.images[1]);
     return geodesics_.is_approximate() ? (*shots_)(face, p, piece.images[0], piece.images[1])
                                        : (*measure_)(face, p, piece.images[0], piece.images[1]);
   }

@@ -26,7 +26,7 @@
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/checked_mesh.h>
-#include <CGAL/Cut_loci/surface/vector_3.h>
+#include <CGAL/Cut_loci/surface/extent.h>
 
 #include <algorithm>
 #include <array>
@@ -182,18 +182,6 @@ private:
     }
   };
 
-  static double diagonal(const Indexed_triangle_mesh& mesh)
-  {
-    std::array<double, 3> low = mesh.points.front(), high = low;
-    for(const auto& p : mesh.points)
-      for(std::size_t i = 0; i < 3; ++i)
-      {
-        low[i] = (std::min)(low[i], p[i]);
-        high[i] = (std::max)(high[i], p[i]);
-      }
-    return norm(high - low);
-  }
-
   // `number` other than 0: with the sources moved, each time elsewhere
   void start(int number = 0)
   {
@@ -204,7 +192,7 @@ private:
       tree_.reset(new Exact_tree(mesh_, connectivity_, geodesics_, source_vertices()));
     tree_->report_to(progress_);
     // Windows may be merged where what is between them is half of what the weakest branch needs.
-    tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(surface_->diagonal));
+    tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(surface_->extent));
     tree_->propagate(locations(number), least_);
     for(double d : geodesics().distances())
       if(!(d < (std::numeric_limits<double>::infinity)()))
@@ -393,7 +381,7 @@ private:
   // what depends on the mesh alone
   struct Surface
   {
-    Surface(const Indexed_triangle_mesh& mesh, const Threads& threads) : diagonal(Exact_tree_solver::diagonal(mesh))
+    Surface(const Indexed_triangle_mesh& mesh, const Threads& threads) : extent(internal::extent(mesh))
     {
       std::exception_ptr error;
       const auto read = [&](std::size_t i)
@@ -414,7 +402,7 @@ private:
       checked_mesh(mesh, *connectivity); // has more to say
       if(error)
         std::rethrow_exception(error);
-      const Default_branch_strength strength(mesh, *connectivity, *faces, diagonal);
+      const Default_branch_strength strength(mesh, *connectivity, *faces, extent);
       thresholds.gap = strength.gap;
       thresholds.width = strength.width;
       thresholds.counts_meeting = strength.counts_meeting;
@@ -422,7 +410,7 @@ private:
 
     std::unique_ptr<const Mesh_connectivity> connectivity;
     std::shared_ptr<const Geodesic_faces> faces;
-    double diagonal;
+    double extent;
     Exact_tree_thresholds thresholds; // the default
   };
 

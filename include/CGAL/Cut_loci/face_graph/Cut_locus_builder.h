@@ -110,7 +110,7 @@ private:
     std::array<double, 3> p = {{0., 0., 0.}};
     for(int i = 0; i < 3; ++i)
       p = p + location.coordinates[i] * component_.mesh->points[triangle[i]];
-    p = read_->unit * p;
+    p = read_->unit_of_points * p;
     result.point = Point_3(p[0], p[1], p[2]);
     return result;
   }

@@ -17,6 +17,8 @@
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/checked_mesh.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
+#include <CGAL/Cut_loci/surface/extent.h>
+#include <CGAL/Cut_loci/surface/mollified_lengths.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
@@ -33,9 +35,11 @@ namespace internal {
 // needs it.
 struct Surface_component
 {
-  const Indexed_triangle_mesh* mesh = nullptr; // of the whole if there is just one component
-  std::shared_ptr<const Mesh_component> part;  // else
-  double diagonal = 0.;
+  const Indexed_triangle_mesh* mesh = nullptr;            // of the whole if there is just one component
+  std::shared_ptr<const Mesh_component> part;             // else
+  std::shared_ptr<const Indexed_triangle_mesh> mollified; // if a face has no area, for the exact solver
+  double least_width = 0.; // of branches: those that are narrower come from faces without area
+  double diagonal = 0.;    // or what it is of lengths alone, see `extent()`
   std::unique_ptr<Laplacian_method> laplacian;
   std::unique_ptr<Exact_tree_method> exact_tree;
   Geodesic_solver_handle geodesic_solver;
@@ -50,20 +54,21 @@ struct Surface_component
       part = std::make_shared<const Mesh_component>(extract_component(whole, component_of_face, id));
       mesh = &part->mesh;
     }
-    std::array<double, 3> low = mesh->points.front(), high = low;
-    for(const auto& p : mesh->points)
-      for(int i = 0; i < 3; ++i)
-      {
-        low[i] = (std::min)(low[i], p[i]);
-        high[i] = (std::max)(high[i], p[i]);
-      }
-    diagonal = norm(high - low);
+    diagonal = extent(*mesh);
+    if(needs_mollification(*mesh))
+    {
+      const auto thick = std::make_shared<Indexed_triangle_mesh>(*mesh);
+      const Mollification mollification(*mesh);
+      thick->lengths = mollification.lengths;
+      least_width = mollification.most_gained;
+      mollified = thick;
+    }
   }
 
   // shares what depends on the mesh alone
   Surface_component(const Surface_component& other)
-    : mesh(other.mesh), part(other.part), diagonal(other.diagonal),
-      laplacian(other.laplacian ? other.laplacian->for_other_sources() : nullptr),
+    : mesh(other.mesh), part(other.part), mollified(other.mollified), least_width(other.least_width),
+      diagonal(other.diagonal), laplacian(other.laplacian ? other.laplacian->for_other_sources() : nullptr),
       exact_tree(other.exact_tree ? other.exact_tree->for_other_sources() : nullptr)
   {
   }
@@ -125,7 +130,7 @@ struct Surface_component
       if(method == Method::LAPLACIAN)
         laplacian = make_laplacian_solver(*mesh, laplacian_operator, threads);
       else
-        exact_tree = make_exact_tree_solver(*mesh, threads);
+        exact_tree = make_exact_tree_solver(mollified ? *mollified : *mesh, threads);
     });
   }
 

@@ -41,6 +41,7 @@ struct Read_triangle_mesh
 
   Indexed_triangle_mesh mesh;
   double unit = 1.;                           // the length in the user's mesh of 1 in `mesh`
+  double unit_of_points = 1.;                 // the same, unless there are lengths: these are in a unit of their own
   std::vector<vertex_descriptor> vertices;    // the vertex of each index
   std::vector<Index> positions;               // its position in the range vertices(mesh), for messages and output
   std::vector<halfedge_descriptor> halfedges; // halfedge `3 * f + i` of the dense mesh
@@ -59,7 +60,8 @@ inline std::string face_name(Index position)
 
 // This is the one place that touches the mesh: everything after it runs on dense indices.
 template <typename TriangleMesh, typename VertexPointMap>
-Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, VertexPointMap vpm)
+Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, VertexPointMap vpm,
+                                                    bool needs_points = true)
 {
   using Result = Read_triangle_mesh<TriangleMesh>;
   using vertex_descriptor = typename Result::vertex_descriptor;
@@ -118,7 +120,7 @@ Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, Vert
       const auto& p = get(vpm, v);
       const Indexed_triangle_mesh::Point point = {
         {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
-      if(!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+      if(needs_points && !(std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2])))
         throw Invalid_input(Cause::INVALID_COORDINATE, vertex_name(position) + " has a coordinate that is not finite");
       put(result.index_of_vertex, v, result.mesh.number_of_vertices());
       result.mesh.points.push_back(point);
@@ -139,20 +141,28 @@ Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, Vert
   return result;
 }
 
-// Brings the largest coordinate near 1: products of lengths stay in the range of numbers, also of `float`, whatever the
-// unit of length. A power of two changes no digit.
+// Brings the largest coordinate, or length, near 1: products of lengths stay in the range of numbers, also of `float`,
+// whatever the unit of length. A power of two changes no digit.
 template <typename TriangleMesh>
 void normalize_lengths(Read_triangle_mesh<TriangleMesh>& read)
 {
+  Indexed_triangle_mesh& mesh = read.mesh;
   double largest = 0.;
-  for(const Indexed_triangle_mesh::Point& p : read.mesh.points)
+  for(double length : mesh.lengths)
+    largest = (std::max)(largest, length);
+  for(const Indexed_triangle_mesh::Point& p : mesh.points)
     for(double x : p)
-      largest = (std::max)(largest, std::abs(x));
+      largest = mesh.is_intrinsic ? largest : (std::max)(largest, std::abs(x));
   int exponent = 0;
   std::frexp(largest, &exponent);
   --exponent; // the unit, too, must be in the range
   read.unit = std::ldexp(1., exponent);
-  for(Indexed_triangle_mesh::Point& p : read.mesh.points)
+  for(double& length : mesh.lengths)
+    length = std::ldexp(length, -exponent);
+  if(mesh.is_intrinsic)
+    return;
+  read.unit_of_points = read.unit;
+  for(Indexed_triangle_mesh::Point& p : mesh.points)
     for(double& x : p)
       x = std::ldexp(x, -exponent);
 }

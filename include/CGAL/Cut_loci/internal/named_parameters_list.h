@@ -18,6 +18,7 @@ CGAL_add_named_parameter(cut_locus_curve_t, cut_locus_curve, cut_locus_curve)
 CGAL_add_named_parameter(minimum_branch_gap_t, minimum_branch_gap, minimum_branch_gap)
 CGAL_add_named_parameter(minimum_branch_width_t, minimum_branch_width, minimum_branch_width)
 CGAL_add_named_parameter(voronoi_t, voronoi, voronoi)
+CGAL_add_named_parameter(edge_length_map_t, edge_length_map, edge_length_map)
 CGAL_add_named_parameter(maximum_relative_error_t, maximum_relative_error, maximum_relative_error)
 #if CGAL_VERSION_NR < 1060000000 // has it itself since then
 CGAL_add_named_parameter(concurrency_tag_t, concurrency_tag, concurrency_tag)

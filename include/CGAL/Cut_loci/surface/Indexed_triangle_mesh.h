@@ -24,6 +24,8 @@ namespace Cut_loci {
  * The connectivity of a model of `FaceListGraph` is read into it once. Halfedge `3 * f + i` of face `f` goes from
  * `triangles[f][i]` to `triangles[f][(i + 1) % 3]`. Every vertex belongs to a face, every edge to one or
  * two faces, and the faces around a vertex form one fan.
+ *
+ * Its metric is that of the points, unless there are `lengths`.
  */
 struct Indexed_triangle_mesh
 {
@@ -33,6 +35,8 @@ struct Indexed_triangle_mesh
   std::vector<Point> points;       ///< the coordinates of each vertex
   std::vector<Triangle> triangles; ///< the vertices of each face, counterclockwise
   std::vector<Index> opposite;     ///< for each halfedge the one on the other side of its edge, or `null_index`
+  std::vector<double> lengths;     ///< of each halfedge, in place of those between the points; or empty
+  bool is_intrinsic = false;       ///< whether the points say nothing of the shape, only the lengths
 
   Index number_of_vertices() const { return static_cast<Index>(points.size()); }
   Index number_of_faces() const { return static_cast<Index>(triangles.size()); }

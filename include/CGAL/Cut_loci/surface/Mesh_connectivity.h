@@ -8,7 +8,7 @@
 #define CGAL_CUT_LOCI_SURFACE_MESH_CONNECTIVITY_H
 
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/vector_3.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -77,8 +77,7 @@ private:
       }
       edge_of_halfedge[h] = number_of_edges();
       halfedge_of_edge.push_back(h);
-      using internal::operator-;
-      sum += internal::norm(mesh.points[mesh.target(h)] - mesh.points[mesh.source(h)]);
+      sum += internal::edge_length(mesh, h);
     }
     mean_edge_length = sum / (std::max)(number_of_edges(), Index(1));
   }

@@ -75,6 +75,7 @@ inline Mesh_component extract_component(const Indexed_triangle_mesh& mesh, const
     result.vertices.push_back(v);
     result.mesh.points.push_back(mesh.points[v]);
   }
+  result.mesh.is_intrinsic = mesh.is_intrinsic;
   result.mesh.triangles.reserve(result.faces.size());
   result.mesh.opposite.reserve(3 * result.faces.size());
   for(Index f : result.faces)
@@ -85,6 +86,8 @@ inline Mesh_component extract_component(const Indexed_triangle_mesh& mesh, const
     {
       const Index o = mesh.opposite[h];
       result.mesh.opposite.push_back(o == null_index ? null_index : 3 * new_face[o / 3] + o % 3);
+      if(!mesh.lengths.empty())
+        result.mesh.lengths.push_back(mesh.lengths[h]);
     }
   }
   return result;

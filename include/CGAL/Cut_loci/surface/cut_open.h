@@ -218,7 +218,8 @@ inline void repair_seams(const Indexed_triangle_mesh& mesh, Index start, Seams& 
  *
  * adds seams at `vertex` where there are less than two, on a surface without border: a cut along none leaves a sphere,
  * and one along a single edge splits no vertex, so that whoever glues equal edges closes it again. The two seams form
- * the straightest path that avoids the vertex `avoided`, which may be `null_index`.
+ * the straightest path that avoids the vertex `avoided`, which may be `null_index`; a triangle covered doubly has none,
+ * and the path ends there.
  */
 inline void complete_seams(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, Index vertex,
                            Index avoided, Seams& seams)
@@ -237,24 +238,25 @@ inline void complete_seams(const Indexed_triangle_mesh& mesh, const Mesh_connect
     vertex = mesh.source(seam) == avoided ? mesh.target(seam) : mesh.source(seam);
 
   const Index begin = connectivity.ring_begin[vertex], n = connectivity.valence(vertex);
-  const auto is_free = [&](Index i) { return connectivity.ring_vertex[begin + i] != avoided; };
+  const auto leads_to = [&](Index i, Index v) { return connectivity.ring_vertex[begin + i] == v; };
   Index first = 0;
   if(seam != null_index)
     while(connectivity.ring_edge(begin + first) != connectivity.edge_of_halfedge[seam])
       ++first;
   else
-    while(first + 1 < n && !is_free(first))
+    while(first + 1 < n && leads_to(first, avoided))
       ++first;
   Index second = null_index, best = 0;
-  for(Index step = 1; step < n; ++step)
-  {
-    const Index i = (first + step) % n, apart = step < n - step ? step : n - step;
-    if(apart > best && is_free(i) && connectivity.ring_vertex[begin + i] != connectivity.ring_vertex[begin + first])
+  for(Index end : {avoided, null_index}) // in the second place only, a path that ends at the vertex to be avoided
+    for(Index step = 1; step < n && (end == avoided || second == null_index); ++step)
     {
-      best = apart;
-      second = i;
+      const Index i = (first + step) % n, apart = step < n - step ? step : n - step;
+      if(apart > best && !leads_to(i, end) && !leads_to(i, connectivity.ring_vertex[begin + first]))
+      {
+        best = apart;
+        second = i;
+      }
     }
-  }
   if(second == null_index)
     throw Invalid_input(Cause::TOO_INACCURATE, "the surface has too few edges to cut it open");
   add_seam(mesh, connectivity.ring_halfedge[begin + first], seams);

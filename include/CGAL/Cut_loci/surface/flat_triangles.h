@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_SURFACE_FLAT_TRIANGLES_H
 
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Triangle_shape.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <array>
@@ -48,12 +49,21 @@ inline double norm(const Planar_vector& a)
 
 inline double edge_length(const Indexed_triangle_mesh& mesh, Index h)
 {
+  if(!mesh.lengths.empty())
+    return mesh.lengths[h];
   return norm(mesh.points[mesh.target(h)] - mesh.points[mesh.source(h)]);
 }
 
 // the vertex opposite to `h`
 inline Planar_vector apex(const Indexed_triangle_mesh& mesh, Index h)
 {
+  if(!mesh.lengths.empty())
+  {
+    const std::array<double, 3> length = {
+      {mesh.lengths[h], mesh.lengths[mesh.next(h)], mesh.lengths[mesh.previous(h)]}};
+    const Triangle_shape shape(length);
+    return {{shape.dots[0] / mesh.lengths[h], shape.twice_area / mesh.lengths[h]}};
+  }
   const Vector& p = mesh.points[mesh.source(h)];
   const Vector a = mesh.points[mesh.target(h)] - p, b = mesh.points[mesh.source(mesh.previous(h))] - p;
   const double length = norm(a);

@@ -8,9 +8,12 @@
 #define CGAL_CUT_LOCI_SURFACE_INSERT_VERTEX_H
 
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -38,24 +41,36 @@ inline std::vector<Face_at_inserted_vertex> insert_vertex_into(Indexed_triangle_
   struct Base
   {
     Index halfedge, source, target, opposite;
+    std::array<double, 3> length; // of the edges of the face, if the mesh has lengths
   };
   std::vector<Base> base;
-  const auto add_base = [&](Index h) { base.push_back({h, mesh.source(h), mesh.target(h), mesh.opposite[h]}); };
+  const auto add_base = [&](Index h, const std::array<double, 3>& coordinates)
+  {
+    base.push_back({h, mesh.source(h), mesh.target(h), mesh.opposite[h], {{0., 0., 0.}}});
+    if(mesh.lengths.empty())
+      return;
+    const double length = mesh.lengths[h];
+    const Planar_vector p = flat_position(mesh, h, coordinates), to_target = p - Planar_vector{{length, 0.}};
+    base.back().length = {{norm(p), length, norm(to_target)}};
+  };
   std::vector<Index> replaced(1, location.face);
   for(Index i = 0; i < 3; ++i)
   {
     const Index h = first + i;
     if(c[(i + 2) % 3] > 0.)
     {
-      add_base(h);
+      add_base(h, c);
       continue;
     }
     const Index o = mesh.opposite[h];
     if(o == null_index)
       continue;
     replaced.push_back(o / 3);
-    add_base(mesh.next(o));
-    add_base(mesh.previous(o));
+    std::array<double, 3> across = {{0., 0., 0.}};
+    across[o % 3] = c[(i + 1) % 3];
+    across[(o % 3 + 1) % 3] = c[i];
+    add_base(mesh.next(o), across);
+    add_base(mesh.previous(o), across);
   }
 
   std::vector<Face_at_inserted_vertex> result;
@@ -64,11 +79,17 @@ inline std::vector<Face_at_inserted_vertex> insert_vertex_into(Indexed_triangle_
     result.push_back({k < replaced.size() ? replaced[k] : number_of_faces++, base[k].halfedge});
   mesh.triangles.resize(number_of_faces);
   mesh.opposite.resize(3 * mesh.triangles.size());
+  if(!mesh.lengths.empty())
+    mesh.lengths.resize(mesh.opposite.size());
   for(std::size_t k = 0; k < base.size(); ++k)
   {
     mesh.triangles[result[k].face] = {{v, base[k].source, base[k].target}};
     for(Index i = 0; i < 3; ++i)
+    {
       mesh.opposite[3 * result[k].face + i] = null_index;
+      if(!mesh.lengths.empty())
+        mesh.lengths[3 * std::size_t(result[k].face) + i] = base[k].length[i];
+    }
   }
   for(std::size_t k = 0; k < base.size(); ++k)
   {

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_SURFACE_EXTENT_H
+#define CGAL_CUT_LOCI_SURFACE_EXTENT_H
+
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Triangle_shape.h>
+#include <CGAL/Cut_loci/surface/vector_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// The size of a surface, in which widths and lengths of branches are given: the diagonal of the bounding box or, of
+// lengths alone, the square root of the area, which on a sphere is nearly the same.
+inline double extent(const Indexed_triangle_mesh& mesh)
+{
+  if(mesh.is_intrinsic)
+  {
+    double area = 0.;
+    for(std::size_t h = 0; h < mesh.lengths.size(); h += 3)
+    {
+      const std::array<double, 3> length = {{mesh.lengths[h], mesh.lengths[h + 1], mesh.lengths[h + 2]}};
+      area += 0.5 * Triangle_shape(length).twice_area;
+    }
+    return std::sqrt(area);
+  }
+  std::array<double, 3> low = mesh.points.front(), high = low;
+  for(const auto& p : mesh.points)
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      low[i] = (std::min)(low[i], p[i]);
+      high[i] = (std::max)(high[i], p[i]);
+    }
+  return norm(high - low);
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_SURFACE_EXTENT_H

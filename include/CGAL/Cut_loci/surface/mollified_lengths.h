@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_SURFACE_MOLLIFIED_LENGTHS_H
+#define CGAL_CUT_LOCI_SURFACE_MOLLIFIED_LENGTHS_H
+
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Triangle_shape.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// The size of `twice_area` over the square of the longest edge below which a face has no shape to compute with: the
+// rounding of its coordinates decides it.
+constexpr double least_relative_area = 1e-13;
+
+inline std::array<double, 3> edge_lengths(const Indexed_triangle_mesh& mesh, Index f)
+{
+  return {{edge_length(mesh, 3 * f), edge_length(mesh, 3 * f + 1), edge_length(mesh, 3 * f + 2)}};
+}
+
+inline bool has_area(const Indexed_triangle_mesh& mesh, Index f)
+{
+  const double twice_area = apex(mesh, 3 * f)[1] * edge_length(mesh, 3 * f);
+  const std::array<double, 3> length = edge_lengths(mesh, f);
+  const double longest = *std::max_element(length.begin(), length.end());
+  return twice_area > least_relative_area * longest * longest && // also fails on NaN and infinity
+         twice_area < (std::numeric_limits<double>::max)();
+}
+
+/*!
+ * gives faces without area some, so that they have angles.
+ *
+ * - Edges that are shorter than a millionth of another one of their faces get this length: paths at a distance of 1e-9 of an
+ *   edge from its end are taken for ones through that, so that on shorter edges nothing could be told apart.
+ * - The same is added to all lengths: the least that leaves each face slack in its triangle inequality, in proportion to its
+ *   longest edge, as in \cgalCite{cgal:sc-lnt-20}.
+ *
+ * No distance gets shorter by more than 1e-12 of it: the second step adds to squares of lengths those of a triangle, as the
+ * square roots of edge lengths satisfy the triangle inequality. In a face whose longest edge is l, a path gains at most
+ * l / 10^6 by the first and sqrt(2 l epsilon + epsilon^2) by the second step, which is about the same.
+ */
+class Mollification
+{
+public:
+  explicit Mollification(const Indexed_triangle_mesh& mesh)
+  {
+    lengthen_short_edges(mesh);
+    add_slack();
+  }
+
+  std::vector<double> lengths; ///< of the halfedges
+  double most_gained = 0.;     ///< by a path in a face
+
+private:
+  // far above the 1e-9 at which vertices are passed, and far below what matters
+  static constexpr double shortest = 1e-6;
+  // above what decides on area in a needle, whose area is its slack times its length, with a digit to spare
+  static constexpr double slack = 10. * least_relative_area;
+
+  static double longest(const std::array<double, 3>& length) { return *std::max_element(length.begin(), length.end()); }
+
+  void lengthen_short_edges(const Indexed_triangle_mesh& mesh)
+  {
+    lengths.resize(mesh.number_of_halfedges());
+    for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    {
+      double least = shortest * longest(edge_lengths(mesh, h / 3));
+      if(!mesh.is_border_edge(h))
+        least = (std::max)(least, shortest * longest(edge_lengths(mesh, mesh.opposite[h] / 3)));
+      lengthen(mesh, h, (std::max)(edge_length(mesh, h), least));
+    }
+    // faces all of whose edges are short: where one has become too long for the others, they become as long
+    for(bool is_done = false; !is_done;)
+    {
+      is_done = true;
+      for(Index f = 0; f < mesh.number_of_faces(); ++f)
+      {
+        const std::array<double, 3> length = of_face(f);
+        if(!(longest(length) <= most_gained) || Triangle_shape::slack(length) >= 0.)
+          continue;
+        is_done = false;
+        for(Index h = 3 * f; h < 3 * f + 3; ++h)
+          lengthen(mesh, h, longest(length));
+      }
+    }
+  }
+
+  void lengthen(const Indexed_triangle_mesh& mesh, Index h, double length)
+  {
+    lengths[h] = length;
+    if(!mesh.is_border_edge(h))
+      lengths[mesh.opposite[h]] = length;
+    if(length > edge_length(mesh, h))
+      most_gained = (std::max)(most_gained, length);
+  }
+
+  std::array<double, 3> of_face(Index f) const
+  {
+    const std::size_t h = 3 * std::size_t(f);
+    return {{lengths[h], lengths[h + 1], lengths[h + 2]}};
+  }
+
+  void add_slack()
+  {
+    double epsilon = 0., longest_of_all = 0.;
+    for(Index f = 0; f < lengths.size() / 3; ++f)
+    {
+      const std::array<double, 3> length = of_face(f);
+      epsilon = (std::max)(epsilon, slack * longest(length) - Triangle_shape::slack(length));
+      longest_of_all = (std::max)(longest_of_all, longest(length));
+    }
+    for(double& length : lengths)
+      length += epsilon;
+    most_gained += std::sqrt(epsilon * (2. * longest_of_all + epsilon));
+  }
+};
+
+/// whether some faces have no area, and others have: if none has, or a length is not finite, nothing helps
+inline bool needs_mollification(const Indexed_triangle_mesh& mesh)
+{
+  Index number_with_area = 0;
+  for(Index f = 0; f < mesh.number_of_faces(); ++f)
+  {
+    for(double length : edge_lengths(mesh, f))
+      if(!std::isfinite(length))
+        return false;
+    number_with_area += has_area(mesh, f);
+  }
+  return 0 < number_with_area && number_with_area < mesh.number_of_faces();
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_SURFACE_MOLLIFIED_LENGTHS_H

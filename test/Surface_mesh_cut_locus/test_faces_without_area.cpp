@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// Faces without area, caps and needles, are no part of the surface: with them it has the distances and the cut locus that
+// it has without, up to the bound that the documentation states.
+
+#include "built_mesh.h"
+#include "polyhedra.h"
+
+#include <CGAL/Cut_loci/surface/mollified_lengths.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/compute_cut_locus.h>
+#include <CGAL/cut_along_cut_locus.h>
+#include <CGAL/exact_geodesic_distances.h>
+#include <CGAL/refine_along_cut_locus.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Built = Built_mesh<Mesh>;
+using CGAL::Cut_loci::Method;
+using test_meshes::Mesh_data;
+using test_meshes::Triangle;
+namespace params = CGAL::parameters;
+
+// A vertex on an edge of one of its two faces, which becomes two; a face without area is between it and the other one.
+void add_cap(Mesh_data& m, std::size_t face, std::size_t corner, double share)
+{
+  const std::size_t a = m.triangles[face][corner], b = m.triangles[face][(corner + 1) % 3],
+                    c = m.triangles[face][(corner + 2) % 3], v = m.points.size();
+  using test_meshes::operator*, test_meshes::operator+;
+  m.points.push_back((1. - share) * m.points[a] + share * m.points[b]);
+  m.triangles[face] = Triangle{{a, v, c}};
+  m.triangles.push_back(Triangle{{v, b, c}});
+  m.triangles.push_back(Triangle{{a, b, v}});
+}
+
+// The edge from corner `corner` of a face becomes two edges at the same place, with two faces in between that are needles
+// of the width zero: a vertex at the same point as the start of the edge.
+void add_needles(Mesh_data& m, std::size_t face, std::size_t corner)
+{
+  add_cap(m, face, corner, 0.);
+}
+
+Mesh_data with_flat_faces(Mesh_data m, std::size_t number, unsigned seed)
+{
+  std::mt19937 engine(seed);
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    const std::size_t face = engine() % m.triangles.size(), corner = engine() % 3;
+    const bool is_edge_long = m.points[m.triangles[face][corner]] != m.points[m.triangles[face][(corner + 1) % 3]];
+    if(i % 2 == 0 || !is_edge_long)
+      add_cap(m, face, corner, 0.5 + 0.4 * test_meshes::random_unit(engine));
+    else
+      add_needles(m, face, corner);
+  }
+  return m;
+}
+
+std::vector<double> distances(const Built& built, std::size_t source)
+{
+  std::vector<double> result(built.mesh.number_of_vertices());
+  CGAL::exact_geodesic_distances(built.mesh, built.vertices[source], CGAL::make_property_map(result));
+  return result;
+}
+
+std::vector<Mesh_data> clean_meshes()
+{
+  return {test_meshes::random_convex_polyhedron(40, 1), test_meshes::irregular_bumpy_sphere(5, 0.3, 2),
+          test_meshes::torus(1., 0.4, 12, 8, 0.15, 5), test_meshes::cylinder(1., 12, 4, 0.1, 4)};
+}
+
+TEST(Faces_without_area, are_not_in_good_meshes_whose_results_stay_what_they_are)
+{
+  for(const Mesh_data& data : clean_meshes())
+    EXPECT_FALSE(CGAL::Cut_loci::internal::needs_mollification(test_meshes::indexed(data)));
+}
+
+TEST(Faces_without_area, make_no_distance_shorter_and_none_longer_than_the_bound)
+{
+  for(const Mesh_data& data : clean_meshes())
+  {
+    const Built clean(data), flat(with_flat_faces(data, 12, 3));
+    ASSERT_TRUE(CGAL::Cut_loci::internal::needs_mollification(test_meshes::indexed(flat.data)));
+    const double gained = CGAL::Cut_loci::internal::Mollification(test_meshes::indexed(flat.data)).most_gained;
+    EXPECT_LT(gained, 1e-5);
+    const std::vector<double> expected = distances(clean, 0), found = distances(flat, 0);
+    // a path crosses each flat face once at most, of which there are up to two for each that has been added
+    const double most = 24. * gained;
+    for(std::size_t v = 0; v < expected.size(); ++v)
+    {
+      EXPECT_GE(found[v], expected[v] - 1e-12);
+      EXPECT_LE(found[v], expected[v] + most);
+    }
+  }
+}
+
+double distance_to_segment(const Point& p, const Point& a, const Point& b)
+{
+  const double l = CGAL::squared_distance(a, b);
+  const double t = l > 0. ? (std::min)((std::max)(((p - a) * (b - a)) / l, 0.), 1.) : 0.;
+  return std::sqrt(CGAL::squared_distance(p, a + t * (b - a)));
+}
+
+// the largest distance of a vertex of a curve to another curve
+template <typename Result>
+double distance(const Result& from, const Result& to)
+{
+  const auto &p = from.graph(), &q = to.graph();
+  double result = 0.;
+  for(const auto v : CGAL::make_range(vertices(p)))
+  {
+    double least = (std::numeric_limits<double>::infinity)();
+    for(const auto e : CGAL::make_range(edges(q)))
+      least = (std::min)(least, distance_to_segment(p[v].point, q[source(e, q)].point, q[target(e, q)].point));
+    result = (std::max)(result, least);
+  }
+  return result;
+}
+
+TEST(Faces_without_area, leave_the_cut_locus_where_it_is)
+{
+  for(const Mesh_data& data : clean_meshes())
+  {
+    const Built clean(data), flat(with_flat_faces(data, 8, 7));
+    const auto curve = [](const Built& built, double width)
+    {
+      return CGAL::compute_cut_locus(built.mesh, built.vertices[0],
+                                     params::cut_locus_method(Method::POLYHEDRAL).minimum_branch_width(width));
+    };
+    // what is wide in one is in the other, where a little less is asked for
+    EXPECT_LT(distance(curve(clean, 0.12), curve(flat, 0.1)), 1e-4);
+    EXPECT_LT(distance(curve(flat, 0.12), curve(clean, 0.1)), 1e-4);
+  }
+}
+
+TEST(Faces_without_area, can_be_cut_and_refined_along_a_cut_locus)
+{
+  const Built flat(with_flat_faces(test_meshes::torus(1., 0.4, 12, 8, 0.15, 5), 8, 7));
+  const auto edges = CGAL::compute_cut_locus(flat.mesh, flat.vertices[0]);
+  EXPECT_EQ(fault_of(flat, edges, 0, {0}, Method::DIRECTION), "");
+  Mesh disk;
+  CGAL::cut_along_cut_locus(flat.mesh, edges, disk);
+  EXPECT_EQ(disk.number_of_vertices() + disk.number_of_faces(), disk.number_of_edges() + 1);
+  const auto curve =
+    CGAL::compute_cut_locus(flat.mesh, flat.vertices[0], params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+  Mesh refined, straight_disk;
+  CGAL::refine_along_cut_locus(flat.mesh, curve, refined);
+  EXPECT_EQ(refined.number_of_vertices() + refined.number_of_faces(), refined.number_of_edges());
+  CGAL::cut_along_curve(flat.mesh, curve, straight_disk);
+  EXPECT_EQ(straight_disk.number_of_vertices() + straight_disk.number_of_faces(), straight_disk.number_of_edges() + 1);
+}
+
+} // namespace

@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// Spikes, however long: straight lines wind around them, as often as they are longer than wide, but the work does not
+// grow with that.
+
+#include "built_mesh.h"
+#include "polyhedra.h"
+
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Heat_method_geodesic_solver.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_exact_geodesics.h>
+#include <CGAL/compute_cut_locus.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace {
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Built = Built_mesh<Mesh>;
+using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
+using CGAL::Cut_loci::Method;
+using test_meshes::Mesh_data;
+namespace params = CGAL::parameters;
+
+// vertex 4 is the top, 5 the bottom
+Mesh_data octahedron(double height)
+{
+  Mesh_data m;
+  m.points = {{{1., 0., 0.}}, {{-1., 0., 0.}}, {{0., 1., 0.}}, {{0., -1., 0.}}, {{0., 0., height}}, {{0., 0., -1.}}};
+  m.triangles = {{{0, 2, 4}}, {{2, 1, 4}}, {{1, 3, 4}}, {{3, 0, 4}},
+                 {{2, 0, 5}}, {{1, 2, 5}}, {{3, 1, 5}}, {{0, 3, 5}}};
+  return m;
+}
+
+Mesh_data sphere_with_outlier(double height)
+{
+  Mesh_data m = test_meshes::jittered_sphere(22, 0.2, 3);
+  for(double& x : m.points[m.points.size() / 2])
+    x *= height;
+  return m;
+}
+
+std::size_t number_of_windows(const Mesh_data& data, std::size_t source)
+{
+  const Built built(data);
+  Geodesics geodesics(built.mesh);
+  geodesics.compute(built.vertices[source]);
+  return geodesics.number_of_windows();
+}
+
+TEST(Spikes, of_an_octahedron_take_no_more_windows_the_longer_they_are)
+{
+  for(const std::size_t source : {0, 5})
+  {
+    const std::size_t clean = number_of_windows(octahedron(1.), source);
+    for(int k = 1; k <= 12; ++k)
+      EXPECT_LE(number_of_windows(octahedron(std::pow(10., k)), source), 5 * clean) << k;
+  }
+}
+
+TEST(Spikes, at_one_vertex_of_a_fine_mesh_take_no_more_windows_the_longer_they_are)
+{
+  const std::size_t clean = number_of_windows(sphere_with_outlier(1.), 5);
+  for(int k = 1; k <= 10; ++k)
+    EXPECT_LE(number_of_windows(sphere_with_outlier(std::pow(10., k)), 5), 5 * clean / 4) << k;
+}
+
+// The shortest paths between other vertices do not go up there.
+TEST(Spikes, have_the_right_distances)
+{
+  const Built blunt(octahedron(1.));
+  Geodesics expected(blunt.mesh);
+  expected.compute(blunt.vertices[5]);
+  for(int k = 0; k <= 12; ++k)
+  {
+    const double height = std::pow(10., k);
+    const Built built(octahedron(height));
+    Geodesics geodesics(built.mesh);
+    geodesics.compute(built.vertices[5]);
+    for(const std::size_t v : {0, 1, 2, 3, 5})
+      EXPECT_NEAR(geodesics.distance(built.vertices[v]), expected.distance(blunt.vertices[v]), 1e-14);
+    // across the middle of an edge of the base: the heights of two faces
+    EXPECT_NEAR(geodesics.distance(built.vertices[4]), std::sqrt(1.5) + std::hypot(height, std::sqrt(0.5)),
+                1e-15 * height + 1e-14);
+  }
+}
+
+TEST(Spikes, have_cut_loci)
+{
+  for(int k = 0; k <= 12; ++k)
+    for(const std::size_t source : {0, 5})
+    {
+      const Built built(octahedron(std::pow(10., k)));
+      const auto found = CGAL::compute_cut_locus(built.mesh, built.vertices[source]);
+      EXPECT_EQ(fault_of(built, found, source == 0 ? 0 : 4, {source}, Method::DIRECTION), "") << k;
+      const auto full =
+        CGAL::compute_cut_locus(built.mesh, built.vertices[source], params::cut_locus_method(Method::POLYHEDRAL));
+      EXPECT_EQ(num_vertices(full.graph()), num_edges(full.graph()) + 1) << k;
+    }
+}
+
+// Rounding makes both diagonals of the faces of this spike look wrong: the heat method would flip them for ever.
+TEST(Spikes, for_which_the_heat_method_does_not_end_are_refused)
+{
+  Mesh_data m = test_meshes::cube(2);
+  for(double& x : m.points[m.triangles[7][0]])
+    x *= 1e8;
+  const Built built(m);
+  try
+  {
+    CGAL::compute_cut_locus(built.mesh, built.vertices[m.triangles[20][0]],
+                            params::geodesic_solver(CGAL::Heat_method_geodesic_solver<>()));
+    ADD_FAILURE() << "no error";
+  }
+  catch(const CGAL::Cut_loci::Invalid_input& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("Intrinsic_Delaunay does not end"), std::string::npos) << error.what();
+  }
+}
+
+} // namespace
