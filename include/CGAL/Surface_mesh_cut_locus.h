@@ -14,6 +14,7 @@
 #include <CGAL/Cut_loci/face_graph/Surface_component.h>
 #include <CGAL/Cut_loci/face_graph/Visitor_handle.h>
 #include <CGAL/Cut_loci/face_graph/method_parameters.h>
+#include <CGAL/Cut_loci/face_graph/read_curves.h>
 #include <CGAL/Cut_loci/face_graph/read_source.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/method/Geodesic_solver_handle.h>
@@ -268,9 +269,12 @@ public:
   void set_sources(const SourceRange& sources, const CGAL_NP_CLASS& np = parameters::default_values())
   {
     const double tolerance = snapping_tolerance(np);
-    const auto read = Cut_loci::internal::read_sources(tm_, *read_, sources, tolerance);
+    const std::vector<Cut_loci::Indexed_curve> curves = read_curves(np);
+    const auto read = Cut_loci::internal::read_sources(tm_, *read_, sources, tolerance, curves.empty());
     Cut_loci::internal::check_sources(read_->mesh, read, *component_of_face_, tolerance);
-    solve(read, np);
+    if(!curves.empty())
+      Cut_loci::internal::check_curves(read_->mesh, read, curves, *component_of_face_);
+    solve(read, np, curves);
   }
 
   /*!
@@ -375,6 +379,8 @@ public:
     if(!source_result_)
       throw Cut_loci::Invalid_input("there is no source: set_source() comes before cut_locus()");
     refuse_parameters_of_other_methods(method_, np);
+    if(!curves_.empty())
+      refuse_mesh_edges(np);
 
     const Stage_scope scope(visitor_, Cut_loci::Stage::FILTER);
     const Curve_parameters curve = read_curve(np, method_);
@@ -394,7 +400,7 @@ public:
                             curve.curve, mesh_edges);
     }
     mark_edges(mesh_edges, parameters::get_parameter(np, internal_np::edge_is_constrained));
-    return Builder(tm_, vpm_, read_, *component_)(found, sources_, source_result_);
+    return Builder(tm_, vpm_, read_, *component_)(found, points_of_sources(), source_result_);
   }
 
   /// the method that is in force: for the current source, or, if there is none, for one without a
@@ -443,6 +449,22 @@ private:
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::snapping_tolerance), FT(1e-10)));
   }
 
+  // a curve has its first vertex
+  std::vector<Cut_loci::Indexed_source> points_of_sources() const
+  {
+    std::vector<Cut_loci::Indexed_source> result = points_;
+    for(const Cut_loci::Indexed_curve& curve : curves_)
+    {
+      const Index h = curve.halfedges.front();
+      Cut_loci::Indexed_source first;
+      first.vertex = component_->mesh->source(h);
+      first.location.face = h / 3;
+      first.location.coordinates[h % 3] = 1.;
+      result.push_back(first);
+    }
+    return result;
+  }
+
   bool has_exact_tree() const { return source_result_ && method_ != Cut_loci::Method::LAPLACIAN; }
 
   Cut_loci::internal::Exact_tree_thresholds
@@ -452,25 +474,45 @@ private:
                                                    : solver.default_thresholds();
   }
 
+  // those of the two parameters
   template <typename NamedParameters>
-  void solve(const std::vector<Cut_loci::Indexed_source>& sources, const NamedParameters& np)
+  std::vector<Cut_loci::Indexed_curve> read_curves(const NamedParameters& np) const
+  {
+    using parameters::get_parameter;
+    auto curves =
+      Cut_loci::internal::read_curves(tm_, *read_, get_parameter(np, internal_np::source_curves));
+    if(parameters::choose_parameter(get_parameter(np, internal_np::source_border), false))
+      for(Cut_loci::Indexed_curve& loop : Cut_loci::internal::border_curves(read_->mesh))
+        curves.push_back(std::move(loop));
+    return curves;
+  }
+
+  template <typename NamedParameters>
+  void solve(const std::vector<Cut_loci::Indexed_source>& points, const NamedParameters& np,
+             const std::vector<Cut_loci::Indexed_curve>& curves = {})
   {
     const Cut_loci::Method method = method_for(np);
     Cut_loci::internal::refuse_parameters_of_other_methods(method, np);
-    if(sources.size() > 1)
+    if(points.size() > 1)
       Cut_loci::internal::refuse_several_sources(method);
     const double error = Cut_loci::internal::read_maximum_relative_error(np);
+    if(!curves.empty())
+      Cut_loci::internal::refuse_curves(method, error);
     source_result_.reset();
     method_ = method;
     constexpr bool runs_solver = !Cut_loci::internal::is_given<NamedParameters, internal_np::vertex_distance_map_t>();
     source_angle_threshold_ = runs_solver && solver_.gradient_angle_threshold() > 0.
                                 ? solver_.gradient_angle_threshold()
                                 : default_gradient_angle_threshold();
-    Component& component = component_at((*component_of_face_)[sources.front().location.face]);
+    Component& component = component_at(
+      (*component_of_face_)[points.empty() ? curves.front().halfedges.front() / 3 : points.front().location.face]);
     component_ = &component;
-    sources_.clear();
-    for(const Cut_loci::Indexed_source& source : sources)
-      sources_.push_back(component.local(source));
+    points_.clear();
+    for(const Cut_loci::Indexed_source& source : points)
+      points_.push_back(component.local(source));
+    curves_.clear();
+    for(const Cut_loci::Indexed_curve& curve : curves)
+      curves_.push_back(component.local(curve));
     set_error(component, error, runs_solver);
     if(method_ == Cut_loci::Method::LAPLACIAN)
       solve(component, *component.laplacian, np);
@@ -533,7 +575,7 @@ private:
   void set_distances(Component& component, Cut_loci::internal::Laplacian_method& solver, const VertexDistanceMap& map)
   {
     std::vector<double> distance;
-    const Cut_loci::Indexed_source& source = sources_.front();
+    const Cut_loci::Indexed_source& source = points_.front();
     const Cut_loci::internal::Geodesic_results* geodesics = compute_distances(component, source, distance, map);
     solver.set_distance(source, std::move(distance), geodesics);
   }
@@ -543,7 +585,7 @@ private:
   {
     if(has_own_solver_)
       Cut_loci::internal::refuse_distances(method_);
-    solver.compute_distance(sources_);
+    solver.compute_distance(points_, curves_);
     check_distances(component, solver.distance(), "the geodesic solver returned");
   }
 
@@ -639,7 +681,8 @@ private:
   std::map<Index, std::unique_ptr<Component>> components_;
 
   Component* component_ = nullptr;                // that of the sources
-  std::vector<Cut_loci::Indexed_source> sources_; // in their component
+  std::vector<Cut_loci::Indexed_source> points_; // in their component, and
+  std::vector<Cut_loci::Indexed_curve> curves_;
   double source_angle_threshold_ = default_gradient_angle_threshold();
   std::shared_ptr<const Cut_loci::internal::Source_result> source_result_;
 };

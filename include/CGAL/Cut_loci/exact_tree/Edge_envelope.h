@@ -290,6 +290,13 @@ private:
 
   bool is_source_on(Index h, Path_label& label) const
   {
+    const Index line = geodesics_.line_at(h);
+    if(line != null_index)
+    {
+      const Plane_point image = geodesics_.line_image(line);
+      label = {image.x, image.y, geodesics_.sigma_of_origin(line), 0., line, false};
+      return true;
+    }
     for(Index i = 0; i < geodesics_.number_of_sources(); ++i)
     {
       const Index g = geodesics_.source_edge(i);

@@ -17,6 +17,7 @@
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_edge_curve.h>
+#include <CGAL/Cut_loci/exact_tree/Mesh_with_curves.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/exact_tree/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
@@ -64,25 +65,26 @@ public:
   void set_maximum_relative_error(double error) override { maximum_relative_error_ = error; }
 
   // once per source, or set of sources, in four parts
-  void compute_distance(const std::vector<Indexed_source>& sources) override
+  void compute_distance(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves) override
   {
     refuse_error_without_strength(least_);
-    sources_ = sources;
+    sources_ = points;
     tree_.reset();
     divided_.reset();
-    if(has_source_off_vertices() && sources.size() > 1)
-      divided_.reset(new Divided_surface(mesh_, sources));
+    number_of_sources_ = points.size() + curves.size();
+    if(!curves.empty() || (has_source_off_vertices() && points.size() > 1))
+      divided_.reset(new Divided_surface(mesh_, points, curves));
     start();
     distance_ = geodesics().distances();
     for(Index v = 0; v < distance_.size() && maximum_relative_error_ > 0.; ++v)
       distance_[v] += geodesics().distance_error(v);
     distance_.resize(mesh_.number_of_vertices());
     nearest_source_.clear();
-    for(Index v = 0; v < mesh_.number_of_vertices() && sources.size() > 1; ++v)
+    for(Index v = 0; v < mesh_.number_of_vertices() && number_of_sources_ > 1; ++v)
       nearest_source_.push_back(geodesics().nearest_source(v));
     find_farthest();
   }
-  void compute_distance(const Indexed_source& source) { compute_distance(std::vector<Indexed_source>(1, source)); }
+  void compute_distance(const Indexed_source& source) { compute_distance({source}, {}); }
 
   void compute_strengths() override { tree_->draw_ridges(); }
 
@@ -91,12 +93,12 @@ public:
    * paths run along edges of the mesh, it takes no more than rounding to choose other ones in neighboring faces. Both
    * need a symmetric placement of the source. Then it is moved, unless what is left out matters more: by far less than
    * the accuracy of any mesh, and far more than that of the windows. Of several sources all are moved, each one by
-   * another length, as they may be symmetric to each other too.
+   * another length, as they may be symmetric to each other too. Curves stay where they are.
    */
   void grow_tree() override
   {
     tree_->join();
-    for(int number = 1; number <= 2 && least_.is_none() && !tree_->is_sure(); ++number)
+    for(int number = 1; number <= 2 && least_.is_none() && !has_curves() && !tree_->is_sure(); ++number)
     {
       start(number);
       tree_->draw_ridges();
@@ -122,6 +124,8 @@ public:
       kept = tree_->kept(thresholds);
     }
     tree_->measure_widths(kept);
+    if(has_curves())
+      return curve_between_curves(thresholds, kept);
     const Source_faces at_sources(mesh_, connectivity_, sources_);
     if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
       throw_source_without_face(at_sources.first_without_face());
@@ -158,17 +162,39 @@ public:
   std::vector<Index> nearest_sources() const override { return nearest_source_; }
 
 private:
-  // With a vertex at each source.
+  // With a vertex at each source, and cut open along curves.
   struct Divided_surface : public Mesh_with_sources
   {
+    std::unique_ptr<Mesh_with_curves> with_curves; // if there are any
     Mesh_connectivity connectivity;
     Exact_geodesic_propagation geodesics;
 
-    Divided_surface(const Indexed_triangle_mesh& without, const std::vector<Indexed_source>& sources)
-      : Mesh_with_sources(without, sources), connectivity(mesh()), geodesics(mesh())
+    Divided_surface(const Indexed_triangle_mesh& without, const std::vector<Indexed_source>& points,
+                    const std::vector<Indexed_curve>& curves)
+      : Mesh_with_sources(without, points),
+        with_curves(curves.empty() ? nullptr : new Mesh_with_curves(without, *this, curves)), connectivity(surface()),
+        geodesics(surface())
     {
     }
+
+    const Indexed_triangle_mesh& surface() const { return with_curves ? with_curves->mesh() : mesh(); }
   };
+
+  bool has_curves() const { return divided_ != nullptr && divided_->with_curves; }
+
+  // A curve through the faces. The one of mesh edges would have to leave a face on each side of each edge of a source.
+  Indexed_cut_locus curve_between_curves(const Exact_tree_thresholds& thresholds,
+                                         const std::vector<Tree_branches::Edge>& kept)
+  {
+    Tree_curve result(tree_->mesh(), tree_->connectivity(), geodesics(), *tree_, kept, lone_vertex());
+    divided_->with_curves->close(result.graph);
+    divided_->remove_sources(result.graph, result.face);
+    for(Index i = 0; i < result.graph.edges.size(); ++i)
+      result.graph.edges[i].origin = i;
+    if(thresholds.is_voronoi)
+      remove_edges_within_cells(result.graph);
+    return std::move(result.graph);
+  }
 
   static double diagonal(const Indexed_triangle_mesh& mesh)
   {
@@ -186,9 +212,12 @@ private:
   void start(int number = 0)
   {
     if(divided_ != nullptr)
-      tree_.reset(new Exact_tree(divided_->mesh(), divided_->connectivity, divided_->geodesics, divided_->vertices()));
+      tree_.reset(
+        new Exact_tree(divided_->surface(), divided_->connectivity, divided_->geodesics, divided_->vertices()));
     else
       tree_.reset(new Exact_tree(mesh_, connectivity_, geodesics_, source_vertices()));
+    if(has_curves())
+      tree_->add_lines(divided_->with_curves->lines(), divided_->with_curves->owners());
     // Windows may be merged where what is between them is half of what the weakest branch needs.
     tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(surface_->diagonal));
     tree_->propagate(locations(number), least_);
@@ -296,6 +325,8 @@ private:
       const double share = static_cast<double>(i) / static_cast<double>(sources_.size());
       result.push_back(number == 0 ? at : moved(at, 1e-6 * number * (1. + share)));
     }
+    if(has_curves())
+      result.insert(result.end(), divided_->with_curves->points().begin(), divided_->with_curves->points().end());
     return result;
   }
 
@@ -326,7 +357,7 @@ private:
   Index lone_vertex() const
   {
     for(Index v = 0; v < mesh_.number_of_vertices() && connectivity_.number_of_border_loops > 0; ++v)
-      if(connectivity_.is_border(v) && !is_source(v))
+      if(connectivity_.is_border(v) && !is_source(v) && distance_[v] > 0.)
         return v;
     return farthest_;
   }
@@ -371,7 +402,8 @@ private:
   Branch_strength least_;              // of what the tree has
   double maximum_relative_error_ = 0.; // of the distances
 
-  std::vector<Indexed_source> sources_;
+  std::vector<Indexed_source> sources_; // the points
+  std::size_t number_of_sources_ = 0;
   std::unique_ptr<Divided_surface> divided_; // if there are several sources, and not all of them at vertices
   std::vector<double> distance_;
   std::vector<Index> nearest_source_; // of each vertex, if there are several

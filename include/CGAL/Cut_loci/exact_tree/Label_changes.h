@@ -88,8 +88,10 @@ private:
       return; // it comes through the vertex
     const Geodesic_arrival& arrival = geodesics_->arrival(v);
     const double direction = Geodesic_results::direction_at_origin(arrival, geodesics_->end_in_frame(arrival, v));
-    c.gap = Parting_angle(*geodesics_)(arrival.origin, direction, label.origin, label.direction(c.t));
     c.angle = meeting_angle(c.left, c.right, c.t);
+    c.gap = Parting_angle(*geodesics_)(arrival.origin, direction, label.origin, label.direction(c.t), c.angle);
+    if(geodesics_->is_seam(arrival.origin, label.origin, c.angle))
+      return;
     if(!Edge_crossings::is_same_family(*geodesics_, c.angle, c.gap))
       crossings_.push_back(c);
   }
@@ -127,7 +129,7 @@ private:
         continue;
       is_done[v] = 1;
       const bool is_tip = !faces.is_border(v) && 2. * geodesic_pi - faces.total_angle(v) > least;
-      if(is_tip || faces.is_pseudo_source(v))
+      if(is_tip || faces.is_pseudo_source(v) || geodesics_->is_on_line(v))
         for(const Vertex_labels::Change& c : labels.changes(v))
           if(is_drawn(c.halfedge / 3))
             at_vertices_.push_back(c);

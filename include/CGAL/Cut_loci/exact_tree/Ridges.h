@@ -256,7 +256,7 @@ private:
       const Plane_point p = a.edge == null_index   ? a.point
                             : b.edge == null_index ? b.point
                                                    : corners_[(a.edge + 1) % 3];
-      if(a.edge == b.edge || !(gap(a.after, b.before, p) < 1e-7) || !is_on_one_line(a.after, b.before, p))
+      if(a.edge == b.edge || !(gap(a.after, b.before, p) < 1e-7) || !are_on_one_line(a.after, b.before, p))
         continue;
       if(b.edge == null_index)
         b.before = a.after;
@@ -308,9 +308,10 @@ private:
                                           gap(a, b, p));
   }
 
-  static bool is_on_one_line(const Image& a, const Image& b, const Plane_point& p)
+  bool are_on_one_line(const Image& a, const Image& b, const Plane_point& p) const
   {
-    return angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y) < 1e-7;
+    const double angle = angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y);
+    return angle < 1e-7 || geodesics_->is_seam(a.origin, b.origin, angle);
   }
 
   void add_changes_on_edge(Index h)
@@ -465,7 +466,8 @@ private:
   /// the angle at which the paths from two images to a point part
   double gap(const Image& a, const Image& b, const Plane_point& p) const
   {
-    return Parting_angle(*geodesics_)(a.origin, a.direction_to(p, corners_), b.origin, b.direction_to(p, corners_));
+    return Parting_angle(*geodesics_)(a.origin, a.direction_to(p, corners_), b.origin, b.direction_to(p, corners_),
+                                      angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y));
   }
 
   /// numbers the trees in the order of their first crossing

@@ -56,6 +56,36 @@ inline void refuse_several_sources(Method method)
                         "Cut_loci::Method::DIRECTION or Cut_loci::Method::POLYHEDRAL");
 }
 
+inline void refuse_curves(Method method, double error)
+{
+  if(method == Method::LAPLACIAN)
+    throw Invalid_input("the method " + std::string(name_of(method)) +
+                        " takes one source, a point: curves need the paths of the package's own exact solver, with "
+                        "Cut_loci::Method::DIRECTION or Cut_loci::Method::POLYHEDRAL");
+  if(error > 0.)
+    throw Invalid_input("sources that are curves need exact distances: leave maximum_relative_error away");
+}
+
+// The curve of mesh edges would have to leave a face on each side of each edge of a source.
+template <typename NamedParameters>
+void refuse_mesh_edges(const NamedParameters& np)
+{
+  const auto refuse = [](const std::string& name)
+  {
+    throw Invalid_input("the parameter " + name + " is for a cut locus made of edges of the mesh, which sources that are "
+                        "curves do not have: leave it away");
+  };
+  if(parameters::choose_parameter(parameters::get_parameter(np, internal_np::cut_locus_curve),
+                                  Curve::THROUGH_FACES) == Curve::MESH_EDGES)
+    refuse("cut_locus_curve(Cut_loci::Curve::MESH_EDGES)");
+  if(is_given<NamedParameters, internal_np::minimum_branch_edges_t>())
+    refuse("minimum_branch_edges");
+  if(is_given<NamedParameters, internal_np::minimum_branch_length_t>())
+    refuse("minimum_branch_length");
+  if(is_given<NamedParameters, internal_np::edge_is_constrained_t>())
+    refuse("edge_is_constrained_map");
+}
+
 // A parameter of another method would be ignored, and the caller would take the result for what it asked for.
 template <typename NamedParameters>
 void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
