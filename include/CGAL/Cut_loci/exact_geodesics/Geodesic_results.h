@@ -280,9 +280,9 @@ public:
 
   // -- sources that are edges ------------------------------------------------------------------------------------------
   //
-  // The waves of an edge are parallel. They are those of an image far behind it, at the same distance from both of its
-  // ends, and `sigma` is minus that distance: it is zero at the ends, and no path of the image is too long, nor too short by more than
-  // the share of the edge's length that `line_distance()` says.
+  // The waves of an edge are parallel. They are those of an image far behind it, at the same distance D from both of its
+  // ends, and `sigma` is -D: so distances are zero at the ends of an edge of the length l, and in between down to
+  // -l^2 / (8 D), as sqrt(D^2 - l^2 / 4) says. A path of the image starts somewhere on the edge, and is too short by no more.
 
   /// the number of the set of sources that a source belongs to
   Index owner(Index source) const { return sources_[source].owner; }
@@ -300,8 +300,9 @@ public:
   Index first_line(Index v) const { return line_at(faces_.first_halfedge(v)); }
   Index last_line(Index v) const { return line_at(Mesh::previous(last_halfedge(v))); }
 
-  /// of the images of lines from the ends of their edges: the longest edge times 8192. Points of an edge are at the distance
-  /// of up to 1/65536 of that then, and the image is known to 1e-12 of it: both are far below what else is known.
+  /// of the images of lines from the ends of their edges, in units of the longest edge. A distance is too short by up to
+  /// 1/65536 of that edge then, and known to 1e-12 of it: both are far below what else is known.
+  static constexpr double line_reach = 8192.;
   double line_distance() const { return line_distance_; }
   /// half of the angle between the outer rays of a source: zero for a point
   double half_opening(Index source) const
@@ -343,10 +344,11 @@ public:
   }
 
   /// whether paths that meet at this angle come from neighbors whose outer rays, in truth, are one: the boundary between
-  /// them is on no cut locus
+  /// them is on no cut locus. Outer rays of lines one behind the other meet at up to half of what is allowed; the rest is
+  /// for corners that are no larger than that.
   bool is_seam(Index a, Index b, double meeting_angle) const
   {
-    return has_lines() && are_neighbors(a, b) && meeting_angle <= half_opening(a) + half_opening(b) + 1e-7;
+    return has_lines() && meeting_angle <= 2. / line_reach && are_neighbors(a, b);
   }
 
   /// the last straight pieces, for tracing paths
@@ -649,7 +651,7 @@ private:
       source.location.coordinates[Mesh::next(line.halfedge) % 3] = 0.5;
       sources_.push_back(source);
     }
-    line_distance_ = 8192. * longest;
+    line_distance_ = line_reach * longest;
   }
 
   /// that leaves `v`, a vertex of the border: the last one counterclockwise

@@ -71,7 +71,7 @@ public:
     sources_ = points;
     tree_.reset();
     divided_.reset();
-    number_of_sources_ = points.size() + curves.size();
+    curves_ = curves;
     if(!curves.empty() || (has_source_off_vertices() && points.size() > 1))
       divided_.reset(new Divided_surface(mesh_, points, curves));
     start();
@@ -80,7 +80,7 @@ public:
       distance_[v] += geodesics().distance_error(v);
     distance_.resize(mesh_.number_of_vertices());
     nearest_source_.clear();
-    for(Index v = 0; v < mesh_.number_of_vertices() && number_of_sources_ > 1; ++v)
+    for(Index v = 0; v < mesh_.number_of_vertices() && sources_.size() + curves_.size() > 1; ++v)
       nearest_source_.push_back(geodesics().nearest_source(v));
     find_farthest();
   }
@@ -93,13 +93,16 @@ public:
    * paths run along edges of the mesh, it takes no more than rounding to choose other ones in neighboring faces. Both
    * need a symmetric placement of the source. Then it is moved, unless what is left out matters more: by far less than
    * the accuracy of any mesh, and far more than that of the windows. Of several sources all are moved, each one by
-   * another length, as they may be symmetric to each other too. Curves stay where they are.
+   * another length, as they may be symmetric to each other too. Vertices of curves are
+   * always moved, as the waves of the edges at a corner are symmetric to each other often.
    */
   void grow_tree() override
   {
     tree_->join();
-    for(int number = 1; number <= 2 && least_.is_none() && !has_curves() && !tree_->is_sure(); ++number)
+    for(int number = 1; number <= 2 && least_.is_none() && !tree_->is_sure(); ++number)
     {
+      if(has_curves())
+        divided_.reset(new Divided_surface(mesh_, sources_, curves_, number + 1));
       start(number);
       tree_->draw_ridges();
       tree_->join();
@@ -170,9 +173,10 @@ private:
     Exact_geodesic_propagation geodesics;
 
     Divided_surface(const Indexed_triangle_mesh& without, const std::vector<Indexed_source>& points,
-                    const std::vector<Indexed_curve>& curves)
+                    const std::vector<Indexed_curve>& curves, int number = 1)
       : Mesh_with_sources(without, points),
-        with_curves(curves.empty() ? nullptr : new Mesh_with_curves(without, *this, curves)), connectivity(surface()),
+        with_curves(curves.empty() ? nullptr : new Mesh_with_curves(without, *this, curves, 1e-5 * number)),
+        connectivity(surface()),
         geodesics(surface())
     {
     }
@@ -403,7 +407,7 @@ private:
   double maximum_relative_error_ = 0.; // of the distances
 
   std::vector<Indexed_source> sources_; // the points
-  std::size_t number_of_sources_ = 0;
+  std::vector<Indexed_curve> curves_;
   std::unique_ptr<Divided_surface> divided_; // if there are several sources, and not all of them at vertices
   std::vector<double> distance_;
   std::vector<Index> nearest_source_; // of each vertex, if there are several

@@ -81,6 +81,8 @@ private:
   /// if the label of an edge is not that of the vertex `v` at which it ends
   void add_crossing_at_end(Edge_crossing c, Index v)
   {
+    if(geodesics_->is_on_line(v))
+      add_crossing_at_line(c);
     if(geodesics_->distance(v) == 0.)
       return;
     const Path_label& label = c.t == 0. ? c.right : c.left;
@@ -93,6 +95,16 @@ private:
     if(geodesics_->is_seam(arrival.origin, label.origin, c.angle))
       return;
     if(!Edge_crossings::is_same_family(*geodesics_, c.angle, c.gap))
+      crossings_.push_back(c);
+  }
+
+  /// where lines meet, and the branch between them runs along an edge
+  void add_crossing_at_line(Edge_crossing c)
+  {
+    c.angle = meeting_angle(c.left, c.right, c.t);
+    c.gap = Parting_angle(*geodesics_)(c.left, c.right, c.t);
+    if(c.left.origin != c.right.origin && !geodesics_->is_seam(c.left.origin, c.right.origin, c.angle) &&
+       !Edge_crossings::is_same_path(c.angle, c.gap))
       crossings_.push_back(c);
   }
 

@@ -13,7 +13,12 @@
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
+#include <CGAL/Cut_loci/surface/vector_3.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -30,8 +35,10 @@ class Mesh_with_curves
 {
 public:
   /// @param with_points the mesh without the curves, but with its points
+  /// @param share of their edges by which the vertices of the curves are moved into a face, each one by another length:
+  /// little enough that no curve gets corners, see `Geodesic_results::is_seam()`
   Mesh_with_curves(const Indexed_triangle_mesh& without_points, const Mesh_with_sources& with_points,
-                   const std::vector<Indexed_curve>& curves)
+                   const std::vector<Indexed_curve>& curves, double share)
     : cut_(cut(with_points, curves)), connectivity_(cut_.mesh)
   {
     owners_.resize(with_points.vertices().size());
@@ -47,6 +54,7 @@ public:
             with_points.for_each_part(side, [&](Index h) { add(h, owner, is_done); });
       ++owner;
     }
+    move_vertices(share);
   }
 
   const Indexed_triangle_mesh& mesh() const { return cut_.mesh; }
@@ -85,6 +93,35 @@ private:
         points_.push_back(location_of_vertex(connectivity_, v));
         owners_.push_back(owner);
       }
+  }
+
+  void move_vertices(double share)
+  {
+    std::vector<double> length(cut_.mesh.number_of_vertices(), 0.); // of the shortest line at a vertex
+    for(const Geodesic_line& line : lines_)
+    {
+      const Index v = cut_.mesh.source(line.halfedge), w = cut_.mesh.target(line.halfedge);
+      const double l = norm(cut_.mesh.points[w] - cut_.mesh.points[v]);
+      for(Index end : {v, w})
+        length[end] = length[end] > 0. ? (std::min)(length[end], l) : l;
+    }
+    constexpr double golden = 0.6180339887498949; // its multiples are spread evenly
+    constexpr std::array<double, 3> part = {{0.2113, 0.3301, 0.4586}};
+    const std::vector<Vector> before = cut_.mesh.points;
+    for(std::size_t i = 0; i < points_.size(); ++i)
+    {
+      const double by = share * (1. + std::fmod(golden * static_cast<double>(i), 1.));
+      const Indexed_triangle_mesh::Triangle& t = cut_.mesh.triangles[points_[i].face];
+      Vector inside = {{0., 0., 0.}};
+      for(std::size_t k = 0; k < 3; ++k)
+        inside = inside + part[k] * before[t[k]];
+      for(std::size_t k = 0; k < 3; ++k)
+        if(points_[i].coordinates[k] == 1.)
+        {
+          const Vector way = inside - before[t[k]];
+          cut_.mesh.points[t[k]] = before[t[k]] + by * length[t[k]] / norm(way) * way;
+        }
+    }
   }
 
   Cut_mesh cut_;

@@ -137,7 +137,6 @@ private:
   void add_changes_on_line(Index v, std::vector<Change>& result) const
   {
     const std::array<double, 2> fan = geodesics_.fan(v);
-    const double full = faces_.total_angle(v);
     const bool do_meet = fan[1] < fan[0];
     // those that come later around the vertex come first around the face
     std::array<double, 2> places = {{fan[1], fan[0]}};
@@ -145,12 +144,13 @@ private:
       places = {{0.5 * (fan[0] + fan[1]), -1.}};
     const Index last = geodesics_.last_line(v), first = geodesics_.first_line(v);
     const bool is_seam = do_meet && geodesics_.is_seam(first, last, fan[0] - fan[1]);
-    double angle = 0.;
     for(Index h = faces_.first_halfedge(v); h != null_index; h = faces_.next_around_source(h))
     {
-      const double next = angle + faces_.angle(h);
+      const Index behind = faces_.next_around_source(h);
+      const double angle = faces_.angle_around_source(h),
+                   next = behind != null_index ? faces_.angle_around_source(behind) : faces_.total_angle(v);
       for(std::size_t k = 0; k < 2; ++k)
-        if(places[k] >= angle && places[k] < next && places[k] < full)
+        if(places[k] >= angle && places[k] < next)
         {
           const Path_label own = {0., 0., 0., angle, geodesics_.arrival(v).origin, false};
           if(do_meet)
@@ -160,7 +160,6 @@ private:
           else
             result.push_back({h, own, from_first_line(v, angle), true});
         }
-      angle = next;
     }
   }
 
@@ -189,10 +188,10 @@ private:
     if(geodesics_.is_on_line(v))
     {
       const std::array<double, 2> fan = geodesics_.fan(v);
-      const double middle = fan[1] < fan[0] ? 0.5 * (fan[0] + fan[1]) : fan[0];
-      if(direction < middle)
+      const double middle = 0.5 * (fan[0] + fan[1]);
+      if(direction < fan[0] && (direction < fan[1] || direction <= middle))
         return from_first_line(v, direction);
-      if(direction > (std::max)(middle, fan[1]))
+      if(direction > fan[1])
         return from_last_line(v, direction);
     }
     return {0., 0., 0., direction, geodesics_.arrival(v).origin, false};
