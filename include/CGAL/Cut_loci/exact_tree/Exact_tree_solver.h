@@ -99,7 +99,7 @@ public:
   void grow_tree() override
   {
     tree_->join();
-    for(int number = 1; number <= 2 && least_.is_none() && !tree_->is_sure(); ++number)
+    for(int number = 1; number <= (has_curves() ? 4 : 2) && least_.is_none() && !tree_->is_sure(); ++number)
     {
       if(has_curves())
         divided_.reset(new Divided_surface(mesh_, sources_, curves_, number + 1));
