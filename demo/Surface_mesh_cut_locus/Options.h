@@ -23,6 +23,8 @@ struct Options
   bool may_repair = true;
   std::vector<std::size_t> sources;
   std::optional<std::array<double, 3>> source_point;
+  std::vector<std::vector<std::size_t>> source_edges; // vertices along edges
+  bool source_border = false;
   std::string solver;
   std::optional<double> maximum_relative_error; // of the distances
   std::optional<double> angle;
@@ -47,6 +49,12 @@ struct Options
   bool is_quiet = false;
   bool help = false;
 };
+
+// whether sources that are curves are asked for
+inline bool has_curves(const Options& options)
+{
+  return !options.source_edges.empty() || options.source_border;
+}
 
 struct Usage_error : std::runtime_error
 {

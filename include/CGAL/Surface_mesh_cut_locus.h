@@ -241,10 +241,15 @@ public:
    *
    * A set of one source is treated as by `set_source()`.
    *
+   * Curves along edges of the mesh, and the border, may be sources, too. They are numbered behind the points, and are
+   * disks or rings in the complement: the surface without the sources shrinks to the cut locus. It is a curve through the
+   * faces then, and parameters of `cut_locus()` for curves along edges of the mesh are refused.
+   *
    * @tparam SourceRange a model of `ConstRange` with `vertex_descriptor`, `Face_location` or, for both kinds in one set,
    *         `Source` as value type
    *
-   * @param sources the sources, which must be different points of the same component of the mesh
+   * @param sources the sources that are points, which must be different points of the same component of the mesh; with curves,
+   *        there may be none
    * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
    *
    * \cgalNamedParamsBegin
@@ -252,6 +257,19 @@ public:
    *     \cgalParamDescription{as for `set_source()`}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{0}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{source_curves}
+   *     \cgalParamDescription{sources that are curves: for each one the edges of the mesh that it is made of}
+   *     \cgalParamType{a model of `ConstRange` of models of `ConstRange` with
+   *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as value type}
+   *     \cgalParamDefault{none}
+   *     \cgalParamExtra{Each of them must be connected, and no two sources may have a vertex in common. Distances to them are
+   *                     wrong by up to about 1e-4 of their longest edge.}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{source_border}
+   *     \cgalParamDescription{whether each border loop is a source, behind all others}
+   *     \cgalParamType{`bool`}
+   *     \cgalParamDefault{`false`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{snapping_tolerance}
    *     \cgalParamDescription{a barycentric coordinate of a source up to this value is taken for zero, and sources whose
@@ -263,7 +281,8 @@ public:
    *
    * @throws Cut_loci::Invalid_input where `set_source()` throws it for one of the sources, and if there is none, if two
    *         are at the same point or in different components, or if there are several and the method is
-   *         `Cut_loci::Method::LAPLACIAN`
+   *         `Cut_loci::Method::LAPLACIAN`; for curves, also if one has no edges or is not connected, if there is a
+   *         `maximum_relative_error`, or if the mesh has no border that could be a source
    */
   template <typename SourceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_sources(const SourceRange& sources, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -479,8 +498,7 @@ private:
   std::vector<Cut_loci::Indexed_curve> read_curves(const NamedParameters& np) const
   {
     using parameters::get_parameter;
-    auto curves =
-      Cut_loci::internal::read_curves(tm_, *read_, get_parameter(np, internal_np::source_curves));
+    auto curves = Cut_loci::internal::read_curves(tm_, *read_, get_parameter(np, internal_np::source_curves));
     if(parameters::choose_parameter(get_parameter(np, internal_np::source_border), false))
       for(Cut_loci::Indexed_curve& loop : Cut_loci::internal::border_curves(read_->mesh))
         curves.push_back(std::move(loop));
@@ -680,7 +698,7 @@ private:
   Index number_of_components_ = 0;
   std::map<Index, std::unique_ptr<Component>> components_;
 
-  Component* component_ = nullptr;                // that of the sources
+  Component* component_ = nullptr;               // that of the sources
   std::vector<Cut_loci::Indexed_source> points_; // in their component, and
   std::vector<Cut_loci::Indexed_curve> curves_;
   double source_angle_threshold_ = default_gradient_angle_threshold();

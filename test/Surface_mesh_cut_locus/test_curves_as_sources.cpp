@@ -186,9 +186,8 @@ private:
 
   void measure_surface(const Built& built, const std::vector<Edges>& curves, std::size_t number_of_points)
   {
-    surface_characteristic =
-      long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) + long(mesh.number_of_faces()) -
-      long(number_of_points);
+    surface_characteristic = long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) +
+                             long(mesh.number_of_faces()) - long(number_of_points);
     for(const Edges& loop : border_loops(built))
       surface_characteristic += !is_source(loop);
     for(const Edges& curve : curves)
@@ -307,7 +306,8 @@ TEST(Curves_as_sources, the_border_of_a_convex_polygon_has_its_straight_skeleton
     {
       double nearest = 1.;
       for(const auto x : CGAL::make_range(vertices(result.graph())))
-        nearest = (std::min)(nearest, norm(to_point(result.graph()[x].point) - Point{{v->point().x(), v->point().y(), 0.}}));
+        nearest =
+          (std::min)(nearest, norm(to_point(result.graph()[x].point) - Point{{v->point().x(), v->point().y(), 0.}}));
       EXPECT_LT(nearest, 1e-3 * mean_edge_length(m)) << sides;
     }
     expect_topology(built, border_loops(built), result, "polygon");
@@ -478,8 +478,8 @@ std::vector<Edges> random_curves(const Built& built, std::size_t k, std::size_t 
       curve.push_back(built.mesh.edge(way));
       walk.push_back(next);
     }
-    if(curve.empty() || std::any_of(seen.begin(), seen.end(), [&](auto v)
-                                     { return is_taken.count(v) > 0 || built.mesh.is_border(v); }))
+    if(curve.empty() ||
+       std::any_of(seen.begin(), seen.end(), [&](auto v) { return is_taken.count(v) > 0 || built.mesh.is_border(v); }))
       continue;
     is_taken.insert(seen.begin(), seen.end());
     result.push_back(curve);
@@ -489,9 +489,12 @@ std::vector<Edges> random_curves(const Built& built, std::size_t k, std::size_t 
 
 TEST(Curves_as_sources, leave_what_shrinks_to_the_curve)
 {
-  const std::vector<Mesh_data> surfaces = {ellipsoid(1., 0.8, 0.6, 10, 0.2, 1), torus(1., 0.4, 28, 14, 0.2, 2),
-                                           perforated_plate(2, 1, 4, 3), perforated_plate(3, 1, 4, 4),
-                                           square(14, 0.2, 6), cylinder(2., 24, 12, 0.2, 7)};
+  const std::vector<Mesh_data> surfaces = {ellipsoid(1., 0.8, 0.6, 10, 0.2, 1),
+                                           torus(1., 0.4, 28, 14, 0.2, 2),
+                                           perforated_plate(2, 1, 4, 3),
+                                           perforated_plate(3, 1, 4, 4),
+                                           square(14, 0.2, 6),
+                                           cylinder(2., 24, 12, 0.2, 7)};
   for(std::size_t i = 0; i < surfaces.size(); ++i)
   {
     const Built built(surfaces[i]);
@@ -522,13 +525,27 @@ TEST(Curves_as_sources, may_be_loops_that_separate_the_surface_or_do_not)
     cross.push_back(e);
   for(const Method method : methods)
   {
-    for(const std::vector<Edges>& curves : {std::vector<Edges>{path(built, around)}, std::vector<Edges>{path(built, along)},
-                                            std::vector<Edges>{cross}})
+    for(const std::vector<Edges>& curves :
+        {std::vector<Edges>{path(built, around)}, std::vector<Edges>{path(built, along)}, std::vector<Edges>{cross}})
       expect_topology(built, curves, cut_locus_of_curves(built, {}, curves, method), name_of(method));
     const Built ball(sphere_with_circle(24, 12));
     const std::vector<Edges> loops = {path(ball, circle(24, 3, 0, 24)), path(ball, circle(24, 8, 0, 24))};
     expect_topology(ball, loops, cut_locus_of_curves(ball, {}, loops, method), name_of(method));
   }
+}
+
+TEST(Curves_as_sources, leave_a_point_where_all_branches_are_weak)
+{
+  const Built built(sphere_with_circle(24, 12));
+  Edges triangle;
+  for(const Mesh::Halfedge_index h : built.mesh.halfedges_around_face(built.mesh.halfedge(built.faces[100])))
+    triangle.push_back(built.mesh.edge(h));
+  const Result result = cut_locus_of_curves(built, {}, {triangle}, Method::DIRECTION);
+  std::size_t number_inside = 0;
+  for(const auto v : CGAL::make_range(vertices(result.graph())))
+    number_inside += result.graph()[v].location.first == built.faces[100];
+  EXPECT_EQ(number_inside, 1u);
+  expect_topology(built, {triangle}, result, "a triangle");
 }
 
 // The distance to a curve from that to points of it which are no farther apart than s: too long by s / 2 at most.
@@ -605,9 +622,8 @@ TEST(Curves_as_sources, and_points_mix_with_the_points_first)
         EXPECT_NEAR(norm(p - c), d, 4e-4 * mean_edge_length(built.data)) << "four parabolas";
       }
     expect_topology(built, border, result, name_of(method));
-    const Result diagram = CGAL::compute_cut_locus(
-      built.mesh, Vertices{built.vertices[center]},
-      params::source_border(true).cut_locus_method(method).voronoi(true));
+    const Result diagram = CGAL::compute_cut_locus(built.mesh, Vertices{built.vertices[center]},
+                                                   params::source_border(true).cut_locus_method(method).voronoi(true));
     for(const auto e : CGAL::make_range(edges(diagram.graph())))
       EXPECT_NE(diagram.graph()[e].sources[0], diagram.graph()[e].sources[1]);
     for(const auto v : CGAL::make_range(vertices(diagram.graph())))
@@ -648,9 +664,10 @@ TEST(Curves_as_sources, that_can_not_be_used_are_refused)
                  "no border");
   expect_refusal([&] { cut_locus_of_curves(built, {}, {first}, Method::LAPLACIAN); }, "curves need the paths");
   Solver solver(built.mesh);
-  expect_refusal([&]
-                 { solver.set_sources(Vertices(), params::source_curves(std::vector<Edges>{first}).maximum_relative_error(0.01)); },
-                 "exact distances");
+  expect_refusal(
+    [&]
+    { solver.set_sources(Vertices(), params::source_curves(std::vector<Edges>{first}).maximum_relative_error(0.01)); },
+    "exact distances");
   solver.set_sources(Vertices(), params::source_curves(std::vector<Edges>{first}));
   expect_refusal([&] { solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)); }, "MESH_EDGES");
   expect_refusal([&] { solver.cut_locus(params::minimum_branch_edges(3)); }, "minimum_branch_edges");

@@ -294,7 +294,8 @@ public:
   /// whether a source that is an edge ends at a vertex
   bool is_on_line(Index v) const
   {
-    return has_lines() && faces_.is_border(v) && distance_[v] == 0. && (first_line(v) != null_index || last_line(v) != null_index);
+    return has_lines() && faces_.is_border(v) && distance_[v] == 0. &&
+           (first_line(v) != null_index || last_line(v) != null_index);
   }
   /// the sources that are the border edges at a vertex, or null: before its first face, and behind its last one
   Index first_line(Index v) const { return line_at(faces_.first_halfedge(v)); }

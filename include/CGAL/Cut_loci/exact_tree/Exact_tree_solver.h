@@ -21,6 +21,7 @@
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/exact_tree/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
+#include <CGAL/Cut_loci/exact_tree/lone_nodes.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -176,8 +177,7 @@ private:
                     const std::vector<Indexed_curve>& curves, int number = 1)
       : Mesh_with_sources(without, points),
         with_curves(curves.empty() ? nullptr : new Mesh_with_curves(without, *this, curves, 1e-5 * number)),
-        connectivity(surface()),
-        geodesics(surface())
+        connectivity(surface()), geodesics(surface())
     {
     }
 
@@ -191,6 +191,9 @@ private:
                                          const std::vector<Tree_branches::Edge>& kept)
   {
     Tree_curve result(tree_->mesh(), tree_->connectivity(), geodesics(), *tree_, kept, lone_vertex());
+    if(result.graph.edges.empty())
+      result.graph.nodes.clear();
+    add_lone_nodes(tree_->mesh(), tree_->connectivity(), geodesics().distances(), result.face, result.graph);
     divided_->with_curves->close(result.graph);
     divided_->remove_sources(result.graph, result.face);
     for(Index i = 0; i < result.graph.edges.size(); ++i)

@@ -120,8 +120,8 @@ private:
     const Index origin = static_cast<Index>(w.origin);
     const double direction = label(w).direction(t);
     // At which angle the two meet is not known here. From a curve, where it would count, they do if they are not the same.
-    const bool is_same = geodesics_.is_line(origin) && origin == arrival.origin &&
-                         std::fabs(direction - known.direction) < least_meeting;
+    const bool is_same =
+      geodesics_.is_line(origin) && origin == arrival.origin && std::fabs(direction - known.direction) < least_meeting;
     return part_enough(origin, direction, arrival.origin, known.direction, is_same ? 0. : geodesic_pi);
   }
 

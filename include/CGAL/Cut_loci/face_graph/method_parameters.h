@@ -72,11 +72,12 @@ void refuse_mesh_edges(const NamedParameters& np)
 {
   const auto refuse = [](const std::string& name)
   {
-    throw Invalid_input("the parameter " + name + " is for a cut locus made of edges of the mesh, which sources that are "
+    throw Invalid_input("the parameter " + name +
+                        " is for a cut locus made of edges of the mesh, which sources that are "
                         "curves do not have: leave it away");
   };
-  if(parameters::choose_parameter(parameters::get_parameter(np, internal_np::cut_locus_curve),
-                                  Curve::THROUGH_FACES) == Curve::MESH_EDGES)
+  if(parameters::choose_parameter(parameters::get_parameter(np, internal_np::cut_locus_curve), Curve::THROUGH_FACES) ==
+     Curve::MESH_EDGES)
     refuse("cut_locus_curve(Cut_loci::Curve::MESH_EDGES)");
   if(is_given<NamedParameters, internal_np::minimum_branch_edges_t>())
     refuse("minimum_branch_edges");
