@@ -35,6 +35,31 @@ std::size_t largest_component(const Input_mesh& input)
   return static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
 }
 
+// Of the component of the other sources, if there are any, or of that with the most faces.
+Edges border_of_component(const Options& options, const Input_mesh& input, const Edges& curves)
+{
+  const Mesh& mesh = input.mesh;
+  const auto component_at = [&](Mesh::Halfedge_index h)
+  { return input.component[mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h)]; };
+  std::size_t component = largest_component(input);
+  if(options.source_point)
+  {
+    const auto& p = *options.source_point;
+    component = input.component[closest_location(mesh, Kernel::Point_3(p[0], p[1], p[2])).first];
+  }
+  else if(!options.sources.empty())
+    component = component_at(mesh.halfedge(find_vertex(options.sources.front(), input, "--source")));
+  else if(!curves.empty())
+    component = component_at(mesh.halfedge(curves.front()));
+  Edges result;
+  for(const Mesh::Edge_index e : mesh.edges())
+    if(mesh.is_border(e) && component_at(mesh.halfedge(e)) == component)
+      result.push_back(e);
+  if(result.empty())
+    throw Usage_error("--source-border: there is no border, or another component of the mesh has it");
+  return result;
+}
+
 // The edges of the mesh that the lines of the file name, and those of the border, in curves that are connected.
 std::vector<Edges> source_curves(const Options& options, const Input_mesh& input)
 {
@@ -50,11 +75,11 @@ std::vector<Edges> source_curves(const Options& options, const Input_mesh& input
                           " and " + std::to_string(line[i + 1]));
       all.push_back(mesh.edge(h));
     }
-  for(const Mesh::Edge_index e : mesh.edges())
-    if(options.source_border && mesh.is_border(e))
-      all.push_back(e);
-  if(options.source_border && std::none_of(all.begin(), all.end(), [&](auto e) { return mesh.is_border(e); }))
-    throw Usage_error("--source-border: the mesh has no border");
+  if(options.source_border)
+  {
+    const std::vector<Mesh::Edge_index> border = border_of_component(options, input, all);
+    all.insert(all.end(), border.begin(), border.end());
+  }
   std::map<Mesh::Vertex_index, Mesh::Vertex_index> parent;
   const auto find = [&](Mesh::Vertex_index v)
   {

@@ -377,6 +377,13 @@ public:
    *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. Without the other part, the graph need not be connected,
    *                     nor a cell a disk. Of one source, one vertex is left.}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{medial}
+   *     \cgalParamDescription{whether to keep only what is inside the cells of several sources, without the edges between two of
+   *                           them}
+   *     \cgalParamType{`bool`}
+   *     \cgalParamDefault{`false`}
+   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`, nor with `voronoi`.}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{edge_is_constrained_map}
    *     \cgalParamDescription{a property map that is set to `true` for the edges of the mesh on the cut locus; the
    *                           others are left as they are}

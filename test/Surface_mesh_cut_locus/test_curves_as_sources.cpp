@@ -628,6 +628,11 @@ TEST(Curves_as_sources, and_points_mix_with_the_points_first)
       EXPECT_NE(diagram.graph()[e].sources[0], diagram.graph()[e].sources[1]);
     for(const auto v : CGAL::make_range(vertices(diagram.graph())))
       EXPECT_EQ(degree(v, diagram.graph()), 2u) << "the corners are branches in the cell of the border";
+    const Result rest = CGAL::compute_cut_locus(built.mesh, Vertices{built.vertices[center]},
+                                                params::source_border(true).cut_locus_method(method).medial(true));
+    for(const auto e : CGAL::make_range(edges(rest.graph())))
+      EXPECT_EQ(rest.graph()[e].sources[0], rest.graph()[e].sources[1]);
+    EXPECT_EQ(num_edges(diagram.graph()) + num_edges(rest.graph()), num_edges(graph));
   }
 }
 

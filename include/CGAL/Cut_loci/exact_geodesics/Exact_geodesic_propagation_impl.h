@@ -101,8 +101,9 @@ inline void Exact_geodesic_propagation::start_at_vertex(std::size_t number)
   arrival_[v] = Geodesic_arrival();
   arrival_[v].halfedge = faces_.first_halfedge(v);
   arrival_[v].origin = static_cast<Index>(number);
-  // on lines, only between their outer rays; a margin as at a bend
-  constexpr double margin = 1e-9;
+  // On lines, only between their outer rays. The margin is for the rounding of these, as at a bend: it is that of a longer
+  // way, from the image of the line. What is in the margin are paths as well, but not the shortest.
+  constexpr double margin = 1e-6;
   const std::array<double, 2> fan =
     is_on_line(v) ? Geodesic_results::fan(v) : std::array<double, 2>{{-infinity, infinity}};
   const Index first = faces_.first_halfedge(v);

@@ -139,8 +139,7 @@ public:
     {
       if(drops_branches)
         remove_edges(mesh_, connectivity_, edges, short_ones(thresholds, edges));
-      if(thresholds.is_voronoi)
-        remove_edges_within_cells(edges);
+      remove_other_parts(thresholds, edges);
       return edges;
     }
     Tree_curve result(tree_->mesh(), tree_->connectivity(), geodesics(), *tree_, kept, lone_vertex());
@@ -149,8 +148,8 @@ public:
     set_origins(mesh_, connectivity_, edges, result.face, result.graph);
     if(drops_branches)
       remove_short_branches(thresholds, edges, result);
-    if(thresholds.is_voronoi)
-      remove_edges_within_cells(edges, result.graph);
+    if(!thresholds.has_all_parts())
+      remove_other_parts(thresholds, edges, result.graph);
     return std::move(result.graph);
   }
 
@@ -198,8 +197,7 @@ private:
     divided_->remove_sources(result.graph, result.face);
     for(Index i = 0; i < result.graph.edges.size(); ++i)
       result.graph.edges[i].origin = i;
-    if(thresholds.is_voronoi)
-      remove_edges_within_cells(result.graph);
+    remove_other_parts(thresholds, result.graph);
     return std::move(result.graph);
   }
 
@@ -278,15 +276,23 @@ private:
     set_origins(mesh_, connectivity_, edges, curve.face, curve.graph);
   }
 
+  // whether an edge is in none of the parts that are asked for
+  static bool is_of_other_part(const Exact_tree_thresholds& thresholds, const Indexed_cut_locus::Edge& e)
+  {
+    return e.sources[0] == e.sources[1] ? thresholds.is_voronoi : thresholds.is_medial;
+  }
+
   // returns the new number of each edge, or null
-  std::vector<Index> remove_edges_within_cells(Indexed_cut_locus& graph) const
+  std::vector<Index> remove_other_parts(const Exact_tree_thresholds& thresholds, Indexed_cut_locus& graph) const
   {
     std::vector<Index> number;
+    if(thresholds.has_all_parts())
+      return number;
     std::vector<unsigned char> is_removed;
     Index size = 0;
     for(Indexed_cut_locus::Edge& e : graph.edges)
     {
-      is_removed.push_back(e.sources[0] == e.sources[1]);
+      is_removed.push_back(is_of_other_part(thresholds, e));
       number.push_back(is_removed.back() ? null_index : size++);
       e.origin = number.back();
     }
@@ -295,14 +301,15 @@ private:
   }
 
   // from both curves, of which the second one refers to the first
-  void remove_edges_within_cells(Indexed_cut_locus& edges, Indexed_cut_locus& curve) const
+  void remove_other_parts(const Exact_tree_thresholds& thresholds, Indexed_cut_locus& edges,
+                          Indexed_cut_locus& curve) const
   {
     std::vector<Index> origin;
     for(const Indexed_cut_locus::Edge& e : curve.edges)
-      if(e.sources[0] != e.sources[1])
+      if(!is_of_other_part(thresholds, e))
         origin.push_back(e.origin);
-    const std::vector<Index> number = remove_edges_within_cells(edges);
-    remove_edges_within_cells(curve);
+    const std::vector<Index> number = remove_other_parts(thresholds, edges);
+    remove_other_parts(thresholds, curve);
     for(std::size_t i = 0; i < curve.edges.size(); ++i)
       curve.edges[i].origin = origin[i] != null_index ? number[origin[i]] : null_index;
   }

@@ -119,6 +119,8 @@ void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
     refuse_unless(!is_laplacian, "minimum_branch_width", use_paths);
   if(is_given<NamedParameters, np::voronoi_t>())
     refuse_unless(!is_laplacian, "voronoi", use_paths);
+  if(is_given<NamedParameters, np::medial_t>())
+    refuse_unless(!is_laplacian, "medial", use_paths);
 }
 
 template <typename Number>
@@ -184,6 +186,9 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
     throw Invalid_input("the minimum width of a branch must be a number that is not negative");
   read_least_branch(np, 0, diagonal, result);
   result.is_voronoi = choose_parameter(get_parameter(np, internal_np::voronoi), false);
+  result.is_medial = choose_parameter(get_parameter(np, internal_np::medial), false);
+  if(result.is_voronoi && result.is_medial)
+    throw Invalid_input("the parameters voronoi and medial exclude each other: without both, the result has all edges");
   return result;
 }
 
