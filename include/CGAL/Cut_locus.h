@@ -144,7 +144,7 @@ public:
   /// the number of sources
   std::size_t number_of_sources() const { return sources_.size(); }
 
-  /// source number `i`, in the order in which they were given, points first; of a curve, its first vertex
+  /// source number `i`, in the order in which they were given, points first; of a curve, one of its vertices
   const Vertex& source(std::size_t i) const { return sources_[i]; }
 
   /// the vertex of the mesh that is farthest from the source, or from the nearest one
