@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -62,6 +63,27 @@ std::array<double, 3> to_point(const std::string& text, const std::string& optio
   if(parts.size() != 3)
     throw Usage_error(option + " takes three numbers x,y,z, not '" + text + "'");
   return {{to_number(parts[0], option), to_number(parts[1], option), to_number(parts[2], option)}};
+}
+
+// The numbers of each line of a file.
+std::vector<std::vector<std::size_t>> read_numbers(const std::string& filename, const std::string& option)
+{
+  std::ifstream is(filename);
+  if(!is)
+    throw Usage_error(option + ": cannot read '" + filename + "'");
+  std::vector<std::vector<std::size_t>> result;
+  for(std::string line, word; std::getline(is, line);)
+  {
+    std::istringstream words(line);
+    std::vector<std::size_t> numbers;
+    while(words >> word)
+      numbers.push_back(to_count(word, option + " '" + filename + "'"));
+    if(!numbers.empty())
+      result.push_back(numbers);
+  }
+  if(result.empty())
+    throw Usage_error(option + ": there are no numbers in '" + filename + "'");
+  return result;
 }
 
 void check_output_path(const std::string& path, const std::string& option)
@@ -129,14 +151,18 @@ po::options_description visible_options()
     "source-point", po::value<std::string>()->value_name("X,Y,Z"), "the point of the surface closest to x,y,z")(
     "each-source", po::value<std::string>()->value_name("FILE"),
     "a cut locus for each source of a file, one on a line: a vertex, or x,y,z. The file of -o must end in .jsonl: it "
-    "gets "
-    "a line of JSON for each, with the injectivity radius, other figures and the polylines; --report gets a summary")(
-    "part", po::value<std::string>()->value_name("I/N"),
-    "only the sources of the I-th of N parts of that file; the outputs of all parts, one after another, are that of "
-    "one "
-    "run")("threads", po::value<std::string>()->value_name("N"),
-           "threads; 0: as many as the machine has (default: 1). They are worth most with --each-source: distances "
-           "from one source take one")(
+    "gets a line of JSON for each, with the injectivity radius, other figures and the polylines; --report gets a "
+    "summary")("part", po::value<std::string>()->value_name("I/N"),
+               "only the sources of the I-th of N parts of that file; the outputs of all parts, one after another, are "
+               "that of one run")("threads", po::value<std::string>()->value_name("N"),
+                                  "threads; 0: as many as the machine has (default: 1). They are worth most with "
+                                  "--each-source: distances from one source take one")(
+    "sources", po::value<std::string>()->value_name("FILE"), "the vertices whose numbers are in this file")(
+    "source-edges", po::value<std::string>()->value_name("FILE"),
+    "curves along edges of the mesh: each line of the file has the numbers of the vertices along some edges, and all "
+    "edges that are connected are one source; with the methods direction and polyhedral, as the next one")(
+    "source-border", po::bool_switch(),
+    "each border loop: of a flat mesh, its medial axis. Points, curves and the border may be mixed")(
     "solver", po::value<std::string>()->value_name("NAME")->default_value(default_solver_name()),
     ("geodesic distances by:\n" + solver_descriptions()).c_str())(
     "max-relative-error", po::value<std::string>()->value_name("E"),
@@ -358,10 +384,21 @@ Options parse_command_line(int argc, char* argv[])
       options.sources.push_back(to_count(source, "--source"));
   if(given.count("source-point"))
     options.source_point = to_point(text("source-point"), "--source-point");
+  if(given.count("sources"))
+    for(const std::vector<std::size_t>& line : read_numbers(text("sources"), "--sources"))
+      options.sources.insert(options.sources.end(), line.begin(), line.end());
   if(!options.sources.empty() && options.source_point)
     throw Usage_error("--source and --source-point exclude each other");
+  if(given.count("source-edges"))
+    options.source_edges = read_numbers(text("source-edges"), "--source-edges");
+  options.source_border = given["source-border"].as<bool>();
+  for(const char* name : {"edges", "min-branch-edges", "min-branch-length"})
+    if(has_curves(options) && given.count(name))
+      throw Usage_error("--" + std::string(name) +
+                        " is for a cut locus along edges of the mesh, which sources that are "
+                        "curves do not have");
   for(const char* name : {"uv", "unfold", "check"})
-    if(options.sources.size() > 1 && given.count(name) && !given[name].defaulted())
+    if((options.sources.size() > 1 || has_curves(options)) && given.count(name) && !given[name].defaulted())
       throw Usage_error("--" + std::string(name) + " takes one source");
   options.solver = text("solver");
   if(!is_solver_name(options.solver))

@@ -26,6 +26,8 @@ struct Options
   std::string each_source;                   // a file of sources, each of which gets a cut locus
   std::size_t part = 1, number_of_parts = 1; // of that file
   unsigned threads = 1;
+  std::vector<std::vector<std::size_t>> source_edges; // vertices along edges
+  bool source_border = false;
   std::string solver;
   std::optional<double> maximum_relative_error; // of the distances
   std::optional<double> angle;
@@ -50,6 +52,12 @@ struct Options
   bool is_quiet = false;
   bool help = false;
 };
+
+// whether sources that are curves are asked for
+inline bool has_curves(const Options& options)
+{
+  return !options.source_edges.empty() || options.source_border;
+}
 
 struct Usage_error : std::runtime_error
 {

@@ -14,6 +14,7 @@
 #include "each_source.h"
 #include "output.h"
 #include "report.h"
+#include "set_source.h"
 #include "solvers.h"
 #include "threads.h"
 #include "thresholds.h"
@@ -35,42 +36,6 @@ namespace {
 using CGAL::Cut_loci::Curve;
 using CGAL::Cut_loci::Method;
 
-std::size_t largest_component(const Input_mesh& input)
-{
-  const auto& size = input.component_size;
-  return static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
-}
-
-void set_source(const Options& options, const Input_mesh& input, Cut_locus_solver& solver)
-{
-  const Mesh& mesh = input.mesh;
-  const auto parameters = CGAL::parameters::maximum_relative_error(options.maximum_relative_error.value_or(0.));
-  if(options.source_point)
-  {
-    const auto& p = *options.source_point;
-    solver.set_source(closest_location(mesh, Kernel::Point_3(p[0], p[1], p[2])), parameters);
-    return;
-  }
-  std::vector<Mesh::Vertex_index> sources;
-  for(std::size_t source : options.sources)
-    sources.push_back(find_vertex(source, input));
-  if(sources.size() == 1)
-    return solver.set_source(sources.front(), parameters);
-  if(!sources.empty())
-    return solver.set_sources(sources, parameters);
-  const std::size_t component = largest_component(input);
-  // the first one in the order of the file
-  const auto is_in_component = [&](Mesh::Vertex_index v)
-  {
-    if(v == Mesh::null_vertex())
-      return false;
-    const Mesh::Halfedge_index h = mesh.halfedge(v); // on the border if there is one
-    const Mesh::Face_index f = h.is_valid() ? mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h) : Mesh::null_face();
-    return f != Mesh::null_face() && input.component[f] == component;
-  };
-  solver.set_source(*std::find_if(input.vertex.begin(), input.vertex.end(), is_in_component), parameters);
-}
-
 Unfolding unfolded(const Mesh& mesh, const Cut_locus& cut_locus)
 {
   const auto& source = cut_locus.source();
@@ -81,7 +46,7 @@ Unfolding unfolded(const Mesh& mesh, const Cut_locus& cut_locus)
 
 std::string component_note(const Options& options, const Input_mesh& input, const Cut_locus& cut_locus)
 {
-  const bool is_chosen = !options.sources.empty() || options.source_point;
+  const bool is_chosen = !options.sources.empty() || options.source_point || has_curves(options);
   return "the mesh has " + std::to_string(input.component_size.size()) + " components; this is about the one " +
          (is_chosen ? "of the source" : "with the most faces") + ", " +
          std::to_string(input.component_size[component_of_source(input, cut_locus)]) + " of " +
@@ -102,10 +67,10 @@ bool run(const Options& options)
     make_solver(options.solver, options.method, mesh, is_each_source ? nullptr : &progress);
   if(is_each_source)
     return compute_each_source(options, input, *solver, progress);
-  set_source(options, input, *solver);
+  const std::vector<std::vector<Mesh::Edge_index>> source_curves = set_source(options, input, *solver);
   // the curve that all is about but files that are for one of the two
-  const Curve curve =
-    options.curve.value_or(options.smoothing.value_or(0) > 0 ? Curve::THROUGH_FACES : Curve::MESH_EDGES);
+  const Curve curve = options.curve.value_or(
+    options.smoothing.value_or(0) > 0 || has_curves(options) ? Curve::THROUGH_FACES : Curve::MESH_EDGES);
   const Cut_locus cut_locus = apply_thresholds(options, *solver, curve);
   const auto along = [&](Curve wanted)
   { return wanted == curve ? cut_locus : apply_thresholds(options, *solver, wanted); };
@@ -118,7 +83,7 @@ bool run(const Options& options)
                [&]()
                {
     if(drawn)
-      write_outputs(options.outputs, *drawn, input, options.view);
+      write_outputs(options.outputs, *drawn, input, source_curves, options.view);
     if(mesh_edges)
       write_edges(options.edges, *mesh_edges, input);
   });

@@ -37,6 +37,7 @@ const std::map<std::string, std::function<Mesh_data(int)>>& shapes()
     {"rough-sphere", [](int n) { return rough(bumpy_sphere(n, 0.5, 1), 0.1, 1); }},
     {"ellipsoid", [](int n) { return ellipsoid(1., 0.8, 0.6, n, 0.1, 1); }},
     {"capsule", [](int n) { return capsule(1., 2 * n, 2 * n); }},
+    {"square", [](int n) { return square(n, 0.2, 1); }},
     {"rounded-genus-3", [](int n) { return remeshed(rounded_plate(3, 1, n)); }},
     {"rounded-genus-56", [](int n) { return remeshed(rounded_plate(8, 7, n)); }},
     {"genus-3", [](int n) { return perforated_plate(3, 1, n, 1); }},

@@ -23,6 +23,8 @@
 namespace {
 
 constexpr int width_of_view = 900;
+using Curves = std::vector<std::vector<Mesh::Edge_index>>;
+
 constexpr picture::Color cut_locus_color = {0.80, 0.05, 0.16}, source_color = {0.08, 0.33, 0.80},
                          farthest_color = {0.98, 0.62, 0.05};
 
@@ -59,7 +61,7 @@ picture::Vector to_vector(const Kernel::Point_3& p)
   return {{p.x(), p.y(), p.z()}};
 }
 
-picture::Scene make_scene(const Cut_locus& cut_locus, const Mesh& mesh)
+picture::Scene make_scene(const Cut_locus& cut_locus, const Mesh& mesh, const Curves& source_curves)
 {
   picture::Scene scene;
   for(Mesh::Vertex_index v : mesh.vertices())
@@ -79,16 +81,24 @@ picture::Scene make_scene(const Cut_locus& cut_locus, const Mesh& mesh)
     for(const Kernel::Point_3& p : points)
       scene.polylines.back().points.push_back(to_vector(p));
   }
+  for(const std::vector<Mesh::Edge_index>& curve : source_curves)
+    for(const Mesh::Edge_index e : curve)
+    {
+      scene.polylines.emplace_back();
+      scene.polylines.back().color = source_color;
+      for(unsigned int i = 0; i < 2; ++i)
+        scene.polylines.back().points.push_back(to_vector(mesh.point(mesh.vertex(e, i))));
+    }
   scene.dots.push_back({to_vector(mesh.point(cut_locus.farthest_vertex())), farthest_color, 7.});
   for(std::size_t i = cut_locus.number_of_sources(); i-- > 0;) // views are chosen by the last one
     scene.dots.push_back({to_vector(cut_locus.source(i).point), source_color, 9.});
   return scene;
 }
 
-std::vector<picture::Rendered_view> draw(const Cut_locus& cut_locus, const Mesh& mesh,
+std::vector<picture::Rendered_view> draw(const Cut_locus& cut_locus, const Mesh& mesh, const Curves& source_curves,
                                          const std::optional<picture::Vector>& toward)
 {
-  const picture::Scene scene = make_scene(cut_locus, mesh);
+  const picture::Scene scene = make_scene(cut_locus, mesh, source_curves);
   const std::vector<picture::View> views =
     toward ? std::vector<picture::View>{picture::look_from(*toward, picture::guess_up(scene))}
            : picture::choose_two_views(scene, scene.dots.back().point, scene.dots.front().point);
@@ -142,7 +152,7 @@ std::string output_descriptions()
 }
 
 void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& cut_locus, const Input_mesh& input,
-                   const std::optional<std::array<double, 3>>& view)
+                   const Curves& source_curves, const std::optional<std::array<double, 3>>& view)
 {
   std::vector<picture::Rendered_view> views; // drawn once for all pictures
   for(const std::string& filename : filenames)
@@ -155,7 +165,7 @@ void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& c
     else
     {
       if(views.empty())
-        views = draw(cut_locus, input.mesh, view);
+        views = draw(cut_locus, input.mesh, source_curves, view);
       format->write_picture(filename, views);
     }
   }

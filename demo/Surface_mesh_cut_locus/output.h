@@ -19,9 +19,10 @@ std::string output_extensions();   // " .a .b"
 std::string output_descriptions(); // a line for each
 
 // Writes a cut locus to each file, in the format of its extension. Pictures look from the direction of `view`, or from
-// two sides if there is none. Edges that are none of the file are marked. Throws `std::runtime_error` if a file can not
+// two sides if there is none, and show sources that are curves. Edges that are none of the file are marked. Throws `std::runtime_error` if a file can not
 // be written.
 void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& cut_locus, const Input_mesh& input,
+                   const std::vector<std::vector<Mesh::Edge_index>>& source_curves,
                    const std::optional<std::array<double, 3>>& view);
 void write_edges(const std::string& filename, const Cut_locus& cut_locus, const Input_mesh& input);
 

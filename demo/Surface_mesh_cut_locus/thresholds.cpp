@@ -64,6 +64,11 @@ Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solve
 {
   using CGAL::Cut_loci::Filter_policy;
   const double least_length = options.minimum_branch_length.value_or(0.);
+  if(has_curves(options))
+    return options.minimum_branch_gap || options.minimum_branch_width
+             ? solver.cut_locus(CGAL::parameters::minimum_branch_gap(options.minimum_branch_gap.value_or(0.))
+                                  .minimum_branch_width(options.minimum_branch_width.value_or(0.)))
+             : solver.cut_locus();
   if(options.method != Method::LAPLACIAN)
   {
     const auto parameters = CGAL::parameters::minimum_branch_edges(options.minimum_branch_edges.value_or(0))

@@ -53,8 +53,8 @@ struct Cut_locus_edge
   /// a halfedge on the edge of the mesh it follows, or `null_halfedge()`
   halfedge_descriptor mesh_halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
   /// the largest on the branch from here to its tips, in the unit of the filter: radians for an angle of gradients, or
-  /// for the gap, unless the method is `Cut_loci::Method::LAPLACIAN`. Between two sources, where the paths part nowhere
-  /// and no threshold applies, it is 2 pi
+  /// for the gap, unless the method is `Cut_loci::Method::LAPLACIAN`. Within the cell of a curve it is the angle at which
+  /// paths meet. Between two sources, where the paths part nowhere and no threshold applies, it is 2 pi
   double strength = 0.;
   /// the largest separation of the two shortest paths to a point of the edge, a length, up to a hundredth of it where it
   /// changes steadily along the branch; zero with `Cut_loci::Method::LAPLACIAN`. Between two sources it is the length of the
@@ -95,7 +95,8 @@ struct Source_result
  * border loop being counted as a point.
  *
  * With k source points it is their geodesic Voronoi diagram together with the cut locus inside each cell: the complement
- * is k open disks, one for each source, and the graph has 2g - 1 + k independent cycles.
+ * is k open disks, one for each source, and the graph has 2g - 1 + k independent cycles. If some of them are curves, the
+ * surface without the sources shrinks to the graph, which has a component for each of its parts.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  * @tparam Point_3 the value type of the vertex point map
@@ -143,7 +144,7 @@ public:
   /// the number of sources
   std::size_t number_of_sources() const { return sources_.size(); }
 
-  /// source number `i`, in the order in which they were given
+  /// source number `i`, in the order in which they were given, points first; of a curve, one of its vertices
   const Vertex& source(std::size_t i) const { return sources_[i]; }
 
   /// the vertex of the mesh that is farthest from the source, or from the nearest one

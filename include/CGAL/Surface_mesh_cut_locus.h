@@ -16,6 +16,7 @@
 #include <CGAL/Cut_loci/face_graph/concurrency.h>
 #include <CGAL/Cut_loci/face_graph/method_parameters.h>
 #include <CGAL/Cut_loci/face_graph/read_edge_lengths.h>
+#include <CGAL/Cut_loci/face_graph/read_curves.h>
 #include <CGAL/Cut_loci/face_graph/read_source.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
@@ -292,10 +293,15 @@ public:
    *
    * A set of one source is treated as by `set_source()`.
    *
+   * Curves along edges of the mesh, and the border, may be sources, too. They are numbered behind the points, and are
+   * disks or rings in the complement: the surface without the sources shrinks to the cut locus. It is a curve through the
+   * faces then, and parameters of `cut_locus()` for curves along edges of the mesh are refused.
+   *
    * @tparam SourceRange a model of `ConstRange` with `vertex_descriptor`, `Face_location` or, for both kinds in one set,
    *         `Source` as value type
    *
-   * @param sources the sources, which must be different points of the same component of the mesh
+   * @param sources the sources that are points, which must be different points of the same component of the mesh; with curves,
+   *        there may be none
    * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
    *
    * \cgalNamedParamsBegin
@@ -303,6 +309,19 @@ public:
    *     \cgalParamDescription{as for `set_source()`}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{0}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{source_curves}
+   *     \cgalParamDescription{sources that are curves: for each one the edges of the mesh that it is made of}
+   *     \cgalParamType{a model of `ConstRange` of models of `ConstRange` with
+   *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as value type}
+   *     \cgalParamDefault{none}
+   *     \cgalParamExtra{Each of them must be connected, and no two sources may have a vertex in common. Distances to them are
+   *                     wrong by up to about 1e-4 of their longest edge.}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{source_border}
+   *     \cgalParamDescription{whether each border loop is a source, behind all others}
+   *     \cgalParamType{`bool`}
+   *     \cgalParamDefault{`false`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{snapping_tolerance}
    *     \cgalParamDescription{a barycentric coordinate of a source up to this value is taken for zero, and sources whose
@@ -314,15 +333,19 @@ public:
    *
    * @throws Cut_loci::Invalid_input where `set_source()` throws it for one of the sources, and if there is none, if two
    *         are at the same point or in different components, or if there are several and the method is
-   *         `Cut_loci::Method::LAPLACIAN`
+   *         `Cut_loci::Method::LAPLACIAN`; for curves, also if one has no edges or is not connected, if there is a
+   *         `maximum_relative_error`, or if the mesh has no border that could be a source
    */
   template <typename SourceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_sources(const SourceRange& sources, const CGAL_NP_CLASS& np = parameters::default_values())
   {
     const double tolerance = snapping_tolerance(np);
-    const auto read = Cut_loci::internal::read_sources(tm_, *read_, sources, tolerance);
+    const std::vector<Cut_loci::Indexed_curve> curves = read_curves(np);
+    const auto read = Cut_loci::internal::read_sources(tm_, *read_, sources, tolerance, curves.empty());
     Cut_loci::internal::check_sources(read_->mesh, read, *component_of_face_, tolerance);
-    solve(read, np);
+    if(!curves.empty())
+      Cut_loci::internal::check_curves(read_->mesh, read, curves, *component_of_face_);
+    solve(read, np, curves);
   }
 
   /*!
@@ -408,6 +431,13 @@ public:
    *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. Without the other part, the graph need not be connected,
    *                     nor a cell a disk. Of one source, one vertex is left.}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{medial}
+   *     \cgalParamDescription{whether to keep only what is inside the cells of several sources, without the edges between two of
+   *                           them}
+   *     \cgalParamType{`bool`}
+   *     \cgalParamDefault{`false`}
+   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`, nor with `voronoi`.}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{edge_is_constrained_map}
    *     \cgalParamDescription{a property map that is set to `true` for the edges of the mesh on the cut locus; the
    *                           others are left as they are}
@@ -430,6 +460,8 @@ public:
       throw Cut_loci::Invalid_input(Cut_loci::Cause::NO_SOURCE,
                                     "there is no source: set_source() comes before cut_locus()");
     refuse_parameters_of_other_methods(method_, np);
+    if(!curves_.empty())
+      refuse_mesh_edges(np);
 
     const Stage_scope scope(visitor_, Cut_loci::Stage::FILTER);
     report(*component_, Cut_loci::Stage::FILTER); // what has been left out may be computed
@@ -452,7 +484,7 @@ public:
       found = solver.filter(thresholds, curve.curve, mesh_edges);
     }
     mark_edges(mesh_edges, parameters::get_parameter(np, internal_np::edge_is_constrained));
-    return Builder(tm_, vpm_, read_, *component_)(found, sources_, source_result_);
+    return Builder(tm_, vpm_, read_, *component_)(found, points_of_sources(), source_result_);
   }
 
   /// the method that is in force: for the current source, or, if there is none, for one without a
@@ -501,6 +533,22 @@ private:
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::snapping_tolerance), FT(1e-10)));
   }
 
+  // a curve has its first vertex
+  std::vector<Cut_loci::Indexed_source> points_of_sources() const
+  {
+    std::vector<Cut_loci::Indexed_source> result = points_;
+    for(const Cut_loci::Indexed_curve& curve : curves_)
+    {
+      const Index h = curve.halfedges.front();
+      Cut_loci::Indexed_source first;
+      first.vertex = component_->mesh->source(h);
+      first.location.face = h / 3;
+      first.location.coordinates[h % 3] = 1.;
+      result.push_back(first);
+    }
+    return result;
+  }
+
   bool has_exact_tree() const { return source_result_ && method_ != Cut_loci::Method::LAPLACIAN; }
 
   Cut_loci::internal::Exact_tree_thresholds
@@ -510,26 +558,45 @@ private:
                                                    : solver.default_thresholds();
   }
 
+  // those of the two parameters
   template <typename NamedParameters>
-  void solve(const std::vector<Cut_loci::Indexed_source>& sources, const NamedParameters& np)
+  std::vector<Cut_loci::Indexed_curve> read_curves(const NamedParameters& np) const
+  {
+    using parameters::get_parameter;
+    auto curves = Cut_loci::internal::read_curves(tm_, *read_, get_parameter(np, internal_np::source_curves));
+    if(parameters::choose_parameter(get_parameter(np, internal_np::source_border), false))
+      for(Cut_loci::Indexed_curve& loop : Cut_loci::internal::border_curves(read_->mesh))
+        curves.push_back(std::move(loop));
+    return curves;
+  }
+
+  template <typename NamedParameters>
+  void solve(const std::vector<Cut_loci::Indexed_source>& points, const NamedParameters& np,
+             const std::vector<Cut_loci::Indexed_curve>& curves = {})
   {
     const Cut_loci::Method method = method_for(np);
     Cut_loci::internal::refuse_parameters_of_other_methods(method, np);
-    if(sources.size() > 1)
+    if(points.size() > 1)
       Cut_loci::internal::refuse_several_sources(method);
     const double error = Cut_loci::internal::read_maximum_relative_error(np);
     refuse_lengths(read_->mesh.is_intrinsic, method);
+    if(!curves.empty())
+      Cut_loci::internal::refuse_curves(method, error);
     source_result_.reset();
     method_ = method;
     constexpr bool runs_solver = !Cut_loci::internal::is_given<NamedParameters, internal_np::vertex_distance_map_t>();
     source_angle_threshold_ = runs_solver && solver_.gradient_angle_threshold() > 0.
                                 ? solver_.gradient_angle_threshold()
                                 : default_gradient_angle_threshold();
-    Component& component = component_at((*component_of_face_)[sources.front().location.face], method);
+    Component& component = component_at(
+      (*component_of_face_)[points.empty() ? curves.front().halfedges.front() / 3 : points.front().location.face], method);
     component_ = &component;
-    sources_.clear();
-    for(const Cut_loci::Indexed_source& source : sources)
-      sources_.push_back(component.local(source));
+    points_.clear();
+    for(const Cut_loci::Indexed_source& source : points)
+      points_.push_back(component.local(source));
+    curves_.clear();
+    for(const Cut_loci::Indexed_curve& curve : curves)
+      curves_.push_back(component.local(curve));
     set_error(component, error, runs_solver);
     if(method_ == Cut_loci::Method::LAPLACIAN)
       solve(component, *component.laplacian, np);
@@ -608,7 +675,7 @@ private:
   void set_distances(Component& component, Cut_loci::internal::Laplacian_method& solver, const VertexDistanceMap& map)
   {
     std::vector<double> distance;
-    const Cut_loci::Indexed_source& source = sources_.front();
+    const Cut_loci::Indexed_source& source = points_.front();
     const Cut_loci::internal::Geodesic_results* geodesics = compute_distances(component, source, distance, map);
     solver.set_distance(source, std::move(distance), geodesics);
   }
@@ -618,7 +685,7 @@ private:
   {
     if(has_own_solver_)
       Cut_loci::internal::refuse_distances(method_);
-    solver.compute_distance(sources_);
+    solver.compute_distance(points_, curves_);
     check_distances(component, solver.distance(), "the geodesic solver returned");
   }
 
@@ -720,8 +787,9 @@ private:
   Index number_of_components_ = 0;
   std::map<Index, std::unique_ptr<Component>> components_;
 
-  Component* component_ = nullptr;                // that of the sources
-  std::vector<Cut_loci::Indexed_source> sources_; // in their component
+  Component* component_ = nullptr;               // that of the sources
+  std::vector<Cut_loci::Indexed_source> points_; // in their component, and
+  std::vector<Cut_loci::Indexed_curve> curves_;
   double source_angle_threshold_ = default_gradient_angle_threshold();
   std::shared_ptr<const Cut_loci::internal::Source_result> source_result_;
 };

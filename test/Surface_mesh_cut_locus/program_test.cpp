@@ -56,6 +56,9 @@ TEST_F(Program, Help)
   EXPECT_EQ(outcome.status, 0);
   for(const char* option : {"--source ",
                             "--source-point",
+                            "--sources ",
+                            "--source-edges",
+                            "--source-border",
                             "--solver",
                             "--max-relative-error",
                             "--method",
@@ -468,6 +471,52 @@ TEST_F(Program, Overlapping_atlas)
     const auto report = nlohmann::json::parse(read_file(path("uv.json"))).at("uv");
     EXPECT_NEAR(report.at("overlap").get<double>(), overlap, 0.02) << parameterization;
   }
+}
+
+TEST_F(Program, Curves_as_sources)
+{
+  // a rectangle of 3 x 1, in squares with two triangles each
+  std::ostringstream text;
+  text << "OFF\n124 180 0\n";
+  for(int i = 0; i <= 30; ++i)
+    for(int j = 0; j <= 3; ++j)
+      text << 0.1 * i << ' ' << j / 3. << " 0\n";
+  for(int i = 0; i < 30; ++i)
+    for(int j = 0; j < 3; ++j)
+    {
+      const int a = 4 * i + j;
+      text << "3 " << a << ' ' << a + 4 << ' ' << a + 5 << "\n3 " << a << ' ' << a + 5 << ' ' << a + 1 << '\n';
+    }
+  write("plate.off", text.str());
+  const std::string plate = quoted(path("plate.off")) + " --method polyhedral --report " + quoted(path("r.json"));
+  const auto report = [&](const std::string& arguments)
+  {
+    const Outcome outcome = run(plate + " " + arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.messages;
+    return nlohmann::json::parse(read_file(path("r.json")));
+  };
+  const auto axis = report("--source-border -o " + quoted(path("axis.png")));
+  EXPECT_NEAR(axis.at("length").get<double>(), 2. + 2. * std::sqrt(2.), 1e-3);
+  EXPECT_EQ(axis.at("leaves"), 4);
+  EXPECT_EQ(axis.at("curve"), "faces");
+
+  // two sides in a file, and a vertex between them in another one
+  write("sides.txt", "0 1 2\n2 3\n\n120 121 122 123\n");
+  write("points.txt", "61\n");
+  const auto mixed = report("--source-edges " + quoted(path("sides.txt")) + " --sources " + quoted(path("points.txt")) +
+                            " -o " + quoted(path("mixed.vtp")));
+  ASSERT_EQ(mixed.at("sources").size(), 3u);
+  EXPECT_EQ(mixed.at("sources").at(0), 61);
+  EXPECT_LT(mixed.at("sources").at(1), 4);
+  EXPECT_GE(mixed.at("sources").at(2), 120);
+  EXPECT_NE(read_file(path("mixed.vtp")).find("source2"), std::string::npos);
+
+  expect_failure(run_on_torus("--quiet --source-border"), "no border");
+  expect_failure(run_on_torus("--source-border --check"), "--check takes one source");
+  expect_failure(run_on_torus("--source-border --min-branch-edges 3"), "--min-branch-edges is for");
+  expect_failure(run_on_torus("--sources " + quoted(path("nothing.txt"))), "cannot read");
+  write("apart.txt", "1 200\n");
+  expect_failure(run_on_torus("--quiet --source-edges " + quoted(path("apart.txt"))), "no edge between");
 }
 
 TEST_F(Program, Unfolding)

@@ -60,6 +60,9 @@ bool write_OBJ(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_loc
   }
   for(const auto& chain : Cut_loci::internal::maximal_chains(graph))
   {
+    if(cut_locus.number_of_sources() > 1 && !chain.edges.empty())
+      os << "g sources_" << graph[chain.edges.front()].sources[0] << '_' << graph[chain.edges.front()].sources[1]
+         << '\n';
     os << (chain.edges.empty() ? 'p' : 'l');
     for(auto v : chain.vertices)
       os << ' ' << v + 1;

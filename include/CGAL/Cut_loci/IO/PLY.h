@@ -22,7 +22,8 @@ namespace IO {
  * \ingroup PkgSurfaceMeshCutLocusIO
  *
  * writes a cut locus as an ASCII file of the format PLY (extension `.ply`) with the elements `vertex`, with the
- * property `distance`, and `edge`, with the property `strength`.
+ * property `distance`, and `edge`, with the property `strength` and, if there are several sources, `source1` and
+ * `source2`, the numbers of those on its two sides.
  *
  * @param os the output stream
  * @param cut_locus the cut locus
@@ -56,6 +57,7 @@ bool write_PLY(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_loc
      << "\nproperty double x\nproperty double y\nproperty double z\nproperty double distance\n"
      << "element edge " << num_edges(graph)
      << "\nproperty int vertex1\nproperty int vertex2\nproperty double strength\n"
+     << (cut_locus.number_of_sources() > 1 ? "property int source1\nproperty int source2\n" : "")
      << (is_marked.is_given() ? "property uchar marked\n" : "") << "end_header\n";
   for(auto v : CGAL::make_range(vertices(graph)))
   {
@@ -65,6 +67,8 @@ bool write_PLY(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_loc
   for(auto e : CGAL::make_range(edges(graph)))
   {
     os << source(e, graph) << ' ' << target(e, graph) << ' ' << graph[e].strength;
+    if(cut_locus.number_of_sources() > 1)
+      os << ' ' << graph[e].sources[0] << ' ' << graph[e].sources[1];
     if(is_marked.is_given())
       os << (is_marked(e) ? " 1" : " 0");
     os << '\n';

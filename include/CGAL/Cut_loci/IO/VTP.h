@@ -86,6 +86,15 @@ bool write_VTP(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_loc
   for(auto e : CGAL::make_range(edges(graph)))
     os << graph[e].strength << '\n';
   end_array();
+  for(std::size_t side = 0; side < 2 && cut_locus.number_of_sources() > 1; ++side)
+  {
+    start_array("Int64", side == 0 ? "source1" : "source2");
+    for(std::size_t i = 0; i < isolated.size(); ++i)
+      os << "-1\n";
+    for(auto e : CGAL::make_range(edges(graph)))
+      os << graph[e].sources[side] << '\n';
+    end_array();
+  }
   if(is_marked.is_given())
   {
     start_array("UInt8", "marked");

@@ -117,6 +117,9 @@ private:
   void propagate();
   template <int columns>
   void start_at_vertex(std::size_t number);
+  /// for sources that are edges
+  template <int columns>
+  void start_at_line(std::size_t number);
   /// for sources on edges and in faces
   template <int columns>
   void start_in_face(std::size_t number);

@@ -38,7 +38,7 @@ CGAL_CUT_LOCI_INLINE void Exact_geodesic_propagation::run(const std::vector<Inde
   observer_ = observer;
   if(has_directions_ && is_approximate())
     propagate<9>();
-  else if(has_directions_ || sources.size() > 1)
+  else if(has_directions_ || sources_.size() > 1)
     propagate<7>();
   else if(is_approximate())
     propagate<6>();
@@ -69,8 +69,11 @@ inline void Exact_geodesic_propagation::propagate()
   for(std::size_t i = 0; i < sources_.size(); ++i)
     if(sources_[i].vertex != null_index)
       start_at_vertex<columns>(i);
-    else
+    else if(sources_[i].line == null_index)
       start_in_face<columns>(i);
+  for(std::size_t i = 0; i < sources_.size(); ++i)
+    if(sources_[i].line != null_index)
+      start_at_line<columns>(i);
   do
   {
     Index item;
@@ -108,6 +111,11 @@ inline void Exact_geodesic_propagation::start_at_vertex(std::size_t number)
   arrival_[v] = Geodesic_arrival();
   arrival_[v].halfedge = faces_.first_halfedge(v);
   arrival_[v].origin = static_cast<Index>(number);
+  // On lines, only between their outer rays. The margin is for the rounding of these, as at a bend: it is that of a longer
+  // way, from the image of the line. What is in the margin are paths as well, but not the shortest.
+  constexpr double margin = 1e-6;
+  const std::array<double, 2> fan =
+    is_on_line(v) ? Geodesic_results::fan(v) : std::array<double, 2>{{-infinity, infinity}};
   const Index first = faces_.first_halfedge(v);
   double angle = 0.;
   Index h = first;
@@ -116,10 +124,23 @@ inline void Exact_geodesic_propagation::start_at_vertex(std::size_t number)
     Geodesic_arrival start;
     start.turn = has_turns() ? angle : 0.;
     start.origin = static_cast<Index>(number);
-    emit<columns>(h, 0., faces_.angle(h), start);
-    angle += faces_.angle(h);
+    const double width = faces_.angle(h), from = (std::max)(0., fan[0] - margin - angle),
+                 to = (std::min)(width, fan[1] + margin - angle);
+    if(from < to)
+      emit<columns>(h, from, to, start);
+    angle += width;
     h = faces_.next_around_source(h);
   } while(h != null_index && h != first);
+}
+
+/// as if windows from behind the border had come to its halfedge
+template <int columns>
+inline void Exact_geodesic_propagation::start_at_line(std::size_t number)
+{
+  const Index source = static_cast<Index>(number), h = line_halfedge(source);
+  const Plane_point image = line_image(source);
+  batches_.insert<columns>(h, {0., faces_.length(h), image.x, image.y, -line_distance(), 0., double(number)},
+                           faces_.length(h));
 }
 
 /// for sources on edges and in faces
@@ -377,7 +398,7 @@ inline void Exact_geodesic_propagation::cross_face(Index h)
   if(columns > 5 && is_approximate() && list->size() > 1)
     Geodesic_merging<columns>(*list, faces_.length(h), tolerance_, merging_angle_)();
   number_of_windows_ += list->size();
-  const bool is_kept = observer_ != nullptr && observer_->take(h, *list);
+  const bool is_kept = observer_ != nullptr && faces_.opposite(h) != null_index && observer_->take(h, *list);
   constexpr std::array<Index, 5> modulo_3 = {{0, 1, 2, 0, 1}}; // a condition here would be hard to predict
   const Index i = h % 3, j = modulo_3[i + 1], k = modulo_3[i + 2];
   const Geodesic_face::Corner &corner_a = face.corner[i], &corner_b = face.corner[j];

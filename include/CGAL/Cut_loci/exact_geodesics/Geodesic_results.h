@@ -29,6 +29,12 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
+/// is an edge on the border all of whose points are sources, and the number of the set of sources that it belongs to.
+struct Geodesic_line
+{
+  Index halfedge, owner;
+};
+
 /// says what a run of `Exact_geodesic_propagation` computes.
 struct Exact_geodesic_options
 {
@@ -38,6 +44,8 @@ struct Exact_geodesic_options
   double merging_angle = 0.;  ///< with such an error: by which directions may change where windows are merged
   bool all_centroids = false; ///< whether face centroids are query locations
   std::vector<Indexed_location> queries; ///< further points whose distance is wanted
+  std::vector<Geodesic_line> lines;      ///< sources that are edges; with directions, and without an error
+  std::vector<Index> owners;             ///< of the sources that are points, see `Geodesic_line`; empty: its own number
   Progress progress; ///< is told, every few milliseconds, the share of the vertices that are reached
 };
 
@@ -172,8 +180,8 @@ public:
     return faces_.angle_around_source(direction.halfedge) + direction.angle;
   }
 
-  /// the number of the source nearest to `v`
-  Index nearest_source(Index v) const { return is_reached(v) ? source_of(arrival_[v]) : null_index; }
+  /// the owner of the source nearest to `v`
+  Index nearest_source(Index v) const { return is_reached(v) ? owner(source_of(arrival_[v])) : null_index; }
 
   std::size_t number_of_sources() const { return sources_.size(); }
   /// the total angle at source number `i`: two pi in faces
@@ -200,7 +208,7 @@ public:
   double query_distance(std::size_t i) const { return queries_[i].distance; }
   Index query_nearest_source(std::size_t i) const
   {
-    return queries_[i].distance < infinity ? source_of(queries_[i].arrival) : null_index;
+    return queries_[i].distance < infinity ? owner(source_of(queries_[i].arrival)) : null_index;
   }
   double query_direction_at_source(std::size_t i) const
   {
@@ -265,12 +273,86 @@ public:
     return bends_[v].source != null_index ? bends_[v].source : source_of(arrival_[v]);
   }
 
-  /// the number of the source of the paths that come from an origin
+  /// the owner of the source of the paths that come from an origin
   Index source_of_origin(Index origin) const
   {
     if(sources_.size() == 1 || is_source(origin))
-      return sources_.size() == 1 ? 0 : origin;
-    return source_of(arrival_[vertex_of_origin(origin)]);
+      return sources_.size() == 1 ? 0 : owner(origin);
+    return owner(source_of(arrival_[vertex_of_origin(origin)]));
+  }
+
+  // -- sources that are edges ------------------------------------------------------------------------------------------
+  //
+  // The waves of an edge are parallel. They are those of an image far behind it, at the same distance D from both of its
+  // ends, and `sigma` is -D: so distances are zero at the ends of an edge of the length l, and in between down to
+  // -l^2 / (8 D), as sqrt(D^2 - l^2 / 4) says. A path of the image starts somewhere on the edge, and is too short by no more.
+
+  /// the number of the set of sources that a source belongs to
+  Index owner(Index source) const { return sources_[source].owner; }
+  bool has_lines() const { return !line_at_.empty(); }
+  bool is_line(Index origin) const { return is_source(origin) && sources_[origin].line != null_index; }
+  Index line_halfedge(Index source) const { return sources_[source].line; }
+  /// the number of the source that is the border halfedge `h`, or null
+  Index line_at(Index h) const { return line_at_.empty() ? null_index : line_at_[h]; }
+  /// whether a source that is an edge ends at a vertex
+  bool is_on_line(Index v) const
+  {
+    return has_lines() && faces_.is_border(v) && distance_[v] == 0. &&
+           (first_line(v) != null_index || last_line(v) != null_index);
+  }
+  /// the sources that are the border edges at a vertex, or null: before its first face, and behind its last one
+  Index first_line(Index v) const { return line_at(faces_.first_halfedge(v)); }
+  Index last_line(Index v) const { return line_at(Mesh::previous(last_halfedge(v))); }
+
+  /// of the images of lines from the ends of their edges, in units of the longest edge. A distance is too short by up to
+  /// 1/65536 of that edge then, and known to 1e-12 of it: both are far below what else is known.
+  static constexpr double line_reach = 8192.;
+  double line_distance() const { return line_distance_; }
+  /// half of the angle between the outer rays of a source: zero for a point
+  double half_opening(Index source) const
+  {
+    const Index h = sources_[source].line;
+    return h == null_index ? 0. : std::asin(0.5 * faces_.length(h) / line_distance_);
+  }
+  /// the image of a line, in the frame of its halfedge
+  Plane_point line_image(Index source) const
+  {
+    const double half = 0.5 * faces_.length(sources_[source].line);
+    return {half, -std::sqrt((line_distance_ - half) * (line_distance_ + half))};
+  }
+  /// what is to be added to the distance from the image of an origin
+  double sigma_of_origin(Index origin) const
+  {
+    if(!is_source(origin))
+      return distance_[vertex_of_origin(origin)];
+    return is_line(origin) ? -line_distance_ : 0.;
+  }
+
+  /// Of a vertex on lines, the directions from the first halfedge between the outer rays of the lines: in between, paths
+  /// start at the vertex. If the second one is smaller, the lines see all points first.
+  std::array<double, 2> fan(Index v) const
+  {
+    constexpr double right = 0.5 * geodesic_pi;
+    const Index first = first_line(v), last = last_line(v);
+    return {{first != null_index ? right + half_opening(first) : -infinity,
+             last != null_index ? faces_.total_angle(v) - right - half_opening(last) : infinity}};
+  }
+
+  /// whether two sources of one set, both of them edges or one of them a vertex, have an end in common
+  bool are_neighbors(Index a, Index b) const
+  {
+    if(!is_source(a) || !is_source(b) || owner(a) != owner(b) || (!is_line(a) && !is_line(b)))
+      return false;
+    const std::array<Index, 2> at_a = ends(a), at_b = ends(b);
+    return at_a[0] == at_b[0] || at_a[0] == at_b[1] || at_a[1] == at_b[0] || at_a[1] == at_b[1];
+  }
+
+  /// whether paths that meet at this angle come from neighbors whose outer rays, in truth, are one: the boundary between
+  /// them is on no cut locus. Outer rays of lines one behind the other meet at up to half of what is allowed; the rest is
+  /// for corners that are no larger than that.
+  bool is_seam(Index a, Index b, double meeting_angle) const
+  {
+    return has_lines() && meeting_angle <= 2. / line_reach && are_neighbors(a, b);
   }
 
   /// the last straight pieces, for tracing paths
@@ -310,6 +392,8 @@ public:
         }
       return false;
     }
+    if(source.line != null_index)
+      return false;
     if(source.location.face == f)
     {
       p = faces_.in_frame(h, source.location.coordinates);
@@ -337,6 +421,8 @@ protected:
     Index vertex;   // if it is at one
     Index halfedge; // if it is on an edge
     double total_angle;
+    Index owner = null_index;
+    Index line = null_index; // the halfedge, if it is an edge
   };
 
   struct Query
@@ -368,8 +454,11 @@ protected:
     sources_.clear();
     for(const Indexed_location& location : sources)
       sources_.push_back(classify(location));
+    for(std::size_t i = 0; i < sources_.size(); ++i)
+      sources_[i].owner = options.owners.empty() ? static_cast<Index>(i) : options.owners[i];
+    prepare_lines(options.lines);
     merging_angle_ = options.merging_angle;
-    has_directions_ = options.directions || (sources.size() > 1 && !is_approximate_);
+    has_directions_ = options.directions || (sources_.size() > 1 && !is_approximate_);
     distance_.assign(faces_.number_of_vertices(), infinity);
     arrival_.resize(faces_.number_of_vertices());
     bends_.clear();
@@ -381,6 +470,8 @@ protected:
   /// a path of length `d` to the vertex `v` has been found; returns whether it is the shortest so far
   bool improve(Index v, double d, const Geodesic_arrival& arrival)
   {
+    if(distance_[v] == 0.) // at the end of a line, rounding may be below it
+      return false;
     // a smaller gain is rounding, and may be one forever
     if(!(d < distance_[v] * (1. - 1e-14)) && !(distance_[v] == infinity))
       return false;
@@ -475,7 +566,7 @@ protected:
     for(std::size_t i = 0; i < sources_.size() && !queries_.empty(); ++i)
     {
       const Source& source = sources_[i];
-      if(source.vertex != null_index)
+      if(source.vertex != null_index || source.line != null_index)
         continue;
       if(source.halfedge == null_index)
       {
@@ -547,6 +638,42 @@ private:
     return source;
   }
 
+  void prepare_lines(const std::vector<Geodesic_line>& lines)
+  {
+    line_at_.clear();
+    if(lines.empty())
+      return;
+    line_at_.assign(faces_.number_of_halfedges(), null_index);
+    double longest = 0.;
+    for(const Geodesic_line& line : lines)
+    {
+      longest = (std::max)(longest, faces_.length(line.halfedge));
+      line_at_[line.halfedge] = static_cast<Index>(sources_.size());
+      Source source{{}, null_index, null_index, geodesic_pi, line.owner, line.halfedge};
+      source.location.face = line.halfedge / 3;
+      source.location.coordinates[line.halfedge % 3] = 0.5;
+      source.location.coordinates[Mesh::next(line.halfedge) % 3] = 0.5;
+      sources_.push_back(source);
+    }
+    line_distance_ = line_reach * longest;
+  }
+
+  /// that leaves `v`, a vertex of the border: the last one counterclockwise
+  Index last_halfedge(Index v) const
+  {
+    Index h = faces_.first_halfedge(v);
+    while(faces_.next_around_source(h) != null_index)
+      h = faces_.next_around_source(h);
+    return h;
+  }
+
+  /// the vertices of a source that is an edge or a vertex
+  std::array<Index, 2> ends(Index source) const
+  {
+    const Index h = sources_[source].line, v = sources_[source].vertex;
+    return h != null_index ? std::array<Index, 2>{{faces_.source(h), faces_.target(h)}} : std::array<Index, 2>{{v, v}};
+  }
+
   void prepare_queries(const Exact_geodesic_options& options)
   {
     queries_.clear();
@@ -607,6 +734,8 @@ protected:
   std::vector<Geodesic_arrival> arrival_;
   std::vector<Bend> bends_; // of each vertex, with directions or several sources
   bool has_directions_ = false;
+  std::vector<Index> line_at_; // by halfedge; empty without lines
+  double line_distance_ = 0.;
 
 private:
   std::vector<Query> queries_;

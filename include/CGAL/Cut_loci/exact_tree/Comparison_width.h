@@ -37,11 +37,13 @@ public:
   {
     const Geodesic_faces& faces = geodesics_.faces();
     const std::array<Plane_point, 3> corners = {{{0., 0.}, {faces.length(3 * f), 0.}, faces.apex(3 * f)}};
+    const double meeting = angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y);
     const Parting_angle::Parting parting =
-      Parting_angle(geodesics_).parting(a.origin, a.direction_to(p, corners), b.origin, b.direction_to(p, corners));
+      Parting_angle(geodesics_)
+        .parting(a.origin, a.direction_to(p, corners), b.origin, b.direction_to(p, corners), meeting);
     const double length = a.distance(p) - parting.distance;
     const double first = chord(parting.angle);
-    const double last = chord(angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y));
+    const double last = chord(meeting);
     return first + last > 0. ? length * first * last / (first + last) : 0.;
   }
 

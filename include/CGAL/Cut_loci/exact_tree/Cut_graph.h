@@ -37,7 +37,8 @@ namespace internal {
  * does without all links that cross the cut locus if that is possible; it is, where all crossings are known.
  *
  * With several sources the tree is a forest with one of them in each of its trees, and 2g - 1 more cycles than sources
- * are left. Links between points with different nearest sources come last.
+ * are left. Links between points with different nearest sources come last. Where sources are edges on the border, these are
+ * in the forest from the start, with the cycle that they may form, and nothing is dual to them.
  *
  * A face that is not drawn holds one star instead of its trees. It joins what leads into it only if the topology asks
  * for that.
@@ -63,7 +64,7 @@ public:
   Cut_graph(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Geodesic_results& geodesics,
             const Label_changes& changes, const Ridges& ridges, const std::vector<Index>& source_vertices)
     : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), changes_(changes), ridges_(ridges),
-      has_several_sources_(source_vertices.size() > 1)
+      has_several_sources_(source_vertices.size() > 1 || geodesics.has_lines())
   {
     number_nodes();
     number_intervals();
@@ -167,6 +168,14 @@ private:
   {
     for(Index i = 0; i < source_vertices.size(); ++i)
       forest_.plant(source_vertices[i], i);
+    if(!geodesics_.has_lines())
+      return;
+    for(Index h = 0; h < mesh_.number_of_halfedges(); ++h)
+      if(geodesics_.line_at(h) != null_index)
+        forest_.link(mesh_.source(h), mesh_.target(h));
+    for(Index h = 0; h < mesh_.number_of_halfedges(); ++h)
+      if(geodesics_.line_at(h) != null_index)
+        forest_.plant(mesh_.source(h), geodesics_.owner(geodesics_.line_at(h)));
   }
 
   /// from the nodes beside a joint to the sources of their trees
@@ -228,6 +237,8 @@ private:
     std::vector<std::pair<Index, bool>> links; // an edge, or a crossing
     for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
     {
+      if(geodesics_.line_at(connectivity_.halfedge_of_edge[e]) != null_index)
+        continue;
       bool is_crossed = false;
       for(Index c = changes_.first(e); c < changes_.first(e + 1); ++c)
         if(is_real(c))

@@ -170,10 +170,7 @@ private:
     walk.t = from.x + (walk.to.x - from.x) * from.y / (from.y - walk.to.y);
   }
 
-  double image_sigma(Index origin) const
-  {
-    return geodesics_.is_source(origin) ? 0. : geodesics_.distance(geodesics_.vertex_of_origin(origin));
-  }
+  double image_sigma(Index origin) const { return geodesics_.sigma_of_origin(origin); }
 
   /// whether what a path starts from is in, or a corner of, the face
   bool starts_in(Index f, Index origin) const
@@ -234,6 +231,7 @@ private:
     const Index g = faces_.opposite(walk.halfedge);
     const double length = faces_.length(walk.halfedge);
     walk.halfedge = null_index;
+    walk.is_done = g == null_index && geodesics_.is_line(walk.origin); // there it starts
     if(g == null_index || starts_in(g / 3, walk.origin))
       return;
     // the frame of `g`, with the image on the side of its face

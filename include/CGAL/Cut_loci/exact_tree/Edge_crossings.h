@@ -229,8 +229,9 @@ private:
   void add_crossing(Index h, double t, const Path_label& left, const Path_label& right)
   {
     const double angle = meeting_angle(left, right, t), gap = parting_angle_(left, right, t);
+    const bool is_seam = geodesics_.is_seam(left.origin, right.origin, angle);
     if(!geodesics_.is_approximate())
-      crossings.push_back({h, t, left, right, gap, angle, is_same_path(angle, gap)});
+      crossings.push_back({h, t, left, right, gap, angle, is_seam || is_same_path(angle, gap)});
     else if(!is_same_family(geodesics_, angle, gap))
       crossings.push_back({h, t, left, right, gap, angle, false});
   }

@@ -145,15 +145,19 @@ private:
     if(windows_.back().end < length_ - margin)
       pieces_.push_back({windows_.back().end, length_, vertex_labels_.at_target(h)});
     // Pieces shorter than this at an end are rounding: they belong to the vertex.
-    while(pieces_.size() > 1 && pieces_.front().end < margin)
+    const double at_begin = margin_at(faces_.source(h)), at_end = margin_at(faces_.target(h));
+    while(pieces_.size() > 1 && pieces_.front().end < at_begin)
       pieces_.erase(pieces_.begin());
-    while(pieces_.size() > 1 && pieces_.back().begin > length_ - margin)
+    while(pieces_.size() > 1 && pieces_.back().begin > length_ - at_end)
       pieces_.pop_back();
     pieces_.front().begin = 0.;
     pieces_.back().end = length_;
     for(std::size_t i = 1; i < pieces_.size(); ++i)
       pieces_[i - 1].end = pieces_[i].begin = 0.5 * (pieces_[i - 1].end + pieces_[i].begin);
   }
+
+  /// Near the vertex from which a branch between two lines starts, their distances differ by less than they are known to.
+  double margin_at(Index v) const { return (geodesics_.is_on_line(v) ? 1e-6 : geodesic_cover) * length_; }
 
   /// whether the distance leaps up to a window from both of its neighbors: a gap between these that rounding has left,
   /// and that shows what is behind
@@ -290,6 +294,13 @@ private:
 
   bool is_source_on(Index h, Path_label& label) const
   {
+    const Index line = geodesics_.line_at(h);
+    if(line != null_index)
+    {
+      const Plane_point image = geodesics_.line_image(line);
+      label = {image.x, image.y, geodesics_.sigma_of_origin(line), 0., line, false};
+      return true;
+    }
     for(Index i = 0; i < geodesics_.number_of_sources(); ++i)
     {
       const Index g = geodesics_.source_edge(i);

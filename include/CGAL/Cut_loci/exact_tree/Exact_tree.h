@@ -61,6 +61,15 @@ public:
   /// is told the share of a stage that is done
   void report_to(const Progress& progress) { progress_ = progress; }
 
+  /// adds sources that are edges of the border
+  ///
+  /// @param owners of the sources that are points, first those of `source_vertices`
+  void add_lines(const std::vector<Geodesic_line>& lines, const std::vector<Index>& owners)
+  {
+    options_.lines = lines;
+    options_.owners = owners;
+  }
+
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
   const Mesh_connectivity& connectivity() const { return connectivity_; }
   const Exact_geodesic_propagation& geodesics() const { return geodesics_; }

@@ -17,11 +17,13 @@
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_edge_curve.h>
+#include <CGAL/Cut_loci/exact_tree/Mesh_with_curves.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/exact_tree/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
+#include <CGAL/Cut_loci/exact_tree/lone_nodes.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -75,25 +77,26 @@ public:
   }
 
   // once per source, or set of sources, in four parts
-  void compute_distance(const std::vector<Indexed_source>& sources) override
+  void compute_distance(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves) override
   {
     refuse_error_without_strength(least_);
-    sources_ = sources;
+    sources_ = points;
     tree_.reset();
     divided_.reset();
-    if(has_source_off_vertices() && sources.size() > 1)
-      divided_.reset(new Divided_surface(mesh_, sources));
+    curves_ = curves;
+    if(!curves.empty() || (has_source_off_vertices() && points.size() > 1))
+      divided_.reset(new Divided_surface(mesh_, points, curves));
     start();
     distance_ = geodesics().distances();
     for(Index v = 0; v < distance_.size() && maximum_relative_error_ > 0.; ++v)
       distance_[v] += geodesics().distance_error(v);
     distance_.resize(mesh_.number_of_vertices());
     nearest_source_.clear();
-    for(Index v = 0; v < mesh_.number_of_vertices() && sources.size() > 1; ++v)
+    for(Index v = 0; v < mesh_.number_of_vertices() && sources_.size() + curves_.size() > 1; ++v)
       nearest_source_.push_back(geodesics().nearest_source(v));
     find_farthest();
   }
-  void compute_distance(const Indexed_source& source) { compute_distance(std::vector<Indexed_source>(1, source)); }
+  void compute_distance(const Indexed_source& source) { compute_distance({source}, {}); }
 
   void compute_strengths() override { tree_->draw_ridges(threads_); }
 
@@ -102,17 +105,19 @@ public:
    * paths run along edges of the mesh, it takes no more than rounding to choose other ones in neighboring faces. Both
    * need a symmetric placement of the source. Then it is moved, unless what is left out matters more: by far less than
    * the accuracy of any mesh, and far more than that of the windows. Of several sources all are moved, each one by
-   * another length, as they may be symmetric to each other too.
+   * another length, as they may be symmetric to each other too. Vertices of curves are always moved, as the waves of the
+   * edges at a corner are symmetric to each other often.
    */
   void grow_tree() override
   {
     const Progress all = progress_;
     tree_->join();
-    for(int number = 1; number <= 2 && least_.is_none() && !tree_->is_sure(); ++number)
+    const int most = has_curves() ? 4 : 2;
+    for(int number = 1; number <= most && least_.is_none() && !tree_->is_sure(); ++number)
     {
-      report_to(all.part(0.5 * number - 0.5, 0.5 * number - 0.1));
+      report_to(all.part((number - 1.) / most, (number - 0.2) / most));
       start(number);
-      report_to(all.part(0.5 * number - 0.1, 0.5 * number));
+      report_to(all.part((number - 0.2) / most, double(number) / most));
       tree_->draw_ridges(threads_);
       tree_->join();
       remove_branches_to_sources();
@@ -134,6 +139,8 @@ public:
     std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds);
     see_all_of(kept, thresholds, all.part(0.5, 1.));
     tree_->measure_widths(kept);
+    if(has_curves())
+      return curve_between_curves(thresholds, kept);
     const Source_faces at_sources(mesh_, connectivity_, sources_);
     if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
       throw_source_without_face(at_sources.first_without_face());
@@ -143,8 +150,7 @@ public:
     {
       if(drops_branches)
         remove_edges(mesh_, connectivity_, edges, short_ones(thresholds, edges));
-      if(thresholds.is_voronoi)
-        remove_edges_within_cells(edges);
+      remove_other_parts(thresholds, edges);
       return edges;
     }
     Tree_curve result(tree_->mesh(), tree_->connectivity(), geodesics(), *tree_, kept, lone_vertex());
@@ -153,8 +159,8 @@ public:
     set_origins(mesh_, connectivity_, edges, result.face, result.graph);
     if(drops_branches)
       remove_short_branches(thresholds, edges, result);
-    if(thresholds.is_voronoi)
-      remove_edges_within_cells(edges, result.graph);
+    if(!thresholds.has_all_parts())
+      remove_other_parts(thresholds, edges, result.graph);
     return std::move(result.graph);
   }
 
@@ -170,27 +176,56 @@ public:
   std::vector<Index> nearest_sources() const override { return nearest_source_; }
 
 private:
-  // With a vertex at each source.
+  // With a vertex at each source, and cut open along curves.
   struct Divided_surface : public Mesh_with_sources
   {
+    std::unique_ptr<Mesh_with_curves> with_curves; // if there are any
     Mesh_connectivity connectivity;
     Exact_geodesic_propagation geodesics;
 
-    Divided_surface(const Indexed_triangle_mesh& without, const std::vector<Indexed_source>& sources)
-      : Mesh_with_sources(without, sources), connectivity(mesh()), geodesics(mesh())
+    Divided_surface(const Indexed_triangle_mesh& without, const std::vector<Indexed_source>& points,
+                    const std::vector<Indexed_curve>& curves, int number = 1)
+      : Mesh_with_sources(without, points),
+        with_curves(curves.empty() ? nullptr : new Mesh_with_curves(without, *this, curves, 1e-5 * number)),
+        connectivity(surface()), geodesics(surface())
     {
     }
+
+    const Indexed_triangle_mesh& surface() const { return with_curves ? with_curves->mesh() : mesh(); }
   };
+
+  bool has_curves() const { return divided_ != nullptr && divided_->with_curves; }
+
+  // A curve through the faces. The one of mesh edges would have to leave a face on each side of each edge of a source.
+  Indexed_cut_locus curve_between_curves(const Exact_tree_thresholds& thresholds,
+                                         const std::vector<Tree_branches::Edge>& kept)
+  {
+    Tree_curve result(tree_->mesh(), tree_->connectivity(), geodesics(), *tree_, kept, lone_vertex());
+    if(result.graph.edges.empty())
+      result.graph.nodes.clear();
+    add_lone_nodes(tree_->mesh(), tree_->connectivity(), geodesics().distances(), result.face, result.graph);
+    divided_->with_curves->close(result.graph);
+    divided_->remove_sources(result.graph, result.face);
+    for(Index i = 0; i < result.graph.edges.size(); ++i)
+      result.graph.edges[i].origin = i;
+    remove_other_parts(thresholds, result.graph);
+    return std::move(result.graph);
+  }
 
   // `number` other than 0: with the sources moved, each time elsewhere
   void start(int number = 0)
   {
     is_complete_ = false;
+    if(number > 0 && has_curves())
+      divided_.reset(new Divided_surface(mesh_, sources_, curves_, number + 1));
     if(divided_ != nullptr)
-      tree_.reset(new Exact_tree(divided_->mesh(), divided_->connectivity, divided_->geodesics, divided_->vertices()));
+      tree_.reset(
+        new Exact_tree(divided_->surface(), divided_->connectivity, divided_->geodesics, divided_->vertices()));
     else
       tree_.reset(new Exact_tree(mesh_, connectivity_, geodesics_, source_vertices()));
     tree_->report_to(progress_);
+    if(has_curves())
+      tree_->add_lines(divided_->with_curves->lines(), divided_->with_curves->owners());
     // Windows may be merged where what is between them is half of what the weakest branch needs.
     tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(surface_->extent));
     tree_->propagate(locations(number), least_);
@@ -278,15 +313,23 @@ private:
     set_origins(mesh_, connectivity_, edges, curve.face, curve.graph);
   }
 
+  // whether an edge is in none of the parts that are asked for
+  static bool is_of_other_part(const Exact_tree_thresholds& thresholds, const Indexed_cut_locus::Edge& e)
+  {
+    return e.sources[0] == e.sources[1] ? thresholds.is_voronoi : thresholds.is_medial;
+  }
+
   // returns the new number of each edge, or null
-  std::vector<Index> remove_edges_within_cells(Indexed_cut_locus& graph) const
+  std::vector<Index> remove_other_parts(const Exact_tree_thresholds& thresholds, Indexed_cut_locus& graph) const
   {
     std::vector<Index> number;
+    if(thresholds.has_all_parts())
+      return number;
     std::vector<unsigned char> is_removed;
     Index size = 0;
     for(Indexed_cut_locus::Edge& e : graph.edges)
     {
-      is_removed.push_back(e.sources[0] == e.sources[1]);
+      is_removed.push_back(is_of_other_part(thresholds, e));
       number.push_back(is_removed.back() ? null_index : size++);
       e.origin = number.back();
     }
@@ -295,14 +338,15 @@ private:
   }
 
   // from both curves, of which the second one refers to the first
-  void remove_edges_within_cells(Indexed_cut_locus& edges, Indexed_cut_locus& curve) const
+  void remove_other_parts(const Exact_tree_thresholds& thresholds, Indexed_cut_locus& edges,
+                          Indexed_cut_locus& curve) const
   {
     std::vector<Index> origin;
     for(const Indexed_cut_locus::Edge& e : curve.edges)
-      if(e.sources[0] != e.sources[1])
+      if(!is_of_other_part(thresholds, e))
         origin.push_back(e.origin);
-    const std::vector<Index> number = remove_edges_within_cells(edges);
-    remove_edges_within_cells(curve);
+    const std::vector<Index> number = remove_other_parts(thresholds, edges);
+    remove_other_parts(thresholds, curve);
     for(std::size_t i = 0; i < curve.edges.size(); ++i)
       curve.edges[i].origin = origin[i] != null_index ? number[origin[i]] : null_index;
   }
@@ -332,6 +376,8 @@ private:
       const double share = static_cast<double>(i) / static_cast<double>(sources_.size());
       result.push_back(number == 0 ? at : moved(at, 1e-6 * number * (1. + share)));
     }
+    if(has_curves())
+      result.insert(result.end(), divided_->with_curves->points().begin(), divided_->with_curves->points().end());
     return result;
   }
 
@@ -363,7 +409,7 @@ private:
   Index lone_vertex() const
   {
     for(Index v = 0; v < mesh_.number_of_vertices() && connectivity_.number_of_border_loops > 0; ++v)
-      if(connectivity_.is_border(v) && !is_source(v))
+      if(connectivity_.is_border(v) && !is_source(v) && distance_[v] > 0.)
         return v;
     return farthest_;
   }
@@ -426,7 +472,8 @@ private:
   Branch_strength least_;              // of what the tree has
   double maximum_relative_error_ = 0.; // of the distances
 
-  std::vector<Indexed_source> sources_;
+  std::vector<Indexed_source> sources_; // the points
+  std::vector<Indexed_curve> curves_;
   std::unique_ptr<Divided_surface> divided_; // if there are several sources, and not all of them at vertices
   std::vector<double> distance_;
   std::vector<Index> nearest_source_; // of each vertex, if there are several

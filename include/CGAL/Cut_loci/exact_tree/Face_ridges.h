@@ -67,7 +67,7 @@ public:
 
   /// @param tolerance up to which paths of different lengths are taken for equally long
   /// @param entries returns all of them; only called where they are needed
-  /// @param are_one_path whether the paths from two images to a point of the face, on one line there, are the same
+  /// @param are_one_path whether the paths from two images to a point of the face, on one line there or not, are the same
   template <typename Entries, typename Are_one_path>
   void draw(const std::array<Plane_point, 3>& corners, const std::vector<Change>& changes, double tolerance,
             const Entries& entries, const Are_one_path& are_one_path)
@@ -373,7 +373,7 @@ private:
     Front front{node, fronts_[m.first].before, fronts_[m.second].after, false, false, true, 0., null_index, null_index,
                 true};
     front.is_ray = is_on_one_line(m.point, front.before, front.after);
-    front.is_shadow = front.is_ray && are_one_path(front.before, front.after, m.point);
+    front.is_shadow = are_one_path(front.before, front.after, m.point, front.is_ray);
     front.goes_up = front.is_ray || converge(front);
     front.level = front.after.distance(m.point);
     front.previous = fronts_[m.first].previous;

@@ -44,7 +44,7 @@ struct Image
 
 inline bool is_same_image(const Image& a, const Image& b)
 {
-  const double scale = std::fabs(a.x) + std::fabs(a.y) + a.sigma;
+  const double scale = std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.sigma);
   return a.origin == b.origin && std::fabs(a.x - b.x) + std::fabs(a.y - b.y) <= 1e-9 * scale;
 }
 

@@ -81,6 +81,8 @@ private:
   /// if the label of an edge is not that of the vertex `v` at which it ends
   void add_crossing_at_end(Edge_crossing c, Index v)
   {
+    if(geodesics_->is_on_line(v))
+      add_crossing_at_line(c);
     if(geodesics_->distance(v) == 0.)
       return;
     const Path_label& label = c.t == 0. ? c.right : c.left;
@@ -88,9 +90,21 @@ private:
       return; // it comes through the vertex
     const Geodesic_arrival& arrival = geodesics_->arrival(v);
     const double direction = Geodesic_results::direction_at_origin(arrival, geodesics_->end_in_frame(arrival, v));
-    c.gap = Parting_angle(*geodesics_)(arrival.origin, direction, label.origin, label.direction(c.t));
     c.angle = meeting_angle(c.left, c.right, c.t);
+    c.gap = Parting_angle(*geodesics_)(arrival.origin, direction, label.origin, label.direction(c.t), c.angle);
+    if(geodesics_->is_seam(arrival.origin, label.origin, c.angle))
+      return;
     if(!Edge_crossings::is_same_family(*geodesics_, c.angle, c.gap))
+      crossings_.push_back(c);
+  }
+
+  /// where lines meet, and the branch between them runs along an edge
+  void add_crossing_at_line(Edge_crossing c)
+  {
+    c.angle = meeting_angle(c.left, c.right, c.t);
+    c.gap = Parting_angle(*geodesics_)(c.left, c.right, c.t);
+    if(c.left.origin != c.right.origin && !geodesics_->is_seam(c.left.origin, c.right.origin, c.angle) &&
+       !Edge_crossings::is_same_path(c.angle, c.gap))
       crossings_.push_back(c);
   }
 
@@ -127,7 +141,7 @@ private:
         continue;
       is_done[v] = 1;
       const bool is_tip = !faces.is_border(v) && 2. * geodesic_pi - faces.total_angle(v) > least;
-      if(is_tip || faces.is_pseudo_source(v))
+      if(is_tip || faces.is_pseudo_source(v) || geodesics_->is_on_line(v))
         for(const Vertex_labels::Change& c : labels.changes(v))
           if(is_drawn(c.halfedge / 3))
             at_vertices_.push_back(c);

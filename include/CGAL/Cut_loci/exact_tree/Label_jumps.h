@@ -117,7 +117,12 @@ private:
     Known_direction& known = directions_[v];
     if(known.distance != d)
       known = {d, Geodesic_results::direction_at_origin(arrival, geodesics_.end_in_frame(arrival, v))};
-    return part_enough(static_cast<Index>(w.origin), label(w).direction(t), arrival.origin, known.direction);
+    const Index origin = static_cast<Index>(w.origin);
+    const double direction = label(w).direction(t);
+    // At which angle the two meet is not known here. From a curve, where it would count, they do if they are not the same.
+    const bool is_same =
+      geodesics_.is_line(origin) && origin == arrival.origin && std::fabs(direction - known.direction) < least_meeting;
+    return part_enough(origin, direction, arrival.origin, known.direction, is_same ? 0. : geodesic_pi);
   }
 
   static Path_label label(const Geodesic_window& w)
@@ -128,13 +133,16 @@ private:
   bool differ(const Geodesic_window& u, const Geodesic_window& v, double t) const
   {
     const Path_label a = label(u), b = label(v);
-    return meeting_angle(a, b, t) > steep || part_enough(a.origin, a.direction(t), b.origin, b.direction(t));
+    const double meeting = meeting_angle(a, b, t);
+    if(geodesics_.is_seam(a.origin, b.origin, meeting))
+      return false;
+    return meeting > steep || part_enough(a.origin, a.direction(t), b.origin, b.direction(t), meeting);
   }
 
   /// Paths that go together up to a vertex nearby get no farther apart than they can from there on.
-  bool part_enough(Index a, double a_direction, Index b, double b_direction) const
+  bool part_enough(Index a, double a_direction, Index b, double b_direction, double meeting) const
   {
-    const Parting_angle::Parting parting = parting_angle_.parting(a, a_direction, b, b_direction);
+    const Parting_angle::Parting parting = parting_angle_.parting(a, a_direction, b, b_direction, meeting);
     return parting.angle > least_.least_angle(distance_ - parting.distance);
   }
 

@@ -73,7 +73,9 @@ inline double meeting_angle(const Path_label& a, const Path_label& b, double t)
  * measures the angle at which two shortest paths to the same point part: at their source or, if they go together for a
  * while, at the vertex at which they bend apart.
  *
- * Paths from different sources part nowhere: the angle is infinite.
+ * Paths from different sources part nowhere: the angle is infinite. Those from different points of a curve leave it at
+ * right angles: by Gauss-Bonnet, what the two enclose, and the curve between them turns, is the angle at which they meet,
+ * which stands for that at which they part.
  */
 class Parting_angle
 {
@@ -82,13 +84,13 @@ public:
 
   double operator()(const Path_label& a, const Path_label& b, double t) const
   {
-    return operator()(a.origin, a.direction(t), b.origin, b.direction(t));
+    return operator()(a.origin, a.direction(t), b.origin, b.direction(t), meeting_angle(a, b, t));
   }
 
-  /// for paths that leave their origins in the given directions
-  double operator()(Index a, double a_direction, Index b, double b_direction) const
+  /// for paths that leave their origins in the given directions, and meet at some angle
+  double operator()(Index a, double a_direction, Index b, double b_direction, double meeting) const
   {
-    return parting(a, a_direction, b, b_direction).angle;
+    return parting(a, a_direction, b, b_direction, meeting).angle;
   }
 
   struct Parting
@@ -97,18 +99,22 @@ public:
     double distance; // of the point where they part, from the source
   };
 
-  Parting parting(Index a, double a_direction, Index b, double b_direction) const
+  Parting parting(Index a, double a_direction, Index b, double b_direction, double meeting) const
   {
+    if(geodesics_.is_seam(a, b, meeting))
+      return {0., 0.};
     while(a != b)
     {
       if(geodesics_.is_source(a) && geodesics_.is_source(b))
-        return {(std::numeric_limits<double>::infinity)(), 0.};
+        return {geodesics_.owner(a) == geodesics_.owner(b) ? meeting : (std::numeric_limits<double>::infinity)(), 0.};
       // the farther origin comes last on its path
       if(distance(a) >= distance(b))
         a_direction = geodesics_.step_back(a);
       else
         b_direction = geodesics_.step_back(b);
     }
+    if(geodesics_.is_line(a))
+      return {meeting, 0.};
     const double difference = std::fabs(a_direction - b_direction);
     if(!geodesics_.is_source(a))
       return {difference, distance(a)};

@@ -279,7 +279,8 @@ private:
     drawing_.draw(
       corners_, local_changes_, (std::max)(1e-8, geodesics_->merging_angle()) * size,
       [this, f]() -> const std::vector<Face_ridges::Entry>& { return entries(f); },
-      [this](const Image& a, const Image& b, const Plane_point& p) { return gap(a, b, p) < 1e-7; });
+      [this](const Image& a, const Image& b, const Plane_point& p, bool are_on_line)
+      { return are_on_line ? gap(a, b, p) < 1e-7 : is_seam(a, b, p); });
     number_of_doubtful_ += drawing_.is_doubtful;
     store(f);
   }
@@ -287,8 +288,9 @@ private:
   void add_change_at_vertex(const Vertex_labels::Change& c)
   {
     const Index v = mesh_->source(c.halfedge);
+    const bool is_ray = c.is_shadow && !(geodesics_->is_line(c.before.origin) && geodesics_->is_line(c.after.origin));
     local_changes_.push_back({corners_[c.halfedge % 3], null_index, image_at_vertex(c.halfedge, c.before),
-                              image_at_vertex(c.halfedge, c.after), c.is_shadow, c.is_shadow});
+                              image_at_vertex(c.halfedge, c.after), is_ray, c.is_shadow});
     Node node;
     node.vertex = c.is_shadow ? null_index : v;
     nodes_of_changes_.push_back(node);
@@ -311,7 +313,7 @@ private:
       const Plane_point p = a.edge == null_index   ? a.point
                             : b.edge == null_index ? b.point
                                                    : corners_[(a.edge + 1) % 3];
-      if(a.edge == b.edge || !(gap(a.after, b.before, p) < 1e-7) || !is_on_one_line(a.after, b.before, p))
+      if(a.edge == b.edge || !(gap(a.after, b.before, p) < 1e-7) || !are_on_one_line(a.after, b.before, p))
         continue;
       if(b.edge == null_index)
         b.before = a.after;
@@ -363,9 +365,14 @@ private:
                                           gap(a, b, p));
   }
 
-  static bool is_on_one_line(const Image& a, const Image& b, const Plane_point& p)
+  bool are_on_one_line(const Image& a, const Image& b, const Plane_point& p) const
   {
-    return angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y) < 1e-7;
+    return angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y) < 1e-7 || is_seam(a, b, p);
+  }
+
+  bool is_seam(const Image& a, const Image& b, const Plane_point& p) const
+  {
+    return geodesics_->is_seam(a.origin, b.origin, angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y));
   }
 
   void add_changes_on_edge(Index h)
@@ -520,7 +527,8 @@ private:
   /// the angle at which the paths from two images to a point part
   double gap(const Image& a, const Image& b, const Plane_point& p) const
   {
-    return Parting_angle(*geodesics_)(a.origin, a.direction_to(p, corners_), b.origin, b.direction_to(p, corners_));
+    return Parting_angle(*geodesics_)(a.origin, a.direction_to(p, corners_), b.origin, b.direction_to(p, corners_),
+                                      angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y));
   }
 
   /// numbers the trees in the order of their first crossing

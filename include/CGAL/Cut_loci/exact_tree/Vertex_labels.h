@@ -54,6 +54,8 @@ public:
   std::vector<Change> changes(Index v) const
   {
     std::vector<Change> result;
+    if(geodesics_.is_on_line(v))
+      add_changes_on_line(v, result);
     if(!(geodesics_.distance(v) > 0.))
       return result;
     if(faces_.is_pseudo_source(v))
@@ -130,11 +132,76 @@ private:
     } while(h != null_index && h != first);
   }
 
+  /// At a vertex on lines their waves meet, in the direction that halves the angle between them, or they leave room for
+  /// paths that start there.
+  void add_changes_on_line(Index v, std::vector<Change>& result) const
+  {
+    const std::array<double, 2> fan = geodesics_.fan(v);
+    const bool do_meet = fan[1] < fan[0];
+    // those that come later around the vertex come first around the face
+    std::array<double, 2> places = {{fan[1], fan[0]}};
+    if(do_meet)
+      places = {{0.5 * (fan[0] + fan[1]), -1.}};
+    const Index last = geodesics_.last_line(v), first = geodesics_.first_line(v);
+    const bool is_seam = do_meet && geodesics_.is_seam(first, last, fan[0] - fan[1]);
+    for(Index h = faces_.first_halfedge(v); h != null_index; h = faces_.next_around_source(h))
+    {
+      const Index behind = faces_.next_around_source(h);
+      const double angle = faces_.angle_around_source(h),
+                   next = behind != null_index ? faces_.angle_around_source(behind) : faces_.total_angle(v);
+      for(std::size_t k = 0; k < 2; ++k)
+        if(places[k] >= angle && places[k] < next)
+        {
+          const Path_label own = {0., 0., 0., angle, geodesics_.arrival(v).origin, false};
+          if(do_meet)
+            result.push_back({h, from_last_line(v, angle), from_first_line(v, angle), is_seam});
+          else if(k == 0)
+            result.push_back({h, from_last_line(v, angle), own, true});
+          else
+            result.push_back({h, own, from_first_line(v, angle), true});
+        }
+    }
+  }
+
+  /// of the lines at `v`, on an edge that leaves it in some direction
+  Path_label from_first_line(Index v, double direction) const
+  {
+    const Index line = geodesics_.first_line(v);
+    return from_line(line, geodesics_.half_opening(line) - 0.5 * geodesic_pi - direction, direction);
+  }
+  Path_label from_last_line(Index v, double direction) const
+  {
+    const Index line = geodesics_.last_line(v);
+    const double turn = direction + geodesic_pi - faces_.total_angle(v);
+    return from_line(line, 1.5 * geodesic_pi - geodesics_.half_opening(line) - turn, turn);
+  }
+
+  /// whose image is in the direction `angle` from the edge
+  Path_label from_line(Index line, double angle, double turn) const
+  {
+    const double r = geodesics_.line_distance(), y = r * std::sin(angle);
+    return {r * std::cos(angle), y, -r, turn, line, y > 0.};
+  }
+
+  Path_label at_source_vertex(Index v, double direction) const
+  {
+    if(geodesics_.is_on_line(v))
+    {
+      const std::array<double, 2> fan = geodesics_.fan(v);
+      const double middle = 0.5 * (fan[0] + fan[1]);
+      if(direction < fan[0] && (direction < fan[1] || direction <= middle))
+        return from_first_line(v, direction);
+      if(direction > fan[1])
+        return from_last_line(v, direction);
+    }
+    return {0., 0., 0., direction, geodesics_.arrival(v).origin, false};
+  }
+
   /// on an edge that leaves `v` in this direction, an angle from the first halfedge
   Path_label at_direction(Index v, double direction) const
   {
     if(geodesics_.distance(v) == 0.)
-      return {0., 0., 0., direction, geodesics_.arrival(v).origin, false};
+      return at_source_vertex(v, direction);
     double angle = direction - geodesics_.arrival_angle(v);
     if(faces_.is_border(v))
       return at_angle(v, angle);

@@ -115,6 +115,16 @@ struct Surface_component
     return source;
   }
 
+  Indexed_curve local(Indexed_curve curve) const
+  {
+    for(Index& h : curve.halfedges)
+      if(!is_whole())
+        h = 3 * static_cast<Index>(std::lower_bound(part->faces.begin(), part->faces.end(), h / 3) -
+                                   part->faces.begin()) +
+            h % 3;
+    return curve;
+  }
+
   bool has_solver(Method method) const
   {
     return method == Method::LAPLACIAN ? laplacian != nullptr : exact_tree != nullptr;

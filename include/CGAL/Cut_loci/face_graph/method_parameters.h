@@ -58,6 +58,37 @@ inline void refuse_several_sources(Method method)
                           "Cut_loci::Method::DIRECTION or Cut_loci::Method::POLYHEDRAL");
 }
 
+inline void refuse_curves(Method method, double error)
+{
+  if(method == Method::LAPLACIAN)
+    throw Invalid_input("the method " + std::string(name_of(method)) +
+                        " takes one source, a point: curves need the paths of the package's own exact solver, with "
+                        "Cut_loci::Method::DIRECTION or Cut_loci::Method::POLYHEDRAL");
+  if(error > 0.)
+    throw Invalid_input("sources that are curves need exact distances: leave maximum_relative_error away");
+}
+
+// The curve of mesh edges would have to leave a face on each side of each edge of a source.
+template <typename NamedParameters>
+void refuse_mesh_edges(const NamedParameters& np)
+{
+  const auto refuse = [](const std::string& name)
+  {
+    throw Invalid_input("the parameter " + name +
+                        " is for a cut locus made of edges of the mesh, which sources that are "
+                        "curves do not have: leave it away");
+  };
+  if(parameters::choose_parameter(parameters::get_parameter(np, internal_np::cut_locus_curve), Curve::THROUGH_FACES) ==
+     Curve::MESH_EDGES)
+    refuse("cut_locus_curve(Cut_loci::Curve::MESH_EDGES)");
+  if(is_given<NamedParameters, internal_np::minimum_branch_edges_t>())
+    refuse("minimum_branch_edges");
+  if(is_given<NamedParameters, internal_np::minimum_branch_length_t>())
+    refuse("minimum_branch_length");
+  if(is_given<NamedParameters, internal_np::edge_is_constrained_t>())
+    refuse("edge_is_constrained_map");
+}
+
 // A parameter of another method would be ignored, and the caller would take the result for what it asked for.
 template <typename NamedParameters>
 void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
@@ -90,6 +121,8 @@ void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
     refuse_unless(!is_laplacian, "minimum_branch_width", use_paths);
   if(is_given<NamedParameters, np::voronoi_t>())
     refuse_unless(!is_laplacian, "voronoi", use_paths);
+  if(is_given<NamedParameters, np::medial_t>())
+    refuse_unless(!is_laplacian, "medial", use_paths);
 }
 
 template <typename Number>
@@ -159,6 +192,9 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
                         "the minimum width of a branch must be a number that is not negative");
   read_least_branch(np, 0, diagonal, result);
   result.is_voronoi = choose_parameter(get_parameter(np, internal_np::voronoi), false);
+  result.is_medial = choose_parameter(get_parameter(np, internal_np::medial), false);
+  if(result.is_voronoi && result.is_medial)
+    throw Invalid_input("the parameters voronoi and medial exclude each other: without both, the result has all edges");
   return result;
 }
 

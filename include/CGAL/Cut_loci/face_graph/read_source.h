@@ -140,7 +140,7 @@ Indexed_source read_source(const TriangleMesh& tm, const Read_triangle_mesh<Tria
 
 template <typename TriangleMesh, typename Sources>
 std::vector<Indexed_source> read_sources(const TriangleMesh& tm, const Read_triangle_mesh<TriangleMesh>& read,
-                                         const Sources& sources, double tolerance)
+                                         const Sources& sources, double tolerance, bool is_all)
 {
   std::vector<Indexed_source> result;
   for(const auto& source : sources)
@@ -152,7 +152,7 @@ std::vector<Indexed_source> read_sources(const TriangleMesh& tm, const Read_tria
     {
       throw Invalid_input(error.cause(), "source " + std::to_string(result.size()) + ": " + error.what());
     }
-  if(result.empty())
+  if(result.empty() && is_all)
     throw Invalid_input(Cause::NO_SOURCE, "the range of sources is empty");
   return result;
 }

@@ -19,6 +19,9 @@ CGAL_add_named_parameter(minimum_branch_gap_t, minimum_branch_gap, minimum_branc
 CGAL_add_named_parameter(minimum_branch_width_t, minimum_branch_width, minimum_branch_width)
 CGAL_add_named_parameter(voronoi_t, voronoi, voronoi)
 CGAL_add_named_parameter(edge_length_map_t, edge_length_map, edge_length_map)
+CGAL_add_named_parameter(medial_t, medial, medial)
+CGAL_add_named_parameter(source_curves_t, source_curves, source_curves)
+CGAL_add_named_parameter(source_border_t, source_border, source_border)
 CGAL_add_named_parameter(maximum_relative_error_t, maximum_relative_error, maximum_relative_error)
 #if CGAL_VERSION_NR < 1060000000 // has it itself since then
 CGAL_add_named_parameter(concurrency_tag_t, concurrency_tag, concurrency_tag)

@@ -75,8 +75,10 @@ public:
   virtual void set_maximum_relative_error(double error) = 0;
   // is told the share of the next stage that is done; what it throws leaves the solver for the next source
   virtual void report_to(const Progress& progress) = 0;
-  // comes first, or, of the sources, after `expect()`; several sources are at different points
-  virtual void compute_distance(const std::vector<Indexed_source>& sources) = 0;
+  // comes first, or, of the sources, after `expect()`; several sources, of which the points come first, have no point in
+  // common
+  virtual void compute_distance(const std::vector<Indexed_source>& points,
+                                const std::vector<Indexed_curve>& curves) = 0;
   // `edges` becomes the curve of mesh edges, whichever curve is asked for
   virtual Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges) = 0;
 };

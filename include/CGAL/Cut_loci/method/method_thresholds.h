@@ -89,7 +89,10 @@ struct Exact_tree_thresholds : Branch_strength
 {
   Index minimum_edges = 0;    // branches of fewer edges of the mesh are removed
   double minimum_length = 0.; // branches that are shorter are removed
-  bool is_voronoi = false;    // all that is not between two sources is removed
+  bool is_voronoi = false;    // all that is not between two sources is removed, or
+  bool is_medial = false;     // all that is
+
+  bool has_all_parts() const { return !is_voronoi && !is_medial; }
 };
 
 } // namespace internal

@@ -77,6 +77,16 @@ struct Indexed_source
   Index vertex = null_index;
 };
 
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * is a source that is a connected curve: the edges of the mesh it is made of, each by one of its halfedges.
+ */
+struct Indexed_curve
+{
+  std::vector<Index> halfedges;
+};
+
 } // namespace Cut_loci
 } // namespace CGAL
 

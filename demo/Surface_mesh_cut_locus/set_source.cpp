@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "set_source.h"
+#include "thresholds.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
+
+namespace {
+
+using Edges = std::vector<Mesh::Edge_index>;
+
+std::size_t largest_component(const Input_mesh& input)
+{
+  const auto& size = input.component_size;
+  return static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+}
+
+// Of the component of the other sources, if there are any, or of that with the most faces.
+Edges border_of_component(const Options& options, const Input_mesh& input, const Edges& curves)
+{
+  const Mesh& mesh = input.mesh;
+  const auto component_at = [&](Mesh::Halfedge_index h)
+  { return input.component[mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h)]; };
+  std::size_t component = largest_component(input);
+  if(options.source_point)
+  {
+    const auto& p = *options.source_point;
+    component = input.component[closest_location(mesh, Kernel::Point_3(p[0], p[1], p[2])).first];
+  }
+  else if(!options.sources.empty())
+    component = component_at(mesh.halfedge(find_vertex(options.sources.front(), input, "--source")));
+  else if(!curves.empty())
+    component = component_at(mesh.halfedge(curves.front()));
+  Edges result;
+  for(const Mesh::Edge_index e : mesh.edges())
+    if(mesh.is_border(e) && component_at(mesh.halfedge(e)) == component)
+      result.push_back(e);
+  if(result.empty())
+    throw Usage_error("--source-border: there is no border, or another component of the mesh has it");
+  return result;
+}
+
+// The edges of the mesh that the lines of the file name, and those of the border, in curves that are connected.
+std::vector<Edges> source_curves(const Options& options, const Input_mesh& input)
+{
+  const Mesh& mesh = input.mesh;
+  std::vector<Mesh::Edge_index> all;
+  for(const auto& line : options.source_edges)
+    for(std::size_t i = 0; i + 1 < line.size(); ++i)
+    {
+      const Mesh::Halfedge_index h =
+        mesh.halfedge(find_vertex(line[i], input, "--source-edges"), find_vertex(line[i + 1], input, "--source-edges"));
+      if(h == Mesh::null_halfedge())
+        throw Usage_error("--source-edges: the mesh has no edge between the vertices " + std::to_string(line[i]) +
+                          " and " + std::to_string(line[i + 1]));
+      all.push_back(mesh.edge(h));
+    }
+  if(options.source_border)
+  {
+    const std::vector<Mesh::Edge_index> border = border_of_component(options, input, all);
+    all.insert(all.end(), border.begin(), border.end());
+  }
+  std::map<Mesh::Vertex_index, Mesh::Vertex_index> parent;
+  const auto find = [&](Mesh::Vertex_index v)
+  {
+    for(auto p = parent.insert({v, v}).first; p->second != v; p = parent.find(v))
+      v = p->second;
+    return v;
+  };
+  for(const Mesh::Edge_index e : all)
+    parent[find(mesh.vertex(e, 0))] = find(mesh.vertex(e, 1));
+  std::map<Mesh::Vertex_index, std::size_t> number;
+  std::vector<Edges> result;
+  for(const Mesh::Edge_index e : all)
+  {
+    const auto found = number.insert({find(mesh.vertex(e, 0)), result.size()});
+    if(found.second)
+      result.emplace_back();
+    result[found.first->second].push_back(e);
+  }
+  return result;
+}
+
+} // namespace
+
+std::vector<Edges> set_source(const Options& options, const Input_mesh& input, Cut_locus_solver& solver)
+{
+  const Mesh& mesh = input.mesh;
+  const auto parameters = CGAL::parameters::maximum_relative_error(options.maximum_relative_error.value_or(0.));
+  if(options.source_point)
+  {
+    const auto& p = *options.source_point;
+    const Location at = closest_location(mesh, Kernel::Point_3(p[0], p[1], p[2]));
+    if(!has_curves(options))
+    {
+      solver.set_source(at, parameters);
+      return {};
+    }
+    const std::vector<Edges> curves = source_curves(options, input);
+    solver.set_sources(std::vector<Location>{at}, parameters.source_curves(curves));
+    return curves;
+  }
+  std::vector<Mesh::Vertex_index> sources;
+  for(std::size_t source : options.sources)
+    sources.push_back(find_vertex(source, input, "--source"));
+  if(has_curves(options))
+  {
+    const std::vector<Edges> curves = source_curves(options, input);
+    solver.set_sources(sources, parameters.source_curves(curves));
+    return curves;
+  }
+  if(!sources.empty())
+  {
+    solver.set_sources(sources, parameters);
+    return {};
+  }
+  const std::size_t component = largest_component(input);
+  // the first one in the order of the file
+  const auto is_in_component = [&](Mesh::Vertex_index v)
+  {
+    if(v == Mesh::null_vertex())
+      return false;
+    const Mesh::Halfedge_index h = mesh.halfedge(v); // on the border if there is one
+    const Mesh::Face_index f = h.is_valid() ? mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h) : Mesh::null_face();
+    return f != Mesh::null_face() && input.component[f] == component;
+  };
+  solver.set_source(*std::find_if(input.vertex.begin(), input.vertex.end(), is_in_component), parameters);
+  return {};
+}

@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_DEMO_SET_SOURCE_H
+#define SURFACE_MESH_CUT_LOCUS_DEMO_SET_SOURCE_H
+
+#include "Input_mesh.h"
+#include "Options.h"
+#include "solvers.h"
+
+#include <vector>
+
+// Sets the sources that are asked for, or, if there are none, the first vertex of the component with the most faces.
+// Returns those that are curves. Throws `Usage_error` if there is no such vertex or edge.
+std::vector<std::vector<Mesh::Edge_index>> set_source(const Options& options, const Input_mesh& input,
+                                                      Cut_locus_solver& solver);
+
+#endif // SURFACE_MESH_CUT_LOCUS_DEMO_SET_SOURCE_H

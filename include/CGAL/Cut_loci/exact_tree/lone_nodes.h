@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_LONE_NODES_H
+#define CGAL_CUT_LOCI_EXACT_TREE_LONE_NODES_H
+
+#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/internal/Union_find.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * adds a node in each part of a mesh in which a curve has no edges: what is left of a cut locus of which all branches are
+ * weak.
+ *
+ * It is at the vertex farthest from the sources, on the border if that is no source, as all of a curve would be joined to
+ * it; or in a face, if sources have all vertices.
+ *
+ * @param face of each edge of the curve
+ * @param distance of each vertex
+ */
+inline void add_lone_nodes(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                           const std::vector<double>& distance, const std::vector<Index>& face,
+                           Indexed_cut_locus& curve)
+{
+  Union_find parts(mesh.number_of_faces());
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    if(!mesh.is_border_edge(h))
+      parts.unite(h / 3, mesh.opposite[h] / 3);
+  std::vector<unsigned char> has_node(mesh.number_of_faces(), 0);
+  for(Index f : face)
+    has_node[parts.find(f)] = 1;
+  std::vector<Index> best(mesh.number_of_faces(), null_index); // the halfedge that leaves the vertex
+  const auto is_better = [&](Index v, Index w)
+  {
+    const bool is_border = connectivity.is_border(v) && distance[v] > 0.;
+    return is_border != (connectivity.is_border(w) && distance[w] > 0.) ? is_border : distance[v] > distance[w];
+  };
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    if(Index& found = best[parts.find(h / 3)]; found == null_index || is_better(mesh.source(h), mesh.source(found)))
+      found = h;
+  for(Index part = 0; part < mesh.number_of_faces(); ++part)
+  {
+    const Index h = best[part];
+    if(h == null_index || has_node[part])
+      continue;
+    Indexed_cut_locus::Node node;
+    node.location.face = h / 3;
+    node.distance = distance[mesh.source(h)];
+    if(node.distance > 0.)
+    {
+      node.location.coordinates[h % 3] = 1.;
+      node.vertex = mesh.source(h);
+    }
+    else
+      node.location.coordinates = {{1. / 3., 1. / 3., 1. / 3.}};
+    curve.nodes.push_back(node);
+  }
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_LONE_NODES_H

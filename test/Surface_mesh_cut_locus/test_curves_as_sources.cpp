@@ -1,0 +1,694 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "built_mesh.h"
+#include "polyhedra.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_exact_geodesics.h>
+#include <CGAL/compute_cut_locus.h>
+#include <CGAL/create_straight_skeleton_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace test_meshes;
+using CGAL::Cut_loci::Invalid_input;
+using CGAL::Cut_loci::Method;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Built = Built_mesh<Mesh>;
+using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
+using Result = Solver::Result;
+using Vertices = std::vector<Mesh::Vertex_index>;
+using Edges = std::vector<Mesh::Edge_index>;
+namespace params = CGAL::parameters;
+
+constexpr Method methods[] = {Method::DIRECTION, Method::POLYHEDRAL};
+// by which distances to an edge may be too short, in units of its length, and what moving its ends by 1e-5 adds
+constexpr double accuracy = 1. / 65536. + 1e-4;
+
+Point to_point(const Kernel::Point_3& p)
+{
+  return {{p.x(), p.y(), p.z()}};
+}
+
+// -- what is measured --------------------------------------------------------------------------------------------------
+
+Result cut_locus_of_border(const Built& built, Method method)
+{
+  return CGAL::compute_cut_locus(built.mesh, Vertices(), params::source_border(true).cut_locus_method(method));
+}
+
+Result cut_locus_of_curves(const Built& built, const Vertices& points, const std::vector<Edges>& curves, Method method)
+{
+  return CGAL::compute_cut_locus(built.mesh, points, params::source_curves(curves).cut_locus_method(method));
+}
+
+double length(const Result& result)
+{
+  double sum = 0.;
+  const auto& graph = result.graph();
+  for(const auto e : CGAL::make_range(edges(graph)))
+    sum += std::sqrt(CGAL::squared_distance(graph[source(e, graph)].point, graph[target(e, graph)].point));
+  return sum;
+}
+
+std::size_t number_of_leaves(const Result& result)
+{
+  std::size_t n = 0;
+  for(const auto v : CGAL::make_range(vertices(result.graph())))
+    n += degree(v, result.graph()) == 1;
+  return n;
+}
+
+std::vector<Edges> border_loops(const Built& built)
+{
+  std::vector<Edges> result;
+  std::set<Mesh::Halfedge_index> is_done;
+  for(const Mesh::Halfedge_index first : built.mesh.halfedges())
+    if(built.mesh.is_border(first) && is_done.count(first) == 0)
+    {
+      result.emplace_back();
+      for(Mesh::Halfedge_index h = first; is_done.insert(h).second; h = built.mesh.next(h))
+        result.back().push_back(built.mesh.edge(h));
+    }
+  return result;
+}
+
+// a path of edges of the mesh
+Edges path(const Built& built, const std::vector<std::size_t>& along)
+{
+  Edges result;
+  for(std::size_t i = 0; i + 1 < along.size(); ++i)
+    result.push_back(built.mesh.edge(built.mesh.halfedge(built.vertices[along[i]], built.vertices[along[i + 1]])));
+  return result;
+}
+
+// -- the topology ------------------------------------------------------------------------------------------------------
+
+/*
+ * The surface, with all border loops closed that are no sources, without its sources shrinks to the graph: so both have
+ * the same components and the same Euler characteristic. That of the graph is the one of the surface minus those of the
+ * sources: 1 for a point or an arc, 0 for a loop.
+ */
+struct Topology
+{
+  Topology(const Built& built, const std::vector<Edges>& curves, const Result& result)
+    : mesh(built.mesh), nodes(num_vertices(result.graph()) + border_loops(built).size()), faces(mesh.number_of_faces())
+  {
+    for(const Edges& curve : curves)
+      on_curve.insert(curve.begin(), curve.end());
+    measure_graph(built, result);
+    measure_surface(built, curves, result.number_of_sources() - curves.size());
+  }
+
+  long graph_components = 0, graph_characteristic = 0, surface_components = 0, surface_characteristic = 0;
+
+private:
+  bool is_source(const Edges& loop) const { return on_curve.count(loop.front()) > 0; }
+
+  void measure_graph(const Built& built, const Result& result)
+  {
+    const auto& graph = result.graph();
+    const std::size_t n = num_vertices(graph);
+    std::map<Mesh::Edge_index, std::size_t> loop_at;
+    std::map<Mesh::Vertex_index, std::size_t> loop_at_vertex;
+    const std::vector<Edges> loops = border_loops(built);
+    std::vector<unsigned char> is_met(loops.size(), 0);
+    for(std::size_t i = 0; i < loops.size(); ++i)
+      for(const Mesh::Edge_index e : loops[i])
+        if(!is_source(loops[i]))
+        {
+          loop_at[e] = i;
+          loop_at_vertex[mesh.vertex(e, 0)] = loop_at_vertex[mesh.vertex(e, 1)] = i;
+        }
+    for(const auto e : CGAL::make_range(edges(graph)))
+    {
+      nodes.unite(source(e, graph), target(e, graph));
+      --graph_characteristic;
+    }
+    for(const auto v : CGAL::make_range(vertices(graph)))
+    {
+      ++graph_characteristic;
+      const std::size_t loop = loop_of(graph[v], loop_at, loop_at_vertex);
+      if(loop == loops.size() || loop == none)
+        continue;
+      is_met[loop] = 1;
+      nodes.unite(v, n + loop);
+      --graph_characteristic;
+    }
+    std::set<std::size_t> parts;
+    for(std::size_t i = 0; i < n; ++i)
+      parts.insert(nodes.find(i));
+    for(std::size_t i = 0; i < loops.size(); ++i)
+      if(is_met[i])
+        ++graph_characteristic;
+    graph_components = long(parts.size());
+  }
+
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  std::size_t loop_of(const Result::Vertex& x, const std::map<Mesh::Edge_index, std::size_t>& loop_at,
+                      const std::map<Mesh::Vertex_index, std::size_t>& loop_at_vertex) const
+  {
+    if(x.mesh_vertex != Mesh::null_vertex())
+    {
+      const auto found = loop_at_vertex.find(x.mesh_vertex);
+      return found != loop_at_vertex.end() ? found->second : none;
+    }
+    Mesh::Halfedge_index h = mesh.halfedge(x.location.first);
+    for(std::size_t k = 0; k < 3; ++k, h = mesh.next(h))
+      if(x.location.second[(k + 2) % 3] == 0.)
+      {
+        const auto found = loop_at.find(mesh.edge(h));
+        return found != loop_at.end() ? found->second : none;
+      }
+    return none;
+  }
+
+  void measure_surface(const Built& built, const std::vector<Edges>& curves, std::size_t number_of_points)
+  {
+    surface_characteristic = long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) +
+                             long(mesh.number_of_faces()) - long(number_of_points);
+    for(const Edges& loop : border_loops(built))
+      surface_characteristic += !is_source(loop);
+    for(const Edges& curve : curves)
+    {
+      std::set<Mesh::Vertex_index> at;
+      for(const Mesh::Edge_index e : curve)
+        at.insert({mesh.vertex(e, 0), mesh.vertex(e, 1)});
+      surface_characteristic -= long(at.size()) - long(std::set<Mesh::Edge_index>(curve.begin(), curve.end()).size());
+    }
+    for(const Mesh::Edge_index e : mesh.edges())
+      if(!mesh.is_border(e) && on_curve.count(e) == 0)
+        faces.unite(mesh.face(mesh.halfedge(e, 0)), mesh.face(mesh.halfedge(e, 1)));
+    for(const Edges& loop : border_loops(built)) // a disk that closes it joins the faces at it
+      if(!is_source(loop))
+        for(const Mesh::Edge_index e : loop)
+          faces.unite(face_at(e), face_at(loop.front()));
+    std::set<std::size_t> parts;
+    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      parts.insert(faces.find(f));
+    surface_components = long(parts.size());
+  }
+
+  std::size_t face_at(Mesh::Edge_index e) const
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(e, 0);
+    return mesh.is_border(h) ? mesh.face(mesh.opposite(h)) : mesh.face(h);
+  }
+
+  const Mesh& mesh;
+  std::set<Mesh::Edge_index> on_curve;
+  topology_checker::Union_find nodes, faces;
+};
+
+void expect_topology(const Built& built, const std::vector<Edges>& curves, const Result& result,
+                     const std::string& what)
+{
+  const Topology topology(built, curves, result);
+  EXPECT_EQ(topology.graph_components, topology.surface_components) << what;
+  EXPECT_EQ(topology.graph_characteristic, topology.surface_characteristic) << what;
+}
+
+// -- closed forms ------------------------------------------------------------------------------------------------------
+
+// a convex polygon, triangulated irregularly inside: the square, sheared and with its sides on those of the polygon
+Mesh_data rectangle(double width, std::size_t n, double jitter, unsigned seed)
+{
+  Mesh_data m = square(n, jitter, seed);
+  for(Point& p : m.points)
+    p[0] *= width;
+  return m;
+}
+
+TEST(Curves_as_sources, the_border_of_a_rectangle_has_its_medial_axis)
+{
+  for(const double width : {1., 2., 3.7})
+    for(const std::size_t n : {4, 9, 16})
+      for(const double jitter : {0., 0.2})
+      {
+        const Built built(rectangle(width, n, jitter, 3));
+        const Result result = cut_locus_of_border(built, Method::POLYHEDRAL);
+        const double h = mean_edge_length(built.data);
+        const auto& graph = result.graph();
+        std::size_t number_of_inexact = 0;
+        for(const auto v : CGAL::make_range(vertices(graph)))
+        {
+          const Point p = to_point(graph[v].point);
+          std::array<double, 4> d = {{p[0], width - p[0], p[1], 1. - p[1]}};
+          std::sort(d.begin(), d.end());
+          EXPECT_NEAR(graph[v].distance, d[0], width / n);
+          number_of_inexact += !(d[1] - d[0] <= accuracy * h * width);
+        }
+        // where the axis runs along edges of the mesh, up to rounding, labels may not fit each other in a face or two
+        EXPECT_LE(number_of_inexact, jitter > 0. ? 0u : 3u) << width << ' ' << n << ' ' << jitter;
+        const double error = jitter > 0. ? 1e-3 * h : h;
+        EXPECT_NEAR(length(result), width - 1. + 2. * std::sqrt(2.), error) << width << ' ' << n << ' ' << jitter;
+        EXPECT_EQ(number_of_leaves(result), 4u) << "the corners";
+        expect_topology(built, border_loops(built), result, "rectangle");
+      }
+}
+
+TEST(Curves_as_sources, the_border_of_a_convex_polygon_has_its_straight_skeleton)
+{
+  // a disk with straight sides: the vertices of each third of a ring are put on a chord
+  for(const std::size_t sides : {3, 5, 8})
+  {
+    Mesh_data m = annulus(0.02, 1., 6 * sides, 9);
+    m.points.push_back({{0., 0., 0.}}); // closes the hole
+    for(std::size_t u = 0; u < 6 * sides; ++u)
+      m.triangles.push_back({{9 * 6 * sides + u, 9 * 6 * sides + (u + 1) % (6 * sides), m.points.size() - 1}});
+    CGAL::Polygon_2<Kernel> polygon;
+    const auto corner = [&](std::size_t i)
+    {
+      const double angle = 2. * pi * (double(i % sides) + 0.2 * std::sin(3. * double(i % sides))) / double(sides);
+      return Point{{std::cos(angle), 0.8 * std::sin(angle), 0.}};
+    };
+    for(std::size_t i = 0; i < sides; ++i)
+      polygon.push_back(Kernel::Point_2(corner(i)[0], corner(i)[1]));
+    for(std::size_t k = 0; k <= 9; ++k)
+      for(std::size_t u = 0; u < 6 * sides; ++u)
+      {
+        const double share = double(u % 6) / 6.;
+        const Point side = (1. - share) * corner(u / 6) + share * corner(u / 6 + 1);
+        const double r = norm(m.points[k * 6 * sides + u]);
+        m.points[k * 6 * sides + u] = r * side + (1. - r) * (0.11 * r) * Point{{0.3, 0.7, 0.}};
+      }
+    const Built built(m);
+    const Result result = cut_locus_of_border(built, Method::POLYHEDRAL);
+    const auto skeleton = CGAL::create_interior_straight_skeleton_2(polygon.vertices_begin(), polygon.vertices_end());
+    double expected = 0.;
+    for(auto h = skeleton->halfedges_begin(); h != skeleton->halfedges_end(); ++h)
+      if(h->is_bisector())
+        expected += 0.5 * std::sqrt(CGAL::squared_distance(h->vertex()->point(), h->opposite()->vertex()->point()));
+    EXPECT_NEAR(length(result), expected, 1e-3 * mean_edge_length(m)) << sides;
+    EXPECT_EQ(number_of_leaves(result), sides);
+    for(auto v = skeleton->vertices_begin(); v != skeleton->vertices_end(); ++v)
+    {
+      double nearest = 1.;
+      for(const auto x : CGAL::make_range(vertices(result.graph())))
+        nearest =
+          (std::min)(nearest, norm(to_point(result.graph()[x].point) - Point{{v->point().x(), v->point().y(), 0.}}));
+      EXPECT_LT(nearest, 1e-3 * mean_edge_length(m)) << sides;
+    }
+    expect_topology(built, border_loops(built), result, "polygon");
+  }
+}
+
+TEST(Curves_as_sources, the_border_of_an_ellipse_has_a_segment_between_its_centers_of_curvature)
+{
+  constexpr double a = 1.5, b = 1.;
+  double previous = 1.;
+  for(const std::size_t n : {16, 32, 64})
+  {
+    Mesh_data m = annulus(1. / double(n), 1., 6 * n, n);
+    for(std::size_t u = 0; u < 6 * n; ++u)
+      m.triangles.push_back({{n * 6 * n + u, n * 6 * n + (u + 1) % (6 * n), m.points.size()}});
+    m.points.push_back({{0., 0., 0.}});
+    for(Point& p : m.points)
+      p = {{a * p[0] + 0.003 * p[1] * p[0], b * p[1], 0.}};
+    for(std::size_t u = 0; u < 6 * n; ++u) // the border is the ellipse
+      m.points[u] = {{a * std::cos(pi * double(u) / double(3 * n)), b * std::sin(pi * double(u) / double(3 * n)), 0.}};
+    const Built built(m);
+    const Result result = cut_locus_of_border(built, Method::DIRECTION);
+    double off = 0., low = 1., high = -1.;
+    for(const auto v : CGAL::make_range(vertices(result.graph())))
+    {
+      const Point p = to_point(result.graph()[v].point);
+      off = (std::max)(off, std::fabs(p[1]));
+      low = (std::min)(low, p[0]);
+      high = (std::max)(high, p[0]);
+    }
+    const double end = (a * a - b * b) / a, h = pi / double(3 * n);
+    EXPECT_LT(off, 0.5 * h) << n;
+    // the tips are cut where paths are three edges apart
+    const double error = (std::max)(std::fabs(high - end), std::fabs(low + end));
+    EXPECT_LT(error, previous) << n;
+    EXPECT_LT(error, 0.2) << n;
+    previous = error;
+    expect_topology(built, border_loops(built), result, "ellipse");
+  }
+}
+
+TEST(Curves_as_sources, the_borders_of_a_ring_have_the_circle_between_them)
+{
+  const std::size_t nu = 60;
+  const Built built(annulus(0.5, 1.5, nu, 12));
+  const Result result = cut_locus_of_border(built, Method::DIRECTION);
+  EXPECT_EQ(result.number_of_sources(), 2u);
+  const double sagitta = 1.5 * (1. - std::cos(pi / nu));
+  const auto& graph = result.graph();
+  for(const auto v : CGAL::make_range(vertices(graph)))
+  {
+    EXPECT_NEAR(norm(to_point(graph[v].point)), 1., sagitta);
+    EXPECT_NEAR(graph[v].distance, 0.5, sagitta);
+    EXPECT_EQ(degree(v, graph), 2u);
+  }
+  for(const auto e : CGAL::make_range(edges(graph)))
+    EXPECT_EQ(graph[e].sources, (std::array<std::size_t, 2>{{0, 1}}));
+  expect_topology(built, border_loops(built), result, "ring");
+}
+
+TEST(Curves_as_sources, parallel_lines_on_a_cylinder_have_the_lines_between_them)
+{
+  constexpr std::size_t nu = 24, nz = 10;
+  const Built built(cylinder(2., nu, nz, 0., 0));
+  std::vector<Edges> lines;
+  for(const std::size_t u : {2, 11})
+  {
+    std::vector<std::size_t> along;
+    for(std::size_t k = 0; k <= nz; ++k)
+      along.push_back(k * nu + u);
+    lines.push_back(path(built, along));
+  }
+  for(const Method method : methods)
+  {
+    const Result result = cut_locus_of_curves(built, {}, lines, method);
+    EXPECT_NEAR(length(result), 2. * 2., 1e-3);
+    const auto& graph = result.graph();
+    for(const auto v : CGAL::make_range(vertices(graph)))
+    {
+      // in units of the sides of the prism; between two vertices of it the middle of a chord
+      const double u = std::fmod(std::atan2(graph[v].point.y(), graph[v].point.x()) * nu / (2. * pi) + nu, double(nu));
+      EXPECT_LT((std::min)(std::fabs(u - 6.5), std::fabs(u - 18.5)), 1e-3) << u;
+    }
+    for(const auto e : CGAL::make_range(edges(graph)))
+      EXPECT_EQ(graph[e].sources, (std::array<std::size_t, 2>{{0, 1}}));
+    expect_topology(built, lines, result, "lines");
+  }
+}
+
+// a sphere with a circle of latitude among its edges, and the number of the first vertex of that
+Mesh_data sphere_with_circle(std::size_t nu, std::size_t nv)
+{
+  Mesh_data m;
+  m.points.push_back({{0., 0., 1.}});
+  for(std::size_t k = 1; k < nv; ++k)
+    for(std::size_t u = 0; u < nu; ++u)
+    {
+      const double t = pi * double(k) / double(nv), phi = 2. * pi * (double(u) + 0.1 * double(k % 3)) / double(nu);
+      m.points.push_back({{std::sin(t) * std::cos(phi), std::sin(t) * std::sin(phi), std::cos(t)}});
+    }
+  m.points.push_back({{0., 0., -1.}});
+  const auto at = [&](std::size_t k, std::size_t u) { return 1 + (k - 1) * nu + u % nu; };
+  for(std::size_t u = 0; u < nu; ++u)
+  {
+    m.triangles.push_back({{0, at(1, u), at(1, u + 1)}});
+    m.triangles.push_back({{m.points.size() - 1, at(nv - 1, u + 1), at(nv - 1, u)}});
+    for(std::size_t k = 1; k + 1 < nv; ++k)
+    {
+      m.triangles.push_back({{at(k, u), at(k + 1, u), at(k + 1, u + 1)}});
+      m.triangles.push_back({{at(k, u), at(k + 1, u + 1), at(k, u + 1)}});
+    }
+  }
+  return m;
+}
+
+std::vector<std::size_t> circle(std::size_t nu, std::size_t k, std::size_t from, std::size_t number)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t u = from; u <= from + number; ++u)
+    result.push_back(1 + (k - 1) * nu + u % nu);
+  return result;
+}
+
+TEST(Curves_as_sources, a_circle_on_a_sphere_has_its_two_centers)
+{
+  for(const std::size_t n : {16, 32, 64})
+  {
+    const Built built(sphere_with_circle(2 * n, n));
+    const std::vector<Edges> curves = {path(built, circle(2 * n, n / 4, 0, 2 * n))};
+    const Result result = cut_locus_of_curves(built, {}, curves, Method::DIRECTION);
+    expect_topology(built, curves, result, "circle");
+    double off = 0.;
+    bool has_north = false, has_south = false;
+    for(const auto v : CGAL::make_range(vertices(result.graph())))
+    {
+      const Point p = to_point(result.graph()[v].point);
+      off = (std::max)(off, std::hypot(p[0], p[1]));
+      (p[2] > 0. ? has_north : has_south) = true;
+      EXPECT_NEAR(result.graph()[v].distance, p[2] > 0. ? 0.25 * pi : 0.75 * pi, off + 2. / double(n));
+    }
+    EXPECT_TRUE(has_north && has_south) << n;
+    EXPECT_LT(off, 0.01 / double(n)) << "all of the circle is at the same distance from the center";
+  }
+}
+
+// -- invariants --------------------------------------------------------------------------------------------------------
+
+// `k` paths of some edges that have no vertex in common, and none on the border
+std::vector<Edges> random_curves(const Built& built, std::size_t k, std::size_t number_of_edges, unsigned seed)
+{
+  std::mt19937 engine(seed);
+  std::vector<Edges> result;
+  std::set<Mesh::Vertex_index> is_taken;
+  while(result.size() < k)
+  {
+    std::vector<Mesh::Vertex_index> walk(1, built.vertices[engine() % built.vertices.size()]);
+    std::set<Mesh::Vertex_index> seen(walk.begin(), walk.end());
+    Edges curve;
+    for(std::size_t step = 0; step < 50 * number_of_edges && curve.size() < number_of_edges; ++step)
+    {
+      std::vector<Mesh::Halfedge_index> ways;
+      for(const Mesh::Halfedge_index h : built.mesh.halfedges_around_target(built.mesh.halfedge(walk.back())))
+        ways.push_back(built.mesh.opposite(h));
+      const Mesh::Halfedge_index way = ways[engine() % ways.size()];
+      const Mesh::Vertex_index next = built.mesh.target(way);
+      if(!seen.insert(next).second)
+        continue;
+      curve.push_back(built.mesh.edge(way));
+      walk.push_back(next);
+    }
+    if(curve.empty() ||
+       std::any_of(seen.begin(), seen.end(), [&](auto v) { return is_taken.count(v) > 0 || built.mesh.is_border(v); }))
+      continue;
+    is_taken.insert(seen.begin(), seen.end());
+    result.push_back(curve);
+  }
+  return result;
+}
+
+TEST(Curves_as_sources, leave_what_shrinks_to_the_curve)
+{
+  const std::vector<Mesh_data> surfaces = {ellipsoid(1., 0.8, 0.6, 10, 0.2, 1),
+                                           torus(1., 0.4, 28, 14, 0.2, 2),
+                                           perforated_plate(2, 1, 4, 3),
+                                           perforated_plate(3, 1, 4, 4),
+                                           square(14, 0.2, 6),
+                                           cylinder(2., 24, 12, 0.2, 7)};
+  for(std::size_t i = 0; i < surfaces.size(); ++i)
+  {
+    const Built built(surfaces[i]);
+    for(const std::size_t k : {1, 2, 5})
+      for(const Method method : methods)
+      {
+        const std::vector<Edges> curves = random_curves(built, k, 5, unsigned(10 * i + k));
+        const std::string what =
+          "surface " + std::to_string(i) + ", " + std::to_string(k) + " curves, " + name_of(method);
+        expect_topology(built, curves, cut_locus_of_curves(built, {}, curves, method), what);
+      }
+  }
+}
+
+TEST(Curves_as_sources, may_be_loops_that_separate_the_surface_or_do_not)
+{
+  const std::size_t nu = 28, nw = 14;
+  const Built built(torus(1., 0.4, nu, nw));
+  std::vector<std::size_t> around, along;
+  for(std::size_t w = 0; w <= nw; ++w)
+    around.push_back(w % nw);
+  for(std::size_t u = 0; u <= nu; ++u)
+    along.push_back((u % nu) * nw);
+  ASSERT_NE(built.mesh.halfedge(built.vertices[0], built.vertices[1]), Mesh::null_halfedge());
+  ASSERT_NE(built.mesh.halfedge(built.vertices[0], built.vertices[nw]), Mesh::null_halfedge());
+  Edges cross = path(built, around);
+  for(const Mesh::Edge_index e : path(built, along))
+    cross.push_back(e);
+  for(const Method method : methods)
+  {
+    for(const std::vector<Edges>& curves :
+        {std::vector<Edges>{path(built, around)}, std::vector<Edges>{path(built, along)}, std::vector<Edges>{cross}})
+      expect_topology(built, curves, cut_locus_of_curves(built, {}, curves, method), name_of(method));
+    const Built ball(sphere_with_circle(24, 12));
+    const std::vector<Edges> loops = {path(ball, circle(24, 3, 0, 24)), path(ball, circle(24, 8, 0, 24))};
+    expect_topology(ball, loops, cut_locus_of_curves(ball, {}, loops, method), name_of(method));
+  }
+}
+
+TEST(Curves_as_sources, leave_a_point_where_all_branches_are_weak)
+{
+  const Built built(sphere_with_circle(24, 12));
+  Edges triangle;
+  for(const Mesh::Halfedge_index h : built.mesh.halfedges_around_face(built.mesh.halfedge(built.faces[100])))
+    triangle.push_back(built.mesh.edge(h));
+  const Result result = cut_locus_of_curves(built, {}, {triangle}, Method::DIRECTION);
+  std::size_t number_inside = 0;
+  for(const auto v : CGAL::make_range(vertices(result.graph())))
+    number_inside += result.graph()[v].location.first == built.faces[100];
+  EXPECT_EQ(number_inside, 1u);
+  expect_topology(built, {triangle}, result, "a triangle");
+}
+
+// The distance to a curve from that to points of it which are no farther apart than s: too long by s / 2 at most.
+TEST(Curves_as_sources, have_the_distances_and_cells_that_points_on_them_say)
+{
+  const std::vector<Mesh_data> surfaces = {ellipsoid(1., 0.8, 0.6, 10, 0.2, 1), torus(1., 0.4, 28, 14, 0.2, 2),
+                                           saddle(12, 0.6, 0.2, 5)};
+  constexpr std::size_t parts = 16;
+  for(std::size_t i = 0; i < surfaces.size(); ++i)
+  {
+    const Built built(surfaces[i]);
+    const std::vector<Edges> curves = random_curves(built, 3, 4, unsigned(i));
+    const Result result = cut_locus_of_curves(built, {}, curves, Method::DIRECTION);
+    CGAL::Surface_mesh_exact_geodesics<Mesh> exact(built.mesh);
+    std::vector<std::vector<double>> sampled;
+    double longest = 0.;
+    for(const Edges& curve : curves)
+    {
+      exact.clear_sources();
+      for(const Mesh::Edge_index e : curve)
+        for(std::size_t part = 0; part <= parts; ++part)
+        {
+          const double s = double(part) / double(parts);
+          Mesh::Halfedge_index h = built.mesh.halfedge(e, 0);
+          h = built.mesh.is_border(h) ? built.mesh.opposite(h) : h;
+          longest = (std::max)(longest, std::sqrt(CGAL::squared_distance(built.mesh.point(built.mesh.source(h)),
+                                                                         built.mesh.point(built.mesh.target(h)))));
+          Solver::Face_location at = {built.mesh.face(h), {{0., 0., 0.}}};
+          Mesh::Halfedge_index g = built.mesh.halfedge(at.first);
+          for(std::size_t k = 0; k < 3; ++k, g = built.mesh.next(g))
+            at.second[k] = g == h ? 1. - s : g == built.mesh.next(h) ? s : 0.;
+          exact.add_source(at);
+        }
+      exact.compute();
+      sampled.emplace_back();
+      for(const Mesh::Vertex_index v : built.vertices)
+        sampled.back().push_back(exact.distance(v));
+    }
+    const double half = 0.5 * longest / parts, error = accuracy * longest;
+    for(std::size_t v = 0; v < built.vertices.size(); ++v)
+    {
+      double least = sampled[0][v];
+      for(const auto& d : sampled)
+        least = (std::min)(least, d[v]);
+      const double d = result.distance(built.vertices[v]);
+      ASSERT_LE(d, least + error) << i;
+      ASSERT_GE(d, least - half - error) << i;
+      ASSERT_LE(sampled[*result.nearest_source(built.vertices[v])][v], d + half + error) << i;
+    }
+  }
+}
+
+TEST(Curves_as_sources, and_points_mix_with_the_points_first)
+{
+  const Built built(square(12, 0.2, 4));
+  const std::vector<Edges> border = border_loops(built);
+  const std::size_t center = nearest_vertex(built.data, {{0.5, 0.5, 0.}});
+  const Point c = built.data.points[center];
+  for(const Method method : methods)
+  {
+    const Result result = cut_locus_of_curves(built, {built.vertices[center]}, border, method);
+    EXPECT_EQ(result.number_of_sources(), 2u);
+    EXPECT_EQ(result.source(0).mesh_vertex, built.vertices[center]);
+    EXPECT_EQ(*result.nearest_source(built.vertices[center]), 0u);
+    EXPECT_EQ(*result.nearest_source(built.vertices[0]), 1u);
+    const auto& graph = result.graph();
+    for(const auto e : CGAL::make_range(edges(graph)))
+      for(const auto v : {source(e, graph), target(e, graph)})
+      {
+        const Point p = to_point(graph[v].point);
+        const double d = (std::min)({p[0], 1. - p[0], p[1], 1. - p[1]});
+        if(graph[e].sources[0] == graph[e].sources[1])
+          continue;
+        EXPECT_NEAR(norm(p - c), d, 4e-4 * mean_edge_length(built.data)) << "four parabolas";
+      }
+    expect_topology(built, border, result, name_of(method));
+    const Result diagram = CGAL::compute_cut_locus(built.mesh, Vertices{built.vertices[center]},
+                                                   params::source_border(true).cut_locus_method(method).voronoi(true));
+    for(const auto e : CGAL::make_range(edges(diagram.graph())))
+      EXPECT_NE(diagram.graph()[e].sources[0], diagram.graph()[e].sources[1]);
+    for(const auto v : CGAL::make_range(vertices(diagram.graph())))
+      EXPECT_EQ(degree(v, diagram.graph()), 2u) << "the corners are branches in the cell of the border";
+    const Result rest = CGAL::compute_cut_locus(built.mesh, Vertices{built.vertices[center]},
+                                                params::source_border(true).cut_locus_method(method).medial(true));
+    for(const auto e : CGAL::make_range(edges(rest.graph())))
+      EXPECT_EQ(rest.graph()[e].sources[0], rest.graph()[e].sources[1]);
+    EXPECT_EQ(num_edges(diagram.graph()) + num_edges(rest.graph()), num_edges(graph));
+  }
+}
+
+// -- the interface -----------------------------------------------------------------------------------------------------
+
+template <typename Function>
+void expect_refusal(const Function& function, const std::string& part)
+{
+  try
+  {
+    function();
+    FAIL() << "nothing about: " << part;
+  }
+  catch(const Invalid_input& error)
+  {
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+TEST(Curves_as_sources, that_can_not_be_used_are_refused)
+{
+  const Built built(square(6));
+  const Edges first = path(built, {8, 9, 10}), second = path(built, {10, 11}), apart = path(built, {22, 23});
+  Edges parts = first;
+  parts.insert(parts.end(), apart.begin(), apart.end());
+  const auto compute = [&](const Vertices& points, const std::vector<Edges>& curves)
+  { cut_locus_of_curves(built, points, curves, Method::DIRECTION); };
+  expect_refusal([&] { compute({}, {first, second}); }, "sources 0 and 1 have a vertex in common");
+  expect_refusal([&] { compute({built.vertices[9]}, {first}); }, "sources 0 and 1 have a point in common");
+  expect_refusal([&] { compute({}, {first, Edges()}); }, "source curve 1: it has no edges");
+  expect_refusal([&] { compute({}, {parts}); }, "source curve 0: it is not connected");
+  expect_refusal([&] { compute({}, {}); }, "the range of sources is empty");
+  expect_refusal([&] { CGAL::compute_cut_locus(Built(sphere(4)).mesh, Vertices(), params::source_border(true)); },
+                 "no border");
+  expect_refusal([&] { cut_locus_of_curves(built, {}, {first}, Method::LAPLACIAN); }, "curves need the paths");
+  Solver solver(built.mesh);
+  expect_refusal(
+    [&]
+    { solver.set_sources(Vertices(), params::source_curves(std::vector<Edges>{first}).maximum_relative_error(0.01)); },
+    "exact distances");
+  solver.set_sources(Vertices(), params::source_curves(std::vector<Edges>{first}));
+  expect_refusal([&] { solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)); }, "MESH_EDGES");
+  expect_refusal([&] { solver.cut_locus(params::minimum_branch_edges(3)); }, "minimum_branch_edges");
+}
+
+TEST(Curves_as_sources, are_forgotten_by_the_next_source)
+{
+  const Built built(square(10, 0.2, 1));
+  Solver solver(built.mesh, params::cut_locus_method(Method::POLYHEDRAL));
+  const Vertices two = {built.vertices[12], built.vertices[80]};
+  solver.set_sources(two);
+  const double alone = length(solver.cut_locus());
+  solver.set_sources(two, params::source_border(true));
+  EXPECT_GT(length(solver.cut_locus()), 1.5 * alone);
+  solver.set_sources(two);
+  EXPECT_EQ(length(solver.cut_locus()), alone);
+}
+
+} // namespace
