@@ -219,7 +219,7 @@ public:
   {
     const Cut_loci::Method method = method_for(np);
     Cut_loci::internal::refuse_parameters_of_other_methods(method, np);
-    for(const auto& source : Cut_loci::internal::read_sources(tm_, *read_, sources, snapping_tolerance(np)))
+    for(const auto& source : Cut_loci::internal::read_sources(tm_, *read_, sources, snapping_tolerance(np), true))
       component_at((*component_of_face_)[source.location.face], method);
   }
 
@@ -589,7 +589,8 @@ private:
                                 ? solver_.gradient_angle_threshold()
                                 : default_gradient_angle_threshold();
     Component& component = component_at(
-      (*component_of_face_)[points.empty() ? curves.front().halfedges.front() / 3 : points.front().location.face], method);
+      (*component_of_face_)[points.empty() ? curves.front().halfedges.front() / 3 : points.front().location.face],
+      method);
     component_ = &component;
     points_.clear();
     for(const Cut_loci::Indexed_source& source : points)
