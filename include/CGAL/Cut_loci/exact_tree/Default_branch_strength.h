@@ -60,7 +60,7 @@ public:
     if(share >= 0.5)
     {
       gap = sharp;
-      counts_meeting = share > 1. - 1e-6; // up to rounding of coordinates
+      counts_meeting = share > 0.999; // the rest comes from coordinates of a few digits
       return;
     }
     const double h = connectivity_.mean_edge_length;

@@ -146,10 +146,9 @@ private:
       pieces_.push_back({windows_.back().end, length_, vertex_labels_.at_target(h)});
     // Pieces shorter than this at an end are rounding: they belong to the vertex.
     const double at_begin = margin_at(faces_.source(h)), at_end = margin_at(faces_.target(h));
-    while(pieces_.size() > 1 && (pieces_.front().end < at_begin || is_behind(pieces_[0], pieces_[1])))
+    while(pieces_.size() > 1 && pieces_.front().end < at_begin)
       pieces_.erase(pieces_.begin());
-    while(pieces_.size() > 1 &&
-          (pieces_.back().begin > length_ - at_end || is_behind(pieces_.back(), pieces_[pieces_.size() - 2])))
+    while(pieces_.size() > 1 && pieces_.back().begin > length_ - at_end)
       pieces_.pop_back();
     pieces_.front().begin = 0.;
     pieces_.back().end = length_;
@@ -170,15 +169,6 @@ private:
     const double width = next.begin - previous.end, least = width + 1e-9 * length_;
     return window.label.distance(window.begin) > previous.label.distance(previous.end) + least &&
            window.label.distance(window.end) > next.label.distance(next.begin) + least;
-  }
-
-  /// whether the label of another piece is nowhere slower on this one, at an end of the edge: then this one shows in a gap
-  /// that rounding has left, as the rays that lead beside a sharp vertex are that inaccurate
-  bool is_behind(const Piece& piece, const Piece& other) const
-  {
-    const auto is_slower = [&](double t)
-    { return other.label.distance(t) > piece.label.distance(t) + 1e-14 * (other.label.distance(t) + length_); };
-    return piece.end - piece.begin < 1e-6 * length_ && !is_slower(piece.begin) && !is_slower(piece.end);
   }
 
   void add(const Piece& piece)

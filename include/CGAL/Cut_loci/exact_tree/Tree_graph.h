@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/exact_tree/Cut_graph.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Ridges.h>
+#include <CGAL/Cut_loci/exact_tree/weak_islands.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -73,6 +74,7 @@ public:
     add_plain_faces();
     add_pieces_between_vertices();
     drop_open_ends_on_border();
+    drop_weak_islands();
   }
 
   /// whether all of the graph comes from labels, and nothing had to be added or left out for the topology
@@ -377,6 +379,16 @@ private:
           add_joint(node_of_joint_[j], node_in_face(r, graph_.leaf_behind(r, g % 3)), g / 3, joint);
         }
     }
+  }
+
+  void drop_weak_islands()
+  {
+    // the accuracy of coordinates with seven digits, in angles of faces that are not well shaped
+    constexpr double least = 1e-5;
+    const auto is_known = [](const Edge& e) { return e.piece != null_index || e.is_virtual; };
+    const auto is_weak = [&](const Edge& e)
+    { return e.piece != null_index && e.gap < least && ridges_.meeting_angle(e.piece) < least; };
+    remove(weak_islands(edges, nodes.size(), number_of_loops(), is_known, is_weak));
   }
 
   /// faces that hold no piece and are left: they lead from one edge to another

@@ -9,6 +9,8 @@
 
 #include <CGAL/Cut_loci/Index.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <cstddef>

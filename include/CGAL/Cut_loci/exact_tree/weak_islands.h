@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_WEAK_ISLANDS_H
+#define CGAL_CUT_LOCI_EXACT_TREE_WEAK_ISLANDS_H
+
+#include <CGAL/Cut_loci/Index.h>
+#include <CGAL/Cut_loci/internal/Union_find.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*
+ * On faces that are flat but for the rounding of coordinates, each vertex has a branch along which two paths differ by
+ * as little as their directions are known to. Where they differ by less, no label shows it: what is left is an island,
+ * from which only the topology leads to the rest, somewhere. The edges of such islands without a cycle and a border loop,
+ * and of the ways that lead to them, are returned as flags.
+ *
+ * `is_known` tells of an edge whether a label shows it, and `is_weak` whether its paths differ by as little as that.
+ */
+template <typename Edges, typename Is_known, typename Is_weak>
+std::vector<unsigned char> weak_islands(const Edges& edges, std::size_t number_of_nodes, Index number_of_loops,
+                                        const Is_known& is_known, const Is_weak& is_weak)
+{
+  std::vector<unsigned char> result(edges.size(), 0);
+  std::vector<std::size_t> ways;
+  Union_find islands(number_of_nodes);
+  std::vector<unsigned char> stays(number_of_nodes, 0);
+  std::vector<Index> on_cycles;
+  for(std::size_t e = 0; e < edges.size(); ++e)
+    if(!is_known(edges[e]))
+      ways.push_back(e);
+    else if(!islands.unite(edges[e].nodes[0], edges[e].nodes[1]))
+      on_cycles.push_back(edges[e].nodes[0]);
+  if(ways.empty())
+    return result;
+  for(Index i : on_cycles)
+    stays[islands.find(i)] = 1;
+  for(Index i = 0; i < number_of_loops; ++i)
+    stays[islands.find(i)] = 1;
+  for(std::size_t e = 0; e < edges.size(); ++e)
+    if(is_known(edges[e]) && !is_weak(edges[e]))
+      stays[islands.find(edges[e].nodes[0])] = 1;
+
+  // leaves of the graph of islands and ways, again and again
+  std::vector<Index> degree(number_of_nodes, 0);
+  for(std::size_t e : ways)
+    for(Index i : edges[e].nodes)
+      ++degree[islands.find(i)];
+  for(bool is_new = true; is_new;)
+  {
+    is_new = false;
+    for(std::size_t e : ways)
+    {
+      const Index a = islands.find(edges[e].nodes[0]), b = islands.find(edges[e].nodes[1]);
+      if(result[e] || a == b || ((degree[a] != 1 || stays[a]) && (degree[b] != 1 || stays[b])))
+        continue;
+      result[e] = 1;
+      is_new = true;
+      --degree[a];
+      --degree[b];
+    }
+  }
+  for(std::size_t e = 0; e < edges.size(); ++e)
+    if(is_known(edges[e]) && !stays[islands.find(edges[e].nodes[0])] && degree[islands.find(edges[e].nodes[0])] == 0)
+      result[e] = 1;
+  return result;
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_WEAK_ISLANDS_H
