@@ -198,7 +198,9 @@ private:
   bool is_a_branch(Index e, const Branch_strength& least) const
   {
     const Tree_graph::Edge& edge = graph_->edges[e];
-    const double meeting = least.counts_meeting && edge.piece != null_index ? ridges_.meeting_angle(edge.piece) : 0.;
+    // paths from curves part nowhere: their gap is the angle at which they meet
+    const bool counts_meeting = least.counts_meeting && options_.lines.empty() && edge.piece != null_index;
+    const double meeting = counts_meeting ? ridges_.meeting_angle(edge.piece) : 0.;
     return !edge.is_between_sources() && edge.gap + meeting >= least.gap && graph_->can_be(e, least);
   }
 

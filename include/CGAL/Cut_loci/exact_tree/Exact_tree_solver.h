@@ -248,13 +248,15 @@ private:
   /*
    * Cycles stay whatever their strength, and what leads to a hole of the surface. Where that is weaker than what has been
    * looked for, or a symmetric source leaves it to rounding where it is, nothing is known of it but that it is there.
-   * Then once more, with the source moved, for what is weaker: all that is takes many times as long.
+   * Then once more, with the source moved, for what is weaker: all that is takes many times as long. Several sources stay
+   * where they are, as what is between them depends on that.
    */
   void see_all_of(std::vector<Tree_branches::Edge>& kept, const Exact_tree_thresholds& thresholds,
                   const Progress& progress)
   {
     constexpr int most = 3;
-    for(int time = 1; time <= most && !tree_->is_known(kept) && !least_.is_none(); ++time)
+    const bool may_move = sources_.size() == 1 && !has_curves() && maximum_relative_error_ == 0.;
+    for(int time = may_move ? 1 : most; time <= most && !tree_->is_known(kept) && !least_.is_none(); ++time)
     {
       const Progress part = progress.part((time - 1.) / most, double(time) / most);
       if(time < most)

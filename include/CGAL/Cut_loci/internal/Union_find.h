@@ -9,9 +9,8 @@
 
 #include <CGAL/Cut_loci/Index.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <numeric>
@@ -44,7 +43,14 @@ public:
   }
 
 private:
-  boost::disjoint_sets<unsigned char*, Index*> sets() { return {rank_.data(), parent_.data()}; }
+  // Property maps of Boost, and no pointers: what is in front of the header may hide the functions for these.
+  template <typename T>
+  using Values = boost::iterator_property_map<T*, boost::typed_identity_property_map<Index>>;
+
+  boost::disjoint_sets<Values<unsigned char>, Values<Index>> sets()
+  {
+    return {Values<unsigned char>(rank_.data()), Values<Index>(parent_.data())};
+  }
 
   std::vector<unsigned char> rank_;
   std::vector<Index> parent_;
