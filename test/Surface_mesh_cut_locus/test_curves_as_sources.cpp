@@ -355,12 +355,14 @@ TEST(Curves_as_sources, the_borders_of_a_ring_have_the_circle_between_them)
   const Built built(annulus(0.5, 1.5, nu, 12));
   const Result result = cut_locus_of_border(built, Method::DIRECTION);
   EXPECT_EQ(result.number_of_sources(), 2u);
-  const double sagitta = 1.5 * (1. - std::cos(pi / nu));
+  // The waves of neighboring edges meet along radial edges of the mesh: where rounding decides which label is in which
+  // face, the curve is good to the face only.
+  const double half_an_edge = 0.5 / 12.;
   const auto& graph = result.graph();
   for(const auto v : CGAL::make_range(vertices(graph)))
   {
-    EXPECT_NEAR(norm(to_point(graph[v].point)), 1., sagitta);
-    EXPECT_NEAR(graph[v].distance, 0.5, sagitta);
+    EXPECT_NEAR(norm(to_point(graph[v].point)), 1., half_an_edge);
+    EXPECT_NEAR(graph[v].distance, 0.5, half_an_edge);
     EXPECT_EQ(degree(v, graph), 2u);
   }
   for(const auto e : CGAL::make_range(edges(graph)))
