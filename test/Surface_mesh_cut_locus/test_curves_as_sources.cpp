@@ -259,10 +259,8 @@ TEST(Curves_as_sources, the_border_of_a_rectangle_has_its_medial_axis)
           EXPECT_NEAR(graph[v].distance, d[0], width / n);
           number_of_inexact += !(d[1] - d[0] <= accuracy * h * width);
         }
-        // where the axis runs along edges of the mesh, up to rounding, labels may not fit each other in a face or two
-        EXPECT_LE(number_of_inexact, jitter > 0. ? 0u : 3u) << width << ' ' << n << ' ' << jitter;
-        const double error = jitter > 0. ? 1e-3 * h : h;
-        EXPECT_NEAR(length(result), width - 1. + 2. * std::sqrt(2.), error) << width << ' ' << n << ' ' << jitter;
+        EXPECT_EQ(number_of_inexact, 0u) << width << ' ' << n << ' ' << jitter;
+        EXPECT_NEAR(length(result), width - 1. + 2. * std::sqrt(2.), 1e-3 * h) << width << ' ' << n << ' ' << jitter;
         EXPECT_EQ(number_of_leaves(result), 4u) << "the corners";
         expect_topology(built, border_loops(built), result, "rectangle");
       }
@@ -349,25 +347,32 @@ TEST(Curves_as_sources, the_border_of_an_ellipse_has_a_segment_between_its_cente
   }
 }
 
+// Both borders are polygons: what is between them is off by no more than their corners.
 TEST(Curves_as_sources, the_borders_of_a_ring_have_the_circle_between_them)
 {
-  const std::size_t nu = 60;
-  const Built built(annulus(0.5, 1.5, nu, 12));
-  const Result result = cut_locus_of_border(built, Method::DIRECTION);
-  EXPECT_EQ(result.number_of_sources(), 2u);
-  // The waves of neighboring edges meet along radial edges of the mesh: where rounding decides which label is in which
-  // face, the curve is good to the face only.
-  const double half_an_edge = 0.5 / 12.;
-  const auto& graph = result.graph();
-  for(const auto v : CGAL::make_range(vertices(graph)))
-  {
-    EXPECT_NEAR(norm(to_point(graph[v].point)), 1., half_an_edge);
-    EXPECT_NEAR(graph[v].distance, 0.5, half_an_edge);
-    EXPECT_EQ(degree(v, graph), 2u);
-  }
-  for(const auto e : CGAL::make_range(edges(graph)))
-    EXPECT_EQ(graph[e].sources, (std::array<std::size_t, 2>{{0, 1}}));
-  expect_topology(built, border_loops(built), result, "ring");
+  for(const std::size_t nu : {12, 60, 91})
+    for(const std::size_t nr : {4, 12, 13}) // with the circle along edges, or not
+      for(const Method method : {Method::DIRECTION, Method::POLYHEDRAL})
+      {
+        SCOPED_TRACE(testing::Message() << nu << " by " << nr << (method == Method::DIRECTION ? "" : ", polyhedral"));
+        const Built built(annulus(0.5, 1.5, nu, nr));
+        const Result result = cut_locus_of_border(built, method);
+        EXPECT_EQ(result.number_of_sources(), 2u);
+        const double sagitta = 1.5 * (1. - std::cos(pi / double(nu)));
+        const auto& graph = result.graph();
+        for(const auto e : CGAL::make_range(edges(graph)))
+        {
+          const bool is_between = graph[e].sources == (std::array<std::size_t, 2>{{0, 1}});
+          EXPECT_TRUE(is_between || method == Method::POLYHEDRAL) << "the corners have branches, too";
+          for(const auto v : {source(e, graph), target(e, graph)})
+            if(is_between)
+            {
+              EXPECT_NEAR(norm(to_point(graph[v].point)), 1., sagitta);
+              EXPECT_NEAR(graph[v].distance, 0.5, sagitta);
+            }
+        }
+        expect_topology(built, border_loops(built), result, "ring");
+      }
 }
 
 TEST(Curves_as_sources, parallel_lines_on_a_cylinder_have_the_lines_between_them)

@@ -309,13 +309,16 @@ private:
       Face_ridges::Change &a = local_changes_[i], &b = local_changes_[next];
       if(is_same_image(a.after, b.before))
         continue;
-      const bool is_corner = a.edge == null_index || b.edge == null_index;
-      const Plane_point p = a.edge == null_index   ? a.point
-                            : b.edge == null_index ? b.point
-                                                   : corners_[(a.edge + 1) % 3];
+      const Plane_point end = a.edge == null_index ? a.point : corners_[(a.edge + 1) % 3];
+      const Plane_point begin = b.edge == null_index ? b.point : corners_[b.edge];
+      // An edge of a curve has one label: that of the change at its corner.
+      const bool has_line_between = geodesics_->has_lines() && (a.edge == null_index) != (b.edge == null_index) &&
+                                    (end.x != begin.x || end.y != begin.y);
+      const bool is_corner = !has_line_between && (a.edge == null_index || b.edge == null_index);
+      const Plane_point p = (b.edge == null_index) != has_line_between ? begin : end;
       if(a.edge == b.edge || !(gap(a.after, b.before, p) < 1e-7) || !are_on_one_line(a.after, b.before, p))
         continue;
-      if(b.edge == null_index)
+      if(is_corner && b.edge == null_index)
         b.before = a.after;
       else if(is_corner)
         a.after = b.before;
@@ -375,6 +378,13 @@ private:
     return geodesics_->is_seam(a.origin, b.origin, angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y));
   }
 
+  /// whether both paths come along one line; where the waves of a curve's edge and of its end touch, they do so over the
+  /// square root of the rounding
+  bool is_ray(const Edge_crossing& c) const
+  {
+    return c.angle < 1e-7 || (c.is_shadow && geodesics_->is_line(c.left.origin) != geodesics_->is_line(c.right.origin));
+  }
+
   void add_changes_on_edge(Index h)
   {
     const double length = geodesics_->faces().length(h);
@@ -384,7 +394,7 @@ private:
       const Edge_crossing& crossing = (*changes_)[c];
       const double t = is_reversed ? length - crossing.t : crossing.t;
       local_changes_.push_back({to_face(h, t, 0.), h % 3, image(h, label_before(c, is_reversed)),
-                                image(h, label_after(c, is_reversed)), crossing.angle < 1e-7, crossing.is_shadow,
+                                image(h, label_after(c, is_reversed)), is_ray(crossing), crossing.is_shadow,
                                 geodesics_->is_approximate() ? crossing.gap : 0.});
       Node node;
       node.crossing = crossing.is_shadow ? null_index : c;
