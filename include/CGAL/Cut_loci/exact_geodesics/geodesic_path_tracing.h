@@ -42,6 +42,19 @@ public:
     return path_;
   }
 
+  /// the last straight piece of the shortest path to `v`, from there to the vertex `begin`, or to a source in a face; valid
+  /// until the next call
+  /// \pre `v` is reached and no source
+  const std::vector<Indexed_location>& last_piece(Index v, Index& begin)
+  {
+    path_.clear();
+    add(at_vertex(v));
+    const Geodesic_arrival& arrival = geodesics_.arrival(v);
+    distance_ = geodesics_.distance(v);
+    begin = trace_piece(arrival, geodesics_.end_in_frame(arrival, v));
+    return path_;
+  }
+
   /// the shortest path from query location number `i` to its source, empty if it is not reached
   std::vector<Indexed_location> path_from_query(std::size_t i)
   {

@@ -15,6 +15,7 @@
 #include <CGAL/Cut_loci/exact_tree/Drawn_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Edge_crossings.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
+#include <CGAL/Cut_loci/exact_tree/Path_classes.h>
 #include <CGAL/Cut_loci/exact_tree/Ridges.h>
 #include <CGAL/Cut_loci/exact_tree/Shot_width.h>
 #include <CGAL/Cut_loci/exact_tree/Strong_branches.h>
@@ -22,6 +23,7 @@
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
+#include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -80,19 +82,41 @@ public:
   void propagate(const std::vector<Indexed_location>& sources, const Branch_strength& least)
   {
     least_ = least;
-    find_drawn_faces(sources);
-    // Windows of an edge come once the front is there, up to a face or two. If that is not enough on this mesh, once
-    // more with room for more, and then for all.
-    options_.progress = progress_.part(least_.is_none() ? 0. : 0.5, 1.);
-    for(double slack : {4., 32., (std::numeric_limits<double>::infinity)()})
+    sources_ = sources;
+    find_drawn_faces();
+    find_crossings();
+  }
+
+  /// The same, with what `edges` need that are not known: `draw_ridges()` and what follows have to be called again. The
+  /// topology says how they are to be joined, and where shortest paths separate what they join.
+  ///
+  /// @return false, and does nothing, if all is known in the faces that may matter
+  bool propagate_once_more(const std::vector<Tree_branches::Edge>& edges)
+  {
+    std::vector<unsigned char> is_drawn = changes_.drawn_faces();
+    bool is_more = false;
+    const auto draw = [&](Index f)
     {
-      crossings_.reset(new Edge_crossings(geodesics_, is_drawn_, slack));
-      geodesics_.run(sources, options_, *crossings_);
-      crossings_->finish();
-      if(crossings_->number_of_late() == 0)
-        return;
-      options_.progress = progress_.part(1., 1.);
-    }
+      is_more = is_more || !is_drawn[f];
+      is_drawn[f] = 1;
+    };
+    for(const Tree_branches::Edge& b : edges)
+      if(graph_->edges[b.edge].face != null_index)
+        draw(graph_->edges[b.edge].face);
+    const Path_classes classes(mesh_, connectivity_, geodesics_, known_parts(edges));
+    for(Index h : connectivity_.halfedge_of_edge)
+      if(classes.separates(h))
+      {
+        draw(h / 3);
+        if(mesh_.opposite[h] != null_index)
+          draw(mesh_.opposite[h] / 3);
+      }
+    if(!is_more)
+      return false;
+    is_drawn_.swap(is_drawn);
+    bend_.clear(); // no other edge has to be crossed
+    find_crossings();
+    return true;
   }
 
   void draw_ridges(const Threads& threads = {})
@@ -221,7 +245,52 @@ private:
     return {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
   }
 
-  void find_drawn_faces(const std::vector<Indexed_location>& sources)
+  /// a point of each connected part of the edges that are known, border loops among them
+  std::vector<Path_classes::Mark> known_parts(const std::vector<Tree_branches::Edge>& edges) const
+  {
+    Union_find parts(graph_->nodes.size());
+    std::vector<Path_classes::Mark> mark(graph_->nodes.size(), Path_classes::Mark{null_index, 0.});
+    for(Index h = 0; h < mesh_.number_of_halfedges(); ++h)
+      if(mesh_.is_border_edge(h))
+        mark[connectivity_.border_loop[mesh_.source(h)]] = {h, 0.};
+    for(const Tree_branches::Edge& b : edges)
+    {
+      const Tree_graph::Edge& e = graph_->edges[b.edge];
+      if(e.piece == null_index && !e.is_virtual)
+        continue;
+      parts.unite(e.nodes[0], e.nodes[1]);
+      for(Index i : e.nodes)
+        if(graph_->nodes[i].crossing != null_index && graph_->nodes[i].t > 0.)
+          mark[i] = {graph_->nodes[i].halfedge, graph_->nodes[i].t};
+    }
+    std::vector<Path_classes::Mark> result;
+    std::vector<unsigned char> is_done(graph_->nodes.size(), 0);
+    for(Index i = 0; i < mark.size(); ++i)
+      if(mark[i].halfedge != null_index && !is_done[parts.find(i)])
+      {
+        is_done[parts.find(i)] = 1;
+        result.push_back(mark[i]);
+      }
+    return result;
+  }
+
+  void find_crossings()
+  {
+    // Windows of an edge come once the front is there, up to a face or two. If that is not enough on this mesh, once
+    // more with room for more, and then for all.
+    options_.progress = progress_.part(least_.is_none() ? 0. : 0.5, 1.);
+    for(double slack : {4., 32., (std::numeric_limits<double>::infinity)()})
+    {
+      crossings_.reset(new Edge_crossings(geodesics_, is_drawn_, slack));
+      geodesics_.run(sources_, options_, *crossings_);
+      crossings_->finish();
+      if(crossings_->number_of_late() == 0)
+        return;
+      options_.progress = progress_.part(1., 1.);
+    }
+  }
+
+  void find_drawn_faces()
   {
     if(least_.is_none())
     {
@@ -230,9 +299,9 @@ private:
     }
     Drawn_faces found(geodesics_, least_);
     options_.progress = progress_.part(0., 0.5);
-    geodesics_.run(sources, options_, found);
+    geodesics_.run(sources_, options_, found);
     // between sources at the ends of an edge there may be no windows
-    for(Index f = 0; f < mesh_.number_of_faces() && sources.size() > 1; ++f)
+    for(Index f = 0; f < mesh_.number_of_faces() && sources_.size() > 1; ++f)
       for(Index v : mesh_.triangles[f])
         if(geodesics_.nearest_source(v) != geodesics_.nearest_source(mesh_.triangles[f][0]))
           found.is_drawn[f] = 1;
@@ -244,6 +313,7 @@ private:
   const Mesh_connectivity& connectivity_;
   Exact_geodesic_propagation& geodesics_;
   std::vector<Index> source_vertices_;
+  std::vector<Indexed_location> sources_;
   Exact_geodesic_options options_;
   Progress progress_;
   Branch_strength least_;

@@ -112,7 +112,7 @@ public:
   {
     const Progress all = progress_;
     tree_->join();
-    const int most = has_curves() ? 4 : 2;
+    const int most = has_curves() ? 4 : most_moves;
     for(int number = 1; number <= most && least_.is_none() && !tree_->is_sure(); ++number)
     {
       report_to(all.part((number - 1.) / most, (number - 0.2) / most));
@@ -176,6 +176,8 @@ public:
   std::vector<Index> nearest_sources() const override { return nearest_source_; }
 
 private:
+  static constexpr int most_moves = 2; // of a source: what one leaves doubtful, another one decides
+
   // With a vertex at each source, and cut open along curves.
   struct Divided_surface : public Mesh_with_sources
   {
@@ -247,24 +249,54 @@ private:
 
   /*
    * Cycles stay whatever their strength, and what leads to a hole of the surface. Where that is weaker than what has been
-   * looked for, or a symmetric source leaves it to rounding where it is, nothing is known of it but that it is there.
-   * Then once more, with the source moved, for what is weaker: all that is takes many times as long. Several sources stay
-   * where they are, as what is between them depends on that.
+   * looked for, it is looked for where shortest paths separate what it joins, and again where it leaves these faces and
+   * comes back. A symmetric source leaves it to rounding where it is: then the source is moved, if there is one only, as
+   * what is between several depends on where they are.
    */
   void see_all_of(std::vector<Tree_branches::Edge>& kept, const Exact_tree_thresholds& thresholds,
                   const Progress& progress)
   {
-    constexpr int most = 3;
-    const bool may_move = sources_.size() == 1 && !has_curves() && maximum_relative_error_ == 0.;
-    for(int time = may_move ? 1 : most; time <= most && !tree_->is_known(kept) && !least_.is_none(); ++time)
+    if(least_.is_none() || maximum_relative_error_ > 0.)
+      return;
+    if(has_curves() && !tree_->is_known(kept))
     {
-      const Progress part = progress.part((time - 1.) / most, double(time) / most);
-      if(time < most)
-        compute_more(least_.part(0.25), 1, part);
-      else if(maximum_relative_error_ == 0.)
-        compute_more(Branch_strength(), 0, part);
+      compute_more(Branch_strength(), 0, progress);
+      kept = tree_->kept(thresholds);
+      return;
+    }
+    look_where_paths_part(kept, thresholds, 0, progress.part(0., 0.4));
+    for(int number = 1; number <= most_moves && sources_.size() == 1 && !tree_->is_known(kept); ++number)
+    {
+      const Progress part = progress.part(0.4 + 0.3 * (number - 1), 0.4 + 0.3 * number);
+      compute_more(least_, number, part.part(0., 0.5));
+      kept = tree_->kept(thresholds);
+      look_where_paths_part(kept, thresholds, number, part.part(0.5, 1.));
+    }
+  }
+
+  // Some more faces are seen each time: it takes as many times as a branch leaves those that have been seen. That is once
+  // or twice; should it go on and on, all that there is takes less.
+  void look_where_paths_part(std::vector<Tree_branches::Edge>& kept, const Exact_tree_thresholds& thresholds,
+                             int number, const Progress& progress)
+  {
+    double done = 0.;
+    for(int time = 0; time < 8 && !tree_->is_known(kept); ++time)
+    {
+      report_to(progress.part(done, 0.5 * (1. + done)));
+      done = 0.5 * (1. + done);
+      is_complete_ = false;
+      if(!tree_->propagate_once_more(kept))
+      {
+        is_complete_ = true;
+        return;
+      }
+      finish(number);
       kept = tree_->kept(thresholds);
     }
+    if(tree_->is_known(kept))
+      return;
+    compute_more(Branch_strength(), number, progress.part(done, 1.));
+    kept = tree_->kept(thresholds);
   }
 
   // `number` as for `start()`
@@ -274,9 +306,13 @@ private:
     least_ = least;
     report_to(progress.part(0., 0.6));
     start(number);
-    report_to(progress.part(0.6, 0.7));
+    report_to(progress.part(0.6, 1.));
+    finish(number);
+  }
+
+  void finish(int number)
+  {
     compute_strengths();
-    report_to(progress.part(0.7, 1.));
     grow_tree();
     if(number > 0)
       remove_branches_to_sources();

@@ -59,6 +59,7 @@ public:
 
   /// whether all that changes in a face, and on its edges, is known
   bool is_drawn(Index f) const { return is_drawn_[f] != 0; }
+  const std::vector<unsigned char>& drawn_faces() const { return is_drawn_; }
   /// the angle that may be between the paths to the two ends of an edge of which nothing is known
   float bend(Index h) const { return bend_.empty() ? 0.f : bend_[h]; }
 

@@ -67,7 +67,6 @@ struct Branch_strength
   bool counts_meeting = false;
 
   bool is_none() const { return gap == 0. && width == 0.; }
-  Branch_strength part(double share) const { return {share * gap, share * width, counts_meeting}; }
   bool is_weaker_than(const Branch_strength& other) const
   {
     return gap < other.gap || width < other.width || (counts_meeting && !other.counts_meeting);

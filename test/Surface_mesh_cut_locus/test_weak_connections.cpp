@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// What joins the strong branches of the cut locus to the holes of a surface, and around its handles, belongs to it however
+// weak it is. It is where shortest paths separate what it joins.
+
+#include "polyhedra.h"
+
+#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
+#include <CGAL/Cut_loci/exact_tree/Path_classes.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using CGAL::Cut_loci::Index;
+using CGAL::Cut_loci::Indexed_cut_locus;
+using CGAL::Cut_loci::Indexed_triangle_mesh;
+using CGAL::Cut_loci::null_index;
+using CGAL::Cut_loci::internal::Branch_strength;
+using CGAL::Cut_loci::internal::Exact_tree_solver;
+using CGAL::Cut_loci::internal::Path_classes;
+using CGAL::Cut_loci::internal::Tree_graph;
+using test_meshes::indexed;
+using test_meshes::Mesh_data;
+
+struct Case
+{
+  std::string name;
+  Mesh_data data;
+};
+
+// a rough surface without some of its faces, no two of which have a vertex in common
+Mesh_data scan(std::size_t n, std::size_t number_of_holes, unsigned seed)
+{
+  Mesh_data m = test_meshes::irregular_bumpy_sphere(n, 0.3, seed);
+  std::vector<unsigned char> is_at_hole(m.points.size(), 0);
+  std::mt19937 engine(seed);
+  while(number_of_holes > 0)
+  {
+    const auto t = m.triangles.begin() + static_cast<std::ptrdiff_t>(engine() % m.triangles.size());
+    if(is_at_hole[(*t)[0]] || is_at_hole[(*t)[1]] || is_at_hole[(*t)[2]])
+      continue;
+    for(std::size_t v : *t)
+      is_at_hole[v] = 1;
+    m.triangles.erase(t);
+    --number_of_holes;
+  }
+  return m;
+}
+
+std::vector<Case> cases()
+{
+  return {{"scan with two holes", scan(8, 2, 1)},
+          {"scan with seven holes", scan(20, 7, 2)},
+          {"torus", test_meshes::torus(1., 0.4, 24, 14, 0.2, 5)},
+          {"thin torus", test_meshes::torus(1., 0.1, 40, 6, 0.2, 6)},
+          {"annulus", test_meshes::annulus(0.4, 1., 17, 4)},
+          {"square with holes", test_meshes::square_with_holes(2, 2)},
+          {"open cylinder", test_meshes::cylinder(1., 16, 6, 0.1, 4)}};
+}
+
+void solve(Exact_tree_solver& solver, Index source, const Branch_strength& least)
+{
+  solver.expect(least);
+  CGAL::Cut_loci::Indexed_source at;
+  at.vertex = source;
+  at.location = CGAL::Cut_loci::internal::location_of_vertex(solver.connectivity(), source);
+  solver.compute_distance(at);
+  solver.compute_strengths();
+  solver.grow_tree();
+  solver.close_cycles();
+}
+
+// What is left of the cut locus if leaf after leaf is taken away: how often it crosses each edge of the mesh.
+std::vector<int> crossings_of_core(const Exact_tree_solver& solver, const Tree_graph& graph)
+{
+  const Index number_of_loops = solver.number_of_border_loops();
+  std::vector<int> degree(graph.nodes.size(), 0);
+  for(Index i = 0; i < number_of_loops; ++i)
+    degree[i] = 2; // no leaf
+  for(const Tree_graph::Edge& e : graph.edges)
+    for(Index i : e.nodes)
+      ++degree[i];
+  std::vector<unsigned char> is_left(graph.edges.size(), 1);
+  for(bool is_done = false; !is_done;)
+  {
+    is_done = true;
+    for(std::size_t e = 0; e < graph.edges.size(); ++e)
+    {
+      const auto& nodes = graph.edges[e].nodes;
+      if(!is_left[e] || (degree[nodes[0]] > 1 && degree[nodes[1]] > 1))
+        continue;
+      is_left[e] = 0;
+      is_done = false;
+      for(Index i : nodes)
+        --degree[i];
+    }
+  }
+  std::vector<int> result(solver.connectivity().number_of_edges(), 0);
+  for(Index i = number_of_loops; i < graph.nodes.size(); ++i)
+    if(degree[i] > 0 && graph.nodes[i].crossing != null_index)
+      ++result[solver.connectivity().edge_of_halfedge[graph.nodes[i].halfedge]];
+  return result;
+}
+
+TEST(Weak_connections, cross_the_edges_whose_shortest_paths_separate_what_they_join)
+{
+  for(const Case& c : cases())
+  {
+    const Indexed_triangle_mesh mesh = indexed(c.data);
+    for(Index source : {Index(1), mesh.number_of_vertices() / 3, mesh.number_of_vertices() - 1})
+    {
+      SCOPED_TRACE(c.name + ", source " + std::to_string(source));
+      Exact_tree_solver solver(mesh);
+      solve(solver, source, {});
+      const auto& connectivity = solver.connectivity();
+      std::vector<Path_classes::Mark> marks(connectivity.number_of_border_loops);
+      for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+        if(mesh.is_border_edge(h))
+          marks[connectivity.border_loop[mesh.source(h)]] = {h, 0.};
+      const Path_classes classes(mesh, connectivity, solver.geodesics(), marks);
+      const std::vector<int> crossings = crossings_of_core(solver, solver.tree().graph());
+      std::size_t number = 0;
+      for(Index e = 0; e < crossings.size(); ++e)
+      {
+        const Index h = connectivity.halfedge_of_edge[e];
+        if(mesh.is_border_edge(h))
+          continue;
+        // crossings of several may cancel each other
+        if(crossings[e] < 2)
+          EXPECT_EQ(classes.separates(h), crossings[e] == 1) << "edge " << e;
+        number += crossings[e] == 1;
+      }
+      EXPECT_GT(number, 0u);
+    }
+  }
+}
+
+double length(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& graph)
+{
+  using namespace CGAL::Cut_loci::internal;
+  double sum = 0.;
+  for(const Indexed_cut_locus::Edge& e : graph.edges)
+    sum += norm(position(mesh, graph.nodes[e.source].location) - position(mesh, graph.nodes[e.target].location));
+  return sum;
+}
+
+TEST(Weak_connections, are_found_where_they_are_though_what_is_weak_is_not_looked_for)
+{
+  std::size_t number_of_weak = 0;
+  for(const Case& c : cases())
+  {
+    const Indexed_triangle_mesh mesh = indexed(c.data);
+    for(Index source : {Index(1), mesh.number_of_vertices() / 3, mesh.number_of_vertices() - 1})
+      for(double width : {2., 5., 1000.})
+      {
+        SCOPED_TRACE(c.name + ", source " + std::to_string(source) + ", width " + std::to_string(width));
+        CGAL::Cut_loci::internal::Exact_tree_thresholds least;
+        least.width = width * test_meshes::mean_edge_length(c.data);
+        Indexed_cut_locus edges;
+        Exact_tree_solver full(mesh), run(mesh);
+        solve(full, source, {});
+        solve(run, source, least);
+        number_of_weak += !run.tree().is_known(run.tree().kept(least));
+        const auto faces = CGAL::Cut_loci::Curve::THROUGH_FACES;
+        const double expected = length(mesh, full.filter(least, faces, edges)),
+                     found = length(mesh, run.filter(least, faces, edges));
+        EXPECT_TRUE(run.tree().is_known(run.tree().kept(least)));
+        EXPECT_NEAR(found, expected, 0.01 * expected);
+      }
+  }
+  EXPECT_GE(number_of_weak, 5u);
+}
+
+} // namespace
