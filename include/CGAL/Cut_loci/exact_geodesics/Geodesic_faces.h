@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_FACES_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Triangle_shape.h>
 
@@ -75,11 +76,13 @@ public:
 
   /// \throws Invalid_input if a coordinate is not finite, a face has no area, or a vertex has more than one fan; faces of
   /// given lengths must have some
-  explicit Geodesic_faces(const Mesh& mesh, const std::vector<Index>* positions = nullptr)
+  explicit Geodesic_faces(const Mesh& mesh, const std::vector<Index>* positions = nullptr,
+                          const Progress& progress = {})
     : faces_(mesh.number_of_faces()), total_angle_(mesh.number_of_vertices(), 0.),
       first_(mesh.number_of_vertices(), null_index), kind_(mesh.number_of_vertices(), 0)
   {
-    read_faces(mesh, positions);
+    read_faces(mesh, positions, progress.part(0., 0.8));
+    progress(0.8);
     read_vertices(positions);
   }
 
@@ -151,11 +154,12 @@ private:
 
   static double norm(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
 
-  void read_faces(const Mesh& mesh, const std::vector<Index>* positions)
+  void read_faces(const Mesh& mesh, const std::vector<Index>* positions, const Progress& progress)
   {
     double sum = 0.;
     for(Index f = 0; f < mesh.number_of_faces(); ++f)
     {
+      progress(f, mesh.number_of_faces());
       Geodesic_face& face = faces_[f];
       std::array<double, 3> length, dots;
       double twice_area;
