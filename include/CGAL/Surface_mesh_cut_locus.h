@@ -689,6 +689,7 @@ private:
     const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
     if(!component)
       component.reset(new Component(read_->mesh, *component_of_face_, id, number_of_components_));
+    visitor_.progress(Cut_loci::Stage::PREPROCESSING)(0.);
     component->make_solver(method, laplacian_operator_, threads_, read_->mesh, read_->positions,
                            visitor_.progress(Cut_loci::Stage::PREPROCESSING));
     return *component;

@@ -78,12 +78,11 @@ public:
   /// given lengths must have some
   explicit Geodesic_faces(const Mesh& mesh, const std::vector<Index>* positions = nullptr,
                           const Progress& progress = {})
-    : faces_(mesh.number_of_faces()), total_angle_(mesh.number_of_vertices(), 0.),
-      first_(mesh.number_of_vertices(), null_index), kind_(mesh.number_of_vertices(), 0)
+    : total_angle_(mesh.number_of_vertices(), 0.), first_(mesh.number_of_vertices(), null_index),
+      kind_(mesh.number_of_vertices(), 0)
   {
     read_faces(mesh, positions, progress.part(0., 0.8));
-    progress(0.8);
-    read_vertices(positions);
+    read_vertices(positions, progress.part(0.8, 1.));
   }
 
   Index number_of_faces() const { return static_cast<Index>(faces_.size()); }
@@ -157,10 +156,12 @@ private:
   void read_faces(const Mesh& mesh, const std::vector<Index>* positions, const Progress& progress)
   {
     double sum = 0.;
+    faces_.reserve(mesh.number_of_faces());
     for(Index f = 0; f < mesh.number_of_faces(); ++f)
     {
       progress(f, mesh.number_of_faces());
-      Geodesic_face& face = faces_[f];
+      faces_.emplace_back();
+      Geodesic_face& face = faces_.back();
       std::array<double, 3> length, dots;
       double twice_area;
       if(mesh.lengths.empty())
@@ -239,8 +240,9 @@ private:
     return "face #" + std::to_string(f) + " has no area";
   }
 
-  void read_vertices(const std::vector<Index>* positions)
+  void read_vertices(const std::vector<Index>* positions, const Progress& progress)
   {
+    progress(0.);
     std::vector<Index> valence(number_of_vertices(), 0);
     for(Index f = 0; f < number_of_faces(); ++f)
       for(Index i = 0; i < 3; ++i)
@@ -260,6 +262,7 @@ private:
       }
     for(Index v = 0; v < number_of_vertices(); ++v)
     {
+      progress(v, number_of_vertices());
       Index h = first_[v], count = 0;
       while(h != null_index && count <= valence[v])
       {

@@ -76,8 +76,7 @@ public:
     Eigen::VectorXd gradient = operators_.gradient * d;
     for(Index v : vertices_that_see_the_source())
       gradient[2 * v] = gradient[2 * v + 1] = 0.;
-    progress_(0.4);
-    angle_ = gradient_angles(connectivity_, tangent_, gradient);
+    angle_ = gradient_angles(connectivity_, tangent_, gradient, progress_.part(0.3, 0.8));
     for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
       if(angle_[v] * distance_[v] < longest_edge(v))
         angle_[v] = 0.f;

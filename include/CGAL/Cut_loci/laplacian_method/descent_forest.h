@@ -54,6 +54,7 @@ public:
     // made of many short pieces, each starting anew at a vertex, which would add up to a drift along edges of the mesh.
     std::vector<Index> order(mesh_.number_of_vertices());
     std::iota(order.begin(), order.end(), Index(0));
+    progress(0.05);
     std::stable_sort(order.begin(), order.end(), [&](Index v, Index w) { return distance_[v] > distance_[w]; });
     const Progress descents = progress.part(0.1, 0.7);
     for(std::size_t i = 0; i < order.size(); ++i)
