@@ -92,7 +92,7 @@ int main(int argc, char** argv)
     "exact, cgal-exact, heat, heat-direct, graph")("smoothing",
                                                    po::value(&smoothing)->multitoken()->default_value({0, 4}, "0 4"),
                                                    "numbers of smoothing iterations (0: edges of the mesh)");
-  analytic::read_options(argc, argv, options);
+  command_line::read(argc, argv, options);
 
   const Torus torus;
   const std::vector<Case> cases = {

@@ -14,6 +14,7 @@
 
 #include "accuracy_benchmark.h"
 #include "accuracy_surfaces.h"
+#include "measuring.h"
 #include "shot_cut_locus.h"
 #include "stretched_mesh.h"
 
@@ -22,7 +23,6 @@
 #include <boost/program_options.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -39,10 +39,7 @@ using namespace analytic;
 namespace params = CGAL::parameters;
 using CGAL::Cut_loci::Curve;
 
-double seconds_since(std::chrono::steady_clock::time_point start)
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+using measuring::seconds_since;
 
 // Prints rows, and writes them to a file as well.
 class Table
@@ -130,13 +127,13 @@ void run(const Surface& surface, const std::string& surface_name, const std::str
 {
   const double h = mean_edge_length(mesh);
   const Mesh::Vertex_index source_vertex = vertex_at(mesh, at);
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = measuring::Clock::now();
   CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(method));
   solver.set_source(source_vertex);
   const double source_time = seconds_since(start);
   for(Curve kind : {Curve::THROUGH_FACES, Curve::MESH_EDGES})
   {
-    const auto curve_start = std::chrono::steady_clock::now();
+    const auto curve_start = measuring::Clock::now();
     const auto result = solver.cut_locus(params::cut_locus_curve(kind));
     const double time = source_time + seconds_since(curve_start);
     const auto& g = result.graph();
@@ -250,7 +247,7 @@ int main(int argc, char** argv)
     "mesh", po::value(&o.meshes)->multitoken(),
     "only the kinds of meshes whose names contain one of these; all are isotropic, jittered, 4:1 and "
     "10:1 (long along x), 1:4 and 1:10 (short along x), noise_0.03 and noise_0.1");
-  analytic::read_options(argc, argv, options);
+  command_line::read(argc, argv, options);
 
   Table table(o.csv);
   table.row({"surface", "mesh", "curve", "faces", "h", "leaves", "true", "mean", "max", "back", "tip", "away", "cycles",

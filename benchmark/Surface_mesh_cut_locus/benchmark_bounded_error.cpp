@@ -9,71 +9,28 @@
 // the exact curve, of branches half as wide again as they have to be, within .3 h. The detour sees what is on none of the
 // cut locus, and not what is missing. Times are those of the processor, from the source to the curve.
 
+#include "command_line.h"
 #include "completeness.h"
 #include "curve_distance.h"
 #include "detour.h"
-#include "jittered_torus.h"
+#include "measuring.h"
 
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Cut_loci/statistics.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
-#include <CGAL/boost/graph/helpers.h>
 
 #include <boost/program_options.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <ctime>
-#include <exception>
-#include <iostream>
 #include <string>
-#include <sys/resource.h>
 #include <vector>
 
 namespace {
 
-using Kernel = analytic::Kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using analytic::Mesh;
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
 using Result = Solver::Result;
 namespace params = CGAL::parameters;
-
-double cpu_time()
-{
-  return double(std::clock()) / CLOCKS_PER_SEC;
-}
-
-double peak_memory()
-{
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  return double(usage.ru_maxrss) / 1024.;
-}
-
-analytic::Polylines polylines_of(const Result& result)
-{
-  analytic::Polylines polylines;
-  const auto& graph = result.graph();
-  for(const auto e : CGAL::make_range(edges(graph)))
-    polylines.push_back({graph[source(e, graph)].point, graph[target(e, graph)].point});
-  return polylines;
-}
-
-std::size_t number_of_leaves(const Result& result)
-{
-  const auto range = vertices(result.graph());
-  return std::size_t(
-    std::count_if(range.first, range.second, [&](auto v) { return out_degree(v, result.graph()) == 1; }));
-}
-
-double mean_edge_length(const Mesh& mesh)
-{
-  double sum = 0.;
-  for(const auto e : mesh.edges())
-    sum += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
-  return sum / double(mesh.number_of_edges());
-}
 
 struct Settings
 {
@@ -90,16 +47,16 @@ struct Run
 
 Run run(Solver& solver, Mesh::Vertex_index v, double error)
 {
-  const double begin = cpu_time();
+  const double begin = measuring::cpu_time();
   solver.set_source(v, params::maximum_relative_error(error));
   Result result = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
-  return {result, cpu_time() - begin};
+  return {result, measuring::cpu_time() - begin};
 }
 
 void measure(const std::string& name, const Mesh& mesh, const Settings& settings)
 {
   Solver solver(mesh);
-  const double h = mean_edge_length(mesh);
+  const double h = analytic::mean_edge_length(mesh);
   for(int i = 0; i < settings.sources; ++i)
   {
     const auto n = mesh.number_of_vertices();
@@ -117,15 +74,17 @@ void measure(const std::string& name, const Mesh& mesh, const Settings& settings
       const Run found = run(solver, v, error);
       const auto& graph = found.result.graph();
       std::printf("%s,%zu,%d,%g,%.4f,%.0f,%zu,%ld,%zu", name.c_str(), std::size_t(mesh.number_of_faces()), i, error,
-                  found.seconds, peak_memory(), std::size_t(num_edges(graph)),
-                  long(num_edges(graph)) - long(num_vertices(graph)) + 1, number_of_leaves(found.result));
+                  found.seconds, measuring::peak_megabytes(), std::size_t(num_edges(graph)),
+                  long(num_edges(graph)) - long(num_vertices(graph)) + 1,
+                  CGAL::Cut_loci::compute_statistics(found.result).leaves);
       if(settings.compares)
       {
-        const analytic::Polylines a = polylines_of(exact.front().result), b = polylines_of(found.result);
+        const analytic::Polylines a = analytic::segments_of(exact.front().result),
+                                  b = analytic::segments_of(found.result);
         const analytic::Deviation there = analytic::deviation(b, a, h / 5.), back = analytic::deviation(a, b, h / 5.);
         std::printf(",%.4f,%.5f,%.3f,%.5f,%.3f,%.4f", exact.front().seconds, there.mean / h, there.max / h,
                     back.mean / h, back.max / h,
-                    curve_measures::completeness(clear.front().result, 0., found.result, 0.3 * h));
+                    curve_measures::completeness(clear.front().result, found.result, 0.3 * h));
       }
       else
         std::printf(",,,,,,");
@@ -156,47 +115,11 @@ int main(int argc, char** argv)
     "errors", po::value(&settings.errors)->multitoken()->default_value({1e-5, 1e-4, 1e-3, 1e-2}, "1e-5 ... 1e-2"),
     "maximum relative errors")("sources", po::value(&settings.sources)->default_value(1), "number of sources")(
     "no-exact", "without the exact curve to compare with")("detour", "measure detours");
-  po::variables_map values;
-  try
-  {
-    po::positional_options_description positional;
-    positional.add("mesh", -1);
-    po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(), values);
-    po::notify(values);
-  }
-  catch(const po::error& error)
-  {
-    std::cerr << error.what() << "\n";
-    return EXIT_FAILURE;
-  }
-  if(values.count("help"))
-  {
-    std::cout << options;
-    return EXIT_SUCCESS;
-  }
+  const po::variables_map values = command_line::read(argc, argv, options, "mesh");
   settings.compares = values.count("no-exact") == 0;
   settings.measures_detour = values.count("detour") > 0;
   std::puts("mesh,faces,source,error,seconds,peak_mb,edges,cycles,leaves,exact_seconds,to_exact_mean,to_exact_max,"
             "from_exact_mean,from_exact_max,found,topology,detour_max");
-  try
-  {
-    for(std::size_t faces : tori)
-    {
-      const auto m = static_cast<std::size_t>(std::sqrt(0.2 * double(faces)));
-      measure("jittered_torus", jittered_torus<Mesh>(5 * m / 2, m), settings);
-    }
-    for(const std::string& file : meshes)
-    {
-      Mesh mesh;
-      if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh))
-        throw std::runtime_error("'" + file + "' holds no triangle mesh");
-      measure(file.substr(file.find_last_of('/') + 1), mesh, settings);
-    }
-  }
-  catch(const std::exception& error)
-  {
-    std::cerr << error.what() << "\n";
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  command_line::for_each_mesh<Mesh>(tori, meshes,
+                                    [&](const std::string& name, const Mesh& mesh) { measure(name, mesh, settings); });
 }

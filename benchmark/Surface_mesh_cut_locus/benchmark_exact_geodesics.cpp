@@ -16,6 +16,7 @@
 //   --cpu measures processor time instead of elapsed time, for machines with other work to do
 
 #include "jittered_torus.h"
+#include "measuring.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -24,13 +25,10 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
-#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -46,35 +44,16 @@ using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
 
 namespace {
 
+using measuring::median;
+
 bool measures_processor_time = false;
 double maximum_relative_error = 0.;
 
 double now()
 {
   if(measures_processor_time)
-    return double(std::clock()) / CLOCKS_PER_SEC;
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-/// the peak memory of the process in megabytes
-double peak_memory()
-{
-  std::ifstream status("/proc/self/status");
-  std::string word;
-  while(status >> word)
-    if(word == "VmHWM:")
-    {
-      double kilobytes = 0.;
-      status >> kilobytes;
-      return kilobytes / 1024.;
-    }
-  return 0.;
+    return measuring::cpu_time();
+  return measuring::seconds_since({});
 }
 
 struct Times
@@ -208,13 +187,13 @@ void growth(std::size_t largest, std::FILE* csv)
     {
       double result[6];
       const Mesh mesh = torus(faces);
-      result[4] = peak_memory();
+      result[4] = measuring::peak_megabytes();
       std::vector<double> distances(num_vertices(mesh));
       std::size_t windows = 0;
       result[0] = double(num_faces(mesh));
       result[1] = time_ours(mesh, Vertex(0), false, false, 3, distances, windows).total;
       result[2] = time_ours(mesh, Vertex(0), true, false, 3, distances, windows).total;
-      result[3] = peak_memory();
+      result[3] = measuring::peak_megabytes();
       result[5] = double(windows);
       const bool written = write(channel[1], result, sizeof(result)) == ssize_t(sizeof(result));
       _exit(written ? 0 : 1);

@@ -15,6 +15,7 @@
 // less what the mesh itself takes.
 
 #include "jittered_torus.h"
+#include "measuring.h"
 
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
@@ -30,9 +31,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <exception>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -49,32 +48,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using CGAL::Cut_loci::Method;
 using CGAL::Cut_loci::Stage;
 
-double now()
-{
-  return double(std::clock()) / CLOCKS_PER_SEC;
-}
-
-double median(std::vector<double> values)
-{
-  if(values.empty())
-    return 0.;
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-// The peak memory of the process in megabytes (Linux).
-double peak_memory()
-{
-  std::ifstream status("/proc/self/status");
-  for(std::string word; status >> word;)
-    if(word == "VmHWM:")
-    {
-      double kilobytes = 0.;
-      status >> kilobytes;
-      return kilobytes / 1024.;
-    }
-  return 0.;
-}
+using measuring::median;
 
 // A torus of radii 1 and 0.4 whose faces are about as long as wide, and irregular.
 Mesh torus(std::size_t faces)
@@ -87,8 +61,8 @@ Mesh torus(std::size_t faces)
 class Stage_clock : public CGAL::Cut_loci::Default_visitor
 {
 public:
-  void start_stage(Stage) { start_ = now(); }
-  void end_stage(Stage stage) { seconds_[stage] += now() - start_; }
+  void start_stage(Stage) { start_ = measuring::cpu_time(); }
+  void end_stage(Stage stage) { seconds_[stage] += measuring::cpu_time() - start_; }
   double operator[](Stage stage) const { return seconds_.count(stage) ? seconds_.at(stage) : 0.; }
   void reset() { seconds_.clear(); }
 
@@ -106,7 +80,7 @@ template <typename Solver>
 Figures measure(std::size_t faces, const Solver& solver, Method method, int trials)
 {
   const Mesh mesh = torus(faces);
-  const double before = peak_memory();
+  const double before = measuring::peak_megabytes();
   Stage_clock clock;
   CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(
     mesh, params::geodesic_solver(solver).cut_locus_method(method).visitor(std::ref(clock)));
@@ -127,7 +101,7 @@ Figures measure(std::size_t faces, const Solver& solver, Method method, int tria
   return {double(num_faces(mesh)),        (std::max)(0., first - times[Stage::DISTANCE].front()),
           median(times[Stage::DISTANCE]), median(times[Stage::STRENGTH]),
           median(times[Stage::TREE]),     median(times[Stage::HOMOLOGY]),
-          median(times[Stage::FILTER]),   peak_memory() - before};
+          median(times[Stage::FILTER]),   measuring::peak_megabytes() - before};
 }
 
 struct Solver_case

@@ -7,23 +7,17 @@
 // What each stage holds in memory when it ends, and the most it takes meanwhile, in bytes per face of a mesh (Linux, GNU C
 // library). What is held counts the mesh, too.
 
-#include "jittered_torus.h"
+#include "command_line.h"
+#include "measuring.h"
 
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
-#include <CGAL/boost/graph/helpers.h>
 
 #include <boost/program_options.hpp>
 
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <fstream>
 #include <functional>
-#include <iostream>
 #include <malloc.h>
 #include <string>
 #include <vector>
@@ -39,25 +33,6 @@ double held_memory()
 {
   const auto info = mallinfo2();
   return double(info.uordblks) + double(info.hblkhd);
-}
-
-// The largest resident size since the last reset, in bytes.
-double peak_memory(bool reset = false)
-{
-  if(reset)
-  {
-    malloc_trim(0);
-    std::ofstream("/proc/self/clear_refs") << "5";
-  }
-  std::ifstream status("/proc/self/status");
-  for(std::string word; status >> word;)
-    if(word == "VmHWM:")
-    {
-      double kilobytes = 0.;
-      status >> kilobytes;
-      return 1024. * kilobytes;
-    }
-  return 0.;
 }
 
 // Prints a line for each stage.
@@ -80,11 +55,11 @@ public:
   void start()
   {
     held_ = held_memory();
-    base_ = peak_memory(true);
+    base_ = measuring::reset_peak_memory();
   }
   void end(const std::string& stage) const
   {
-    const double peak = peak_memory() - base_;
+    const double peak = measuring::peak_memory() - base_;
     std::printf("%s,%g,%s,%.1f,%.1f,%.1f\n", prefix_.c_str(), error_, stage.c_str(), held_memory() / faces_,
                 (held_memory() - held_) / faces_, peak / faces_);
     std::fflush(stdout);
@@ -112,49 +87,24 @@ int main(int argc, char** argv)
 {
   namespace po = boost::program_options;
   std::vector<std::string> files;
+  std::vector<std::size_t> tori;
   std::size_t faces = 0;
   po::options_description options(
     "benchmark_memory [OPTION]... [MESH]...: the memory of the stages, in bytes per face");
   options.add_options()("help", "print this")("mesh", po::value(&files), "files of triangle meshes")(
     "torus", po::value(&faces)->default_value(1000000), "without files: a jittered torus of about so many faces")(
     "polyhedral", "also all of the cut locus, which takes ten times as much");
-  po::variables_map values;
-  try
+  const po::variables_map values = command_line::read(argc, argv, options, "mesh");
+  std::puts("mesh,faces,method,error,stage,held,added,peak_above_start");
+  if(files.empty())
+    tori.push_back(faces);
+  const auto measure_all = [&](const std::string& name, const Mesh& mesh)
   {
-    po::positional_options_description positional;
-    positional.add("mesh", -1);
-    po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(), values);
-    po::notify(values);
-    if(values.count("help"))
-    {
-      std::cout << options;
-      return EXIT_SUCCESS;
-    }
-    std::puts("mesh,faces,method,error,stage,held,added,peak_above_start");
-    const auto measure_all = [&](const std::string& name, const Mesh& mesh)
-    {
-      measure(name, mesh, Method::DIRECTION, 0.);
-      measure(name, mesh, Method::DIRECTION, 1e-5);
-      measure(name, mesh, Method::LAPLACIAN, 0.);
-      if(values.count("polyhedral"))
-        measure(name, mesh, Method::POLYHEDRAL, 0.);
-    };
-    if(files.empty())
-    {
-      const auto m = static_cast<std::size_t>(std::sqrt(0.2 * double(faces)));
-      measure_all("jittered_torus", jittered_torus<Mesh>(5 * m / 2, m));
-    }
-    for(const std::string& file : files)
-    {
-      Mesh mesh;
-      if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh))
-        throw std::runtime_error("'" + file + "' holds no triangle mesh");
-      measure_all(file.substr(file.find_last_of('/') + 1), mesh);
-    }
-  }
-  catch(const std::exception& error)
-  {
-    std::cerr << error.what() << "\n";
-    return EXIT_FAILURE;
-  }
+    measure(name, mesh, Method::DIRECTION, 0.);
+    measure(name, mesh, Method::DIRECTION, 1e-5);
+    measure(name, mesh, Method::LAPLACIAN, 0.);
+    if(values.count("polyhedral"))
+      measure(name, mesh, Method::POLYHEDRAL, 0.);
+  };
+  command_line::for_each_mesh<Mesh>(tori, files, measure_all);
 }

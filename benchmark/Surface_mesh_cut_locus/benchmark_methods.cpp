@@ -47,18 +47,6 @@ struct Case
   std::function<Polylines(double)> truth; // sampled at a step
 };
 
-template <typename Cut_locus>
-Polylines polylines_of(const Cut_locus& cut_locus)
-{
-  Polylines result;
-  const auto& graph = cut_locus.graph();
-  for(auto e : CGAL::make_range(edges(graph)))
-    result.push_back({graph[source(e, graph)].point, graph[target(e, graph)].point});
-  if(result.empty())
-    result.push_back({graph[cut_locus.root()].point});
-  return result;
-}
-
 Mesh torus_mesh(const Torus& torus, double length, const std::string& cache)
 {
   const std::string file = cache + "/torus_" + std::to_string(length) + ".off";
@@ -97,7 +85,7 @@ void run(const std::string& solver_name, const Solver& solver, Method method, co
   const Polylines truth = test.truth(h / 5.);
   for(bool is_smooth : {false, true})
   {
-    const Polylines estimate = polylines_of(is_smooth ? through_faces : along_edges);
+    const Polylines estimate = segments_of(is_smooth ? through_faces : along_edges);
     const Deviation there = deviation(estimate, truth, h / 5.), back = deviation(truth, estimate, h / 5.);
     std::printf("%s,%u,%.5f,%s,%s,%s,%.2e,%.2e,%.3f,%.3f,%.3f,%.3f\n", test.name.c_str(),
                 unsigned(mesh.number_of_faces()), h, solver_name.c_str(),
@@ -118,7 +106,7 @@ int main(int argc, char** argv)
   options.add_options()("help", "print this")("cache", po::value(&cache), "folder that keeps the generated meshes")(
     "length", po::value(&lengths)->multitoken()->default_value({0.064, 0.032, 0.022}, "0.064 0.032 0.022"),
     "edge lengths; the torus has radii 1 and 0.4");
-  analytic::read_options(argc, argv, options);
+  command_line::read(argc, argv, options);
 
   const Torus torus;
   const std::vector<Case> cases = {

@@ -7,23 +7,21 @@
 // The time of each stage of the method by the Laplacian, as seconds and as a fraction of CGAL's Surface_mesh_shortest_path::build_sequence_tree in the
 // same run, and the memory of all stages but the distance.
 
+#include "command_line.h"
+#include "measuring.h"
+
 #include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <boost/program_options.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <fstream>
-#include <iostream>
-#include <malloc.h>
 #include <map>
 #include <string>
 #include <vector>
@@ -33,18 +31,9 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Stage = CGAL::Cut_loci::Stage;
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double median(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
+using measuring::Clock;
+using measuring::median;
+using measuring::seconds_since;
 
 // Adds up the time of each stage in a run.
 class Stage_times
@@ -67,25 +56,6 @@ private:
   std::map<Stage, std::vector<double>> times_;
 };
 
-// The largest resident size since the last reset, in bytes (Linux).
-double peak_memory(bool reset = false)
-{
-  if(reset)
-  {
-    malloc_trim(0);
-    std::ofstream("/proc/self/clear_refs") << "5";
-  }
-  std::ifstream status("/proc/self/status");
-  for(std::string word; status >> word;)
-    if(word == "VmHWM:")
-    {
-      double kilobytes = 0.;
-      status >> kilobytes;
-      return 1024. * kilobytes;
-    }
-  return 0.;
-}
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -100,33 +70,12 @@ int main(int argc, char** argv)
     "runs", po::value(&runs)->default_value(5), "each figure is the median of so many runs")(
     "loop", po::value(&subdivisions)->default_value(0), "steps of Loop subdivision before")(
     "reference", po::value(&reference), "seconds to compare with, instead of a run of build_sequence_tree");
-  po::positional_options_description positional;
-  positional.add("mesh", -1);
-  po::variables_map values;
-  try
-  {
-    po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(), values);
-    po::notify(values);
-  }
-  catch(const po::error& error)
-  {
-    std::cerr << error.what() << "\n";
-    return EXIT_FAILURE;
-  }
-  if(values.count("help") || files.empty())
-  {
-    std::cout << options;
-    return EXIT_SUCCESS;
-  }
-
+  const po::variables_map values = command_line::read(argc, argv, options, "mesh");
+  if(files.empty())
+    command_line::fail("no MESH: see --help");
   for(const std::string& file : files)
   {
-    Mesh mesh;
-    if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh))
-    {
-      std::cerr << file << ": not a triangle mesh\n";
-      return EXIT_FAILURE;
-    }
+    Mesh mesh = command_line::read_mesh<Mesh>(file);
     if(subdivisions > 0)
       CGAL::Subdivision_method_3::Loop_subdivision(mesh, params::number_of_iterations(subdivisions));
     const Mesh::Vertex_index source(0);
@@ -156,11 +105,11 @@ int main(int argc, char** argv)
     std::size_t cycles = 0;
     for(int run = 0; run < runs; ++run)
     {
-      const double before = peak_memory(true);
+      const double before = measuring::reset_peak_memory();
       CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(
         mesh, params::visitor(std::ref(times)).cut_locus_method(CGAL::Cut_loci::Method::LAPLACIAN));
       cut_loci.set_source(source, params::vertex_distance_map(distance));
-      memory = peak_memory() - before;
+      memory = measuring::peak_memory() - before;
       // a slider that moves over the range in which branches come and go
       for(double angle = 0.2; angle < 2.; angle += 0.1)
         for(CGAL::Cut_loci::Filter_policy policy :

@@ -12,12 +12,34 @@
 #include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Iterator_range.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
 namespace analytic {
+
+template <typename Cut_locus>
+Polylines segments_of(const Cut_locus& cut_locus)
+{
+  Polylines result;
+  const auto& g = cut_locus.graph();
+  for(auto e : CGAL::make_range(edges(g)))
+    result.push_back({g[source(e, g)].point, g[target(e, g)].point});
+  if(result.empty())
+    result.push_back({g[cut_locus.root()].point});
+  return result;
+}
+
+inline double mean_edge_length(const Mesh& mesh)
+{
+  double sum = 0.;
+  for(Mesh::Edge_index e : mesh.edges())
+    sum += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  return sum / static_cast<double>(mesh.number_of_edges());
+}
 
 struct Deviation
 {

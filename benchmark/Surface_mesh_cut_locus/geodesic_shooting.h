@@ -116,14 +116,6 @@ public:
     return result;
   }
 
-  std::vector<Arrival> cusps(double limit) const
-  {
-    std::vector<Arrival> result;
-    for(double direction : cusp_directions(limit))
-      result.push_back((*this)(direction, *conjugate_distance(direction, limit)));
-    return result;
-  }
-
   struct Cut_point
   {
     Vector point;

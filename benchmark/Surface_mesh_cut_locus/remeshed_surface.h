@@ -16,14 +16,6 @@
 
 namespace analytic {
 
-inline double mean_edge_length(const Mesh& mesh)
-{
-  double sum = 0.;
-  for(Mesh::Edge_index e : mesh.edges())
-    sum += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
-  return sum / static_cast<double>(mesh.number_of_edges());
-}
-
 template <typename Surface>
 void project(const Surface& surface, Mesh& mesh)
 {

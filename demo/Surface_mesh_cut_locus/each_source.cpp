@@ -5,6 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "each_source.h"
+#include "report_json.h"
 #include "thresholds.h"
 
 #include <CGAL/Cut_loci/extract_polylines.h>
@@ -12,8 +13,6 @@
 #include <CGAL/Cut_loci/internal/transform_in_order.h>
 #include <CGAL/Cut_loci/statistics.h>
 #include <CGAL/tags.h>
-
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <fstream>
@@ -29,7 +28,6 @@
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Source = Cut_locus_solver::Source;
 
 constexpr bool has_threads = std::is_same<CGAL::Parallel_if_available_tag, CGAL::Parallel_tag>::value;
@@ -179,18 +177,11 @@ void write_report_of_sources(const Options& options, const Input_mesh& input, st
   report["failed"] = summary.failed;
   report["smallest_injectivity_radius"] = summary.smallest;
   report["largest_injectivity_radius"] = summary.largest;
-  report["solver"] = options.solver;
-  report["max_relative_error"] = options.maximum_relative_error.value_or(0.);
-  report["method"] = options.method_name;
-  report["curve"] = curve_of_files(options) == CGAL::Cut_loci::Curve::MESH_EDGES ? "edges" : "faces";
+  add_method(report, options, curve_of_files(options));
   report["threads"] = options.threads;
   for(const auto& [stage, seconds] : progress.seconds())
     report["seconds"][stage] = seconds;
-  std::ofstream os(options.report);
-  os << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-  os.close();
-  if(os.fail())
-    throw std::runtime_error("cannot write to '" + options.report + "'");
+  write_json(options.report, report);
 }
 
 } // namespace

@@ -5,10 +5,9 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "report.h"
+#include "report_json.h"
 
 #include <CGAL/Cut_loci/statistics.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +16,25 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace {
+void add_method(Json& report, const Options& options, CGAL::Cut_loci::Curve curve)
+{
+  report["solver"] = options.solver;
+  report["max_relative_error"] = options.maximum_relative_error.value_or(0.);
+  report["method"] = options.method_name;
+  report["curve"] = curve == CGAL::Cut_loci::Curve::MESH_EDGES ? "edges" : "faces";
+}
 
-using Json = nlohmann::ordered_json;
+void write_json(const std::string& filename, const Json& json)
+{
+  std::ofstream os(filename);
+  // a name that is not UTF-8 must not spoil the report
+  os << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  os.close();
+  if(os.fail())
+    throw std::runtime_error("cannot write to '" + filename + "'");
+}
+
+namespace {
 
 Json to_json(const Kernel::Point_3& p)
 {
@@ -61,6 +76,54 @@ std::size_t count_added_edges(const Input_mesh& input, const Cut_locus& cut_locu
   const auto all = CGAL::make_range(edges(graph));
   return static_cast<std::size_t>(
     std::count_if(all.begin(), all.end(), [&](const auto& e) { return is_added(graph[e], input); }));
+}
+
+void add_check(Json& report, const Check& check)
+{
+  report["topology"] = check.topology_fault.empty() ? "right" : check.topology_fault;
+  const auto figure = [&](double x) { return check.failed.empty() ? Json(x) : Json(nullptr); };
+  report["detour_mean"] = figure(check.detour_mean);
+  report["detour_p99"] = figure(check.detour_p99);
+  report["detour_max"] = figure(check.detour_max);
+  if(!check.failed.empty())
+    report["detour_failed"] = check.failed;
+}
+
+void add_atlas(Json& report, const Atlas& atlas, const std::optional<double>& short_cut_graph_distance)
+{
+  Json& uv = report["uv"];
+  uv["parameterization"] = atlas.parameterization;
+  uv["faces"] = atlas.texture_corners.size();
+  uv["flipped_faces"] = atlas.flipped_faces;
+  uv["area_distortion"] = atlas.area_distortion;
+  uv["angle_distortion"] = atlas.angle_distortion;
+  uv["overlap"] = atlas.overlap;
+  uv["seam_distance"] = atlas.seam_distance;
+  uv["short_cut_graph_distance"] = to_json(short_cut_graph_distance);
+}
+
+// null: there is none
+void add_parameters(Json& parameters, const Options& options)
+{
+  parameters["angle"] = to_json(options.angle);
+  parameters["laplacian"] = to_json(options.laplacian);
+  parameters["policy"] = options.grow ? Json(*options.grow ? "grow" : "prune") : Json(nullptr);
+  parameters["min_branch_edges"] = to_json(options.minimum_branch_edges);
+  parameters["min_branch_length"] = to_json(options.minimum_branch_length);
+  parameters["min_branch_gap"] = to_json(options.minimum_branch_gap);
+  parameters["min_branch_width"] = to_json(options.minimum_branch_width);
+  parameters["smooth"] = to_json(options.smoothing);
+}
+
+void add_seconds(Json& seconds, const Progress& progress)
+{
+  double total = 0.;
+  for(const auto& stage : progress.seconds())
+  {
+    seconds[stage.first] = stage.second;
+    total += stage.second;
+  }
+  seconds["total"] = total;
 }
 
 } // namespace
@@ -108,58 +171,13 @@ void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Inp
   report["injectivity_radius"] = statistics.injectivity_radius;
 
   if(check)
-  {
-    report["topology"] = check->topology_fault.empty() ? "right" : check->topology_fault;
-    const auto figure = [&](double x) { return check->failed.empty() ? Json(x) : Json(nullptr); };
-    report["detour_mean"] = figure(check->detour_mean);
-    report["detour_p99"] = figure(check->detour_p99);
-    report["detour_max"] = figure(check->detour_max);
-    if(!check->failed.empty())
-      report["detour_failed"] = check->failed;
-  }
-
+    add_check(report, *check);
   if(atlas)
-  {
-    Json& uv = report["uv"];
-    uv["parameterization"] = atlas->parameterization;
-    uv["faces"] = atlas->texture_corners.size();
-    uv["flipped_faces"] = atlas->flipped_faces;
-    uv["area_distortion"] = atlas->area_distortion;
-    uv["angle_distortion"] = atlas->angle_distortion;
-    uv["overlap"] = atlas->overlap;
-    uv["seam_distance"] = atlas->seam_distance;
-    uv["short_cut_graph_distance"] = to_json(distance_to_short_cut_graph(mesh, cut_locus));
-  }
-
-  report["solver"] = options.solver;
-  report["max_relative_error"] = options.maximum_relative_error.value_or(0.);
-  report["method"] = options.method_name;
-  report["curve"] = curve == CGAL::Cut_loci::Curve::MESH_EDGES ? "edges" : "faces";
-  Json& parameters = report["parameters"]; // null: there is none
-  parameters["angle"] = to_json(options.angle);
-  parameters["laplacian"] = to_json(options.laplacian);
-  parameters["policy"] = options.grow ? Json(*options.grow ? "grow" : "prune") : Json(nullptr);
-  parameters["min_branch_edges"] = to_json(options.minimum_branch_edges);
-  parameters["min_branch_length"] = to_json(options.minimum_branch_length);
-  parameters["min_branch_gap"] = to_json(options.minimum_branch_gap);
-  parameters["min_branch_width"] = to_json(options.minimum_branch_width);
-  parameters["smooth"] = to_json(options.smoothing);
-
-  Json& seconds = report["seconds"];
-  double total = 0.;
-  for(const auto& stage : progress.seconds())
-  {
-    seconds[stage.first] = stage.second;
-    total += stage.second;
-  }
-  seconds["total"] = total;
-
-  std::ofstream os(options.report);
-  // a name that is not UTF-8 must not spoil the report
-  os << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-  os.close();
-  if(os.fail())
-    throw std::runtime_error("cannot write to '" + options.report + "'");
+    add_atlas(report, *atlas, distance_to_short_cut_graph(mesh, cut_locus));
+  add_method(report, options, curve);
+  add_parameters(report["parameters"], options);
+  add_seconds(report["seconds"], progress);
+  write_json(options.report, report);
 }
 
 namespace {

@@ -7,29 +7,27 @@
 #ifndef CGAL_CUT_LOCI_HELPERS_UNION_FIND_H
 #define CGAL_CUT_LOCI_HELPERS_UNION_FIND_H
 
-#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-
 #include <cstddef>
 #include <numeric>
 #include <vector>
 
+// It shares no code with the library, so that tests may trust it.
 namespace curve_measures {
-namespace internal {
 
 class Union_find
 {
 public:
   explicit Union_find(std::size_t n) : parent_(n), parts_(n)
   {
-    std::iota(parent_.begin(), parent_.end(), CGAL::Cut_loci::Index(0));
+    std::iota(parent_.begin(), parent_.end(), std::size_t(0));
   }
-  CGAL::Cut_loci::Index find(CGAL::Cut_loci::Index i)
+  std::size_t find(std::size_t i)
   {
     while(parent_[i] != i)
       i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  bool unite(CGAL::Cut_loci::Index a, CGAL::Cut_loci::Index b)
+  bool unite(std::size_t a, std::size_t b)
   {
     a = find(a);
     b = find(b);
@@ -40,11 +38,10 @@ public:
   std::size_t number_of_parts() const { return parts_; }
 
 private:
-  std::vector<CGAL::Cut_loci::Index> parent_;
+  std::vector<std::size_t> parent_;
   std::size_t parts_;
 };
 
-} // namespace internal
 } // namespace curve_measures
 
 #endif // CGAL_CUT_LOCI_HELPERS_UNION_FIND_H

@@ -19,6 +19,7 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 #include <CGAL/Cut_locus.h>
 
@@ -203,10 +204,7 @@ inline std::vector<CGAL::Cut_loci::Indexed_location> sources(const CGAL::Cut_loc
     if(origin[v] != on.curve.source_vertex || is_done[v])
       continue;
     is_done[v] = true;
-    CGAL::Cut_loci::Indexed_location location;
-    location.face = h / 3;
-    location.coordinates[h % 3] = 1.;
-    result.push_back(location);
+    result.push_back(CGAL::Cut_loci::internal::location_on(h));
   }
   return result;
 }

@@ -33,7 +33,8 @@ public:
 
   void set_mesh(const Cut_loci::Indexed_triangle_mesh& mesh)
   {
-    propagation_ = std::make_shared<Cut_loci::internal::Exact_geodesic_propagation>(mesh);
+    propagation_ =
+      std::make_shared<Cut_loci::internal::Exact_geodesic_propagation>(mesh, nullptr, progress_.part(0., 0.));
   }
 
   /// lets distances be longer than the exact ones, by this share of their length at most; zero by default, and what the

@@ -7,6 +7,7 @@
 #ifndef CGAL_GRAPH_GEODESIC_SOLVER_H
 #define CGAL_GRAPH_GEODESIC_SOLVER_H
 
+#include <CGAL/Cut_loci/internal/Compressed_rows.h>
 #include <CGAL/Cut_loci/internal/monotone_queue.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
@@ -70,9 +71,8 @@ public:
       const double distance = distances[v];
       if(key > static_cast<float>(distance))
         continue;
-      const Arc* end = graph_->arcs.data() + graph_->begin[v + 1];
-      for(const Arc* a = graph_->arcs.data() + graph_->begin[v]; a != end; ++a)
-        reach(a->target, distance + a->length);
+      for(const Arc& arc : graph_->arcs[v])
+        reach(arc.target, distance + arc.length);
     }
     for(double& d : distances)
       d *= scale;
@@ -92,11 +92,10 @@ private:
 
   struct Graph
   {
-    std::vector<Index> begin; // of the arcs of each vertex
-    std::vector<Arc> arcs;
+    Cut_loci::internal::Compressed_rows<Arc> arcs; // of each vertex
     double unit = 1.; // of the lengths: a power of two, so that meshes of any size fit single precision
 
-    explicit Graph(const Mesh& mesh) : begin(mesh.number_of_vertices() + 1, 0)
+    explicit Graph(const Mesh& mesh)
     {
       using namespace Cut_loci::internal;
       double longest = 0.;
@@ -107,41 +106,29 @@ private:
 
       std::vector<float> dual_length(mesh.number_of_halfedges(), -1.f);
       for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+        if(!mesh.is_border_edge(h) && h < mesh.opposite[h])
+        {
+          const double length = straight_line_across(mesh, h, apex(mesh, h));
+          dual_length[h] = length < 0. ? -1.f : static_cast<float>(length / unit);
+        }
+      const auto enumerate = [&](const auto& add)
       {
-        const Index o = mesh.opposite[h];
-        if(o < h)
-          continue;
-        ++begin[mesh.source(h) + 1];
-        ++begin[mesh.target(h) + 1];
-        if(o == Cut_loci::null_index)
-          continue;
-        const double length = straight_line_across(mesh, h, apex(mesh, h));
-        if(length < 0.)
-          continue;
-        dual_length[h] = static_cast<float>(length / unit);
-        ++begin[mesh.source(mesh.previous(h)) + 1];
-        ++begin[mesh.source(mesh.previous(o)) + 1];
-      }
-      for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-        begin[v + 1] += begin[v];
-      arcs.resize(begin.back());
-
-      std::vector<Index> next(begin.begin(), begin.end() - 1);
-      const auto add = [&](Index v, Index w, float length)
-      {
-        arcs[next[v]++] = {w, length};
-        arcs[next[w]++] = {v, length};
+        const auto add_both = [&](Index v, Index w, float length)
+        {
+          add(v, {w, length});
+          add(w, {v, length});
+        };
+        for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+        {
+          const Index o = mesh.opposite[h];
+          if(o < h)
+            continue;
+          add_both(mesh.source(h), mesh.target(h), static_cast<float>(edge_length(mesh, h) / unit));
+          if(dual_length[h] >= 0.f)
+            add_both(mesh.source(mesh.previous(h)), mesh.source(mesh.previous(o)), dual_length[h]);
+        }
       };
-      for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-      {
-        const Index o = mesh.opposite[h];
-        if(o < h)
-          continue;
-        const Index v = mesh.source(h), w = mesh.target(h);
-        add(v, w, static_cast<float>(edge_length(mesh, h) / unit));
-        if(dual_length[h] >= 0.f)
-          add(mesh.source(mesh.previous(h)), mesh.source(mesh.previous(o)), dual_length[h]);
-      }
+      arcs = Compressed_rows<Arc>(mesh.number_of_vertices(), enumerate);
     }
   };
 

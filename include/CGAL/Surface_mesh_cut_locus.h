@@ -23,6 +23,7 @@
 #include <CGAL/Cut_loci/method/Geodesic_solver_handle.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_locus.h>
 #include <CGAL/Exact_geodesic_solver.h>
 
@@ -174,10 +175,12 @@ public:
       choose_parameter(get_parameter(np, internal_np::visitor), Cut_loci::Default_visitor()));
     threads_ = Cut_loci::internal::threads_of<CGAL_NP_CLASS>();
     const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
-    const auto read = std::make_shared<Read>(Cut_loci::internal::read_triangle_mesh(tm, vpm_, !has_lengths));
+    const auto read = std::make_shared<Read>(Cut_loci::internal::read_triangle_mesh(
+      tm, vpm_, !has_lengths, visitor_.progress(Cut_loci::Stage::PREPROCESSING).part(0., 0.8)));
     Cut_loci::internal::read_edge_lengths(tm, *read, get_parameter(np, internal_np::edge_length_map));
     Cut_loci::internal::normalize_lengths(*read);
     read_ = read;
+    visitor_.progress(Cut_loci::Stage::PREPROCESSING)(0.8);
     component_of_face_ = std::make_shared<const std::vector<Index>>(
       Cut_loci::internal::face_components(read_->mesh, number_of_components_));
   }
@@ -540,11 +543,7 @@ private:
     for(const Cut_loci::Indexed_curve& curve : curves_)
     {
       const Index h = curve.halfedges.front();
-      Cut_loci::Indexed_source first;
-      first.vertex = component_->mesh->source(h);
-      first.location.face = h / 3;
-      first.location.coordinates[h % 3] = 1.;
-      result.push_back(first);
+      result.push_back({Cut_loci::internal::location_on(h), component_->mesh->source(h)});
     }
     return result;
   }
@@ -598,38 +597,23 @@ private:
     curves_.clear();
     for(const Cut_loci::Indexed_curve& curve : curves)
       curves_.push_back(component.local(curve));
-    set_error(component, error, runs_solver);
+    if(error > 0. && !runs_solver)
+      Cut_loci::internal::refuse_error();
+    maximum_relative_error_ = error;
     if(method_ == Cut_loci::Method::LAPLACIAN)
       solve(component, *component.laplacian, np);
     else
     {
+      component.exact_tree->set_maximum_relative_error(error);
       component.exact_tree->expect(default_thresholds(*component.exact_tree));
       solve(component, *component.exact_tree, np);
     }
   }
 
-  void set_error(Component& component, double error, bool runs_solver)
-  {
-    if(error > 0. && !runs_solver)
-      Cut_loci::internal::refuse_error();
-    if(method_ != Cut_loci::Method::LAPLACIAN)
-      component.exact_tree->set_maximum_relative_error(error);
-    else if(runs_solver && !solver_at(component).set_maximum_relative_error(error) && error > 0.)
-      Cut_loci::internal::refuse_error();
-  }
-
-  // lets the visitor know how far the stage is that follows; the method by the Laplacian has fast ones, but for distances
+  // lets the visitor know how far the stage is that follows
   void report(Component& component, Cut_loci::Stage stage) const
   {
-    if(method_ != Cut_loci::Method::LAPLACIAN)
-      component.exact_tree->report_to(visitor_.progress(stage));
-  }
-
-  Solver_handle& solver_at(Component& component) const
-  {
-    if(component.geodesic_solver.empty())
-      component.geodesic_solver = solver_.bound_to(*component.mesh);
-    return component.geodesic_solver;
+    component.solver(method_)->report_to(visitor_.progress(stage));
   }
 
   static void refuse_lengths(bool has_lengths, Cut_loci::Method method)
@@ -658,6 +642,7 @@ private:
     }
     {
       const Stage_scope scope(visitor_, Cut_loci::Stage::HOMOLOGY);
+      report(component, Cut_loci::Stage::HOMOLOGY);
       solver.close_cycles();
     }
 
@@ -699,12 +684,14 @@ private:
   Component& component_at(Index id, Cut_loci::Method method)
   {
     std::unique_ptr<Component>& component = components_[id];
-    if(component && component->has_solver(method))
+    if(component && component->solver(method) != nullptr)
       return *component;
     const Stage_scope scope(visitor_, Cut_loci::Stage::PREPROCESSING);
     if(!component)
       component.reset(new Component(read_->mesh, *component_of_face_, id, number_of_components_));
-    component->make_solver(method, laplacian_operator_, threads_, read_->mesh, read_->positions);
+    visitor_.progress(Cut_loci::Stage::PREPROCESSING)(0.);
+    component->make_solver(method, laplacian_operator_, threads_, read_->mesh, read_->positions,
+                           visitor_.progress(Cut_loci::Stage::PREPROCESSING));
     return *component;
   }
 
@@ -714,11 +701,16 @@ private:
                                                                 std::vector<double>& distance,
                                                                 internal_np::Param_not_found)
   {
-    Solver_handle& solver = solver_at(component);
-    solver.report_to(visitor_.progress(Cut_loci::Stage::DISTANCE));
+    Solver_handle& solver = component.geodesic_solver;
+    const Cut_loci::internal::Progress progress = visitor_.progress(Cut_loci::Stage::DISTANCE);
+    if(solver.empty())
+      solver = solver_.bound_to(*component.mesh, progress);
+    if(!solver.set_maximum_relative_error(maximum_relative_error_) && maximum_relative_error_ > 0.)
+      Cut_loci::internal::refuse_error();
+    solver.report_to(progress);
     solver.compute_distances(source, distance);
     check_distances(component, distance, "the geodesic solver returned");
-    return component.geodesic_solver.geodesics();
+    return solver.geodesics();
   }
 
   template <typename VertexDistanceMap>
@@ -791,6 +783,7 @@ private:
   Component* component_ = nullptr;               // that of the sources
   std::vector<Cut_loci::Indexed_source> points_; // in their component, and
   std::vector<Cut_loci::Indexed_curve> curves_;
+  double maximum_relative_error_ = 0.; // of their distances
   double source_angle_threshold_ = default_gradient_angle_threshold();
   std::shared_ptr<const Cut_loci::internal::Source_result> source_result_;
 };

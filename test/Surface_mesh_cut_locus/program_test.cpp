@@ -6,6 +6,7 @@
 
 // Runs the program as a user would, and looks at its exit status, messages and files.
 
+#include "Union_find.h"
 #include "program_fixture.h"
 
 #include <nlohmann/json.hpp>
@@ -17,38 +18,13 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <numeric>
 #include <set>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace {
-
-class Union_find
-{
-public:
-  explicit Union_find(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t(0)); }
-  std::size_t find(std::size_t i)
-  {
-    while(parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  bool join(std::size_t i, std::size_t j)
-  {
-    i = find(i);
-    j = find(j);
-    parent_[i] = j;
-    return i != j;
-  }
-
-private:
-  std::vector<std::size_t> parent_;
-};
-
-} // namespace
+using curve_measures::Union_find;
 
 TEST_F(Program, Help)
 {
@@ -130,10 +106,10 @@ TEST_F(Program, Report_and_edges)
     Union_find vertices(number_of_vertices_), faces(triangles_.size());
     std::size_t components = cut_vertices.size(), disks = triangles_.size();
     for(const auto& e : cut)
-      components -= vertices.join(e.first, e.second);
+      components -= vertices.unite(e.first, e.second);
     for(const auto& e : faces_of_edge)
       if(cut.count(e.first) == 0)
-        disks -= faces.join(e.second[0], e.second[1]);
+        disks -= faces.unite(e.second[0], e.second[1]);
     EXPECT_EQ(components, 1u);
     EXPECT_EQ(disks, 1u);
   }
@@ -408,7 +384,7 @@ TEST_F(Program, Textured_mesh)
       {
         EXPECT_EQ(b.second.size(), 2u);
         for(int w : b.second)
-          number_of_loops -= loops.join(b.first, w);
+          number_of_loops -= loops.unite(b.first, w);
       }
       EXPECT_EQ(number_of_loops, 1u);
 

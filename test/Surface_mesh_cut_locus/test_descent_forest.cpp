@@ -6,6 +6,7 @@
 
 // The descents of a distance, good or bad, leave room for a tree of all vertices and 2g edges more.
 
+#include "Union_find.h"
 #include "indexed_meshes.h"
 
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
@@ -22,7 +23,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <random>
 #include <vector>
 
@@ -31,34 +31,12 @@ namespace {
 using namespace CGAL::Cut_loci;
 using indexed_meshes::Mesh;
 
-class Parts
-{
-public:
-  explicit Parts(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index(0)); }
-  bool unite(Index a, Index b)
-  {
-    a = find(a);
-    b = find(b);
-    parent_[a] = b;
-    return a != b;
-  }
-
-private:
-  Index find(Index i)
-  {
-    while(parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  std::vector<Index> parent_;
-};
-
 void expect_room(const Mesh& mesh, const std::vector<double>& distance, const Indexed_source& source,
                  const internal::Geodesic_results* geodesics = nullptr)
 {
   const Mesh_connectivity connectivity(mesh);
   const std::vector<unsigned char> crossed = edges_crossed_by_descents(mesh, connectivity, distance, source, geodesics);
-  Parts faces(mesh.number_of_faces());
+  curve_measures::Union_find faces(mesh.number_of_faces());
   for(Index e = 0; e < crossed.size(); ++e)
     if(crossed[e])
     {

@@ -166,6 +166,15 @@ Errors orders(const std::string& name, const Shape& shape, Laplacian_operator ty
   return result;
 }
 
+void expect_orders_of_irregular_meshes(const std::string& name, const Shape& shape)
+{
+  const Errors order = orders(name, shape);
+  EXPECT_GT(order.gradient_rms, 1.9);
+  EXPECT_GT(order.gradient_max, 1.7);
+  EXPECT_GT(order.laplacian_rms, 0.9);
+  EXPECT_GT(order.laplacian_max, 0.7);
+}
+
 Eigen::VectorXd sampled(const Mesh_data& data, const std::function<double(const Point&)>& f)
 {
   Eigen::VectorXd result(static_cast<Eigen::Index>(data.points.size()));
@@ -178,29 +187,17 @@ Eigen::VectorXd sampled(const Mesh_data& data, const std::function<double(const 
 
 TEST(Differential_operators, converge_on_an_irregular_sphere)
 {
-  const Errors order = orders("sphere", sphere_shape(0.2));
-  EXPECT_GT(order.gradient_rms, 1.9);
-  EXPECT_GT(order.gradient_max, 1.7);
-  EXPECT_GT(order.laplacian_rms, 0.9);
-  EXPECT_GT(order.laplacian_max, 0.7);
+  expect_orders_of_irregular_meshes("sphere", sphere_shape(0.2));
 }
 
 TEST(Differential_operators, converge_on_an_irregular_torus)
 {
-  const Errors order = orders("torus", torus_shape(0.2));
-  EXPECT_GT(order.gradient_rms, 1.9);
-  EXPECT_GT(order.gradient_max, 1.7);
-  EXPECT_GT(order.laplacian_rms, 0.9);
-  EXPECT_GT(order.laplacian_max, 0.7);
+  expect_orders_of_irregular_meshes("torus", torus_shape(0.2));
 }
 
 TEST(Differential_operators, converge_on_an_irregular_triaxial_ellipsoid)
 {
-  const Errors order = orders("ellipsoid", ellipsoid_shape());
-  EXPECT_GT(order.gradient_rms, 1.9);
-  EXPECT_GT(order.gradient_max, 1.7);
-  EXPECT_GT(order.laplacian_rms, 0.9);
-  EXPECT_GT(order.laplacian_max, 0.7);
+  expect_orders_of_irregular_meshes("ellipsoid", ellipsoid_shape());
 }
 
 TEST(Differential_operators, converge_with_order_two_on_a_regular_torus)

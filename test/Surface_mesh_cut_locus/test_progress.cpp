@@ -87,7 +87,10 @@ TEST_F(Progress_of_stages, It_grows_from_zero_to_one)
     EXPECT_GE(visitor.shares[Stage::DISTANCE].size(), 4u);
     EXPECT_LT(visitor.shares[Stage::DISTANCE].front(), 0.1);
     EXPECT_GT(visitor.shares[Stage::DISTANCE].back(), 0.9);
-    EXPECT_EQ(visitor.shares[Stage::STRENGTH].empty(), method == Method::LAPLACIAN);
+    EXPECT_FALSE(visitor.shares[Stage::STRENGTH].empty());
+    if(method == Method::LAPLACIAN)
+      for(Stage stage : {Stage::PREPROCESSING, Stage::TREE, Stage::HOMOLOGY})
+        EXPECT_FALSE(visitor.shares[stage].empty());
     for(const auto& [stage, shares] : visitor.shares)
       for(std::size_t i = 0; i < shares.size(); ++i)
       {
@@ -104,11 +107,12 @@ TEST_F(Progress_of_stages, What_is_thrown_leaves_no_source_and_an_object_that_ca
     Solver untouched(built.mesh, params::cut_locus_method(method));
     untouched.set_source(source);
     const std::vector<double> expected = result_numbers(untouched.cut_locus());
-    for(Stage stage : {Stage::DISTANCE, Stage::STRENGTH})
+    std::vector<Stage> stages = {Stage::DISTANCE, Stage::STRENGTH};
+    if(method == Method::LAPLACIAN)
+      stages.insert(stages.end(), {Stage::TREE, Stage::HOMOLOGY});
+    for(Stage stage : stages)
       for(std::size_t at : {1, 2})
       {
-        if(method == Method::LAPLACIAN && stage == Stage::STRENGTH)
-          continue;
         Canceling_visitor visitor(stage, at);
         Solver solver(built.mesh, params::cut_locus_method(method).visitor(std::ref(visitor)));
         visitor.number = at; // not yet
@@ -120,6 +124,26 @@ TEST_F(Progress_of_stages, What_is_thrown_leaves_no_source_and_an_object_that_ca
         EXPECT_EQ(result_numbers(solver.cut_locus()), expected);
       }
   }
+}
+
+TEST_F(Progress_of_stages, What_is_done_once_for_a_mesh_can_be_canceled_and_done_again)
+{
+  const auto method = params::cut_locus_method(Method::LAPLACIAN);
+  Solver untouched(built.mesh, method);
+  untouched.set_source(source);
+  const std::vector<double> expected = result_numbers(untouched.cut_locus());
+  const auto smooth = params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES);
+  Canceling_visitor visitor(Stage::PREPROCESSING, 1);
+  EXPECT_THROW(Solver(built.mesh, method.visitor(std::ref(visitor))), Canceled);
+  Solver solver(built.mesh, method.visitor(std::ref(visitor)));
+  visitor.number = 0;
+  EXPECT_THROW(solver.set_source(source), Canceled);
+  solver.set_source(source);
+  EXPECT_EQ(result_numbers(solver.cut_locus()), expected);
+  visitor.stage = Stage::FILTER;
+  visitor.number = 0;
+  EXPECT_THROW(solver.cut_locus(smooth), Canceled);
+  EXPECT_EQ(result_numbers(solver.cut_locus(smooth)), result_numbers(untouched.cut_locus(smooth)));
 }
 
 TEST_F(Progress_of_stages, A_threshold_that_needs_more_can_be_canceled_too)

@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_TOPOLOGY_CHECKER_H
 #define CGAL_CUT_LOCI_TOPOLOGY_CHECKER_H
 
+#include "Union_find.h"
 #include "test_meshes.h"
 
 #include <algorithm>
@@ -22,6 +23,7 @@
 // Checks what a cut locus must be from the triangles and the set of cut edges alone; shares no code with the library.
 namespace topology_checker {
 
+using curve_measures::Union_find;
 using test_meshes::Triangle;
 using Edge = std::pair<std::size_t, std::size_t>; // the smaller vertex first
 using Edges = std::set<Edge>;
@@ -30,28 +32,6 @@ inline Edge make_edge(std::size_t a, std::size_t b)
 {
   return {(std::min)(a, b), (std::max)(a, b)};
 }
-
-class Union_find
-{
-public:
-  explicit Union_find(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t(0)); }
-  std::size_t find(std::size_t i)
-  {
-    while(parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  bool unite(std::size_t a, std::size_t b)
-  {
-    a = find(a);
-    b = find(b);
-    parent_[a] = b;
-    return a != b;
-  }
-
-private:
-  std::vector<std::size_t> parent_;
-};
 
 // A component of a surface and how its faces are glued.
 class Surface

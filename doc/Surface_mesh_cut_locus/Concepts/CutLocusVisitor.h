@@ -28,9 +28,9 @@ public:
   /// is called after a stage, also if that ended by an exception. It must not throw.
   void end_stage(CGAL::Cut_loci::Stage stage);
 
-  /// is called every few milliseconds within the stages that take long: distances of the package's own exact solver, and
-  /// strengths. `share` is the part of the stage that is done, from 0 to 1, and does not get smaller: that of the vertices
-  /// to which a path has been found, or of the faces. Distances take longer the farther they are, so it is not that of the
-  /// time. It may throw. This function may be missing.
+  /// is called again and again within the stages, but for distances of solvers other than the package's own exact one.
+  /// `share` is the part of the stage that is done, from 0 to 1, and does not get smaller: that of the vertices to which a
+  /// path has been found, or of the faces. Distances take longer the farther they are, so it is not that of the time. It
+  /// may throw. This function may be missing.
   void progress(CGAL::Cut_loci::Stage stage, double share);
 };

@@ -62,6 +62,15 @@ bool write_VTP(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_loc
   const auto start_array = [&](const char* type, const char* name)
   { os << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" format=\"ascii\">\n"; };
   const auto end_array = [&]() { os << "</DataArray>\n"; };
+  const auto write_of_cells = [&](const char* type, const char* name, int of_isolated, const auto& of_edge)
+  {
+    start_array(type, name);
+    for(std::size_t i = 0; i < isolated.size(); ++i)
+      os << of_isolated << '\n';
+    for(auto e : CGAL::make_range(edges(graph)))
+      os << of_edge(e) << '\n';
+    end_array();
+  };
   const auto write_offsets = [&](std::size_t number_of_cells, std::size_t size_of_cell)
   {
     start_array("Int64", "offsets");
@@ -80,30 +89,11 @@ bool write_VTP(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_loc
     os << graph[v].distance << '\n';
   end_array();
   os << "</PointData>\n<CellData Scalars=\"strength\">\n";
-  start_array("Float64", "strength");
-  for(std::size_t i = 0; i < isolated.size(); ++i)
-    os << "0\n";
-  for(auto e : CGAL::make_range(edges(graph)))
-    os << graph[e].strength << '\n';
-  end_array();
+  write_of_cells("Float64", "strength", 0, [&](auto e) { return graph[e].strength; });
   for(std::size_t side = 0; side < 2 && cut_locus.number_of_sources() > 1; ++side)
-  {
-    start_array("Int64", side == 0 ? "source1" : "source2");
-    for(std::size_t i = 0; i < isolated.size(); ++i)
-      os << "-1\n";
-    for(auto e : CGAL::make_range(edges(graph)))
-      os << graph[e].sources[side] << '\n';
-    end_array();
-  }
+    write_of_cells("Int64", side == 0 ? "source1" : "source2", -1, [&](auto e) { return graph[e].sources[side]; });
   if(is_marked.is_given())
-  {
-    start_array("UInt8", "marked");
-    for(std::size_t i = 0; i < isolated.size(); ++i)
-      os << "0\n";
-    for(auto e : CGAL::make_range(edges(graph)))
-      os << (is_marked(e) ? "1\n" : "0\n");
-    end_array();
-  }
+    write_of_cells("UInt8", "marked", 0, [&](auto e) { return is_marked(e) ? 1 : 0; });
   os << "</CellData>\n<Points>\n"
      << "<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
   for(auto v : CGAL::make_range(vertices(graph)))

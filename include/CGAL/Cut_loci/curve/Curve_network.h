@@ -8,10 +8,12 @@
 #define CGAL_CUT_LOCI_CURVE_CURVE_NETWORK_H
 
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/internal/Compressed_rows.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -38,32 +40,18 @@ public:
     const Index n = static_cast<Index>(graph.nodes.size());
     for(Index i = 0; i < n; ++i)
       node_of_vertex_[graph.nodes[i].vertex] = i;
-    begin_.assign(n + 1, 0);
-    for(const Indexed_cut_locus::Edge& e : graph.edges)
-    {
-      ++begin_[e.source + 1];
-      ++begin_[e.target + 1];
-    }
-    for(Index i = 0; i < n; ++i)
-      begin_[i + 1] += begin_[i];
-    incident_.resize(begin_[n]);
-    std::vector<Index> next(begin_.begin(), begin_.end() - 1);
-    for(Index e = 0; e < graph.edges.size(); ++e)
-    {
-      incident_[next[graph.edges[e].source]++] = e;
-      incident_[next[graph.edges[e].target]++] = e;
-    }
+    incident_ = incident_edges(graph);
 
     std::vector<bool> is_walked(graph.edges.size(), false);
     for(int pass = 0; pass < 2; ++pass) // closed curves without a branch point come last
       for(Index i = 0; i < n; ++i)
         if(degree(i) != 2 || pass == 1)
-          for(Index k = begin_[i]; k < begin_[i + 1]; ++k)
-            if(!is_walked[incident_[k]])
-              walk(i, incident_[k], is_walked);
+          for(Index e : incident_[i])
+            if(!is_walked[e])
+              walk(i, e, is_walked);
   }
 
-  Index degree(Index node) const { return begin_[node + 1] - begin_[node]; }
+  Index degree(Index node) const { return incident_.size(node); }
   bool is_leaf(Index node) const { return degree(node) == 1; }
   Index node_of_vertex(Index v) const { return node_of_vertex_[v]; }
 
@@ -94,10 +82,9 @@ public:
 
   bool is_graph_edge(Index node, Index mesh_edge) const
   {
-    for(Index k = begin_[node]; k < begin_[node + 1]; ++k)
-      if(connectivity_.edge_of_halfedge[graph_.edges[incident_[k]].halfedge] == mesh_edge)
-        return true;
-    return false;
+    const auto edges = incident_[node];
+    return std::any_of(edges.begin(), edges.end(),
+                       [&](Index e) { return connectivity_.edge_of_halfedge[graph_.edges[e].halfedge] == mesh_edge; });
   }
 
 private:
@@ -115,7 +102,8 @@ private:
       chain.nodes.push_back(node);
       if(degree(node) != 2 || node == start)
         break;
-      edge = incident_[begin_[node]] == edge ? incident_[begin_[node] + 1] : incident_[begin_[node]];
+      const auto both = incident_[node].begin();
+      edge = both[0] == edge ? both[1] : both[0];
     }
     chains.push_back(std::move(chain));
   }
@@ -151,7 +139,7 @@ private:
   const Mesh_connectivity& connectivity_;
   const Indexed_cut_locus& graph_;
   std::vector<Index> node_of_vertex_;
-  std::vector<Index> begin_, incident_; // the edges at each node
+  Compressed_rows<Index> incident_; // the edges at each node
 };
 
 } // namespace internal

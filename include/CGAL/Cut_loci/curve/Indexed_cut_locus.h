@@ -7,8 +7,9 @@
 #ifndef CGAL_CUT_LOCI_CURVE_INDEXED_CUT_LOCUS_H
 #define CGAL_CUT_LOCI_CURVE_INDEXED_CUT_LOCUS_H
 
+#include <CGAL/Cut_loci/internal/Compressed_rows.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <algorithm>
 #include <array>
@@ -53,13 +54,18 @@ namespace internal {
 // angle around a source is more than twice a full turn.
 constexpr float gap_between_sources = 6.2831853f;
 
-inline Indexed_location location_of_vertex(const Mesh_connectivity& connectivity, Index v)
+// the edges at each node
+inline Compressed_rows<Index> incident_edges(const Indexed_cut_locus& graph)
 {
-  const Index h = connectivity.ring_halfedge[connectivity.ring_begin[v]]; // outgoing
-  Indexed_location result;
-  result.face = h / 3;
-  result.coordinates[h % 3] = 1.;
-  return result;
+  const auto enumerate = [&](const auto& add)
+  {
+    for(Index e = 0; e < graph.edges.size(); ++e)
+    {
+      add(graph.edges[e].source, e);
+      add(graph.edges[e].target, e);
+    }
+  };
+  return Compressed_rows<Index>(graph.nodes.size(), enumerate);
 }
 
 } // namespace internal

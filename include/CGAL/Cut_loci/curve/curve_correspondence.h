@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_CURVE_CURVE_CORRESPONDENCE_H
 
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/internal/Compressed_rows.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
@@ -20,6 +21,28 @@
 
 namespace CGAL {
 namespace Cut_loci {
+
+namespace internal {
+
+// Gives segments without an origin that of the next one along the curve that has one.
+inline void spread_origins(Indexed_cut_locus& curve)
+{
+  std::vector<Index> queue;
+  for(Index s = 0; s < curve.edges.size(); ++s)
+    if(curve.edges[s].origin != null_index)
+      queue.push_back(s);
+  const Compressed_rows<Index> incident = incident_edges(curve);
+  for(std::size_t i = 0; i < queue.size(); ++i)
+    for(Index node : {curve.edges[queue[i]].source, curve.edges[queue[i]].target})
+      for(Index e : incident[node])
+        if(curve.edges[e].origin == null_index)
+        {
+          curve.edges[e].origin = curve.edges[queue[i]].origin;
+          queue.push_back(e);
+        }
+}
+
+} // namespace internal
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
@@ -49,7 +72,6 @@ inline void set_origins(const Indexed_triangle_mesh& mesh, const Mesh_connectivi
           result[j] = location.coordinates[i];
     return result;
   };
-  std::vector<Index> queue;
   for(Index s = 0; s < curve.edges.size(); ++s)
   {
     Indexed_cut_locus::Edge& segment = curve.edges[s];
@@ -68,33 +90,8 @@ inline void set_origins(const Indexed_triangle_mesh& mesh, const Mesh_connectivi
         segment.origin = found->second;
       }
     }
-    if(segment.origin != null_index)
-      queue.push_back(s);
   }
-
-  // the others, from their neighbors along the curve
-  std::vector<Index> begin(curve.nodes.size() + 1, 0), incident(2 * curve.edges.size());
-  for(const Indexed_cut_locus::Edge& e : curve.edges)
-  {
-    ++begin[e.source + 1];
-    ++begin[e.target + 1];
-  }
-  for(std::size_t i = 0; i < curve.nodes.size(); ++i)
-    begin[i + 1] += begin[i];
-  std::vector<Index> next(begin.begin(), begin.end() - 1);
-  for(Index s = 0; s < curve.edges.size(); ++s)
-  {
-    incident[next[curve.edges[s].source]++] = s;
-    incident[next[curve.edges[s].target]++] = s;
-  }
-  for(std::size_t i = 0; i < queue.size(); ++i)
-    for(Index node : {curve.edges[queue[i]].source, curve.edges[queue[i]].target})
-      for(Index k = begin[node]; k < begin[node + 1]; ++k)
-        if(curve.edges[incident[k]].origin == null_index)
-        {
-          curve.edges[incident[k]].origin = curve.edges[queue[i]].origin;
-          queue.push_back(incident[k]);
-        }
+  internal::spread_origins(curve);
 }
 
 } // namespace Cut_loci

@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_slim_edges.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_windows.h>
+#include <CGAL/Cut_loci/exact_geodesics/geodesic_window_kernels.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/separate_compilation.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -57,8 +58,9 @@ public:
   /// \throws Invalid_input see `Geodesic_faces`
   ///
   /// `positions` are the numbers by which messages name the vertices, if not by their index.
-  explicit Exact_geodesic_propagation(const Indexed_triangle_mesh& mesh, const std::vector<Index>* positions = nullptr)
-    : Exact_geodesic_propagation(std::make_shared<const Geodesic_faces>(mesh, positions))
+  explicit Exact_geodesic_propagation(const Indexed_triangle_mesh& mesh, const std::vector<Index>* positions = nullptr,
+                                      const Progress& progress = {})
+    : Exact_geodesic_propagation(std::make_shared<const Geodesic_faces>(mesh, positions, progress))
   {
   }
 
@@ -110,6 +112,28 @@ private:
     Geodesic_arrival arrival;
   };
 
+  /// the face of a halfedge, as windows see it that cross it from there
+  struct Crossing
+  {
+    Index halfedge, left,
+      right; // `left` leads from the apex to the source of `halfedge`, `right` from its target there
+    Index source, target, apex_vertex;
+    Plane_point apex;
+    Geodesic_step to_left, to_right;
+  };
+
+  /// which windows of a list pass the apex on its left, cover it or pass it on its right. The first ones pass it on its left,
+  /// the last ones on its right; those in `[first, last)` need a closer look.
+  struct Apex_view
+  {
+    std::size_t first, last;
+    std::size_t behind_left, first_right; // behind the last that passes on the left; the first that does on the right
+    std::size_t winner;                   // has the shortest path to the apex, or is the end of the list
+    double shortest;
+    std::size_t number_left, number_right; // of the windows that go on to these edges
+    bool is_sorted; // whether those on the left come before the winner, those on the right behind it
+  };
+
   void run(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options,
            Geodesic_window_observer* observer);
   void start(const std::vector<Indexed_location>& sources, const Exact_geodesic_options& options);
@@ -141,11 +165,10 @@ private:
   void bend(Index v);
   /// a path of length `d` to the vertex `v` has been found
   void reach(Index v, double d, const Geodesic_arrival& arrival);
-  /// notes the path by the window `i` of `h` to its end `t` and from there to the apex `v`, if it is straight up to
-  /// rounding: it counts if no window covers `v`
+  /// notes the path by the window `i` to its end `t` and from there to the apex, if it is straight up to rounding: it counts
+  /// if no window covers the apex
   template <int columns>
-  void note_path_beside(Index v, const Plane_point& apex, Index h, const Geodesic_window_list& list, std::size_t i,
-                        double t);
+  void note_path_beside(const Crossing& crossing, const Geodesic_window_list& list, std::size_t i, double t);
   /// reaches the vertices that rounding has left between windows; whether there were any
   bool reach_beside_windows();
   void prefetch(Index far, Index near) const;
@@ -154,8 +177,18 @@ private:
   /// takes the windows of `h` across the face of `h`
   template <int columns>
   void cross_face(Index h);
-  bool goes_left(std::size_t w, std::size_t first, std::size_t winner) const;
-  bool goes_right(std::size_t w, std::size_t first, std::size_t winner) const;
+  Crossing crossing_of(Index h) const;
+  Apex_view look_at_apex(const Geodesic_window_list& list, const Crossing& crossing);
+  template <int columns>
+  void reach_apex(const Geodesic_window_list& list, const Crossing& crossing, const Apex_view& view);
+  double bound_at_apex(const Crossing& crossing) const;
+  /// what goes on to the two other edges
+  template <int columns>
+  void go_left(const Geodesic_window_list& list, const Crossing& crossing, const Apex_view& view);
+  template <int columns>
+  void go_right(const Geodesic_window_list& list, const Crossing& crossing, const Apex_view& view);
+  bool goes_left(std::size_t w, const Apex_view& view) const;
+  bool goes_right(std::size_t w, const Apex_view& view) const;
 
   Geodesic_batches batches_;
   Geodesic_slim_edges slim_edges_;

@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_FACES_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Triangle_shape.h>
 
@@ -75,12 +76,13 @@ public:
 
   /// \throws Invalid_input if a coordinate is not finite, a face has no area, or a vertex has more than one fan; faces of
   /// given lengths must have some
-  explicit Geodesic_faces(const Mesh& mesh, const std::vector<Index>* positions = nullptr)
-    : faces_(mesh.number_of_faces()), total_angle_(mesh.number_of_vertices(), 0.),
-      first_(mesh.number_of_vertices(), null_index), kind_(mesh.number_of_vertices(), 0)
+  explicit Geodesic_faces(const Mesh& mesh, const std::vector<Index>* positions = nullptr,
+                          const Progress& progress = {})
+    : total_angle_(mesh.number_of_vertices(), 0.), first_(mesh.number_of_vertices(), null_index),
+      kind_(mesh.number_of_vertices(), 0)
   {
-    read_faces(mesh, positions);
-    read_vertices(positions);
+    read_faces(mesh, positions, progress.part(0., 0.8));
+    read_vertices(positions, progress.part(0.8, 1.));
   }
 
   Index number_of_faces() const { return static_cast<Index>(faces_.size()); }
@@ -151,12 +153,15 @@ private:
 
   static double norm(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
 
-  void read_faces(const Mesh& mesh, const std::vector<Index>* positions)
+  void read_faces(const Mesh& mesh, const std::vector<Index>* positions, const Progress& progress)
   {
     double sum = 0.;
+    faces_.reserve(mesh.number_of_faces());
     for(Index f = 0; f < mesh.number_of_faces(); ++f)
     {
-      Geodesic_face& face = faces_[f];
+      progress(f, mesh.number_of_faces());
+      faces_.emplace_back();
+      Geodesic_face& face = faces_.back();
       std::array<double, 3> length, dots;
       double twice_area;
       if(mesh.lengths.empty())
@@ -235,8 +240,9 @@ private:
     return "face #" + std::to_string(f) + " has no area";
   }
 
-  void read_vertices(const std::vector<Index>* positions)
+  void read_vertices(const std::vector<Index>* positions, const Progress& progress)
   {
+    progress(0.);
     std::vector<Index> valence(number_of_vertices(), 0);
     for(Index f = 0; f < number_of_faces(); ++f)
       for(Index i = 0; i < 3; ++i)
@@ -256,6 +262,7 @@ private:
       }
     for(Index v = 0; v < number_of_vertices(); ++v)
     {
+      progress(v, number_of_vertices());
       Index h = first_[v], count = 0;
       while(h != null_index && count <= valence[v])
       {

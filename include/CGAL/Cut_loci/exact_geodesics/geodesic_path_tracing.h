@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_PATH_TRACING_H
 
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <cmath>
 #include <cstddef>
@@ -99,9 +100,7 @@ private:
     if(t > 1. - geodesic_cover)
       return at_vertex(faces_.target(h));
     Place place;
-    place.location.face = h / 3;
-    place.location.coordinates[h % 3] = 1. - t;
-    place.location.coordinates[Mesh::next(h) % 3] = t;
+    place.location = location_on(h, t);
     const Index o = faces_.opposite(h);
     place.vertex = null_index;
     place.halfedge = h < o ? h : o;

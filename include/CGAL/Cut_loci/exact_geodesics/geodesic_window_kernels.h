@@ -38,6 +38,26 @@ struct Geodesic_step
 /// depend on a condition, or compilers do not vectorise it.
 constexpr double geodesic_away = -1e-250;
 
+/// the part of a step that both edges have in common: the columns for directions; the windows are appended then
+template <int columns>
+inline void step_turns(const Geodesic_window_list& in, std::size_t first, std::size_t n, Geodesic_window_list& out,
+                       double turn)
+{
+  const std::size_t ci = in.capacity, co = out.capacity, pairs = (n + 1) / 2;
+  const double* p = in.column(0) + first;
+  double* q = out.column(0) + out.end;
+  if(columns > 5)
+  {
+    CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
+    for(std::size_t i = 0; i < 2 * pairs; ++i)
+      q[i + 5 * co] = columns > 7 ? p[i + 5 * ci] + p[i + 7 * ci] * turn : p[i + 5 * ci] + turn;
+  }
+  for(std::size_t k = 6; k < columns; ++k)
+    for(std::size_t i = 0; i < 2 * pairs; ++i)
+      q[i + k * co] = p[i + k * ci];
+  out.end += static_cast<std::uint32_t>(n);
+}
+
 /// appends to `out` what `n` windows from `first` on become behind the edge from the apex to the source of the halfedge
 template <int columns>
 inline void step_left(const Geodesic_window_list& in, std::size_t first, std::size_t n, Geodesic_window_list& out,
@@ -64,17 +84,7 @@ inline void step_left(const Geodesic_window_list& in, std::size_t first, std::si
     q[i + 3 * co] = depth < 0. ? depth : 0.;
     q[i + 4 * co] = p[i + 4 * ci];
   }
-  if(columns > 5)
-  {
-    const double turn = step.turn;
-    CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
-    for(std::size_t i = 0; i < 2 * pairs; ++i)
-      q[i + 5 * co] = columns > 7 ? p[i + 5 * ci] + p[i + 7 * ci] * turn : p[i + 5 * ci] + turn;
-  }
-  for(std::size_t k = 6; k < columns; ++k)
-    for(std::size_t i = 0; i < 2 * pairs; ++i)
-      q[i + k * co] = p[i + k * ci];
-  out.end += static_cast<std::uint32_t>(n);
+  step_turns<columns>(in, first, n, out, step.turn);
 }
 
 /// the same behind the edge from the target of the halfedge to the apex: the mirror image
@@ -102,17 +112,7 @@ inline void step_right(const Geodesic_window_list& in, std::size_t first, std::s
     q[i + 3 * co] = depth < 0. ? depth : 0.;
     q[i + 4 * co] = p[i + 4 * ci];
   }
-  if(columns > 5)
-  {
-    const double turn = step.turn;
-    CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
-    for(std::size_t i = 0; i < 2 * pairs; ++i)
-      q[i + 5 * co] = columns > 7 ? p[i + 5 * ci] + p[i + 7 * ci] * turn : p[i + 5 * ci] + turn;
-  }
-  for(std::size_t k = 6; k < columns; ++k)
-    for(std::size_t i = 0; i < 2 * pairs; ++i)
-      q[i + k * co] = p[i + k * ci];
-  out.end += static_cast<std::uint32_t>(n);
+  step_turns<columns>(in, first, n, out, step.turn);
 }
 
 enum Geodesic_side {

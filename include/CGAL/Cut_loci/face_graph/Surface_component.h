@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/face_graph/make_solver.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/method/Geodesic_solver_handle.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
@@ -125,20 +126,21 @@ struct Surface_component
     return curve;
   }
 
-  bool has_solver(Method method) const
+  // null if it has not been needed yet
+  Method_solver* solver(Method method) const
   {
-    return method == Method::LAPLACIAN ? laplacian != nullptr : exact_tree != nullptr;
+    return method == Method::LAPLACIAN ? static_cast<Method_solver*>(laplacian.get()) : exact_tree.get();
   }
 
   // `positions` of the vertices of the whole mesh, for messages.
   void make_solver(Method method, Laplacian_operator laplacian_operator, const Threads& threads,
-                   const Indexed_triangle_mesh& whole, const std::vector<Index>& positions)
+                   const Indexed_triangle_mesh& whole, const std::vector<Index>& positions, const Progress& progress)
   {
     name_faults(whole, positions,
                 [&]
                 {
       if(method == Method::LAPLACIAN)
-        laplacian = make_laplacian_solver(*mesh, laplacian_operator, threads);
+        laplacian = make_laplacian_solver(*mesh, laplacian_operator, threads, progress);
       else
         exact_tree = make_exact_tree_solver(mollified ? *mollified : *mesh, threads);
     });

@@ -46,57 +46,37 @@ struct Curve_on_mesh
   throw Invalid_input(Cause::INVALID_CUT_LOCUS, "the cut locus does not belong to the mesh: " + what);
 }
 
-// Descriptors of another mesh must not be used for a look-up: those of this one are looked up among them.
+// The indices of what a cut locus refers to. Descriptors of another mesh must not be used for a look-up: those of this one
+// are looked up among them.
 template <typename TriangleMesh, typename Point_3>
-Curve_on_mesh curve_on_mesh(const Read_triangle_mesh<TriangleMesh>& read, const TriangleMesh& tm,
-                            const Cut_locus<TriangleMesh, Point_3>& cut_locus)
+class Indices_of_cut_locus
 {
-  using Traits = boost::graph_traits<TriangleMesh>;
+public:
   using Vertex = typename Cut_locus<TriangleMesh, Point_3>::Vertex;
-  const auto& graph = cut_locus.graph();
-  if(num_vertices(graph) == 0)
-    throw Invalid_input(Cause::INVALID_CUT_LOCUS, "the cut locus is empty");
-  if(cut_locus.number_of_sources() > 1)
-    throw Invalid_input(Cause::INVALID_CUT_LOCUS,
-                        "the cut locus is that of several sources: its complement is as many disks, and not one");
+  using Edge = typename Cut_locus<TriangleMesh, Point_3>::Edge;
 
-  std::map<typename Traits::vertex_descriptor, Index> vertex_index;
-  std::map<typename Traits::halfedge_descriptor, Index> halfedge_index;
-  std::map<typename Traits::face_descriptor, Index> face_index;
-  const auto add = [&](const Vertex& v)
+  Indices_of_cut_locus(const Read_triangle_mesh<TriangleMesh>& read, const TriangleMesh& tm,
+                       const Cut_locus<TriangleMesh, Point_3>& cut_locus)
   {
-    face_index[v.location.first] = null_index;
-    if(v.mesh_vertex != Traits::null_vertex())
-      vertex_index[v.mesh_vertex] = null_index;
-  };
-  add(cut_locus.source());
-  for(auto v : CGAL::make_range(vertices(graph)))
-    add(graph[v]);
-  for(auto e : CGAL::make_range(edges(graph)))
-    if(graph[e].mesh_halfedge != Traits::null_halfedge())
-      halfedge_index[graph[e].mesh_halfedge] = null_index;
-  const auto find = [](auto& indices, const auto& descriptors)
-  {
-    for(std::size_t i = 0; i < descriptors.size(); ++i)
-    {
-      const auto found = indices.find(descriptors[i]);
-      if(found != indices.end())
-        found->second = static_cast<Index>(i);
-    }
-  };
-  find(vertex_index, read.vertices);
-  find(halfedge_index, read.halfedges);
-  for(Index f = 0; f < read.mesh.number_of_faces(); ++f)
-  {
-    const auto found = face_index.find(face(read.halfedges[3 * std::size_t(f)], tm));
-    if(found != face_index.end())
-      found->second = f;
+    const auto& graph = cut_locus.graph();
+    add(cut_locus.source());
+    for(auto v : CGAL::make_range(vertices(graph)))
+      add(graph[v]);
+    for(auto e : CGAL::make_range(edges(graph)))
+      if(graph[e].mesh_halfedge != Traits::null_halfedge())
+        halfedge_[graph[e].mesh_halfedge] = null_index;
+    for(Index v = 0; v < read.mesh.number_of_vertices(); ++v)
+      set(vertex_, read.vertices[v], v);
+    for(Index h = 0; h < read.mesh.number_of_halfedges(); ++h)
+      set(halfedge_, read.halfedges[h], h);
+    for(Index f = 0; f < read.mesh.number_of_faces(); ++f)
+      set(face_, face(read.halfedges[3 * std::size_t(f)], tm), f);
   }
 
-  const auto location_of = [&](const Vertex& v)
+  Indexed_location location(const Vertex& v) const
   {
     Indexed_location result;
-    result.face = face_index.at(v.location.first);
+    result.face = face_.at(v.location.first);
     if(result.face == null_index)
       throw_foreign_cut_locus("a face that it runs through is not there");
     double sum = 0.;
@@ -105,23 +85,69 @@ Curve_on_mesh curve_on_mesh(const Read_triangle_mesh<TriangleMesh>& read, const 
     if(!(std::abs(sum - 1.) < snapping_tolerance))
       throw_foreign_cut_locus("barycentric coordinates do not sum up to one");
     return result;
-  };
-  const auto vertex_of = [&](const Vertex& v)
+  }
+
+  Index vertex(const Vertex& v) const
   {
     if(v.mesh_vertex == Traits::null_vertex())
       return null_index;
-    const Index i = vertex_index.at(v.mesh_vertex);
-    if(i == null_index)
+    const Index result = vertex_.at(v.mesh_vertex);
+    if(result == null_index)
       throw_foreign_cut_locus("a vertex that it runs through is not there");
-    return i;
-  };
+    return result;
+  }
 
+  Index halfedge(const Edge& e) const
+  {
+    if(e.mesh_halfedge == Traits::null_halfedge())
+      return null_index;
+    const Index result = halfedge_.at(e.mesh_halfedge);
+    if(result == null_index)
+      throw_foreign_cut_locus("an edge that it follows is not there");
+    return result;
+  }
+
+private:
+  using Traits = boost::graph_traits<TriangleMesh>;
+
+  void add(const Vertex& v)
+  {
+    face_[v.location.first] = null_index;
+    if(v.mesh_vertex != Traits::null_vertex())
+      vertex_[v.mesh_vertex] = null_index;
+  }
+
+  template <typename Descriptor>
+  static void set(std::map<Descriptor, Index>& indices, const Descriptor& descriptor, Index i)
+  {
+    const auto found = indices.find(descriptor);
+    if(found != indices.end())
+      found->second = i;
+  }
+
+  std::map<typename Traits::vertex_descriptor, Index> vertex_;
+  std::map<typename Traits::halfedge_descriptor, Index> halfedge_;
+  std::map<typename Traits::face_descriptor, Index> face_;
+};
+
+template <typename TriangleMesh, typename Point_3>
+Curve_on_mesh curve_on_mesh(const Read_triangle_mesh<TriangleMesh>& read, const TriangleMesh& tm,
+                            const Cut_locus<TriangleMesh, Point_3>& cut_locus)
+{
+  const auto& graph = cut_locus.graph();
+  if(num_vertices(graph) == 0)
+    throw Invalid_input(Cause::INVALID_CUT_LOCUS, "the cut locus is empty");
+  if(cut_locus.number_of_sources() > 1)
+    throw Invalid_input(Cause::INVALID_CUT_LOCUS,
+                        "the cut locus is that of several sources: its complement is as many disks, and not one");
+
+  const Indices_of_cut_locus<TriangleMesh, Point_3> indices(read, tm, cut_locus);
   Curve_on_mesh result;
-  result.source = location_of(cut_locus.source());
-  result.source_vertex = vertex_of(cut_locus.source());
+  result.source = indices.location(cut_locus.source());
+  result.source_vertex = indices.vertex(cut_locus.source());
   for(auto v : CGAL::make_range(vertices(graph)))
   {
-    result.graph.nodes.push_back({location_of(graph[v]), vertex_of(graph[v]), graph[v].distance});
+    result.graph.nodes.push_back({indices.location(graph[v]), indices.vertex(graph[v]), graph[v].distance});
     result.is_of_mesh_edges = result.is_of_mesh_edges && result.graph.nodes.back().vertex != null_index;
   }
   for(auto e : CGAL::make_range(edges(graph)))
@@ -131,13 +157,11 @@ Curve_on_mesh curve_on_mesh(const Read_triangle_mesh<TriangleMesh>& read, const 
     edge.target = static_cast<Index>(target(e, graph));
     edge.strength = static_cast<float>(graph[e].strength);
     edge.origin = null_index;
-    if(graph[e].mesh_halfedge == Traits::null_halfedge())
+    const Index h = edge.halfedge = indices.halfedge(graph[e]);
+    if(h == null_index)
       result.is_of_mesh_edges = false;
     else
     {
-      const Index h = edge.halfedge = halfedge_index.at(graph[e].mesh_halfedge);
-      if(h == null_index)
-        throw_foreign_cut_locus("an edge that it follows is not there");
       const Index a = result.graph.nodes[edge.source].vertex, b = result.graph.nodes[edge.target].vertex;
       const Index c = read.mesh.source(h), d = read.mesh.target(h);
       if(!((a == c && b == d) || (a == d && b == c)))

@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_FACE_GRAPH_MAKE_SOLVER_H
 #define CGAL_CUT_LOCI_FACE_GRAPH_MAKE_SOLVER_H
 
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/internal/separate_compilation.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
@@ -21,7 +22,7 @@ namespace internal {
 
 // The mesh must stay where it is.
 std::unique_ptr<Laplacian_method> make_laplacian_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type,
-                                                        const Threads& threads);
+                                                        const Threads& threads, const Progress& progress);
 std::unique_ptr<Exact_tree_method> make_exact_tree_solver(const Indexed_triangle_mesh& mesh, const Threads& threads);
 
 } // namespace internal

@@ -17,10 +17,12 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-CGAL_CUT_LOCI_INLINE std::unique_ptr<Laplacian_method>
-make_laplacian_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type, const Threads& threads)
+CGAL_CUT_LOCI_INLINE std::unique_ptr<Laplacian_method> make_laplacian_solver(const Indexed_triangle_mesh& mesh,
+                                                                             Laplacian_operator type,
+                                                                             const Threads& threads,
+                                                                             const Progress& progress)
 {
-  return std::unique_ptr<Laplacian_method>(new Laplacian_solver(mesh, type, threads));
+  return std::unique_ptr<Laplacian_method>(new Laplacian_solver(mesh, type, threads, progress));
 }
 
 CGAL_CUT_LOCI_INLINE std::unique_ptr<Exact_tree_method> make_exact_tree_solver(const Indexed_triangle_mesh& mesh,

@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -63,12 +64,7 @@ Indexed_source source_at_vertex(const TriangleMesh& tm, const Read_triangle_mesh
     throw Invalid_input(Cause::INVALID_SOURCE, "the source is not a vertex of the mesh");
   }
   const Index index = static_cast<Index>(found - read.vertices.begin());
-  const Index h = outgoing_halfedge(tm, read, index);
-  Indexed_source source;
-  source.vertex = index;
-  source.location.face = h / 3;
-  source.location.coordinates[h % 3] = 1.;
-  return source;
+  return {location_on(outgoing_halfedge(tm, read, index)), index};
 }
 
 // A coordinate up to `tolerance` is taken for zero; their sum becomes one.

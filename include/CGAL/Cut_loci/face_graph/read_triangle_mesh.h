@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_FACE_GRAPH_READ_TRIANGLE_MESH_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <CGAL/Dynamic_property_map.h>
@@ -58,62 +59,59 @@ inline std::string face_name(Index position)
   return "face #" + std::to_string(position);
 }
 
-// This is the one place that touches the mesh: everything after it runs on dense indices.
-template <typename TriangleMesh, typename VertexPointMap>
-Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, VertexPointMap vpm,
-                                                    bool needs_points = true)
+// Throws if the face of `h`, number `f`, is no triangle.
+template <typename TriangleMesh>
+void check_triangle(const TriangleMesh& tm, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, Index f)
 {
-  using Result = Read_triangle_mesh<TriangleMesh>;
-  using vertex_descriptor = typename Result::vertex_descriptor;
-  using halfedge_descriptor = typename Result::halfedge_descriptor;
-  using face_descriptor = typename Result::face_descriptor;
+  std::size_t sides = 1;
+  for(auto g = next(h, tm); g != h; g = next(g, tm))
+    ++sides;
+  if(sides != 3)
+    throw Invalid_input(Cause::NO_TRIANGLE, face_name(f) + " has " + std::to_string(sides) +
+                                              " sides: all faces must be triangles "
+                                              "(CGAL::Polygon_mesh_processing::triangulate_faces() makes them so)");
+}
 
-  Result result;
-  result.index_of_vertex = get(CGAL::dynamic_vertex_property_t<Index>(), tm);
-  result.index_of_face = get(CGAL::dynamic_face_property_t<Index>(), tm);
-
+// Numbers the faces and their halfedges; isolated vertices keep the null index, others get zero.
+template <typename TriangleMesh, typename IndexOfHalfedge>
+void number_faces(const TriangleMesh& tm, Read_triangle_mesh<TriangleMesh>& result, IndexOfHalfedge index_of_halfedge)
+{
   bool has_vertices = false;
-  for(vertex_descriptor v : CGAL::make_range(vertices(tm)))
+  for(auto v : CGAL::make_range(vertices(tm)))
   {
     put(result.index_of_vertex, v, null_index);
     has_vertices = true;
   }
   if(!has_vertices)
     throw Invalid_input(Cause::EMPTY_MESH, "the mesh is empty: it has no vertices");
-
-  auto index_of_halfedge = get(CGAL::dynamic_halfedge_property_t<Index>(), tm);
   result.halfedges.reserve(3 * num_faces(tm)); // at least as many as there are: some meshes count removed ones
   Index nf = 0;
-  for(face_descriptor f : CGAL::make_range(faces(tm)))
+  for(auto f : CGAL::make_range(faces(tm)))
   {
-    const halfedge_descriptor h0 = halfedge(f, tm);
-    const halfedge_descriptor h1 = next(h0, tm), h2 = next(h1, tm);
-    if(h1 == h0 || h2 == h0 || next(h2, tm) != h0)
-    {
-      std::size_t sides = 1;
-      for(halfedge_descriptor h = h1; h != h0; h = next(h, tm))
-        ++sides;
-      throw Invalid_input(Cause::NO_TRIANGLE, face_name(nf) + " has " + std::to_string(sides) +
-                                                " sides: all faces must be triangles "
-                                                "(CGAL::Polygon_mesh_processing::triangulate_faces() makes them so)");
-    }
-    put(result.index_of_face, f, nf);
-    for(halfedge_descriptor h : {h0, h1, h2})
+    auto h = halfedge(f, tm);
+    check_triangle(tm, h, nf);
+    put(result.index_of_face, f, nf++);
+    for(int i = 0; i < 3; ++i, h = next(h, tm))
     {
       put(index_of_halfedge, h, static_cast<Index>(result.halfedges.size()));
       result.halfedges.push_back(h);
       put(result.index_of_vertex, source(h, tm), Index(0));
     }
-    ++nf;
   }
   if(nf == 0)
     throw Invalid_input(Cause::EMPTY_MESH, "the mesh has no faces");
+}
 
+// Numbers the vertices that are not isolated.
+template <typename TriangleMesh, typename VertexPointMap>
+void read_points(const TriangleMesh& tm, VertexPointMap vpm, bool needs_points,
+                 Read_triangle_mesh<TriangleMesh>& result)
+{
   result.mesh.points.reserve(num_vertices(tm));
   result.vertices.reserve(num_vertices(tm));
   result.positions.reserve(num_vertices(tm));
   Index position = 0;
-  for(vertex_descriptor v : CGAL::make_range(vertices(tm)))
+  for(auto v : CGAL::make_range(vertices(tm)))
   {
     if(get(result.index_of_vertex, v) != null_index)
     {
@@ -129,12 +127,27 @@ Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, Vert
     }
     ++position;
   }
+}
 
-  result.mesh.triangles.resize(nf);
-  result.mesh.opposite.resize(3 * std::size_t(nf));
-  for(Index h = 0; h < 3 * nf; ++h)
+// This is the one place that touches the mesh: everything after it runs on dense indices.
+template <typename TriangleMesh, typename VertexPointMap>
+Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, VertexPointMap vpm,
+                                                    bool needs_points = true, const Progress& progress = {})
+{
+  Read_triangle_mesh<TriangleMesh> result;
+  result.index_of_vertex = get(CGAL::dynamic_vertex_property_t<Index>(), tm);
+  result.index_of_face = get(CGAL::dynamic_face_property_t<Index>(), tm);
+  auto index_of_halfedge = get(CGAL::dynamic_halfedge_property_t<Index>(), tm);
+  number_faces(tm, result, index_of_halfedge);
+  progress(0.4);
+  read_points(tm, vpm, needs_points, result);
+  progress(0.6);
+  const std::size_t nh = result.halfedges.size();
+  result.mesh.triangles.resize(nh / 3);
+  result.mesh.opposite.resize(nh);
+  for(std::size_t h = 0; h < nh; ++h)
   {
-    const halfedge_descriptor o = opposite(result.halfedges[h], tm);
+    const auto o = opposite(result.halfedges[h], tm);
     result.mesh.triangles[h / 3][h % 3] = get(result.index_of_vertex, target(o, tm));
     result.mesh.opposite[h] = is_border(o, tm) ? null_index : get(index_of_halfedge, o);
   }

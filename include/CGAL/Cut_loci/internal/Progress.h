@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_INTERNAL_PROGRESS_H
 #define CGAL_CUT_LOCI_INTERNAL_PROGRESS_H
 
+#include <cstddef>
 #include <functional>
 #include <utility>
 
@@ -27,6 +28,13 @@ public:
   {
     if(is_wanted())
       receiver_(first_ + share * (last_ - first_));
+  }
+
+  // the same at step `i` of a loop of `n`, every few thousand times: a few milliseconds of any loop there is
+  void operator()(std::size_t i, std::size_t n) const
+  {
+    if(i % 4096 == 0)
+      (*this)(static_cast<double>(i) / static_cast<double>(n));
   }
 
   // that of a part of the work

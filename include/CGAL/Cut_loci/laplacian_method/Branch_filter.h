@@ -8,6 +8,8 @@
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_BRANCH_FILTER_H
 
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/internal/Compressed_rows.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -62,12 +64,15 @@ public:
    */
   Branch_filter(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Spanning_tree& tree,
                 const Spanning_tree& spanning_tree, const std::vector<Index>& generators,
-                const std::vector<float>& gradient_angle, const std::vector<float>& laplacian)
+                const std::vector<float>& gradient_angle, const std::vector<float>& laplacian,
+                const internal::Progress& progress = {})
     : root_(tree.root), generators_(generators), is_kept_(tree.parent.size(), false)
   {
     keep_homology(mesh, connectivity, spanning_tree);
     const Spanning_tree joined = join(connectivity, tree, spanning_tree);
+    progress(0.3);
     link(connectivity, joined);
+    progress(0.7);
     accumulate(connectivity, joined, gradient_angle, laplacian);
   }
 
@@ -78,14 +83,14 @@ public:
     std::vector<Index> parent_position(1, null_index);
     result.vertices.push_back(root_);
     for(std::size_t i = 0; i < result.vertices.size(); ++i) // grows on the way
-      for(Index c = child_begin_[result.vertices[i]]; c < child_begin_[result.vertices[i] + 1]; ++c)
+      for(const Child& child : children_[result.vertices[i]])
       {
-        const Index w = children_[c].vertex;
+        const Index w = child.vertex;
         if(!is_kept_[w] &&
            !(strength[w].gradient_angle >= thresholds.gradient_angle && strength[w].laplacian >= thresholds.laplacian))
           continue;
         result.vertices.push_back(w);
-        result.edges.push_back({w, result.vertices[i], children_[c].halfedge, below_[w].gradient_angle});
+        result.edges.push_back({w, result.vertices[i], child.halfedge, below_[w].gradient_angle});
         parent_position.push_back(static_cast<Index>(i));
       }
     if(!only_joins_.empty())
@@ -111,21 +116,13 @@ private:
 
   void link(const Mesh_connectivity& connectivity, const Spanning_tree& tree)
   {
-    const std::size_t nv = tree.parent.size();
-    child_begin_.assign(nv + 1, 0);
-    for(Index v : tree.order)
-      if(v != root_)
-        ++child_begin_[tree.parent[v] + 1];
-    for(std::size_t v = 0; v < nv; ++v)
-      child_begin_[v + 1] += child_begin_[v];
-    children_.resize(child_begin_[nv]);
-    std::vector<Index> next(child_begin_.begin(), child_begin_.end() - 1);
-    for(Index v : tree.order)
-      if(v != root_)
-      {
-        const Index h = connectivity.ring_halfedge[tree.parent_entry[v]];
-        children_[next[tree.parent[v]]++] = {v, h};
-      }
+    const auto enumerate = [&](const auto& add)
+    {
+      for(Index v : tree.order)
+        if(v != root_)
+          add(tree.parent[v], {v, connectivity.ring_halfedge[tree.parent_entry[v]]});
+    };
+    children_ = internal::Compressed_rows<Child>(tree.parent.size(), enumerate);
   }
 
   void keep_homology(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
@@ -316,8 +313,7 @@ private:
   std::vector<Index> generators_;
   std::vector<bool> is_kept_;    // part of the homology, at any threshold
   std::vector<bool> only_joins_; // border vertices; empty if there are none
-  std::vector<Index> child_begin_;
-  std::vector<Child> children_;
+  internal::Compressed_rows<Child> children_;
   std::vector<Strength> own_;   // of each vertex; empty if there is no border
   std::vector<Strength> below_; // the largest strength in the subtree of each vertex
   std::vector<Strength> above_; // the smallest on the way to what is kept at any threshold

@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_DIFFERENTIAL_OPERATORS_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_DIFFERENTIAL_OPERATORS_H
 
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/laplacian_method/quadratic_fit.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
@@ -51,9 +52,9 @@ struct Differential_operators
 
   Differential_operators(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                          Laplacian_operator type = Laplacian_operator::QUADRATIC_FIT,
-                         const internal::Threads& threads = {})
+                         const internal::Threads& threads = {}, const internal::Progress& progress = {})
   {
-    fit(mesh, connectivity, threads);
+    fit(mesh, connectivity, threads, progress);
     if(type == Laplacian_operator::COTANGENT)
       laplacian = cotangent_laplacian(mesh, connectivity);
   }
@@ -116,7 +117,8 @@ private:
     std::vector<std::size_t> end; // of each vertex
   };
 
-  void fit(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const internal::Threads& threads)
+  void fit(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const internal::Threads& threads,
+           const internal::Progress& progress)
   {
     const Index nv = mesh.number_of_vertices();
     frames.resize(nv);
@@ -130,6 +132,7 @@ private:
     std::vector<Rows> rows(threads.number_at_once());
     for(std::size_t first = 0; first < nv; first += rows.size() * block)
     {
+      progress(static_cast<double>(first) / static_cast<double>(nv));
       const auto begin = [&](std::size_t i)
       { return static_cast<Index>((std::min)(first + i * block, std::size_t(nv))); };
       threads.run(rows.size(), [&](std::size_t i) { fit(mesh, connectivity, begin(i), begin(i + 1), rows[i]); });

@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/laplacian_method/Branch_filter.h>
 #include <CGAL/Cut_loci/laplacian_method/Differential_operators.h>
@@ -41,8 +42,9 @@ class Laplacian_solver : public Laplacian_method
 {
 public:
   // once per mesh
-  Laplacian_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type, const Threads& threads = {})
-    : Laplacian_solver(mesh, std::make_shared<const Surface>(mesh, type, threads))
+  Laplacian_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type, const Threads& threads = {},
+                   const Progress& progress = {})
+    : Laplacian_solver(mesh, std::make_shared<const Surface>(mesh, type, threads, progress))
   {
   }
 
@@ -50,6 +52,8 @@ public:
   {
     return std::unique_ptr<Laplacian_method>(new Laplacian_solver(mesh_, surface_));
   }
+
+  void report_to(const Progress& progress) override { progress_ = progress; }
 
   // once per source, in three parts
   //
@@ -72,10 +76,11 @@ public:
     Eigen::VectorXd gradient = operators_.gradient * d;
     for(Index v : vertices_that_see_the_source())
       gradient[2 * v] = gradient[2 * v + 1] = 0.;
-    angle_ = gradient_angles(connectivity_, tangent_, gradient);
+    angle_ = gradient_angles(connectivity_, tangent_, gradient, progress_.part(0.3, 0.8));
     for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
       if(angle_[v] * distance_[v] < longest_edge(v))
         angle_[v] = 0.f;
+    progress_(0.8);
     const Eigen::VectorXd laplacian = operators_.laplacian * d;
     laplacian_.resize(distance_.size());
     const double h = connectivity_.mean_edge_length; // makes the Laplacian free of the unit of length
@@ -91,19 +96,20 @@ public:
 
   void grow_tree() override
   {
-    crossed_ = edges_crossed_by_descents(mesh_, connectivity_, distance_, source_, geodesics_);
-    spanning_tree_ =
-      region_growing_tree(connectivity_, laplacian_, choose_root(), Source_element(connectivity_, source_), crossed_);
+    crossed_ = edges_crossed_by_descents(mesh_, connectivity_, distance_, source_, geodesics_, progress_.part(0., 0.5));
+    spanning_tree_ = region_growing_tree(connectivity_, laplacian_, choose_root(),
+                                         Source_element(connectivity_, source_), crossed_, progress_.part(0.5, 0.75));
     tree_ = spanning_tree_;
-    thin(tree_, connectivity_, laplacian_, 2);
+    thin(tree_, connectivity_, laplacian_, 2, progress_.part(0.75, 1.));
   }
 
   // What the homology demands is found once per source, whatever the thresholds.
   void close_cycles() override
   {
     const std::vector<Index> generators =
-      homology_generators(mesh_, connectivity_, spanning_tree_, distance_, source_, crossed_);
-    filter_ = Branch_filter(mesh_, connectivity_, tree_, spanning_tree_, generators, angle_, laplacian_);
+      homology_generators(mesh_, connectivity_, spanning_tree_, distance_, source_, crossed_, progress_.part(0., 0.7));
+    filter_ = Branch_filter(mesh_, connectivity_, tree_, spanning_tree_, generators, angle_, laplacian_,
+                            progress_.part(0.7, 1.));
   }
 
   // once per threshold
@@ -114,7 +120,7 @@ public:
 
   Indexed_cut_locus smoothed(const Indexed_cut_locus& cut_locus, const Smoothing_parameters& parameters) const override
   {
-    return smoothed_cut_locus(mesh_, connectivity_, distance_, cut_locus, parameters);
+    return smoothed_cut_locus(mesh_, connectivity_, distance_, cut_locus, parameters, progress_);
   }
 
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
@@ -177,11 +183,13 @@ private:
   // what depends on the mesh alone
   struct Surface
   {
-    Surface(const Indexed_triangle_mesh& mesh, Laplacian_operator type, const Threads& threads)
-      : connectivity(mesh), tangent(checked_mesh(mesh, connectivity), connectivity),
-        operators(mesh, connectivity, type, threads), genus(connectivity.genus(mesh))
+    Surface(const Indexed_triangle_mesh& mesh, Laplacian_operator type, const Threads& threads,
+            const Progress& progress)
+      : connectivity(mesh, progress.part(0., 0.1)),
+        tangent(checked_mesh(mesh, connectivity), connectivity, progress.part(0.1, 0.3)),
+        operators(mesh, connectivity, type, threads, progress.part(0.3, 0.9)), genus(connectivity.genus(mesh))
     {
-      tangent.align(mesh, connectivity, operators.frames);
+      tangent.align(mesh, connectivity, operators.frames, progress.part(0.9, 1.));
     }
 
     Mesh_connectivity connectivity;
@@ -211,6 +219,7 @@ private:
   Spanning_tree spanning_tree_;
   Spanning_tree tree_; // the same, thinned
   Branch_filter filter_;
+  Progress progress_;
 };
 
 } // namespace internal

@@ -7,12 +7,14 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_PATH_FLOW_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_PATH_FLOW_H
 
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -51,18 +53,14 @@ public:
 
   // Edges across which the faces form a forest: first those of the halfedges `roots`, then those that most paths cross.
   // Where paths go around something on both sides, not all their crossings have room in a forest.
-  std::vector<unsigned char> forest(const std::vector<Index>& roots)
+  std::vector<unsigned char> forest(const std::vector<Index>& roots, const Progress& progress)
   {
     for(std::size_t i = order_.size(); i-- > 0;) // the youngest path first, and each from its start
       if(next_[order_[i]] != null_index)
         count_[next_[order_[i]]] += count_[order_[i]];
-    std::vector<Index> edges;
-    for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
-      if(number_of_paths(e) > 0)
-        edges.push_back(e);
-    std::stable_sort(edges.begin(), edges.end(),
-                     [&](Index e, Index f) { return number_of_paths(e) > number_of_paths(f); });
-
+    progress(0.2);
+    const std::vector<Index> edges = edges_by_number_of_paths();
+    progress(0.5);
     std::vector<unsigned char> result(connectivity_.number_of_edges(), 0);
     Union_find parts(mesh_.number_of_faces());
     const auto add = [&](Index h)
@@ -71,12 +69,35 @@ public:
         result[connectivity_.edge_of_halfedge[h]] = 1;
     };
     std::for_each(roots.begin(), roots.end(), add);
-    for(Index e : edges)
-      add(connectivity_.halfedge_of_edge[e]);
+    const Progress rest = progress.part(0.5, 1.);
+    for(std::size_t i = 0; i < edges.size(); ++i)
+    {
+      rest(i, edges.size());
+      add(connectivity_.halfedge_of_edge[edges[i]]);
+    }
     return result;
   }
 
 private:
+  // those that paths cross, most of them first; by counting, as most numbers are small
+  std::vector<Index> edges_by_number_of_paths() const
+  {
+    const Index ne = connectivity_.number_of_edges();
+    Index most = 0;
+    for(Index e = 0; e < ne; ++e)
+      most = (std::max)(most, number_of_paths(e));
+    std::vector<Index> begin(most + std::size_t(1), 0); // of those with `most - i` paths
+    for(Index e = 0; e < ne; ++e)
+      if(number_of_paths(e) > 0)
+        ++begin[most - number_of_paths(e) + std::size_t(1)];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<Index> result(begin.back());
+    for(Index e = 0; e < ne; ++e)
+      if(number_of_paths(e) > 0)
+        result[begin[most - number_of_paths(e)]++] = e;
+    return result;
+  }
+
   Index number_of_paths(Index e) const
   {
     const Index h = connectivity_.halfedge_of_edge[e];

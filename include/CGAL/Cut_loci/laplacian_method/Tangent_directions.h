@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_TANGENT_DIRECTIONS_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_TANGENT_DIRECTIONS_H
 
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
@@ -31,13 +32,15 @@ struct Tangent_directions
 
   std::vector<Direction> direction; ///< for each entry of the rings of `Mesh_connectivity`
 
-  Tangent_directions(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity)
+  Tangent_directions(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                     const internal::Progress& progress = {})
   {
     using namespace internal;
     std::vector<double> angle;
     direction.resize(connectivity.ring_vertex.size());
     for(Index v = 0; v < mesh.number_of_vertices(); ++v)
     {
+      progress(v, mesh.number_of_vertices());
       const Index begin = connectivity.ring_begin[v], end = connectivity.ring_begin[v + 1];
       angle.assign(1, 0.);
       for(Index entry = begin; entry < end; ++entry)
@@ -61,12 +64,14 @@ struct Tangent_directions
   /// rotates the directions at each vertex to where the edges lie, on the mean, in the plane of its frame. Angles in the
   /// plane are not those on the surface: with the first edge as zero in both, the result would depend on which is first
   template <typename Frame>
-  void align(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const std::vector<Frame>& frames)
+  void align(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const std::vector<Frame>& frames,
+             const internal::Progress& progress = {})
   {
     using namespace internal;
     for(Index v = 0; v < mesh.number_of_vertices(); ++v)
     {
       const Index begin = connectivity.ring_begin[v], end = connectivity.ring_begin[v + 1];
+      progress(v, mesh.number_of_vertices());
       std::complex<double> sum = 0.;
       for(Index entry = begin; entry < end; ++entry)
       {

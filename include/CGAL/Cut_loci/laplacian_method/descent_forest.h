@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_DESCENT_FOREST_H
 
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/vertex_queue.h>
 #include <CGAL/Cut_loci/laplacian_method/Exact_descent.h>
 #include <CGAL/Cut_loci/laplacian_method/Path_flow.h>
@@ -47,17 +48,22 @@ public:
   }
 
   // whether a path crosses each edge
-  std::vector<unsigned char> operator()()
+  std::vector<unsigned char> operator()(const Progress& progress)
   {
     // From the farthest down: long paths come first, and later ones end where they meet one. So hardly any path is
     // made of many short pieces, each starting anew at a vertex, which would add up to a drift along edges of the mesh.
     std::vector<Index> order(mesh_.number_of_vertices());
     std::iota(order.begin(), order.end(), Index(0));
+    progress(0.05);
     std::stable_sort(order.begin(), order.end(), [&](Index v, Index w) { return distance_[v] > distance_[w]; });
-    for(Index v : order)
-      if(!is_at_source_[v])
-        descend(v);
-    return flow_.forest(root_crossings_);
+    const Progress descents = progress.part(0.1, 0.7);
+    for(std::size_t i = 0; i < order.size(); ++i)
+    {
+      descents(i, order.size());
+      if(!is_at_source_[order[i]])
+        descend(order[i]);
+    }
+    return flow_.forest(root_crossings_, progress.part(0.7, 1.));
   }
 
 private:
@@ -384,9 +390,10 @@ inline std::vector<unsigned char> edges_crossed_by_descents(const Indexed_triang
                                                             const Mesh_connectivity& connectivity,
                                                             const std::vector<double>& distance,
                                                             const Indexed_source& source,
-                                                            const internal::Geodesic_results* geodesics = nullptr)
+                                                            const internal::Geodesic_results* geodesics = nullptr,
+                                                            const internal::Progress& progress = {})
 {
-  return internal::Descent_tracer(mesh, connectivity, distance, source, geodesics)();
+  return internal::Descent_tracer(mesh, connectivity, distance, source, geodesics)(progress);
 }
 
 } // namespace Cut_loci

@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_GRADIENT_ANGLES_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_GRADIENT_ANGLES_H
 
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/laplacian_method/Tangent_directions.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
@@ -33,7 +34,7 @@ namespace Cut_loci {
  *        direction, and do not count
  */
 inline std::vector<float> gradient_angles(const Mesh_connectivity& connectivity, const Tangent_directions& tangent,
-                                          const Eigen::VectorXd& gradient)
+                                          const Eigen::VectorXd& gradient, const internal::Progress& progress = {})
 {
   using Direction = Tangent_directions::Direction;
   const Index nv = static_cast<Index>(connectivity.ring_begin.size() - 1);
@@ -49,6 +50,7 @@ inline std::vector<float> gradient_angles(const Mesh_connectivity& connectivity,
   std::vector<Direction> transported;
   for(Index v = 0; v < nv; ++v)
   {
+    progress(v, nv);
     const Index begin = connectivity.ring_begin[v], k = connectivity.valence(v);
     transported.resize(k);
     for(Index i = 0; i < k; ++i)

@@ -7,16 +7,120 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_HOMOLOGY_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_HOMOLOGY_H
 
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/vertex_queue.h>
 #include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Cut_loci {
+
+namespace internal {
+
+// A spanning tree of the faces that grows across edges that are not covered, faces of smallest mean distance first.
+class Cotree
+{
+public:
+  // `covered` edges are not crossed
+  Cotree(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const std::vector<double>& distance,
+         std::vector<bool> covered)
+    : mesh_(mesh), connectivity_(connectivity), distance_(distance), covered_(std::move(covered)),
+      reached_(mesh.number_of_faces(), false)
+  {
+  }
+
+  // Starts with all faces around the source; around a vertex, from the covered edge on.
+  void start(const Indexed_source& source)
+  {
+    const Source_element element(connectivity_, source);
+    if(element.vertex == null_index)
+    {
+      push(source.location.face);
+      for(Index h = 3 * source.location.face; h < 3 * source.location.face + 3; ++h)
+        if(element.edge != null_index && connectivity_.edge_of_halfedge[h] == element.edge)
+          cross(h);
+      return;
+    }
+    const Index begin = connectivity_.ring_begin[element.vertex], k = connectivity_.valence(element.vertex);
+    Index first = 0;
+    if(!connectivity_.is_border(element.vertex))
+      while(first + 1 < k && !covered_[connectivity_.ring_edge(begin + first)])
+        ++first;
+    push(connectivity_.ring_halfedge[begin + first] / 3);
+    for(Index i = 1; i < k; ++i)
+    {
+      const Index before = mesh_.opposite[connectivity_.ring_halfedge[begin + (first + i) % k]];
+      if(before != null_index && reached_[before / 3])
+        cross(before);
+    }
+  }
+
+  // Crosses what can be reached of these edges.
+  void cross_first(const std::vector<unsigned char>& crossed, const Progress& progress)
+  {
+    for(std::size_t i = 0; i < faces_.size(); ++i)
+    {
+      progress(i, reached_.size());
+      for(Index h = 3 * faces_[i]; h < 3 * faces_[i] + 3; ++h)
+        if(crossed[connectivity_.edge_of_halfedge[h]])
+          cross(h);
+    }
+  }
+
+  void grow(const Progress& progress)
+  {
+    for(std::size_t i = 0; !queue_.empty(); ++i)
+    {
+      progress(i, reached_.size());
+      const Index f = queue_.top().vertex;
+      queue_.pop();
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        cross(h);
+    }
+  }
+
+  // of the inner edges that are neither covered nor crossed
+  std::vector<Index> rest() const
+  {
+    std::vector<Index> result;
+    for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
+      if(!covered_[e] && !mesh_.is_border_edge(connectivity_.halfedge_of_edge[e]))
+        result.push_back(connectivity_.halfedge_of_edge[e]);
+    return result;
+  }
+
+private:
+  void push(Index f)
+  {
+    reached_[f] = true;
+    faces_.push_back(f);
+    const Indexed_triangle_mesh::Triangle& t = mesh_.triangles[f];
+    queue_.push({distance_[t[0]] + distance_[t[1]] + distance_[t[2]], f});
+  }
+
+  void cross(Index h)
+  {
+    const Index opposite = mesh_.opposite[h], edge = connectivity_.edge_of_halfedge[h];
+    if(opposite == null_index || covered_[edge] || reached_[opposite / 3])
+      return;
+    covered_[edge] = true;
+    push(opposite / 3);
+  }
+
+  const Indexed_triangle_mesh& mesh_;
+  const Mesh_connectivity& connectivity_;
+  const std::vector<double>& distance_;
+  std::vector<bool> covered_, reached_; // edges and faces
+  std::vector<Index> faces_;            // in the order in which they are reached
+  Vertex_queue queue_;                  // of faces
+};
+
+} // namespace internal
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
@@ -33,72 +137,20 @@ namespace Cut_loci {
 inline std::vector<Index> homology_generators(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                                               const Spanning_tree& tree, const std::vector<double>& distance,
                                               const Indexed_source& source,
-                                              const std::vector<unsigned char>& crossed = {})
+                                              const std::vector<unsigned char>& crossed = {},
+                                              const internal::Progress& progress = {})
 {
   std::vector<bool> covered(connectivity.number_of_edges(), false);
   for(Index v : tree.order)
     if(v != tree.root)
       covered[connectivity.ring_edge(tree.parent_entry[v])] = true;
-
-  std::vector<bool> reached(mesh.number_of_faces(), false);
-  std::vector<Index> faces; // in the order in which they are reached
-  internal::Vertex_queue queue;
-  const auto push = [&](Index f)
-  {
-    reached[f] = true;
-    faces.push_back(f);
-    const Indexed_triangle_mesh::Triangle& t = mesh.triangles[f];
-    queue.push({distance[t[0]] + distance[t[1]] + distance[t[2]], f});
-  };
-  const auto cross = [&](Index h)
-  {
-    const Index opposite = mesh.opposite[h], edge = connectivity.edge_of_halfedge[h];
-    if(opposite == null_index || covered[edge] || reached[opposite / 3])
-      return;
-    covered[edge] = true;
-    push(opposite / 3);
-  };
-
-  const Source_element element(connectivity, source);
-  if(element.vertex != null_index)
-  {
-    // all faces around, from the tree's edge on
-    const Index begin = connectivity.ring_begin[element.vertex], k = connectivity.valence(element.vertex);
-    Index first = 0;
-    if(!connectivity.is_border(element.vertex))
-      while(first + 1 < k && !covered[connectivity.ring_edge(begin + first)])
-        ++first;
-    push(connectivity.ring_halfedge[begin + first] / 3);
-    for(Index i = 1; i < k; ++i)
-    {
-      const Index before = mesh.opposite[connectivity.ring_halfedge[begin + (first + i) % k]];
-      if(before != null_index && reached[before / 3])
-        cross(before);
-    }
-  }
-  else
-    push(source.location.face);
-  if(element.edge != null_index)
-    for(Index h = 3 * source.location.face; h < 3 * source.location.face + 3; ++h)
-      if(connectivity.edge_of_halfedge[h] == element.edge)
-        cross(h);
-  for(std::size_t i = 0; !crossed.empty() && i < faces.size(); ++i)
-    for(Index h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h)
-      if(crossed[connectivity.edge_of_halfedge[h]])
-        cross(h);
-  while(!queue.empty())
-  {
-    const Index f = queue.top().vertex;
-    queue.pop();
-    for(Index h = 3 * f; h < 3 * f + 3; ++h)
-      cross(h);
-  }
-
-  std::vector<Index> generators;
-  for(Index e = 0; e < connectivity.number_of_edges(); ++e)
-    if(!covered[e] && !mesh.is_border_edge(connectivity.halfedge_of_edge[e]))
-      generators.push_back(connectivity.halfedge_of_edge[e]);
-  return generators;
+  progress(0.1);
+  internal::Cotree cotree(mesh, connectivity, distance, std::move(covered));
+  cotree.start(source);
+  if(!crossed.empty())
+    cotree.cross_first(crossed, progress.part(0.1, 0.4));
+  cotree.grow(progress.part(0.4, 1.));
+  return cotree.rest();
 }
 
 } // namespace Cut_loci

@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_REGION_GROWING_TREE_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_REGION_GROWING_TREE_H
 
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/vertex_queue.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -148,7 +149,8 @@ inline Spanning_tree rooted_tree(const Mesh_connectivity& connectivity, Index ro
 template <typename Key>
 Spanning_tree region_growing_tree(const Mesh_connectivity& connectivity, const Key& key, Index root,
                                   const Source_element& source = Source_element(),
-                                  const std::vector<unsigned char>& crossed = {})
+                                  const std::vector<unsigned char>& crossed = {},
+                                  const internal::Progress& progress = {})
 {
   Spanning_tree tree = internal::rooted_tree(connectivity, root);
   internal::Vertex_queue queue;
@@ -157,8 +159,9 @@ Spanning_tree region_growing_tree(const Mesh_connectivity& connectivity, const K
   push(root);
   if(connectivity.is_border(root))
     internal::add_border_loop(tree, connectivity, root, push);
-  while(!queue.empty())
+  for(std::size_t i = 0; !queue.empty(); ++i)
   {
+    progress(i, tree.parent.size());
     const Index v = queue.top().vertex;
     queue.pop();
     for(Index entry = connectivity.ring_begin[v]; entry < connectivity.ring_begin[v + 1]; ++entry)

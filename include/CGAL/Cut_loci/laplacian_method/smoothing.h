@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/curve/Curve_network.h>
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/laplacian_method/One_sided_distances.h>
 #include <CGAL/Cut_loci/laplacian_method/Smoothing_limits.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
@@ -16,6 +17,7 @@
 #include <CGAL/Cut_loci/surface/Local_geodesics.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/straightest_geodesic.h>
+#include <CGAL/Cut_loci/surface/normals.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <algorithm>
@@ -50,11 +52,12 @@ public:
     }
   }
 
-  Indexed_cut_locus operator()(const Smoothing_parameters& parameters)
+  Indexed_cut_locus operator()(const Smoothing_parameters& parameters, const Progress& progress)
   {
     double rest = parameters.damping;
     for(Index k = 0; k < parameters.number_of_iterations; ++k)
     {
+      progress(0.8 * k / parameters.number_of_iterations);
       plan_displacements(1. - rest);
       move();
       rest *= 0.5;
@@ -66,6 +69,7 @@ public:
       move();
     }
     drop_fold_backs();
+    progress(0.8);
     separate_branch_points();
     return within_limits();
   }
@@ -409,9 +413,10 @@ private:
  */
 inline Indexed_cut_locus smoothed_cut_locus(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                                             const std::vector<double>& distance, const Indexed_cut_locus& cut_locus,
-                                            const Smoothing_parameters& parameters = Smoothing_parameters())
+                                            const Smoothing_parameters& parameters = Smoothing_parameters(),
+                                            const internal::Progress& progress = {})
 {
-  return internal::Cut_locus_smoother(mesh, connectivity, distance, cut_locus)(parameters);
+  return internal::Cut_locus_smoother(mesh, connectivity, distance, cut_locus)(parameters, progress);
 }
 
 } // namespace Cut_loci

@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_THINNING_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_THINNING_H
 
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/vertex_queue.h>
 #include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -53,7 +54,8 @@ inline bool are_near_in_tree(const Spanning_tree& tree, Index v, Index w, Index 
  * side. It is another one than the leaf's own if the way there in the tree is longer than twice as far.
  */
 template <typename Key>
-void thin(Spanning_tree& tree, const Mesh_connectivity& connectivity, const Key& key, Index reach = 1)
+void thin(Spanning_tree& tree, const Mesh_connectivity& connectivity, const Key& key, Index reach = 1,
+          const internal::Progress& progress = {})
 {
   std::vector<Index> children(tree.parent.size(), 0);
   for(Index v : tree.order)
@@ -66,8 +68,9 @@ void thin(Spanning_tree& tree, const Mesh_connectivity& connectivity, const Key&
       leaves.push({-static_cast<double>(key[v]), v});
 
   std::vector<bool> removed(tree.parent.size(), false);
-  while(!leaves.empty())
+  for(std::size_t i = 0; !leaves.empty(); ++i)
   {
+    progress(i, tree.order.size());
     const Index v = leaves.top().vertex, parent = tree.parent[v];
     leaves.pop();
     const auto begin = connectivity.ring_vertex.begin() + connectivity.ring_begin[v],

@@ -48,11 +48,12 @@ public:
   // the method for distances of this solver
   Method cut_locus_method() const { return method_; }
 
-  // a solver of the same kind for another mesh, which must stay where it is
-  Geodesic_solver_handle bound_to(const Indexed_triangle_mesh& mesh) const
+  // a solver of the same kind for another mesh, which must stay where it is; the progress is that of distances
+  Geodesic_solver_handle bound_to(const Indexed_triangle_mesh& mesh, const Progress& progress) const
   {
     Geodesic_solver_handle result;
     result.model_ = model_->copy();
+    result.model_->report_to(progress);
     result.model_->set_mesh(mesh);
     return result;
   }

@@ -29,6 +29,8 @@ class Method_solver
 public:
   virtual ~Method_solver() = default;
 
+  // is told the share of the next stage that is done; what it throws leaves the solver for the next source
+  virtual void report_to(const Progress& progress) = 0;
   virtual void compute_strengths() = 0;
   virtual void grow_tree() = 0;
   virtual void close_cycles() = 0;
@@ -73,8 +75,6 @@ public:
   virtual void expect(const Branch_strength& least) = 0;
   // of the distances of the sources that follow
   virtual void set_maximum_relative_error(double error) = 0;
-  // is told the share of the next stage that is done; what it throws leaves the solver for the next source
-  virtual void report_to(const Progress& progress) = 0;
   // comes first, or, of the sources, after `expect()`; several sources, of which the points come first, have no point in
   // common
   virtual void compute_distance(const std::vector<Indexed_source>& points,

@@ -87,15 +87,10 @@ public:
     const Index v = internal::vertex_of(mesh_, location);
     if(v == null_index)
       return internal::across(mesh_, internal::edge_of(location), location);
-    Indexed_location result;
-    result.face = face;
-    for(Index i = 0; i < 3; ++i)
-      if(mesh_.triangles[face][i] == v)
-      {
-        result.coordinates[i] = 1.;
-        break;
-      }
-    return result;
+    Index h = 3 * face;
+    while(mesh_.source(h) != v)
+      h = mesh_.next(h);
+    return internal::location_on(h);
   }
 
 private:
@@ -370,23 +365,10 @@ private:
         break; // the fan around the corner
       const double l = cross(direction, p.left - from), r = cross(direction, p.right - from);
       const double t = l > r ? (std::min)(1., (std::max)(0., -r / (l - r))) : 0.5;
-      Indexed_location x;
-      x.face = p.halfedge / 3;
-      x.coordinates[p.halfedge % 3] = 1. - t;
-      x.coordinates[(p.halfedge % 3 + 1) % 3] = t;
-      append(x, path);
+      append(location_on(p.halfedge, t), path);
     }
     if(corner.vertex != null_index)
-      append(location_of(corner.vertex), path);
-  }
-
-  Indexed_location location_of(Index v) const
-  {
-    const Index h = connectivity_.ring_halfedge[connectivity_.ring_begin[v]];
-    Indexed_location result;
-    result.face = h / 3;
-    result.coordinates[h % 3] = 1.;
-    return result;
+      append(location_of_vertex(connectivity_, corner.vertex), path);
   }
 
   void append(Indexed_location x, std::vector<Indexed_location>& path)

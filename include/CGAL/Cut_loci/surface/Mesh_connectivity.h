@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_SURFACE_MESH_CONNECTIVITY_H
 #define CGAL_CUT_LOCI_SURFACE_MESH_CONNECTIVITY_H
 
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 
@@ -42,10 +43,12 @@ struct Mesh_connectivity
   bool is_border(Index v) const { return !border_loop.empty() && border_loop[v] != null_index; }
   Index ring_edge(Index entry) const { return edge_of_halfedge[ring_halfedge[entry]]; }
 
-  explicit Mesh_connectivity(const Indexed_triangle_mesh& mesh)
+  explicit Mesh_connectivity(const Indexed_triangle_mesh& mesh, const internal::Progress& progress = {})
   {
     number_edges(mesh);
+    progress(0.3);
     build_rings(mesh);
+    progress(0.7);
     if(first_non_manifold.empty())
     {
       reverse_rings();

@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_SURFACE_CUT_OPEN_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
@@ -117,43 +118,12 @@ inline bool is_disk(const Indexed_triangle_mesh& mesh)
                                         std::int64_t(connectivity.number_of_edges()) + 1;
 }
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
- * adds and removes seams until they leave one open disk of a connected mesh; seams that do so already stay as they are.
- *
- * Seams with different pieces of the complement on their sides are removed. What is then missing is added along edges:
- * a spanning tree of the complement's faces that runs where the seams are far leaves short ways between them, and dead
- * ends are dropped. `start` is a vertex to begin at if there are neither seams nor a border. Time is O(n log n).
- */
-inline void repair_seams(const Indexed_triangle_mesh& mesh, Index start, Seams& seams)
+namespace internal {
+
+// The number of edges from each vertex to the next seam or border, or, if there is neither, to `start`.
+inline std::vector<Index> steps_to_seams(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                                         Index start, const Seams& seams)
 {
-  const Index nh = mesh.number_of_halfedges();
-  std::vector<Index> parent(mesh.number_of_faces());
-  std::iota(parent.begin(), parent.end(), Index(0));
-  const auto unite = [&](Index f, Index g)
-  {
-    const auto find = [&](Index i)
-    {
-      while(parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-      return i;
-    };
-    f = find(f);
-    g = find(g);
-    parent[f] = g;
-    return f != g;
-  };
-
-  const auto is_first = [&](Index h) { return !mesh.is_border_edge(h) && h < mesh.opposite[h]; };
-  for(bool is_seam : {false, true})
-    for(Index h = 0; h < nh; ++h)
-      if(is_first(h) && bool(seams[h]) == is_seam && unite(h / 3, mesh.opposite[h] / 3))
-        seams[h] = seams[mesh.opposite[h]] = 0;
-  if(is_disk(cut_open(mesh, seams).mesh))
-    return;
-
-  // the number of edges to the next seam or border
   std::vector<Index> steps(mesh.number_of_vertices(), null_index), front;
   const auto reach = [&](Index v, Index n)
   {
@@ -163,7 +133,7 @@ inline void repair_seams(const Indexed_triangle_mesh& mesh, Index start, Seams& 
       front.push_back(v);
     }
   };
-  for(Index h = 0; h < nh; ++h)
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
     if(seams[h] || mesh.is_border_edge(h))
     {
       reach(mesh.source(h), 0);
@@ -171,31 +141,22 @@ inline void repair_seams(const Indexed_triangle_mesh& mesh, Index start, Seams& 
     }
   if(front.empty())
     reach(start, 0);
-  const Mesh_connectivity connectivity(mesh);
   for(std::size_t i = 0; i < front.size(); ++i)
     for(Index k = connectivity.ring_begin[front[i]]; k < connectivity.ring_begin[front[i] + 1]; ++k)
       reach(connectivity.ring_vertex[k], steps[front[i]] + 1);
+  return steps;
+}
 
-  // The spanning tree takes edges far from the seams first; what it leaves are the candidates.
-  std::vector<Index> order, degree(mesh.number_of_vertices(), 0);
-  for(Index h = 0; h < nh; ++h)
-  {
-    if(is_first(h) && !seams[h])
-      order.push_back(h);
+// Drops candidates for seams from where they end at no other one, nor at a seam or the border.
+inline void drop_dead_ends(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Seams& seams,
+                           Seams& is_candidate)
+{
+  std::vector<Index> degree(mesh.number_of_vertices(), 0);
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
     if(seams[h] || mesh.is_border_edge(h))
       degree[mesh.source(h)] = degree[mesh.target(h)] = 2; // not a dead end
-  }
-  const auto steps_of = [&](Index h) { return steps[mesh.source(h)] + steps[mesh.target(h)]; };
-  std::stable_sort(order.begin(), order.end(), [&](Index g, Index h) { return steps_of(g) > steps_of(h); });
-  std::iota(parent.begin(), parent.end(), Index(0));
-  std::vector<unsigned char> is_candidate(nh, 0);
-  for(Index h : order)
-    if(!unite(h / 3, mesh.opposite[h] / 3))
-    {
-      is_candidate[h] = is_candidate[mesh.opposite[h]] = 1;
-      ++degree[mesh.source(h)];
-      ++degree[mesh.target(h)];
-    }
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    degree[mesh.source(h)] += is_candidate[h]; // both halfedges of an edge are
   for(Index v = 0; v < mesh.number_of_vertices(); ++v)
     for(Index end = v; degree[end] == 1;)
     {
@@ -208,6 +169,46 @@ inline void repair_seams(const Indexed_triangle_mesh& mesh, Index start, Seams& 
       end = connectivity.ring_vertex[k];
       --degree[end];
     }
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * adds and removes seams until they leave one open disk of a connected mesh; seams that do so already stay as they are.
+ *
+ * Seams with different pieces of the complement on their sides are removed. What is then missing is added along edges:
+ * a spanning tree of the complement's faces that runs where the seams are far leaves short ways between them, and dead
+ * ends are dropped. `start` is a vertex to begin at if there are neither seams nor a border. Time is O(n log n).
+ */
+inline void repair_seams(const Indexed_triangle_mesh& mesh, Index start, Seams& seams)
+{
+  const Index nh = mesh.number_of_halfedges();
+  const auto is_first = [&](Index h) { return !mesh.is_border_edge(h) && h < mesh.opposite[h]; };
+  internal::Union_find pieces(mesh.number_of_faces());
+  for(bool is_seam : {false, true})
+    for(Index h = 0; h < nh; ++h)
+      if(is_first(h) && bool(seams[h]) == is_seam && pieces.unite(h / 3, mesh.opposite[h] / 3))
+        seams[h] = seams[mesh.opposite[h]] = 0;
+  if(is_disk(cut_open(mesh, seams).mesh))
+    return;
+
+  // The spanning tree takes edges far from the seams first; what it leaves are the candidates.
+  const Mesh_connectivity connectivity(mesh);
+  const std::vector<Index> steps = internal::steps_to_seams(mesh, connectivity, start, seams);
+  std::vector<Index> order;
+  for(Index h = 0; h < nh; ++h)
+    if(is_first(h) && !seams[h])
+      order.push_back(h);
+  const auto steps_of = [&](Index h) { return steps[mesh.source(h)] + steps[mesh.target(h)]; };
+  std::stable_sort(order.begin(), order.end(), [&](Index g, Index h) { return steps_of(g) > steps_of(h); });
+  internal::Union_find tree(mesh.number_of_faces());
+  Seams is_candidate(nh, 0);
+  for(Index h : order)
+    if(!tree.unite(h / 3, mesh.opposite[h] / 3))
+      is_candidate[h] = is_candidate[mesh.opposite[h]] = 1;
+  internal::drop_dead_ends(mesh, connectivity, seams, is_candidate);
   for(Index h = 0; h < nh; ++h)
     if(is_candidate[h])
       seams[h] = 1;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
@@ -26,53 +27,87 @@ struct Face_at_inserted_vertex
   Index face, base;
 };
 
+// An edge that becomes the base of a face at an inserted vertex.
+struct Base_of_inserted_vertex
+{
+  Index halfedge, source, target, opposite;
+  std::array<double, 3> length; // of the edges of the face, if the mesh has lengths
+};
+
+inline Base_of_inserted_vertex base_of_inserted_vertex(const Indexed_triangle_mesh& mesh, Index h,
+                                                       const Indexed_location& location)
+{
+  Base_of_inserted_vertex result = {h, mesh.source(h), mesh.target(h), mesh.opposite[h], {{0., 0., 0.}}};
+  if(mesh.lengths.empty())
+    return result;
+  const double length = mesh.lengths[h];
+  const Planar_vector p = flat_position(mesh, h, location.coordinates), to_target = p - Planar_vector{{length, 0.}};
+  result.length = {{norm(p), length, norm(to_target)}};
+  return result;
+}
+
+// The edges of the face that a location is in, or of the two faces at the edge that it lies on, but for that edge;
+// `replaced` becomes these faces.
+inline std::vector<Base_of_inserted_vertex> bases_of_inserted_vertex(const Indexed_triangle_mesh& mesh,
+                                                                     const Indexed_location& location,
+                                                                     std::vector<Index>& replaced)
+{
+  std::vector<Base_of_inserted_vertex> result;
+  replaced.assign(1, location.face);
+  for(Index i = 0; i < 3; ++i)
+  {
+    const Index h = 3 * location.face + i, o = mesh.opposite[h];
+    if(location.coordinates[(i + 2) % 3] > 0.)
+      result.push_back(base_of_inserted_vertex(mesh, h, location));
+    else if(o != null_index)
+    {
+      replaced.push_back(o / 3);
+      const Indexed_location same = across(h, o, location);
+      result.push_back(base_of_inserted_vertex(mesh, mesh.next(o), same));
+      result.push_back(base_of_inserted_vertex(mesh, mesh.previous(o), same));
+    }
+  }
+  return result;
+}
+
+// Glues the faces at an inserted vertex to each other and to what is around them.
+inline void glue_at_inserted_vertex(Indexed_triangle_mesh& mesh, const std::vector<Base_of_inserted_vertex>& base,
+                                    const std::vector<Face_at_inserted_vertex>& faces)
+{
+  const auto glue = [&](Index g, Index h)
+  {
+    mesh.opposite[g] = h;
+    mesh.opposite[h] = g;
+  };
+  for(std::size_t k = 0; k < base.size(); ++k)
+  {
+    const Index h = 3 * faces[k].face;
+    for(std::size_t l = 0; l < base.size(); ++l)
+      if(l != k && base[l].source == base[k].target)
+        glue(h + 2, 3 * faces[l].face);
+    Index outside = base[k].opposite;
+    if(outside == null_index)
+      continue;
+    const auto glued =
+      std::find_if(base.begin(), base.end(), [&](const auto& other) { return other.halfedge == outside; });
+    if(glued != base.end()) // a face may be its own neighbor
+      outside = 3 * faces[static_cast<std::size_t>(glued - base.begin())].face + 1;
+    glue(h + 1, outside);
+  }
+}
+
 // Inserts a vertex, the last one, at `location`, which is inside a face or on an edge. The faces around it take the
 // place of those that it lies on, and further ones come last.
 inline std::vector<Face_at_inserted_vertex> insert_vertex_into(Indexed_triangle_mesh& mesh,
                                                                const Indexed_location& location)
 {
   const Index v = mesh.number_of_vertices();
-  const Index first = 3 * location.face;
   const Indexed_triangle_mesh::Triangle& t = mesh.triangles[location.face];
   const std::array<double, 3>& c = location.coordinates;
   mesh.points.push_back(c[0] * mesh.points[t[0]] + (c[1] * mesh.points[t[1]] + c[2] * mesh.points[t[2]]));
 
-  // Around the new vertex, faces over the edges of the face, or of the two faces at the edge that it lies on.
-  struct Base
-  {
-    Index halfedge, source, target, opposite;
-    std::array<double, 3> length; // of the edges of the face, if the mesh has lengths
-  };
-  std::vector<Base> base;
-  const auto add_base = [&](Index h, const std::array<double, 3>& coordinates)
-  {
-    base.push_back({h, mesh.source(h), mesh.target(h), mesh.opposite[h], {{0., 0., 0.}}});
-    if(mesh.lengths.empty())
-      return;
-    const double length = mesh.lengths[h];
-    const Planar_vector p = flat_position(mesh, h, coordinates), to_target = p - Planar_vector{{length, 0.}};
-    base.back().length = {{norm(p), length, norm(to_target)}};
-  };
-  std::vector<Index> replaced(1, location.face);
-  for(Index i = 0; i < 3; ++i)
-  {
-    const Index h = first + i;
-    if(c[(i + 2) % 3] > 0.)
-    {
-      add_base(h, c);
-      continue;
-    }
-    const Index o = mesh.opposite[h];
-    if(o == null_index)
-      continue;
-    replaced.push_back(o / 3);
-    std::array<double, 3> across = {{0., 0., 0.}};
-    across[o % 3] = c[(i + 1) % 3];
-    across[(o % 3 + 1) % 3] = c[i];
-    add_base(mesh.next(o), across);
-    add_base(mesh.previous(o), across);
-  }
-
+  std::vector<Index> replaced;
+  const std::vector<Base_of_inserted_vertex> base = bases_of_inserted_vertex(mesh, location, replaced);
   std::vector<Face_at_inserted_vertex> result;
   Index number_of_faces = mesh.number_of_faces();
   for(std::size_t k = 0; k < base.size(); ++k)
@@ -91,24 +126,7 @@ inline std::vector<Face_at_inserted_vertex> insert_vertex_into(Indexed_triangle_
         mesh.lengths[3 * std::size_t(result[k].face) + i] = base[k].length[i];
     }
   }
-  for(std::size_t k = 0; k < base.size(); ++k)
-  {
-    const Index h = 3 * result[k].face;
-    for(std::size_t l = 0; l < base.size(); ++l)
-      if(l != k && base[l].source == base[k].target)
-      {
-        mesh.opposite[h + 2] = 3 * result[l].face;
-        mesh.opposite[3 * result[l].face] = h + 2;
-      }
-    Index outside = base[k].opposite;
-    if(outside == null_index)
-      continue;
-    const auto glued = std::find_if(base.begin(), base.end(), [&](const Base& b) { return b.halfedge == outside; });
-    if(glued != base.end()) // a face may be its own neighbor
-      outside = 3 * result[static_cast<std::size_t>(glued - base.begin())].face + 1;
-    mesh.opposite[h + 1] = outside;
-    mesh.opposite[outside] = h + 1;
-  }
+  glue_at_inserted_vertex(mesh, base, result);
   return result;
 }
 

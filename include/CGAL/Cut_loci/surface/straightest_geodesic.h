@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/normals.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
@@ -134,9 +135,7 @@ private:
     }
     if(h == null_index)
       return false;
-    location_ = Indexed_location();
-    location_.face = h / 3;
-    location_.coordinates[h % 3] = 1.;
+    location_ = location_on(h);
     direction_ = in_face(h, std::cos(angle), std::sin(angle));
     return true;
   }

@@ -9,10 +9,6 @@
 
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/surface/flat_triangles.h>
-#include <CGAL/Cut_loci/surface/vector_3.h>
-
-#include <algorithm>
 
 namespace CGAL {
 namespace Cut_loci {
@@ -54,60 +50,34 @@ inline Index edge_of(const Indexed_location& location)
   return null_index;
 }
 
-// the same point of `h`, named by the face on the other side
+// the point at the share `t` of the halfedge `h`: its source, if that is 0
+inline Indexed_location location_on(Index h, double t = 0.)
+{
+  Indexed_location result;
+  result.face = h / 3;
+  result.coordinates[h % 3] = 1. - t;
+  result.coordinates[(h % 3 + 1) % 3] = t;
+  return result;
+}
+
+inline Indexed_location location_of_vertex(const Mesh_connectivity& connectivity, Index v)
+{
+  return location_on(connectivity.ring_halfedge[connectivity.ring_begin[v]]); // outgoing
+}
+
+// the same point of `h`, named by the face of `opposite`
+inline Indexed_location across(Index h, Index opposite, const Indexed_location& location)
+{
+  Indexed_location result;
+  result.face = opposite / 3;
+  result.coordinates[opposite % 3] = location.coordinates[(h % 3 + 1) % 3];
+  result.coordinates[(opposite % 3 + 1) % 3] = location.coordinates[h % 3];
+  return result;
+}
+
 inline Indexed_location across(const Indexed_triangle_mesh& mesh, Index h, const Indexed_location& location)
 {
-  const Index o = mesh.opposite[h];
-  Indexed_location result;
-  result.face = o / 3;
-  result.coordinates[o % 3] = location.coordinates[(h % 3 + 1) % 3];
-  result.coordinates[(o % 3 + 1) % 3] = location.coordinates[h % 3];
-  return result;
-}
-
-inline Vector normal_of_face(const Indexed_triangle_mesh& mesh, Index f)
-{
-  const Indexed_triangle_mesh::Triangle& t = mesh.triangles[f];
-  return cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]]);
-}
-
-inline bool unit(const Vector& v, Vector& result)
-{
-  const double length = norm(v);
-  if(!(length > 0.))
-    return false;
-  result = (1. / length) * v;
-  return true;
-}
-
-// the part of `v` orthogonal to `normal`
-inline Vector tangential(const Vector& v, const Vector& normal)
-{
-  return v - (dot(v, normal) / dot(normal, normal)) * normal;
-}
-
-// the sum of the normals around, weighted by area
-inline Vector normal_of_vertex(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, Index v)
-{
-  Vector result = {{0., 0., 0.}};
-  for(Index entry = connectivity.ring_begin[v]; entry < connectivity.ring_begin[v + 1]; ++entry)
-    if(mesh.source(connectivity.ring_halfedge[entry]) == v)
-      result = result + normal_of_face(mesh, connectivity.ring_halfedge[entry] / 3);
-  return result;
-}
-
-// the normal of the face that a snapped location is in, or the sum of those it is on the border of, weighted by area
-inline Vector normal_at(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                        const Indexed_location& location)
-{
-  const Index v = vertex_of(mesh, location);
-  if(v != null_index)
-    return normal_of_vertex(mesh, connectivity, v);
-  const Index h = edge_of(location);
-  Vector result = normal_of_face(mesh, location.face);
-  if(h != null_index && !mesh.is_border_edge(h))
-    result = result + normal_of_face(mesh, mesh.opposite[h] / 3);
-  return result;
+  return across(h, mesh.opposite[h], location);
 }
 
 } // namespace internal
