@@ -224,8 +224,8 @@ class CutLocus:
         "quadratic-fit" (default) or "cotangent"; for the method "laplacian".
     edge_lengths : (m, 3) real numbers, optional
         The lengths of the edges of each face, from that between its first two vertices on, in the order of its
-        vertices: they are the metric then, and the points are for output only. For the solver "exact", and not for the method
-        "laplacian". What is in diagonals of the bounding box is then in square roots of the area.
+        vertices: they are the metric then, and the points are for output only. For the solver "exact", and not for the
+        method "laplacian". What is in diagonals of the bounding box is then in square roots of the area.
     progress : callable, optional
         Called as ``progress(stage, ends)`` when a stage starts and when it ends: "preprocessing", "distance",
         "strength", "tree", "homology" or "filter". What it raises ends the computation and comes out of it. Ctrl-C is
