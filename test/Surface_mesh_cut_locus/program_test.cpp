@@ -73,6 +73,8 @@ TEST_F(Program, Help)
                             "--smooth",
                             "--output",
                             "--edges",
+                            "--cells",
+                            "--keep",
                             "--uv",
                             "--parameterization",
                             "--report",
