@@ -5,6 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "Options.h"
+#include "cells.h"
 #include "flatten.h"
 #include "output.h"
 #include "solvers.h"
@@ -109,9 +110,9 @@ void check_overwriting(const Options& options)
   std::vector<std::pair<fs::path, std::string>> outputs;
   for(const std::string& output : options.outputs)
     outputs.emplace_back(output, "-o");
-  for(const auto& [path, option] :
-      {std::make_pair(options.edges, "--edges"), std::make_pair(options.uv, "--uv"),
-       std::make_pair(options.unfold, "--unfold"), std::make_pair(options.report, "--report")})
+  for(const auto& [path, option] : {std::make_pair(options.edges, "--edges"), std::make_pair(options.cells, "--cells"),
+                                    std::make_pair(options.uv, "--uv"), std::make_pair(options.unfold, "--unfold"),
+                                    std::make_pair(options.report, "--report")})
     if(!path.empty())
       outputs.emplace_back(path, option);
   if(!options.uv.empty()) // it has two files more
@@ -163,6 +164,8 @@ po::options_description visible_options()
     "edges that are connected are one source; with the methods direction and polyhedral, as the next one")(
     "source-border", po::bool_switch(),
     "each border loop: of a flat mesh, its medial axis. Points, curves and the border may be mixed")(
+    "keep", po::value<std::string>()->value_name("all|voronoi|medial"),
+    "with several sources: only what is between two of them, or only what is inside the cells (default: all)")(
     "solver", po::value<std::string>()->value_name("NAME")->default_value(default_solver_name()),
     ("geodesic distances by:\n" + solver_descriptions()).c_str())(
     "max-relative-error", po::value<std::string>()->value_name("E"),
@@ -210,6 +213,9 @@ po::options_description visible_options()
     "edges", po::value<std::string>()->value_name("FILE"),
     "write its edges as pairs of vertices of the file, counted from 0, with the word 'marked' if the edge is not in "
     "the file")(
+    "cells", po::value<std::string>()->value_name("FILE.ply|.vtp|.obj"),
+    "write the surface with the number of the source nearest to each face, in the order of points, curves and the "
+    "border: faces between two sources are split")(
     "uv", po::value<std::string>()->value_name("FILE.obj"),
     "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a texture")(
     "parameterization", po::value<std::string>()->value_name("NAME")->default_value("arap"),
@@ -222,9 +228,9 @@ po::options_description visible_options()
                                             "write figures and times as JSON")(
     "check", po::bool_switch(),
     "check the topology of the result, and by how much cutting along it lengthens shortest paths, in mean edge "
-    "lengths; "
-    "costs two exact computations of distances more. The program fails if the topology is wrong")(
-    "quiet", po::bool_switch(), "no progress on stderr")("help,h", po::bool_switch(), "print this text");
+    "lengths; costs two exact computations of distances more. With several sources, distances are those to the "
+    "nearest. The program fails if the topology is wrong")("quiet", po::bool_switch(), "no progress on stderr")(
+    "help,h", po::bool_switch(), "print this text");
   return description;
 }
 
@@ -265,7 +271,7 @@ void check_options_of_method(const po::variables_map& given, const Options& opti
     throw Usage_error("--smooth is for --method laplacian: the method " + options.method_name +
                       " needs no smoothing, --curve faces gives its curve through the faces");
   if(options.method == Method::LAPLACIAN)
-    for(const char* option : {"min-branch-gap", "min-branch-width"})
+    for(const char* option : {"min-branch-gap", "min-branch-width", "keep", "cells"})
       refuse(option, "direction or polyhedral");
 }
 
@@ -279,6 +285,17 @@ void read_maximum_relative_error(const std::string& text, Options& options)
   if(options.method == CGAL::Cut_loci::Method::POLYHEDRAL)
     throw Usage_error("--max-relative-error: --method polyhedral needs exact distances");
   options.maximum_relative_error = error;
+}
+
+Kept_part to_part(const std::string& name)
+{
+  if(name == "voronoi")
+    return Kept_part::VORONOI;
+  if(name == "medial")
+    return Kept_part::MEDIAL;
+  if(name != "all")
+    throw Usage_error("--keep takes all, voronoi or medial, not '" + name + "'");
+  return Kept_part::ALL;
 }
 
 // "2/10"
@@ -305,7 +322,7 @@ void read_each_source(const po::variables_map& given, Options& options)
     return;
   }
   options.each_source = text("each-source");
-  for(const char* name : {"source", "source-point", "edges", "uv", "unfold", "check", "view"})
+  for(const char* name : {"source", "source-point", "edges", "cells", "uv", "unfold", "check", "view"})
     if(given.count(name) && !given[name].defaulted())
       throw Usage_error("--each-source and --" + std::string(name) + " exclude each other");
   if(given.count("part"))
@@ -397,14 +414,19 @@ Options parse_command_line(int argc, char* argv[])
       throw Usage_error("--" + std::string(name) +
                         " is for a cut locus along edges of the mesh, which sources that are "
                         "curves do not have");
-  for(const char* name : {"uv", "unfold", "check"})
-    if((options.sources.size() > 1 || has_curves(options)) && given.count(name) && !given[name].defaulted())
-      throw Usage_error("--" + std::string(name) + " takes one source");
+  if((options.sources.size() > 1 || has_curves(options)) && given.count("unfold"))
+    throw Usage_error("--unfold takes one source, a point");
   options.solver = text("solver");
   if(!is_solver_name(options.solver))
     throw Usage_error("--solver takes one of" + solver_names() + ", not '" + options.solver + "'");
   read_method(text("method"), options);
   check_options_of_method(given, options);
+  if(given.count("keep"))
+    options.kept = to_part(text("keep"));
+  for(const char* name : {"uv", "check"})
+    if(options.kept != Kept_part::ALL && given.count(name) && !given[name].defaulted())
+      throw Usage_error("--" + std::string(name) +
+                        " is about all of the cut locus, and not about a part: leave --keep away");
   if(given.count("max-relative-error"))
     read_maximum_relative_error(text("max-relative-error"), options);
   if(given.count("angle"))
@@ -452,6 +474,12 @@ Options parse_command_line(int argc, char* argv[])
   }
   if(given.count("edges"))
     check_output_path(options.edges = text("edges"), "--edges");
+  if(given.count("cells"))
+  {
+    check_output_path(options.cells = text("cells"), "--cells");
+    if(!is_cells_name(options.cells))
+      throw Usage_error("--cells: the extension of '" + options.cells + "' must be .ply, .vtp or .obj");
+  }
   if(given.count("uv"))
   {
     check_output_path(options.uv = text("uv"), "--uv");

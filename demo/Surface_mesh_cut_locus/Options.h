@@ -16,6 +16,9 @@
 #include <string>
 #include <vector>
 
+// Of the cut locus of several sources: what is between two of them, or inside the cells.
+enum class Kept_part { ALL, VORONOI, MEDIAL };
+
 // What the command line asks for; what is not set is left to the library's defaults.
 struct Options
 {
@@ -44,10 +47,12 @@ struct Options
   std::vector<std::string> outputs;
   std::optional<std::array<double, 3>> view; // the direction from which pictures look
   std::string edges;
+  std::string cells; // a file for the surface with the source nearest to each face
   std::string uv;
   std::string parameterization;
   std::string unfold;
   std::string report;
+  Kept_part kept = Kept_part::ALL;
   bool check = false; // the topology and the detour of the result
   bool is_quiet = false;
   bool help = false;

@@ -94,7 +94,7 @@ public:
     if(is_back)
       normal = -1. * normal;
 
-    Color color = is_back ? back_color : surface_color;
+    Color color = is_back ? back_color : scene_.colors.empty() ? surface_color : scene_.colors[triangle];
     if(bands_per_unit_ > 0.)
     {
       double value = 0.;

@@ -40,6 +40,7 @@ struct Scene
   std::vector<Vector> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<double> values; // empty, or a number for each point: the surface is shaded in bands of it
+  std::vector<Color> colors;  // empty, or one for each triangle
   std::vector<Polyline> polylines;
   std::vector<Dot> dots;
 };

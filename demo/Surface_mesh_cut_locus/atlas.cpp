@@ -93,16 +93,14 @@ double overlap(const Atlas& atlas)
   return covered == 0 ? 0. : double(std::count(count.begin(), count.end(), 2)) / double(covered);
 }
 
-// Into the unit square, with a margin, and counterclockwise.
-void normalize(std::vector<std::array<double, 2>>& points, bool is_reversed)
+// Into the unit square, with a margin.
+void normalize(std::vector<std::array<double, 2>>& points)
 {
   constexpr double margin = 0.02;
   std::array<double, 2> low = {{1e300, 1e300}}, high = {{-1e300, -1e300}};
   for(auto& p : points)
     for(int i = 0; i < 2; ++i)
     {
-      if(i == 0 && is_reversed)
-        p[0] = -p[0];
       low[i] = (std::min)(low[i], p[i]);
       high[i] = (std::max)(high[i], p[i]);
     }
@@ -161,7 +159,16 @@ Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string
       const Mesh::Halfedge_index h = mesh.halfedge(f);
       atlas.faces.push_back({{mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))}});
     }
-  normalize(atlas.texture_coordinates, signed_area < 0.);
+  if(signed_area < 0.)
+    for(auto& p : atlas.texture_coordinates)
+      p[0] = -p[0];
+  finish_atlas(cut_locus, atlas);
+  return atlas;
+}
+
+void finish_atlas(const Cut_locus& cut_locus, Atlas& atlas)
+{
+  normalize(atlas.texture_coordinates);
   measure(atlas);
   atlas.overlap = overlap(atlas);
 
@@ -169,5 +176,4 @@ Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string
   const Cut_locus::Graph& graph = cut_locus.graph();
   for(auto v : CGAL::make_range(vertices(graph)))
     atlas.seam_distance = (std::min)(atlas.seam_distance, graph[v].distance);
-  return atlas;
 }

@@ -35,6 +35,13 @@ struct Atlas
 // Throws `std::runtime_error` if the surface can not be flattened.
 Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string& parameterization);
 
+// The same of several sources: their cells side by side, each cut open to a disk along the cut locus inside of it, and,
+// where this leaves a ring around a source that is a curve, along edges.
+Atlas make_atlas_of_cells(const Mesh& mesh, const Cut_locus& cut_locus, const std::string& parameterization);
+
+// Scales the texture coordinates, and measures.
+void finish_atlas(const Cut_locus& cut_locus, Atlas& atlas);
+
 // Writes the OBJ file, and a material and a texture beside it. Throws `std::runtime_error` if that fails.
 void write_atlas(const std::string& filename, const Atlas& atlas);
 

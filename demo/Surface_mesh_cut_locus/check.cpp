@@ -11,9 +11,10 @@
 #include <iomanip>
 #include <sstream>
 
-Check check(const Mesh& mesh, const Cut_locus& cut_locus)
+Check check(const Mesh& mesh, const Cut_locus& cut_locus,
+            const std::vector<std::vector<Mesh::Edge_index>>& source_curves)
 {
-  const curve_measures::Measures m = curve_measures::measure(mesh, cut_locus);
+  const curve_measures::Measures m = curve_measures::measure(mesh, cut_locus, source_curves);
   return {m.topology_fault, m.measuring_failed, m.mean, m.p99, m.max};
 }
 

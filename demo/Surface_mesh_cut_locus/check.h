@@ -11,6 +11,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 // What holds for a computed cut locus, found without knowing the true one; lengths in mean edge lengths.
 struct Check
@@ -20,7 +21,9 @@ struct Check
   double detour_mean, detour_p99, detour_max;
 };
 
-Check check(const Mesh& mesh, const Cut_locus& cut_locus);
+// The sources that are curves, behind the points, are given by their edges.
+Check check(const Mesh& mesh, const Cut_locus& cut_locus,
+            const std::vector<std::vector<Mesh::Edge_index>>& source_curves);
 
 // One line for people.
 std::string summary(const Check& check);

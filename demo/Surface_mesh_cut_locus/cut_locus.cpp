@@ -10,6 +10,7 @@
 #include "Options.h"
 #include "Progress.h"
 #include "atlas.h"
+#include "cells.h"
 #include "check.h"
 #include "each_source.h"
 #include "output.h"
@@ -79,11 +80,17 @@ bool run(const Options& options)
     drawn = along(curve_of_files(options));
   if(!options.edges.empty())
     mesh_edges = along(Curve::MESH_EDGES);
+  std::optional<Cells> cells;
+  const bool has_picture = std::any_of(options.outputs.begin(), options.outputs.end(), is_picture_name);
+  if(!options.cells.empty() || (has_picture && cut_locus.number_of_sources() > 1))
+    progress.run("cells", [&]() { cells = make_cells(mesh, voronoi_diagram(*solver)); });
   progress.run("write",
                [&]()
                {
     if(drawn)
-      write_outputs(options.outputs, *drawn, input, source_curves, options.view);
+      write_outputs(options.outputs, *drawn, input, source_curves, cells, options.view);
+    if(!options.cells.empty())
+      write_cells(options.cells, *cells);
     if(mesh_edges)
       write_edges(options.edges, *mesh_edges, input);
   });
@@ -92,7 +99,9 @@ bool run(const Options& options)
     progress.run("flatten",
                  [&]()
                  {
-      atlas = make_atlas(mesh, cut_locus, options.parameterization);
+      atlas = cut_locus.number_of_sources() > 1 || !source_curves.empty()
+                ? make_atlas_of_cells(mesh, cut_locus, options.parameterization)
+                : make_atlas(mesh, cut_locus, options.parameterization);
       write_atlas(options.uv, *atlas);
     });
   std::optional<Unfolding> unfolding;
@@ -105,7 +114,7 @@ bool run(const Options& options)
     });
   std::optional<Check> checked;
   if(options.check)
-    progress.run("check", [&]() { checked = check(mesh, cut_locus); });
+    progress.run("check", [&]() { checked = check(mesh, cut_locus, source_curves); });
   if(!options.report.empty())
     write_report(fill_in_defaults(options, *solver), curve, input, cut_locus, atlas, checked, progress);
   const bool is_right = !checked || checked->topology_fault.empty();

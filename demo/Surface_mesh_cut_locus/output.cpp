@@ -40,8 +40,8 @@ const Format formats[] = {
   {".obj", "Wavefront, lines", nullptr},
   {".vtp", "VTK, with distances and strengths", nullptr},
   {".ply", "PLY, vertices and edges with the same", nullptr},
-  {".png", "picture from two sides", picture::write_png},
-  {".svg", "picture from two sides, vector graphics", picture::write_svg},
+  {".png", "picture from two sides, of several sources with coloured cells", picture::write_png},
+  {".svg", "the same, vector graphics", picture::write_svg},
 };
 
 const Format* find_format(const std::string& filename)
@@ -61,9 +61,35 @@ picture::Vector to_vector(const Kernel::Point_3& p)
   return {{p.x(), p.y(), p.z()}};
 }
 
-picture::Scene make_scene(const Cut_locus& cut_locus, const Mesh& mesh, const Curves& source_curves)
+// Light colours that differ from those beside them, however many there are: hues by the golden ratio.
+picture::Color color_of_cell(std::size_t source)
 {
-  picture::Scene scene;
+  if(source == Cells::none)
+    return {0.8, 0.8, 0.8};
+  constexpr double golden = 0.6180339887498949, least = 0.62;
+  const double hue = 6. * std::fmod(0.1 + golden * double(source), 1.);
+  const auto channel = [&](double shift)
+  {
+    const double t = std::fmod(hue + shift, 6.);
+    return least + (1. - least) * (std::max)(0., (std::min)({t, 4. - t, 1.}));
+  };
+  return {channel(2.), channel(0.), channel(4.)};
+}
+
+void add_cells(const Cells& cells, picture::Scene& scene)
+{
+  scene.points = cells.mesh.points;
+  scene.values = cells.distance;
+  for(std::size_t f = 0; f < cells.source.size(); ++f)
+  {
+    const auto& t = cells.mesh.triangles[f];
+    scene.triangles.push_back({{t[0], t[1], t[2]}});
+    scene.colors.push_back(color_of_cell(cells.source[f]));
+  }
+}
+
+void add_mesh(const Mesh& mesh, const Cut_locus& cut_locus, picture::Scene& scene)
+{
   for(Mesh::Vertex_index v : mesh.vertices())
   {
     scene.points.push_back(to_vector(mesh.point(v)));
@@ -74,6 +100,16 @@ picture::Scene make_scene(const Cut_locus& cut_locus, const Mesh& mesh, const Cu
     const Mesh::Halfedge_index h = mesh.halfedge(f);
     scene.triangles.push_back({{mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx()}});
   }
+}
+
+picture::Scene make_scene(const Cut_locus& cut_locus, const Mesh& mesh, const Curves& source_curves,
+                          const std::optional<Cells>& cells)
+{
+  picture::Scene scene;
+  if(cells)
+    add_cells(*cells, scene);
+  else
+    add_mesh(mesh, cut_locus, scene);
   for(const auto& points : CGAL::Cut_loci::extract_polylines(cut_locus))
   {
     scene.polylines.emplace_back();
@@ -96,9 +132,10 @@ picture::Scene make_scene(const Cut_locus& cut_locus, const Mesh& mesh, const Cu
 }
 
 std::vector<picture::Rendered_view> draw(const Cut_locus& cut_locus, const Mesh& mesh, const Curves& source_curves,
+                                         const std::optional<Cells>& cells,
                                          const std::optional<picture::Vector>& toward)
 {
-  const picture::Scene scene = make_scene(cut_locus, mesh, source_curves);
+  const picture::Scene scene = make_scene(cut_locus, mesh, source_curves, cells);
   const std::vector<picture::View> views =
     toward ? std::vector<picture::View>{picture::look_from(*toward, picture::guess_up(scene))}
            : picture::choose_two_views(scene, scene.dots.back().point, scene.dots.front().point);
@@ -135,6 +172,12 @@ bool is_output_name(const std::string& filename)
   return find_format(filename) != nullptr;
 }
 
+bool is_picture_name(const std::string& filename)
+{
+  const Format* const format = find_format(filename);
+  return format != nullptr && format->write_picture != nullptr;
+}
+
 std::string output_extensions()
 {
   std::string result;
@@ -152,7 +195,8 @@ std::string output_descriptions()
 }
 
 void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& cut_locus, const Input_mesh& input,
-                   const Curves& source_curves, const std::optional<std::array<double, 3>>& view)
+                   const Curves& source_curves, const std::optional<Cells>& cells,
+                   const std::optional<std::array<double, 3>>& view)
 {
   std::vector<picture::Rendered_view> views; // drawn once for all pictures
   for(const std::string& filename : filenames)
@@ -165,7 +209,7 @@ void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& c
     else
     {
       if(views.empty())
-        views = draw(cut_locus, input.mesh, source_curves, view);
+        views = draw(cut_locus, input.mesh, source_curves, cells, view);
       format->write_picture(filename, views);
     }
   }

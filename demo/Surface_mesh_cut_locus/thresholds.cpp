@@ -16,6 +16,16 @@ namespace {
 
 constexpr std::size_t enough_smoothing = 4; // steps
 
+// One of the two replaces the defaults of both.
+template <typename NamedParameters>
+Cut_locus apply_exact_thresholds(const Options& options, const Cut_locus_solver& solver, const NamedParameters& np)
+{
+  return options.minimum_branch_gap || options.minimum_branch_width
+           ? solver.cut_locus(np.minimum_branch_gap(options.minimum_branch_gap.value_or(0.))
+                                .minimum_branch_width(options.minimum_branch_width.value_or(0.)))
+           : solver.cut_locus(np);
+}
+
 } // namespace
 
 Mesh::Vertex_index find_vertex(std::size_t number, const Input_mesh& input, const std::string& origin)
@@ -64,22 +74,15 @@ Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solve
 {
   using CGAL::Cut_loci::Filter_policy;
   const double least_length = options.minimum_branch_length.value_or(0.);
+  const auto part =
+    CGAL::parameters::voronoi(options.kept == Kept_part::VORONOI).medial(options.kept == Kept_part::MEDIAL);
   if(has_curves(options))
-    return options.minimum_branch_gap || options.minimum_branch_width
-             ? solver.cut_locus(CGAL::parameters::minimum_branch_gap(options.minimum_branch_gap.value_or(0.))
-                                  .minimum_branch_width(options.minimum_branch_width.value_or(0.)))
-             : solver.cut_locus();
+    return apply_exact_thresholds(options, solver, part);
   if(options.method != Method::LAPLACIAN)
-  {
-    const auto parameters = CGAL::parameters::minimum_branch_edges(options.minimum_branch_edges.value_or(0))
-                              .minimum_branch_length(least_length)
-                              .cut_locus_curve(curve);
-    // one of the two replaces the defaults of both
-    return options.minimum_branch_gap || options.minimum_branch_width
-             ? solver.cut_locus(parameters.minimum_branch_gap(options.minimum_branch_gap.value_or(0.))
-                                  .minimum_branch_width(options.minimum_branch_width.value_or(0.)))
-             : solver.cut_locus(parameters);
-  }
+    return apply_exact_thresholds(options, solver,
+                                  part.minimum_branch_edges(options.minimum_branch_edges.value_or(0))
+                                    .minimum_branch_length(least_length)
+                                    .cut_locus_curve(curve));
   const std::size_t smoothing = curve == Curve::MESH_EDGES ? 0 : options.smoothing.value_or(enough_smoothing);
   return solver.cut_locus(
     CGAL::parameters::gradient_angle_threshold(options.angle.value_or(solver.gradient_angle_threshold()))
@@ -88,6 +91,11 @@ Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solve
       .minimum_branch_edges(options.minimum_branch_edges.value_or(solver.default_minimum_branch_edges()))
       .minimum_branch_length(least_length)
       .number_of_iterations(smoothing));
+}
+
+Cut_locus voronoi_diagram(const Cut_locus_solver& solver)
+{
+  return solver.cut_locus(CGAL::parameters::cut_locus_curve(Curve::THROUGH_FACES).voronoi(true));
 }
 
 Curve curve_of_files(const Options& options)

@@ -23,6 +23,9 @@ Options fill_in_defaults(Options options, const Cut_locus_solver& solver);
 
 Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver, CGAL::Cut_loci::Curve curve);
 
+// That of several sources, through the faces.
+Cut_locus voronoi_diagram(const Cut_locus_solver& solver);
+
 // The curve that files of curves get.
 CGAL::Cut_loci::Curve curve_of_files(const Options& options);
 

@@ -7,8 +7,11 @@
 #ifndef CGAL_CUT_LOCI_HELPERS_DETOUR_H
 #define CGAL_CUT_LOCI_HELPERS_DETOUR_H
 
+#include "Source_set.h"
 #include "Union_find.h"
 #include "curve_topology.h"
+#include "location_in_part.h"
+#include "topology_beside_curves.h"
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/curve/curve_refinement.h>
@@ -20,7 +23,6 @@
 #include <CGAL/Cut_loci/surface/connected_components.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
-#include <CGAL/Cut_loci/surface/vector_3.h>
 #include <CGAL/Cut_locus.h>
 
 #include <algorithm>
@@ -29,12 +31,13 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <string>
 #include <vector>
 
 // How good a computed cut locus is on a mesh of which nobody knows the true one.
 //
-// No shortest path from the source crosses the cut locus: so cutting the mesh open along the curve must change no
+// No shortest path from the source, or from several, crosses the cut locus: so cutting the mesh open along the curve must change no
 // distance. The detour of a vertex is its distance on the mesh cut open, the smallest over its copies, minus that on
 // the mesh. It is 0 everywhere for a curve on the cut locus, at most about one edge where mesh edges zigzag around it,
 // and large where a branch lies across shortest paths.
@@ -72,11 +75,12 @@ inline Union_find parts_of_faces(const Indexed_mesh& mesh, const Seams& seams)
   return result;
 }
 
-// The graph of the seams and the border loops, each loop as one node, must be connected and have 2g cycles, and its
-// complement one part: then the Euler characteristic of that is 1, and it is an open disk. `root` is on the curve even
-// if it has no edge.
-inline std::string topology_fault(const Indexed_mesh& mesh, const Seams& seams, Index root)
+// The graph of the seams and the border loops, each loop as one node, must be connected and have 2g - 1 + k cycles for k
+// sources, and its complement k parts, with one of them in each: then the Euler characteristic of that is k, and it is k
+// open disks. `root` is on the curve even if it has no edge.
+inline std::string topology_fault(const Indexed_mesh& mesh, const Seams& seams, Index root, const Source_set& set)
 {
+  const auto disks = static_cast<std::int64_t>(set.points.size());
   const CGAL::Cut_loci::Mesh_connectivity connectivity(mesh);
   const Index nv = mesh.number_of_vertices(), loops = connectivity.number_of_border_loops;
   const auto node = [&](Index v) { return connectivity.is_border(v) ? nv + connectivity.border_loop[v] : v; };
@@ -99,19 +103,37 @@ inline std::string topology_fault(const Indexed_mesh& mesh, const Seams& seams, 
   if(components != 1)
     return "the curve and the border have " + std::to_string(components) + " components";
   const std::int64_t cycles = arcs - nodes + 1, genus = connectivity.genus(mesh);
-  if(cycles != 2 * genus)
+  if(cycles != 2 * genus - 1 + disks)
     return std::to_string(cycles) + " independent cycles on a surface of genus " + std::to_string(genus);
-  const std::size_t parts = parts_of_faces(mesh, seams).number_of_parts();
-  return parts == 1 ? std::string() : "the complement has " + std::to_string(parts) + " parts";
+  Union_find faces = parts_of_faces(mesh, seams);
+  if(std::int64_t(faces.number_of_parts()) != disks)
+    return "the complement has " + std::to_string(faces.number_of_parts()) + " parts";
+  std::set<Index> at_sources;
+  for(Index f : set.faces_at_points(mesh))
+    at_sources.insert(faces.find(f));
+  return std::int64_t(at_sources.size()) == disks ? std::string() : "a part of the complement has no source";
 }
 
-// Opens seams until the complement is in one piece: pieces that are walled in have no distance.
-inline void open_pockets(const Indexed_mesh& mesh, Seams& seams)
+// Opens seams until there is a source in each piece: those that are walled in have no distance. The faces at the sources
+// are given if there are several; else one piece is left.
+inline void open_pockets(const Indexed_mesh& mesh, const std::vector<Index>& at_sources, Seams& seams)
 {
   Union_find faces = parts_of_faces(mesh, seams);
+  std::vector<bool> has_source(mesh.number_of_faces(), false); // for each part, at its representative
+  for(Index f : at_sources)
+    has_source[faces.find(f)] = true;
   for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-    if(is_inner_edge(mesh, h) && seams[h] && faces.unite(h / 3, mesh.opposite[h] / 3))
-      seams[h] = seams[mesh.opposite[h]] = 0;
+  {
+    if(!is_inner_edge(mesh, h) || !seams[h])
+      continue;
+    const Index p = faces.find(h / 3), q = faces.find(mesh.opposite[h] / 3);
+    if(p == q || (has_source[p] && has_source[q]))
+      continue;
+    const bool has_one = has_source[p] || has_source[q];
+    faces.unite(p, q);
+    has_source[faces.find(p)] = has_one;
+    seams[h] = seams[mesh.opposite[h]] = 0;
+  }
 }
 
 // The component of the source, its faces split along the curve. The first vertices are those of the component.
@@ -148,60 +170,40 @@ inline Prepared prepared(const CGAL::Cut_loci::internal::Curve_on_component& on,
   return result;
 }
 
-// The place of a point of face `f` in the part of the face that has it, or that it misses least by rounding.
-inline CGAL::Cut_loci::Indexed_location location_in_part(const Prepared& split, Index f,
-                                                         const std::array<double, 3>& point)
+// the faces of the split mesh that the sources are in, or at
+inline std::vector<Index> faces_at(const Source_set& set, const CGAL::Cut_loci::internal::Curve_on_component& on,
+                                   const Prepared& split)
 {
-  using namespace CGAL::Cut_loci::internal;
-  CGAL::Cut_loci::Indexed_location best;
-  double best_least = -(std::numeric_limits<double>::infinity)();
-  for(Index part = 0; part < split.faces.size(); ++part)
-  {
-    if(split.faces[part] != f)
-      continue;
-    const auto& t = split.mesh.triangles[part];
-    const Vector &p = split.mesh.points[t[0]], &q = split.mesh.points[t[1]], &r = split.mesh.points[t[2]];
-    const Vector normal = cross(q - p, r - p);
-    const double area = dot(normal, normal);
-    std::array<double, 3> c = {{dot(cross(q - point, r - point), normal) / area,
-                                dot(cross(r - point, p - point), normal) / area,
-                                dot(cross(p - point, q - point), normal) / area}};
-    const double least = *std::min_element(c.begin(), c.end());
-    if(!(least > best_least))
-      continue;
-    double sum = 0.;
-    for(double& x : c)
-      sum += x = (std::max)(x, 0.);
-    for(double& x : c)
-      x /= sum;
-    best_least = least;
-    best.face = part;
-    best.coordinates = c;
-  }
-  return best;
+  std::vector<Index> result;
+  std::set<Index> at = set.vertices_of_curves(on.component.mesh);
+  for(const CGAL::Cut_loci::Indexed_source& source : set.points)
+    if(source.vertex != null_index)
+      at.insert(source.vertex);
+    else
+      result.push_back(location_in_part(on.component.mesh, split.mesh, split.faces, source.location).face);
+  for(Index h = 0; h < split.mesh.number_of_halfedges(); ++h)
+    if(at.count(split.mesh.source(h)) > 0)
+      result.push_back(h / 3);
+  return result;
 }
 
-// A source on the curve has several copies, all of them sources.
-inline std::vector<CGAL::Cut_loci::Indexed_location> sources(const CGAL::Cut_loci::internal::Curve_on_component& on,
-                                                             const Prepared& split, const Indexed_mesh& cut,
-                                                             const std::vector<Index>& origin)
+// Where a mesh is cut open the points have several copies, all of them sources, and so have the vertices of curves.
+inline std::vector<CGAL::Cut_loci::Indexed_location> sources(const Source_set& set,
+                                                             const CGAL::Cut_loci::internal::Curve_on_component& on,
+                                                             const Prepared& split, const CGAL::Cut_loci::Cut_mesh& cut)
 {
-  using namespace CGAL::Cut_loci::internal;
   std::vector<CGAL::Cut_loci::Indexed_location> result;
-  if(on.curve.source_vertex == null_index)
+  std::set<Index> at = set.vertices_of_curves(on.component.mesh);
+  for(const CGAL::Cut_loci::Indexed_source& source : set.points)
+    if(source.vertex != null_index)
+      at.insert(source.vertex);
+    else
+      result.push_back(location_in_part(on.component.mesh, split.mesh, split.faces, source.location));
+  std::vector<bool> is_done(cut.mesh.number_of_vertices(), false);
+  for(Index h = 0; h < cut.mesh.number_of_halfedges(); ++h)
   {
-    Vector point = {{0., 0., 0.}};
-    for(int i = 0; i < 3; ++i)
-      point = point + on.curve.source.coordinates[i] *
-                        on.component.mesh.points[on.component.mesh.triangles[on.curve.source.face][i]];
-    result.push_back(location_in_part(split, on.curve.source.face, point));
-    return result;
-  }
-  std::vector<bool> is_done(cut.number_of_vertices(), false);
-  for(Index h = 0; h < cut.number_of_halfedges(); ++h)
-  {
-    const Index v = cut.source(h);
-    if(origin[v] != on.curve.source_vertex || is_done[v])
+    const Index v = cut.mesh.source(h);
+    if(is_done[v] || at.count(cut.vertices[v]) == 0)
       continue;
     is_done[v] = true;
     result.push_back(CGAL::Cut_loci::internal::location_on(h));
@@ -210,24 +212,56 @@ inline std::vector<CGAL::Cut_loci::Indexed_location> sources(const CGAL::Cut_loc
 }
 
 inline std::vector<double> exact_distances(const Indexed_mesh& mesh,
-                                           const std::vector<CGAL::Cut_loci::Indexed_location>& sources)
+                                           const std::vector<CGAL::Cut_loci::Indexed_location>& sources,
+                                           const std::vector<Index>& lines = {})
 {
   CGAL::Cut_loci::internal::Exact_geodesic_propagation propagation(mesh);
-  propagation.run(sources);
+  CGAL::Cut_loci::internal::Exact_geodesic_options options;
+  options.owners.assign(sources.size(), 0);
+  for(Index h : lines)
+    options.lines.push_back({h, 0});
+  options.directions = !lines.empty();
+  propagation.run(sources, options);
   return propagation.distances();
 }
 
-// the smallest distance over the copies of each vertex of the component
-inline std::vector<double> distances_cut_open(const CGAL::Cut_loci::internal::Curve_on_component& on,
-                                              const Prepared& split)
+// The smallest distance over the copies of each vertex of the component, on the mesh cut open along the seams and along
+// the curves that are sources, which no shortest path crosses.
+inline std::vector<double>
+distances_cut_open(const Source_set& set, const CGAL::Cut_loci::internal::Curve_on_component& on, const Prepared& split)
 {
-  const CGAL::Cut_loci::Cut_mesh cut = CGAL::Cut_loci::cut_open(split.mesh, split.seams);
-  const std::vector<double> distance = exact_distances(cut.mesh, sources(on, split, cut.mesh, cut.vertices));
+  const std::vector<Index> lines = set.lines(on.component.mesh, split.mesh, split.faces);
+  Seams seams = split.seams;
+  for(Index h : lines)
+    CGAL::Cut_loci::add_seam(split.mesh, h, seams);
+  const CGAL::Cut_loci::Cut_mesh cut = CGAL::Cut_loci::cut_open(split.mesh, seams);
+  const std::vector<double> distance = exact_distances(cut.mesh, sources(set, on, split, cut), lines);
   std::vector<double> result(on.component.mesh.number_of_vertices(), (std::numeric_limits<double>::infinity)());
   for(Index v = 0; v < distance.size(); ++v)
     if(cut.vertices[v] < result.size())
       result[cut.vertices[v]] = (std::min)(result[cut.vertices[v]], distance[v]);
   return result;
+}
+
+// the same with no seams
+inline std::vector<double> distances(const Source_set& set, const CGAL::Cut_loci::internal::Curve_on_component& on)
+{
+  Prepared whole;
+  whole.mesh = on.component.mesh;
+  whole.faces.resize(whole.mesh.number_of_faces());
+  std::iota(whole.faces.begin(), whole.faces.end(), Index(0));
+  whole.seams.assign(whole.mesh.number_of_halfedges(), 0);
+  return distances_cut_open(set, on, whole);
+}
+
+inline std::string topology_fault(const Source_set& set, const CGAL::Cut_loci::internal::Curve_on_component& on,
+                                  const Prepared& split)
+{
+  if(!set.curves.empty())
+    return topology_fault_beside_curves(on.component.mesh, on.curve.graph, set);
+  if(on.curve.is_of_mesh_edges)
+    return topology_fault(split.mesh, split.seams, split.root, set);
+  return Curve_topology(on.component.mesh, on.curve.graph).fault(set.points.size());
 }
 
 inline void set_detour(const std::vector<double>& before, const std::vector<double>& after, double unit,
@@ -254,7 +288,8 @@ inline void set_detour(const std::vector<double>& before, const std::vector<doub
 } // namespace internal
 
 /*
- * measures the topology and the detour of a cut locus of edges of the mesh, or through the faces.
+ * measures the topology and the detour of a cut locus of edges of the mesh, or through the faces: all of it, and not the
+ * Voronoi diagram of several sources alone. Sources that are curves have to be given, in their order.
  *
  * The faces that a curve runs through are split first. To keep the solver from faces without area the curve is rounded
  * to 2^-16 of an edge, or more coarsely if that is not enough; if no rounding helps, `measuring_failed` says why.
@@ -263,7 +298,7 @@ inline void set_detour(const std::vector<double>& before, const std::vector<doub
  */
 template <typename TriangleMesh, typename Point_3>
 Measures measure(const TriangleMesh& tm, const CGAL::Cut_locus<TriangleMesh, Point_3>& cut_locus,
-                 std::vector<double>& exact)
+                 std::vector<double>& exact, const Edge_curves<TriangleMesh>& source_curves = {})
 {
   namespace lib = CGAL::Cut_loci::internal;
   Measures result;
@@ -271,19 +306,19 @@ Measures measure(const TriangleMesh& tm, const CGAL::Cut_locus<TriangleMesh, Poi
   {
     const auto read = lib::read_triangle_mesh(tm, get(CGAL::vertex_point, tm));
     const lib::Curve_on_component on = lib::on_component(read.mesh, lib::curve_on_mesh(read, tm, cut_locus));
+    const internal::Source_set set = internal::source_set(tm, read, on, source_curves);
     const double unit = CGAL::Cut_loci::Mesh_connectivity(on.component.mesh).mean_edge_length;
     if(exact.empty())
-      exact = internal::exact_distances(on.component.mesh, {on.curve.source});
+      exact = internal::distances(set, on);
     for(const Index resolution : {Index(1) << 16, Index(1) << 12, Index(1) << 8})
       try
       {
         result = Measures();
         internal::Prepared split = internal::prepared(on, resolution);
-        result.topology_fault = on.curve.is_of_mesh_edges
-                                  ? internal::topology_fault(split.mesh, split.seams, split.root)
-                                  : internal::Curve_topology(on.component.mesh, on.curve.graph).fault();
-        internal::open_pockets(split.mesh, split.seams);
-        internal::set_detour(exact, internal::distances_cut_open(on, split), unit, result);
+        result.topology_fault = internal::topology_fault(set, on, split);
+        const bool is_one = set.points.size() + set.curves.size() == 1;
+        internal::open_pockets(split.mesh, is_one ? std::vector<Index>() : faces_at(set, on, split), split.seams);
+        internal::set_detour(exact, internal::distances_cut_open(set, on, split), unit, result);
         result.worst = read.positions[on.component.vertices[result.worst]];
         return result;
       }
@@ -302,10 +337,11 @@ Measures measure(const TriangleMesh& tm, const CGAL::Cut_locus<TriangleMesh, Poi
 }
 
 template <typename TriangleMesh, typename Point_3>
-Measures measure(const TriangleMesh& tm, const CGAL::Cut_locus<TriangleMesh, Point_3>& cut_locus)
+Measures measure(const TriangleMesh& tm, const CGAL::Cut_locus<TriangleMesh, Point_3>& cut_locus,
+                 const Edge_curves<TriangleMesh>& source_curves = {})
 {
   std::vector<double> exact;
-  return measure(tm, cut_locus, exact);
+  return measure(tm, cut_locus, exact, source_curves);
 }
 
 } // namespace curve_measures

@@ -319,7 +319,8 @@ public:
    *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as value type}
    *     \cgalParamDefault{none}
    *     \cgalParamExtra{Each of them must be connected, and no two sources may have a vertex in common. Distances to them are
-   *                     wrong by up to about 1e-4 of their longest edge.}
+   *                     wrong by up to about 1e-4 of their longest edge. Polylines through the faces become such
+   *                     edges by `refine_along_polylines()`.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{source_border}
    *     \cgalParamDescription{whether each border loop is a source, behind all others}

@@ -104,6 +104,7 @@ void cut_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh, P
   const auto read = internal::read_triangle_mesh(tm, vpm);
   const internal::Curve_on_component on =
     internal::on_component(read.mesh, internal::curve_on_mesh(read, tm, cut_locus));
+  internal::throw_unless_of_one_source(on.curve);
   internal::throw_unless_of_mesh_edges(on.curve);
   const Cut_loci::Mesh_connectivity connectivity = internal::manifold_connectivity(on.component.mesh);
   const Cut_loci::Cut_mesh cut = internal::cut_open_to_disk(
@@ -151,6 +152,7 @@ mark_cut_locus_seams(const TriangleMesh& tm, const Cut_locus<TriangleMesh, Point
   const auto read = internal::read_triangle_mesh(tm, get_const_property_map(vertex_point, tm));
   const internal::Curve_on_component on =
     internal::on_component(read.mesh, internal::curve_on_mesh(read, tm, cut_locus));
+  internal::throw_unless_of_one_source(on.curve);
   internal::throw_unless_of_mesh_edges(on.curve);
   const Cut_loci::Indexed_triangle_mesh& mesh = on.component.mesh;
   const Cut_loci::Seams seams = internal::seams_of_mesh_edges(mesh, internal::manifold_connectivity(mesh), on.curve);

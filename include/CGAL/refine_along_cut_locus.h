@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/curve/curve_refinement.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/output_maps.h>
+#include <CGAL/Cut_loci/face_graph/snapping_of_curves.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_loci/surface/split_fans.h>
@@ -22,27 +23,9 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cmath>
 #include <vector>
 
 namespace CGAL {
-
-namespace Cut_loci {
-namespace internal {
-
-// The accuracy of a curve through the faces is some hundredths of an edge: a grid of 256 moves it by less.
-constexpr double default_snapping_of_curves = 1. / 256.;
-
-inline Index resolution_of(double tolerance)
-{
-  constexpr double least = 1. / (1 << 20); // the square of its reciprocal is far below what rounding errors spoil
-  if(!(tolerance >= least && tolerance <= 0.5))
-    throw Invalid_input(Cause::INVALID_PARAMETER, "the snapping tolerance must be from 2^-20 to 0.5");
-  return static_cast<Index>(std::lround(1. / tolerance));
-}
-
-} // namespace internal
-} // namespace Cut_loci
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusRef
@@ -165,11 +148,12 @@ void cut_along_curve(const TriangleMesh& tm, const Cut_locus<TriangleMesh, Point
     tm, choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm)));
   const internal::Curve_on_component on =
     internal::on_component(read.mesh, internal::curve_on_mesh(read, tm, cut_locus));
+  internal::throw_unless_of_one_source(on.curve);
   Cut_loci::Refined_mesh refined = Cut_loci::refine_along_curve(
     on.component.mesh, internal::manifold_connectivity(on.component.mesh), on.curve.graph, resolution);
   Cut_loci::repair_seams(refined.mesh, refined.nodes.front(), refined.seams);
   Cut_loci::complete_seams(refined.mesh, Cut_loci::Mesh_connectivity(refined.mesh), refined.nodes.front(),
-                           on.curve.source_vertex, refined.seams);
+                           on.curve.sources.front().vertex, refined.seams);
   const Cut_loci::Cut_mesh cut = internal::cut_open_to_disk(refined.mesh, refined.seams);
 
   std::vector<Index> vertices, faces;

@@ -10,6 +10,7 @@ first. A computation releases the GIL, so that threads with objects of their own
 
 from ._core import InvalidInput
 from ._cut_locus import CutLocus, Result, compute
+from ._cut_loci import compute_cut_loci
 from ._disk import Disk, cut_open
 from ._geodesics import ExactGeodesics, Path, exact_geodesic_distances, shortest_paths
 
@@ -23,6 +24,7 @@ __all__ = [
     "Path",
     "Result",
     "compute",
+    "compute_cut_loci",
     "cut_open",
     "exact_geodesic_distances",
     "shortest_paths",

@@ -1,4 +1,4 @@
-"""The cut locus of a point, or of several."""
+"""The cut locus of a point, of several points, or of curves."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._disk import Disk, disk_of
-from ._input import Sources, read_mesh, read_sources, value_of
+from ._input import Curves, Sources, read_curves, read_mesh, read_sources, value_of
 
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
@@ -24,9 +24,10 @@ class Result:
     Its n points and m edges are arrays, made when they are first asked for. It does not change, and it keeps the mesh.
     """
 
-    def __init__(self, core: _core.Result, method: str) -> None:
+    def __init__(self, core: _core.Result, method: str, has_edge_lengths: bool) -> None:
         self._core = core
         self._method = method
+        self._has_edge_lengths = has_edge_lengths
 
     def __repr__(self) -> str:
         return (f"<cut_locus.Result: {len(self.points)} points, {len(self.edges)} edges, {self.cycles} cycles, "
@@ -119,7 +120,7 @@ class Result:
 
     @cached_property
     def source_points(self) -> Floats:
-        """(k, 3): the sources in space, in the order in which they were given."""
+        """(k, 3): the sources in space, in the order in which they were given, points first; of a curve a vertex."""
         return self._core.source_points()
 
     @cached_property
@@ -146,7 +147,7 @@ class Result:
 
     @property
     def cycles(self) -> int:
-        """The number of independent cycles: 2 g on a closed surface of genus g, and 2 g - 1 + k for k sources."""
+        """The number of independent cycles: 2 g on a closed surface of genus g, and 2 g - 1 + k for k points."""
         return self._core.cycles
 
     @property
@@ -191,6 +192,9 @@ class Result:
 
     def cut_open(self, *, parameterization: Optional[str] = "arap") -> Disk:
         """Cuts the surface open along the cut locus, to a disk, and flattens it. See `cut_locus.cut_open()`."""
+        if self._has_edge_lengths and parameterization is not None:
+            raise _core.InvalidInput("surfaces are flattened by their points, and not by edge_lengths: pass "
+                                     "parameterization=None")
         return disk_of(self._core, parameterization)
 
     @cached_property
@@ -218,6 +222,10 @@ class CutLocus:
         branches of the polyhedron) or "laplacian" (default with other solvers, and with `distances`).
     laplacian_operator : str, optional
         "quadratic-fit" (default) or "cotangent"; for the method "laplacian".
+    edge_lengths : (m, 3) real numbers, optional
+        The lengths of the edges of each face, from that between its first two vertices on, in the order of its
+        vertices: they are the metric then, and the points are for output only. For the solver "exact", and not for the
+        method "laplacian". What is in diagonals of the bounding box is then in square roots of the area.
     progress : callable, optional
         Called as ``progress(stage, ends)`` when a stage starts and when it ends: "preprocessing", "distance",
         "strength", "tree", "homology" or "filter". What it raises ends the computation and comes out of it. Ctrl-C is
@@ -234,7 +242,7 @@ class CutLocus:
 
     def __init__(self, vertices: npt.ArrayLike, faces: npt.ArrayLike, *, solver: str = "exact",
                  method: Optional[str] = None, laplacian_operator: Optional[str] = None,
-                 progress: Optional[Progress] = None) -> None:
+                 edge_lengths: Optional[npt.ArrayLike] = None, progress: Optional[Progress] = None) -> None:
         if solver not in _core.solver_names:
             names = ", ".join(repr(name) for name in _core.solver_names)
             raise _core.InvalidInput(f"the solver must be one of {names}, and not {solver!r}")
@@ -242,43 +250,63 @@ class CutLocus:
             raise TypeError(f"progress must be a function, and not {progress!r}")
         self._core = _core.Computation(
             read_mesh(vertices, faces), solver, value_of(_core.Method, method, "method"),
-            value_of(_core.LaplacianOperator, laplacian_operator, "laplacian_operator"), progress)
+            value_of(_core.LaplacianOperator, laplacian_operator, "laplacian_operator"),
+            None if edge_lengths is None else np.asarray(edge_lengths), progress)
+        self._has_edge_lengths = edge_lengths is not None
 
-    def set_source(self, source: Sources, *, distances: Optional[npt.ArrayLike] = None,
-                   snapping_tolerance: float = 1e-10) -> None:
+    def set_source(self, source: Optional[Sources] = None, *, source_curves: Optional[Curves] = None,
+                   source_border: bool = False, distances: Optional[npt.ArrayLike] = None,
+                   snapping_tolerance: float = 1e-10, maximum_relative_error: float = 0.) -> None:
         """Computes the distances to the source, and all that `cut_locus()` needs.
 
         Parameters
         ----------
         source : int, (int, (3,) floats), or a sequence of them
             A vertex; a face and barycentric coordinates in the order of its vertices; or several such points, whose cut
-            locus is their geodesic Voronoi diagram together with the cut locus inside each cell.
+            locus is their geodesic Voronoi diagram together with the cut locus inside each cell. With curves or the
+            border there need not be one.
+        source_curves : sequence of (k,) or (k, 2) whole numbers, optional
+            Curves along edges of the mesh, which are sources too, numbered behind the points: of each one the vertices
+            along it, or the pairs of vertices that its edges join. Each is connected, and no two have a vertex in
+            common. The cut locus runs through the faces then, and parameters for curves along edges are refused.
+        source_border : bool
+            Whether each border loop is a source, behind all others: of a flat region, that gives its medial axis.
         distances : (n,) real numbers, optional
             The geodesic distance of each vertex to the source, if it is known: then no solver runs, and the method is
             "laplacian" unless the constructor was given one. They are copied, since this runs without the GIL.
         snapping_tolerance : float
             A barycentric coordinate up to this value is taken for zero.
+        maximum_relative_error : float
+            By how much distances may be longer than the exact ones, as a share of their length, up to 0.1: faster on
+            large meshes. For points, the solver "exact", and not for the method "polyhedral".
         """
-        numbers, is_set = read_sources(source)
+        if source is None and source_curves is None and not source_border:
+            raise TypeError("there must be a source, source_curves or the source_border")
+        numbers, is_set = read_sources([] if source is None else source)
+        curves = read_curves(source_curves)
         if distances is None:
-            self._core.set_sources(numbers, is_set, snapping_tolerance)
+            self._core.set_sources(numbers, is_set, curves, bool(source_border), snapping_tolerance,
+                                   maximum_relative_error)
             return
-        if len(numbers) != 1:
-            raise _core.InvalidInput("distances are those to one source, and not to a set of several")
+        if maximum_relative_error != 0.:
+            raise _core.InvalidInput("distances are taken as they are: leave maximum_relative_error away")
+        if len(numbers) != 1 or curves or source_border:
+            raise _core.InvalidInput("distances are those to one source, a point, and not to a set of several")
         self._core.set_distances(numbers[0], snapping_tolerance, np.asarray(distances))
 
     def cut_locus(self, *, curve: Optional[str] = None, minimum_branch_width: Optional[float] = None,
                   minimum_branch_gap: Optional[float] = None, gradient_angle_threshold: Optional[float] = None,
                   laplacian_threshold: Optional[float] = None, filter_policy: Optional[str] = None,
                   minimum_branch_edges: Optional[int] = None, minimum_branch_length: Optional[float] = None,
-                  number_of_iterations: Optional[int] = None, voronoi: Optional[bool] = None) -> Result:
+                  number_of_iterations: Optional[int] = None, voronoi: Optional[bool] = None,
+                  medial: Optional[bool] = None) -> Result:
         """Returns the part of the cut locus that passes the thresholds. One of another method is refused.
 
         Parameters
         ----------
         curve : str, optional
             "edges": the result is made of edges of the mesh (default); or "faces": of segments through its faces
-            (default of the method "polyhedral").
+            (default of the method "polyhedral", and what there is for sources that are curves).
         minimum_branch_width : float, optional
             The least separation of the two shortest paths that a branch reaches, in diagonals of the bounding box of
             the source's component; not for "laplacian". Default: see the property of this name.
@@ -298,14 +326,24 @@ class CutLocus:
             Of the smoothing that makes the curve through the faces, for "laplacian": 4 by default.
         voronoi : bool, optional
             Keep the edges between two sources alone; not for "laplacian".
+        medial : bool, optional
+            Keep those inside the cells alone; not for "laplacian".
         """
         core = self._core.cut_locus(
             minimum_branch_width=minimum_branch_width, minimum_branch_gap=minimum_branch_gap,
             gradient_angle_threshold=gradient_angle_threshold, laplacian_threshold=laplacian_threshold,
             filter_policy=value_of(_core.FilterPolicy, filter_policy, "filter_policy"),
             minimum_branch_edges=minimum_branch_edges, number_of_iterations=number_of_iterations,
-            minimum_branch_length=minimum_branch_length, curve=value_of(_core.Curve, curve, "curve"), voronoi=voronoi)
-        return Result(core, self.method)
+            minimum_branch_length=minimum_branch_length, curve=value_of(_core.Curve, curve, "curve"), voronoi=voronoi,
+            medial=medial)
+        return Result(core, self.method, self._has_edge_lengths)
+
+    def _copy(self) -> CutLocus:
+        """For another thread: it shares what has been computed for the mesh alone, and has no source."""
+        result = CutLocus.__new__(CutLocus)
+        result._core = self._core.copy()
+        result._has_edge_lengths = self._has_edge_lengths
+        return result
 
     @property
     def method(self) -> str:
@@ -328,15 +366,18 @@ class CutLocus:
         return self._core.gradient_angle_threshold
 
 
-def compute(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *, solver: str = "exact",
+def compute(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Optional[Sources] = None, *,
+            source_curves: Optional[Curves] = None, source_border: bool = False, solver: str = "exact",
             method: Optional[str] = None, curve: Optional[str] = None, laplacian_operator: Optional[str] = None,
-            distances: Optional[npt.ArrayLike] = None, snapping_tolerance: float = 1e-10,
+            edge_lengths: Optional[npt.ArrayLike] = None, distances: Optional[npt.ArrayLike] = None,
+            snapping_tolerance: float = 1e-10, maximum_relative_error: float = 0.,
             minimum_branch_width: Optional[float] = None, minimum_branch_gap: Optional[float] = None,
             gradient_angle_threshold: Optional[float] = None, laplacian_threshold: Optional[float] = None,
             filter_policy: Optional[str] = None, minimum_branch_edges: Optional[int] = None,
             minimum_branch_length: Optional[float] = None, number_of_iterations: Optional[int] = None,
-            voronoi: Optional[bool] = None, progress: Optional[Progress] = None) -> Result:
-    """Computes the cut locus of a point, or of several, on a triangle mesh.
+            voronoi: Optional[bool] = None, medial: Optional[bool] = None,
+            progress: Optional[Progress] = None) -> Result:
+    """Computes the cut locus of a point, of several points, or of curves, on a triangle mesh.
 
     For one source after another on a mesh, or several thresholds for a source, `CutLocus` does what they share once.
 
@@ -348,12 +389,12 @@ def compute(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *, s
         The vertices of each triangle, oriented alike.
     source : int, (int, (3,) floats), or a sequence of them
         A vertex; a face and barycentric coordinates in the order of its vertices; or several such points.
-    solver, method, laplacian_operator, progress
+    solver, method, laplacian_operator, edge_lengths, progress
         As in `CutLocus`.
-    distances, snapping_tolerance
+    source_curves, source_border, distances, snapping_tolerance, maximum_relative_error
         As in `CutLocus.set_source()`.
     curve, minimum_branch_width, minimum_branch_gap, gradient_angle_threshold, laplacian_threshold, filter_policy, \
-    minimum_branch_edges, minimum_branch_length, number_of_iterations, voronoi
+    minimum_branch_edges, minimum_branch_length, number_of_iterations, voronoi, medial
         As in `CutLocus.cut_locus()`.
 
     Returns
@@ -369,10 +410,12 @@ def compute(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *, s
         If the arrays do not hold real numbers, or whole ones.
     """
     computation = CutLocus(vertices, faces, solver=solver, method=method, laplacian_operator=laplacian_operator,
-                           progress=progress)
-    computation.set_source(source, distances=distances, snapping_tolerance=snapping_tolerance)
+                           edge_lengths=edge_lengths, progress=progress)
+    computation.set_source(source, source_curves=source_curves, source_border=source_border, distances=distances,
+                           snapping_tolerance=snapping_tolerance, maximum_relative_error=maximum_relative_error)
     return computation.cut_locus(
         curve=curve, minimum_branch_width=minimum_branch_width, minimum_branch_gap=minimum_branch_gap,
         gradient_angle_threshold=gradient_angle_threshold, laplacian_threshold=laplacian_threshold,
         filter_policy=filter_policy, minimum_branch_edges=minimum_branch_edges,
-        minimum_branch_length=minimum_branch_length, number_of_iterations=number_of_iterations, voronoi=voronoi)
+        minimum_branch_length=minimum_branch_length, number_of_iterations=number_of_iterations, voronoi=voronoi,
+        medial=medial)

@@ -14,6 +14,10 @@ Location = Tuple[SupportsIndex, Union[Sequence[float], npt.NDArray[Any]]]
 Source = Union[SupportsIndex, Location]
 Sources = Union[Source, Sequence[Source], npt.NDArray[np.integer[Any]]]
 
+Path = Union[Sequence[SupportsIndex], npt.NDArray[np.integer[Any]]]
+Edges = Union[Sequence[Sequence[SupportsIndex]], npt.NDArray[np.integer[Any]]]
+Curves = Sequence[Union[Path, Edges]]
+
 Numbers = Union[int, Tuple[int, Tuple[float, float, float]]]
 Name = TypeVar("Name")
 
@@ -23,6 +27,24 @@ def read_mesh(vertices: npt.ArrayLike, faces: npt.ArrayLike) -> _core.Mesh:
     if faces.size == 0 and faces.dtype == np.float64:  # NumPy's type for an empty list
         faces = faces.astype(np.int64)
     return _core.Mesh(np.asarray(vertices), faces)
+
+
+def read_curves(curves: Optional[Curves]) -> List[List[Tuple[int, int]]]:
+    """The pairs of vertices that the edges of each curve join."""
+    return [_ends_of_edges(number, curve) for number, curve in enumerate([] if curves is None else curves)]
+
+
+def _ends_of_edges(number: int, curve: Any) -> List[Tuple[int, int]]:
+    array = np.asarray(curve)
+    if array.dtype.kind in "iu":
+        if array.ndim == 1:
+            return [(int(v), int(w)) for v, w in zip(array[:-1], array[1:])]
+        if array.ndim == 2 and array.shape[1] == 2:
+            return [(int(v), int(w)) for v, w in array]
+    elif array.size == 0:
+        return []
+    raise TypeError(f"source curve {number} must be the vertices along a path of edges, or the pairs of vertices that "
+                    f"its edges join, and not {curve!r}")
 
 
 def read_sources(sources: Sources) -> Tuple[List[Numbers], bool]:

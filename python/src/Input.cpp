@@ -8,6 +8,7 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 
+#include <cmath>
 #include <string>
 
 using CGAL::Cut_loci::Invalid_input;
@@ -35,6 +36,19 @@ std::string face_name(std::size_t f)
                           " in the same direction: the edge has more than two faces, or they are not oriented alike");
   }
   throw Invalid_input("a vertex of " + face_name(last) + " is not manifold: its faces form several fans");
+}
+
+void check_index(std::int64_t i, std::size_t size, const std::string& kind, const std::string& plural)
+{
+  if(i < 0 || static_cast<std::uint64_t>(i) >= size)
+    throw Invalid_input("there is no " + kind + " #" + std::to_string(i) + ": the mesh has " + std::to_string(size) +
+                        " " + plural);
+}
+
+Mesh::Vertex_index vertex_at(const Mesh& mesh, std::int64_t v)
+{
+  check_index(v, mesh.number_of_vertices(), "vertex", "vertices");
+  return Mesh::Vertex_index(static_cast<Mesh::size_type>(v));
 }
 
 } // namespace
@@ -68,23 +82,60 @@ std::vector<Source> read_sources(const Mesh& mesh, const std::vector<Source_numb
 {
   std::vector<Source> result;
   result.reserve(numbers.size());
-  const auto check = [](std::int64_t i, std::size_t size, const std::string& kind, const std::string& plural)
-  {
-    if(i < 0 || static_cast<std::uint64_t>(i) >= size)
-      throw Invalid_input("there is no " + kind + " #" + std::to_string(i) + ": the mesh has " + std::to_string(size) +
-                          " " + plural);
-  };
   for(const Source_numbers& source : numbers)
     if(const std::int64_t* v = std::get_if<std::int64_t>(&source))
-    {
-      check(*v, mesh.number_of_vertices(), "vertex", "vertices");
-      result.emplace_back(Mesh::Vertex_index(static_cast<Mesh::size_type>(*v)));
-    }
+      result.emplace_back(vertex_at(mesh, *v));
     else
     {
       const auto& location = std::get<1>(source);
-      check(location.first, mesh.number_of_faces(), "face", "faces");
+      check_index(location.first, mesh.number_of_faces(), "face", "faces");
       result.emplace_back(Location(Mesh::Face_index(static_cast<Mesh::size_type>(location.first)), location.second));
     }
+  return result;
+}
+
+std::vector<Source_curve> read_curves(const Mesh& mesh, const std::vector<Curve_numbers>& numbers)
+{
+  std::vector<Source_curve> result;
+  result.reserve(numbers.size());
+  for(const Curve_numbers& curve : numbers)
+  {
+    result.emplace_back();
+    for(const std::array<std::int64_t, 2>& ends : curve)
+    {
+      const Mesh::Vertex_index v = vertex_at(mesh, ends[0]), w = vertex_at(mesh, ends[1]);
+      const Mesh::Halfedge_index h = mesh.halfedge(v, w);
+      if(h == Mesh::null_halfedge())
+        throw Invalid_input("source curve " + std::to_string(result.size() - 1) +
+                            ": the mesh has no edge from vertex #" + std::to_string(ends[0]) + " to vertex #" +
+                            std::to_string(ends[1]));
+      result.back().push_back(mesh.edge(h));
+    }
+  }
+  return result;
+}
+
+std::vector<double> lengths_of_edges(const Mesh& mesh, const std::vector<double>& of_faces)
+{
+  constexpr double rounding = 1e-9; // of whoever computed a length in each face: as far above that as below a use
+  constexpr double unknown = -1.;
+  std::vector<double> result(mesh.number_of_edges(), unknown);
+  for(const Mesh::Face_index f : mesh.faces())
+  {
+    Mesh::Halfedge_index h = mesh.halfedge(f);
+    for(std::size_t i = 0; i < 3; ++i, h = mesh.next(h))
+    {
+      double& length = result[mesh.edge(h)];
+      const double here = of_faces[3 * f + i];
+      if(!(here >= 0.) || !std::isfinite(here))
+        throw Invalid_input(face_name(f) + " has an edge whose length is " + std::to_string(here));
+      if(length == unknown)
+        length = here;
+      else if(std::abs(length - here) > rounding * length)
+        throw Invalid_input(face_name(f) + " and " + face_name(mesh.face(mesh.opposite(h))) +
+                            " have different lengths for their edge: " + std::to_string(here) + " and " +
+                            std::to_string(length));
+    }
+  }
   return result;
 }

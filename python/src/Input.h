@@ -34,4 +34,15 @@ using Source = std::variant<Mesh::Vertex_index, Location>;
 // Throws Invalid_input if there is no such vertex or face.
 std::vector<Source> read_sources(const Mesh& mesh, const std::vector<Source_numbers>& numbers);
 
+// Curves along edges of the mesh, each by the pairs of vertices that its edges join.
+using Curve_numbers = std::vector<std::array<std::int64_t, 2>>;
+using Source_curve = std::vector<Mesh::Edge_index>;
+
+// Throws Invalid_input if there is no such edge.
+std::vector<Source_curve> read_curves(const Mesh& mesh, const std::vector<Curve_numbers>& numbers);
+
+// The length of each edge of the mesh, by its index. Those of a face, of which the argument has three, are in the order of
+// its edges, from that between its first two vertices on. Throws Invalid_input if two faces do not agree.
+std::vector<double> lengths_of_edges(const Mesh& mesh, const std::vector<double>& of_faces);
+
 #endif // SURFACE_MESH_CUT_LOCUS_PYTHON_INPUT_H

@@ -72,6 +72,15 @@ std::vector<std::array<std::uint32_t, 3>> read_faces(const py::array& array, std
   return result;
 }
 
+std::vector<double> read_numbers(const py::array& values, const std::string& name)
+{
+  const char kind = values.dtype().kind();
+  if(kind != 'f' && kind != 'i' && kind != 'u')
+    throw py::type_error("the " + name + " must be real numbers, and not of the type " + type_of(values));
+  const py::array_t<double, py::array::c_style | py::array::forcecast> converted(values);
+  return std::vector<double>(converted.data(), converted.data() + converted.size());
+}
+
 } // namespace
 
 Arrays read_arrays(const py::array& vertices, const py::array& faces)
@@ -114,9 +123,13 @@ std::vector<double> read_vertex_values(const py::array& values, std::size_t numb
   if(values.ndim() != 1 || static_cast<std::size_t>(values.shape(0)) != number_of_vertices)
     throw Invalid_input("the distances must be an array of the shape (" + std::to_string(number_of_vertices) +
                         ",), and not " + shape_of(values));
-  const char kind = values.dtype().kind();
-  if(kind != 'f' && kind != 'i' && kind != 'u')
-    throw py::type_error("the distances must be real numbers, and not of the type " + type_of(values));
-  const py::array_t<double, py::array::c_style | py::array::forcecast> converted(values);
-  return std::vector<double>(converted.data(), converted.data() + converted.size());
+  return read_numbers(values, "distances");
+}
+
+std::vector<double> read_face_lengths(const py::array& values, std::size_t number_of_faces)
+{
+  if(values.ndim() != 2 || static_cast<std::size_t>(values.shape(0)) != number_of_faces || values.shape(1) != 3)
+    throw Invalid_input("the edge lengths must be an array of the shape (" + std::to_string(number_of_faces) +
+                        ", 3), and not " + shape_of(values));
+  return read_numbers(values, "edge lengths");
 }

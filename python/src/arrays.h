@@ -22,6 +22,9 @@ Arrays read_arrays(const pybind11::array& vertices, const pybind11::array& faces
 // One number for each vertex.
 std::vector<double> read_vertex_values(const pybind11::array& values, std::size_t number_of_vertices);
 
+// Three lengths for each face.
+std::vector<double> read_face_lengths(const pybind11::array& values, std::size_t number_of_faces);
+
 // An array of the given shape on the memory of `values`, which is not copied. It can not be written to.
 template <typename T>
 pybind11::array_t<T> to_array(std::vector<T> values, std::vector<pybind11::ssize_t> shape)

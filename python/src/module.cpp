@@ -47,16 +47,30 @@ Mesh_handle read_mesh(const py::array& vertices, const py::array& faces)
 // A solver with the mesh that it refers to.
 struct Computation
 {
-  Computation(std::shared_ptr<const Mesh> m, const py::object& function) : mesh(std::move(m)), progress(function) {}
+  Computation(std::shared_ptr<const Mesh> m, const py::object& function)
+    : mesh(std::move(m)), progress(std::make_shared<Progress>(function))
+  {
+  }
+  // for another thread: see the copy constructor of the solver
+  explicit Computation(const Computation& other, const Solver& of_other)
+    : mesh(other.mesh), progress(other.progress), is_copy(true), has_curves(false),
+      solver(std::make_unique<Solver>(of_other))
+  {
+  }
 
   template <typename Function>
   void run(const Function& function)
   {
-    exclusive.run([&] { progress.watch(function); });
+    if(is_copy) // several use the progress, which must have no function
+      exclusive.run(function);
+    else
+      exclusive.run([&] { progress->watch(function); });
   }
 
   std::shared_ptr<const Mesh> mesh;
-  Progress progress;
+  std::shared_ptr<Progress> progress;
+  bool is_copy = false;
+  bool has_curves = false; // among its sources
   std::unique_ptr<Solver> solver;
   Exclusive exclusive;
 };
@@ -79,6 +93,7 @@ std::string in_python(std::string message)
     {"Cut_loci::Curve::THROUGH_FACES", "\"faces\""},
     {"Cut_loci::Curve::MESH_EDGES", "\"edges\""},
     {"geodesic_solver", "solver"},
+    {"edge_length_map", "edge_lengths"},
     {"vertex_distance_map", "distances"},
     {"the vertex distance map holds", "the distances hold"},
     {"cut_locus_curve", "curve"}};
@@ -139,35 +154,61 @@ PYBIND11_MODULE(_core, m)
   py::class_<Computation>(m, "Computation")
     .def(py::init(
            [](const Mesh_handle& mesh, const std::string& solver, std::optional<loci::Method> method,
-              std::optional<loci::Laplacian_operator> laplacian_operator, const py::object& progress)
+              std::optional<loci::Laplacian_operator> laplacian_operator, const std::optional<py::array>& edge_lengths,
+              const py::object& progress)
            {
     auto result = std::make_unique<Computation>(mesh.mesh, progress);
-    result->run([&]
-                { result->solver = make_solver(solver, method, laplacian_operator, *result->mesh, result->progress); });
+    std::vector<double> lengths;
+    if(edge_lengths)
+      lengths = lengths_of_edges(*mesh.mesh, read_face_lengths(*edge_lengths, mesh.mesh->number_of_faces()));
+    result->run(
+      [&]
+      { result->solver = make_solver(solver, method, laplacian_operator, lengths, *result->mesh, *result->progress); });
     return result;
     }),
-         "mesh"_a, "solver"_a, "method"_a, "laplacian_operator"_a, "progress"_a)
+         "mesh"_a, "solver"_a, "method"_a, "laplacian_operator"_a, "edge_lengths"_a, "progress"_a)
+    .def(
+      "prepare",
+      [](Computation& c, const std::vector<Source_numbers>& numbers, double snapping_tolerance)
+      {
+    c.run(
+      [&]
+      { c.solver->prepare(read_sources(*c.mesh, numbers), CGAL::parameters::snapping_tolerance(snapping_tolerance)); });
+      },
+      "sources"_a, "snapping_tolerance"_a)
+    .def("copy",
+         [](Computation& c) { return c.exclusive.run([&] { return std::make_unique<Computation>(c, *c.solver); }); })
     .def(
       "set_sources",
-      [](Computation& c, const std::vector<Source_numbers>& numbers, bool is_set, double snapping_tolerance)
+      [](Computation& c, const std::vector<Source_numbers>& numbers, bool is_set,
+         const std::vector<Curve_numbers>& curves, bool border, double snapping_tolerance,
+         double maximum_relative_error)
       {
     c.run(
       [&]
       {
       const std::vector<Source> sources = read_sources(*c.mesh, numbers);
-      if(is_set)
-        set_sources(*c.solver, sources, snapping_tolerance);
+      const Source_parameters parameters = {snapping_tolerance, maximum_relative_error, read_curves(*c.mesh, curves),
+                                            border};
+      if(is_set || parameters.has_curves())
+        set_sources(*c.solver, sources, parameters);
       else
-        set_source(*c.solver, sources.front(), snapping_tolerance);
+        set_source(*c.solver, sources.front(), parameters);
+      c.has_curves = parameters.has_curves();
     });
       },
-      "sources"_a, "is_set"_a, "snapping_tolerance"_a)
+      "sources"_a, "is_set"_a, "curves"_a, "border"_a, "snapping_tolerance"_a, "maximum_relative_error"_a)
     .def(
       "set_distances",
       [](Computation& c, const Source_numbers& number, double snapping_tolerance, const py::array& values)
       {
     const std::vector<double> distances = read_vertex_values(values, c.mesh->number_of_vertices());
-    c.run([&] { set_source(*c.solver, read_sources(*c.mesh, {number}).front(), snapping_tolerance, distances); });
+    c.run(
+      [&]
+      {
+      set_source(*c.solver, read_sources(*c.mesh, {number}).front(), snapping_tolerance, distances);
+      c.has_curves = false;
+    });
       },
       "source"_a, "snapping_tolerance"_a, "distances"_a)
     .def(
@@ -176,7 +217,7 @@ PYBIND11_MODULE(_core, m)
          std::optional<double> gradient_angle_threshold, std::optional<double> laplacian_threshold,
          std::optional<loci::Filter_policy> filter_policy, std::optional<long> minimum_branch_edges,
          std::optional<long> number_of_iterations, std::optional<double> minimum_branch_length,
-         std::optional<loci::Curve> curve, std::optional<bool> voronoi)
+         std::optional<loci::Curve> curve, std::optional<bool> voronoi, std::optional<bool> medial)
       {
     const Thresholds thresholds = {minimum_branch_width,
                                    minimum_branch_gap,
@@ -187,14 +228,15 @@ PYBIND11_MODULE(_core, m)
                                    number_of_iterations,
                                    minimum_branch_length,
                                    curve,
-                                   voronoi};
+                                   voronoi,
+                                   medial};
     std::unique_ptr<Result> result;
-    c.run([&] { result = std::make_unique<Result>(c.mesh, compute_cut_locus(*c.solver, thresholds)); });
+    c.run([&] { result = std::make_unique<Result>(c.mesh, compute_cut_locus(*c.solver, thresholds, c.has_curves)); });
     return result;
       },
       py::kw_only(), "minimum_branch_width"_a, "minimum_branch_gap"_a, "gradient_angle_threshold"_a,
       "laplacian_threshold"_a, "filter_policy"_a, "minimum_branch_edges"_a, "number_of_iterations"_a,
-      "minimum_branch_length"_a, "curve"_a, "voronoi"_a)
+      "minimum_branch_length"_a, "curve"_a, "voronoi"_a, "medial"_a)
     // they wait for what runs, as it may change them
     .def_property_readonly("method", [](Computation& c) { return c.exclusive.run([&] { return c.solver->method(); }); })
     .def_property_readonly("gradient_angle_threshold", [](Computation& c)

@@ -32,11 +32,25 @@ struct Distance_map
   friend double get(const Distance_map& map, Mesh::Vertex_index v) { return (*map.distances)[v]; }
 };
 
-// What is given is passed on, so that the library refuses what has no meaning for the method. Each combination is a type.
-std::unique_ptr<Solver> make_exact_solver(const Mesh& mesh, std::optional<Method> method,
-                                          std::optional<Laplacian_operator> laplacian_operator, Progress& progress)
+// The same for lengths.
+struct Length_map
 {
-  const auto given = np::visitor(std::ref(progress));
+  using key_type = Mesh::Edge_index;
+  using value_type = double;
+  using reference = double;
+  using category = boost::readable_property_map_tag;
+
+  const std::vector<double>* lengths;
+
+  friend double get(const Length_map& map, Mesh::Edge_index e) { return (*map.lengths)[e]; }
+};
+
+// What is given is passed on, so that the library refuses what has no meaning for the method. Each combination is a type.
+template <typename NamedParameters>
+std::unique_ptr<Solver> make_exact_solver(const Mesh& mesh, std::optional<Method> method,
+                                          std::optional<Laplacian_operator> laplacian_operator,
+                                          const NamedParameters& given)
+{
   if(method && laplacian_operator)
     return std::make_unique<Solver>(mesh, given.cut_locus_method(*method).laplacian_operator(*laplacian_operator));
   if(method)
@@ -61,6 +75,8 @@ void refuse_thresholds_of_other_methods(Method method, const Thresholds& t)
     refuse_parameters_of_other_methods(method, np::minimum_branch_gap(0.));
   if(t.voronoi)
     refuse_parameters_of_other_methods(method, np::voronoi(true));
+  if(t.medial)
+    refuse_parameters_of_other_methods(method, np::medial(true));
   if(t.gradient_angle_threshold)
     refuse_parameters_of_other_methods(method, np::gradient_angle_threshold(0.));
   if(t.laplacian_threshold)
@@ -71,18 +87,26 @@ void refuse_thresholds_of_other_methods(Method method, const Thresholds& t)
     refuse_parameters_of_other_methods(method, np::number_of_iterations(0));
 }
 
-Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t)
+template <typename NamedParameters>
+Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t, const NamedParameters& given)
 {
-  const Curve curve =
-    t.curve.value_or(solver.method() == Method::POLYHEDRAL ? Curve::THROUGH_FACES : Curve::MESH_EDGES);
-  const auto given = np::cut_locus_curve(curve)
-                       .minimum_branch_edges(t.minimum_branch_edges.value_or(0))
-                       .minimum_branch_length(t.minimum_branch_length.value_or(0.))
-                       .voronoi(t.voronoi.value_or(false));
   if(t.minimum_branch_width || t.minimum_branch_gap)
     return solver.cut_locus(given.minimum_branch_width(t.minimum_branch_width.value_or(0.))
                               .minimum_branch_gap(t.minimum_branch_gap.value_or(0.)));
   return solver.cut_locus(given);
+}
+
+// Sources that are curves have no curve of mesh edges: its parameters are passed on, to be refused, if they are given.
+Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t, bool has_curves)
+{
+  const Curve curve =
+    t.curve.value_or(solver.method() == Method::POLYHEDRAL || has_curves ? Curve::THROUGH_FACES : Curve::MESH_EDGES);
+  const auto given = np::cut_locus_curve(curve).voronoi(t.voronoi.value_or(false)).medial(t.medial.value_or(false));
+  if(has_curves && !t.minimum_branch_edges && !t.minimum_branch_length)
+    return exact_cut_locus(solver, t, given);
+  return exact_cut_locus(solver, t,
+                         given.minimum_branch_edges(t.minimum_branch_edges.value_or(0))
+                           .minimum_branch_length(t.minimum_branch_length.value_or(0.)));
 }
 
 Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& t)
@@ -104,11 +128,16 @@ Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& t)
 } // namespace
 
 std::unique_ptr<Solver> make_solver(const std::string& name, std::optional<Method> method,
-                                    std::optional<Laplacian_operator> laplacian_operator, const Mesh& mesh,
-                                    Progress& progress)
+                                    std::optional<Laplacian_operator> laplacian_operator,
+                                    const std::vector<double>& edge_lengths, const Mesh& mesh, Progress& progress)
 {
+  const auto visited = np::visitor(std::ref(progress));
+  if(name == "exact" && edge_lengths.empty())
+    return make_exact_solver(mesh, method, laplacian_operator, visited);
   if(name == "exact")
-    return make_exact_solver(mesh, method, laplacian_operator, progress);
+    return make_exact_solver(mesh, method, laplacian_operator, visited.edge_length_map(Length_map{&edge_lengths}));
+  if(!edge_lengths.empty())
+    CGAL::Cut_loci::internal::refuse_lengths("the geodesic_solver");
   if(method && *method != Method::LAPLACIAN)
     CGAL::Cut_loci::internal::refuse_distances(*method);
   const Laplacian_operator type = laplacian_operator.value_or(Laplacian_operator::QUADRATIC_FIT);
@@ -123,9 +152,11 @@ std::unique_ptr<Solver> make_solver(const std::string& name, std::optional<Metho
   throw std::invalid_argument("there is no solver '" + name + "'");
 }
 
-void set_source(Solver& solver, const Source& source, double snapping_tolerance)
+void set_source(Solver& solver, const Source& source, const Source_parameters& parameters)
 {
-  set_source(solver, source, np::snapping_tolerance(snapping_tolerance));
+  set_source(
+    solver, source,
+    np::snapping_tolerance(parameters.snapping_tolerance).maximum_relative_error(parameters.maximum_relative_error));
 }
 
 void set_source(Solver& solver, const Source& source, double snapping_tolerance, const std::vector<double>& distances)
@@ -133,14 +164,17 @@ void set_source(Solver& solver, const Source& source, double snapping_tolerance,
   set_source(solver, source, np::snapping_tolerance(snapping_tolerance).vertex_distance_map(Distance_map{&distances}));
 }
 
-void set_sources(Solver& solver, const std::vector<Source>& sources, double snapping_tolerance)
+void set_sources(Solver& solver, const std::vector<Source>& sources, const Source_parameters& parameters)
 {
-  solver.set_sources(sources, np::snapping_tolerance(snapping_tolerance));
+  solver.set_sources(sources, np::snapping_tolerance(parameters.snapping_tolerance)
+                                .maximum_relative_error(parameters.maximum_relative_error)
+                                .source_curves(parameters.curves)
+                                .source_border(parameters.border));
 }
 
-Cut_locus compute_cut_locus(const Solver& solver, const Thresholds& thresholds)
+Cut_locus compute_cut_locus(const Solver& solver, const Thresholds& thresholds, bool has_curves)
 {
   refuse_thresholds_of_other_methods(solver.method(), thresholds);
   return solver.method() == Method::LAPLACIAN ? laplacian_cut_locus(solver, thresholds)
-                                              : exact_cut_locus(solver, thresholds);
+                                              : exact_cut_locus(solver, thresholds, has_curves);
 }

@@ -29,20 +29,32 @@ struct Thresholds
   std::optional<long> minimum_branch_edges, number_of_iterations;
   std::optional<double> minimum_branch_length;
   std::optional<CGAL::Cut_loci::Curve> curve;
-  std::optional<bool> voronoi;
+  std::optional<bool> voronoi, medial;
 };
 
-// `name` is one of solver_names(). Mesh and progress must outlive the solver.
+// `name` is one of solver_names(); the lengths, one for each edge, are empty if they are the distances between the points.
+// Mesh and progress must outlive the solver.
 std::unique_ptr<Solver> make_solver(const std::string& name, std::optional<CGAL::Cut_loci::Method> method,
                                     std::optional<CGAL::Cut_loci::Laplacian_operator> laplacian_operator,
-                                    const Mesh& mesh, Progress& progress);
+                                    const std::vector<double>& edge_lengths, const Mesh& mesh, Progress& progress);
 
-void set_source(Solver& solver, const Source& source, double snapping_tolerance);
+// The parameters of `Surface_mesh_cut_locus::set_sources()`.
+struct Source_parameters
+{
+  double snapping_tolerance = 1e-10, maximum_relative_error = 0.;
+  std::vector<Source_curve> curves;
+  bool border = false;
+
+  bool has_curves() const { return border || !curves.empty(); }
+};
+
+void set_source(Solver& solver, const Source& source, const Source_parameters& parameters);
 // `distances` has one for each vertex of the mesh.
 void set_source(Solver& solver, const Source& source, double snapping_tolerance, const std::vector<double>& distances);
-void set_sources(Solver& solver, const std::vector<Source>& sources, double snapping_tolerance);
+void set_sources(Solver& solver, const std::vector<Source>& sources, const Source_parameters& parameters);
 
-Cut_locus compute_cut_locus(const Solver& solver, const Thresholds& thresholds);
+// `has_curves` tells whether there are curves among the sources.
+Cut_locus compute_cut_locus(const Solver& solver, const Thresholds& thresholds, bool has_curves);
 
 // Those that take distances from CGAL are compiled on their own: they take long.
 using Laplacian_operator = CGAL::Cut_loci::Laplacian_operator;

@@ -53,7 +53,7 @@ def test_faces_without_area():
     points = with_value(POINTS, 0, POINTS[2])
     # an edge without length gets a millionth of the longest edge beside it
     assert 0. <= cut_locus.exact_geodesic_distances(points, FACES, 2)[0] <= 1.001e-6 * np.sqrt(2.)
-    assert len(cut_locus.compute(points, FACES, 1).vertices) > 0
+    assert len(cut_locus.compute(points, FACES, 1).points) > 0
 
 
 def test_open_fans():

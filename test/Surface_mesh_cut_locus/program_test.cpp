@@ -49,6 +49,8 @@ TEST_F(Program, Help)
                             "--smooth",
                             "--output",
                             "--edges",
+                            "--cells",
+                            "--keep",
                             "--uv",
                             "--parameterization",
                             "--report",
@@ -449,6 +451,131 @@ TEST_F(Program, Overlapping_atlas)
   }
 }
 
+// the area of the cell of each source in a PLY file with one face per line
+std::vector<double> areas_of_cells(const std::string& ply, std::size_t number_of_sources)
+{
+  std::istringstream is(ply);
+  std::string word;
+  std::size_t vertices = 0, faces = 0;
+  while(is >> word && word != "end_header")
+    if(word == "element" && is >> word)
+      is >> (word == "vertex" ? vertices : faces);
+  std::vector<std::array<double, 4>> points(vertices);
+  for(auto& p : points)
+    is >> p[0] >> p[1] >> p[2] >> p[3];
+  std::vector<double> result(number_of_sources, 0.);
+  for(std::size_t f = 0; f < faces; ++f)
+  {
+    std::size_t n, a, b, c, source;
+    is >> n >> a >> b >> c >> source;
+    const auto &p = points.at(a), &q = points.at(b), &r = points.at(c);
+    result.at(source) += 0.5 * ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
+  }
+  EXPECT_TRUE(is.good());
+  return result;
+}
+
+TEST_F(Program, Cells_of_several_sources)
+{
+  // a rectangle of 3 x 1 in two triangles: all sources but one are in the same face, and so is most of each cell
+  write("plate.off", "OFF\n4 2 0\n0 0 0\n3 0 0\n3 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  const std::string plate =
+    quoted(path("plate.off")) + " --quiet --method polyhedral --curve faces --source 0 --source 1 --source 2 ";
+  const Outcome outcome = run(plate + "--check --cells " + quoted(path("cells.ply")) + " -o " +
+                              quoted(path("cells.svg")) + " --report " + quoted(path("all.json")));
+  EXPECT_EQ(outcome.status, 0) << outcome.messages;
+  const std::vector<double> areas = areas_of_cells(read_file(path("cells.ply")), 3);
+  // between 0 and 1 is x = 1.5, between 1 and 2 y = 0.5, and between 0 and 2 the line from (1.5, 0.5) to (4 / 3, 1)
+  EXPECT_NEAR(areas[0], 35. / 24., 1e-3);
+  EXPECT_NEAR(areas[1], 0.75, 1e-3);
+  EXPECT_NEAR(areas[2], 19. / 24., 1e-3);
+  for(const char* name : {"cells.vtp", "cells.obj"})
+    EXPECT_EQ(run(plate + "--cells " + quoted(path(name))).status, 0);
+  EXPECT_NE(read_file(path("cells.vtp")).find("Name=\"source\""), std::string::npos);
+  for(const char* group : {"g source_0\n", "g source_1\n", "g source_2\n"})
+    EXPECT_NE(read_file(path("cells.obj")).find(group), std::string::npos);
+
+  const auto length = [&](const std::string& part)
+  {
+    const Outcome run_of_part = run_on_torus("--quiet --source 3 --source 200 --curve faces --keep " + part +
+                                             " --report " + quoted(path("part.json")));
+    EXPECT_EQ(run_of_part.status, 0) << run_of_part.messages;
+    return nlohmann::json::parse(read_file(path("part.json"))).at("length").get<double>();
+  };
+  const double voronoi = length("voronoi"), medial = length("medial");
+  EXPECT_GT(voronoi, 0.);
+  EXPECT_GT(medial, 0.);
+  EXPECT_NEAR(voronoi + medial, length("all"), 1e-9);
+}
+
+TEST_F(Program, Atlas_of_several_sources)
+{
+  // points have disks, whatever the curve, and so has a curve: the ring around it is cut
+  write("edges.txt", "40 41 42 43\n");
+  const std::vector<std::string> sets = {
+    "--source 3 --source 200 --source 77 --curve edges", "--source 3 --source 200 --curve faces",
+    "--source 200 --source-edges " + quoted(path("edges.txt")), "--source-edges " + quoted(path("edges.txt"))};
+  for(const std::string& sources : sets)
+    for(const char* parameterization : {"arap", "lscm", "convex"})
+    {
+      const Outcome outcome = run_on_torus("--quiet " + sources + " --parameterization " + parameterization + " --uv " +
+                                           quoted(path("uv.obj")) + " --report " + quoted(path("uv.json")));
+      ASSERT_EQ(outcome.status, 0) << outcome.messages;
+      std::size_t vertices = 0;
+      std::vector<std::array<std::size_t, 3>> faces;
+      std::istringstream obj(read_file(path("uv.obj")));
+      for(std::string line, word; std::getline(obj, line);)
+      {
+        std::istringstream words(line);
+        words >> word;
+        vertices += word == "vt";
+        if(word != "f")
+          continue;
+        faces.emplace_back();
+        for(std::size_t& corner : faces.back())
+        {
+          words >> word;
+          corner = std::stoul(word.substr(word.find('/') + 1)) - 1;
+        }
+      }
+      const auto report = nlohmann::json::parse(read_file(path("uv.json")));
+      const std::size_t disks = report.contains("sources") ? report.at("sources").size() : 1;
+      std::set<std::pair<std::size_t, std::size_t>> edges;
+      Union_find parts(vertices);
+      for(const auto& f : faces)
+        for(std::size_t i = 0; i < 3; ++i)
+        {
+          edges.insert(std::minmax(f[i], f[(i + 1) % 3]));
+          parts.join(f[i], f[(i + 1) % 3]);
+        }
+      std::set<std::size_t> representatives;
+      for(std::size_t v = 0; v < vertices; ++v)
+        representatives.insert(parts.find(v));
+      EXPECT_EQ(representatives.size(), disks) << sources;
+      EXPECT_EQ(vertices + faces.size(), edges.size() + disks) << sources;
+      if(parameterization == std::string("convex"))
+      {
+        EXPECT_EQ(report.at("uv").at("flipped_faces"), 0) << sources;
+        EXPECT_EQ(report.at("uv").at("overlap"), 0.) << sources;
+      }
+      EXPECT_EQ(report.at("uv").at("faces"), faces.size());
+    }
+}
+
+TEST_F(Program, Check_of_several_sources)
+{
+  for(const char* curve : {"edges", "faces"})
+  {
+    const Outcome outcome =
+      run_on_torus(std::string("--quiet --source 3 --source 200 --source 77 --method polyhedral --check --curve ") +
+                   curve + " --report " + quoted(path("check.json")));
+    EXPECT_EQ(outcome.status, 0) << outcome.messages;
+    const auto report = nlohmann::json::parse(read_file(path("check.json")));
+    EXPECT_EQ(report.at("topology"), "right");
+    EXPECT_LT(report.at("detour_max").get<double>(), curve == std::string("faces") ? 1e-2 : 2.);
+  }
+}
+
 TEST_F(Program, Curves_as_sources)
 {
   // a rectangle of 3 x 1, in squares with two triangles each
@@ -471,7 +598,9 @@ TEST_F(Program, Curves_as_sources)
     EXPECT_EQ(outcome.status, 0) << outcome.messages;
     return nlohmann::json::parse(read_file(path("r.json")));
   };
-  const auto axis = report("--source-border -o " + quoted(path("axis.png")));
+  const auto axis = report("--source-border --check -o " + quoted(path("axis.png")));
+  EXPECT_EQ(axis.at("topology"), "right");
+  EXPECT_LT(axis.at("detour_max").get<double>(), 1e-2);
   EXPECT_NEAR(axis.at("length").get<double>(), 2. + 2. * std::sqrt(2.), 1e-3);
   EXPECT_EQ(axis.at("leaves"), 4);
   EXPECT_EQ(axis.at("curve"), "faces");
@@ -480,7 +609,9 @@ TEST_F(Program, Curves_as_sources)
   write("sides.txt", "0 1 2\n2 3\n\n120 121 122 123\n");
   write("points.txt", "61\n");
   const auto mixed = report("--source-edges " + quoted(path("sides.txt")) + " --sources " + quoted(path("points.txt")) +
-                            " -o " + quoted(path("mixed.vtp")));
+                            " --check -o " + quoted(path("mixed.vtp")));
+  EXPECT_EQ(mixed.at("topology"), "right");
+  EXPECT_LT(mixed.at("detour_max").get<double>(), 1e-2);
   ASSERT_EQ(mixed.at("sources").size(), 3u);
   EXPECT_EQ(mixed.at("sources").at(0), 61);
   EXPECT_LT(mixed.at("sources").at(1), 4);
@@ -488,7 +619,7 @@ TEST_F(Program, Curves_as_sources)
   EXPECT_NE(read_file(path("mixed.vtp")).find("source2"), std::string::npos);
 
   expect_failure(run_on_torus("--quiet --source-border"), "no border");
-  expect_failure(run_on_torus("--source-border --check"), "--check takes one source");
+  expect_failure(run_on_torus("--source-border --unfold " + quoted(path("a.svg"))), "--unfold takes one source");
   expect_failure(run_on_torus("--source-border --min-branch-edges 3"), "--min-branch-edges is for");
   expect_failure(run_on_torus("--sources " + quoted(path("nothing.txt"))), "cannot read");
   write("apart.txt", "1 200\n");
@@ -583,7 +714,11 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--source=-1"), "--source takes");
   expect_failure(run_on_torus("--quiet --source 99999"), "out of range");
   expect_failure(run_on_torus("--source 1 --source-point 0,0,0"), "exclude");
-  expect_failure(run_on_torus("--source 1 --source 2 --check"), "--check takes one source");
+  expect_failure(run_on_torus("--source 1 --source 2 --unfold " + quoted(path("a.svg"))), "--unfold takes one source");
+  expect_failure(run_on_torus("--source 1 --source 2 --check --keep voronoi"), "--check is about all");
+  expect_failure(run_on_torus("--keep some"), "--keep takes all, voronoi or medial");
+  expect_failure(run_on_torus("--method laplacian --keep all"), "--keep is for --method direction or polyhedral");
+  expect_failure(run_on_torus("--cells " + quoted(path("a.off"))), "must be .ply, .vtp or .obj");
   expect_failure(run_on_torus("--quiet --source 1 --source 1"), "sources 0 and 1 are at the same point");
   expect_failure(run_on_torus("--source-point 1,2"), "three numbers");
   expect_failure(run_on_torus("--source-point 1,2,3,4"), "three numbers");

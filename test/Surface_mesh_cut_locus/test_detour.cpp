@@ -52,29 +52,31 @@ Mesh_data square(std::size_t n)
   return m;
 }
 
-// A curve along the points (x, j) of the square, j = first, ..., last.
-Cut_locus wall(const Built_mesh<Mesh>& built, std::size_t n, double x, std::size_t first, std::size_t last,
-               std::size_t source)
+Cut_locus::Vertex at_vertex(const Built_mesh<Mesh>& built, std::size_t v)
 {
   const Mesh& mesh = built.mesh;
-  const auto at_vertex = [&](std::size_t v)
-  {
-    Cut_locus::Vertex result;
-    const auto h = halfedge(built.vertices[v], mesh); // its target is the vertex
-    const auto face = mesh.is_border(h) ? mesh.face(mesh.opposite(h)) : mesh.face(h);
-    result.location.first = face;
-    auto k = mesh.halfedge(face);
-    for(int i = 0; i < 3; ++i, k = mesh.next(k))
-      result.location.second[i] = mesh.source(k) == built.vertices[v] ? 1. : 0.;
-    result.mesh_vertex = built.vertices[v];
-    result.point = mesh.point(built.vertices[v]);
-    return result;
-  };
+  Cut_locus::Vertex result;
+  const auto h = halfedge(built.vertices[v], mesh); // its target is the vertex
+  const auto face = mesh.is_border(h) ? mesh.face(mesh.opposite(h)) : mesh.face(h);
+  result.location.first = face;
+  auto k = mesh.halfedge(face);
+  for(int i = 0; i < 3; ++i, k = mesh.next(k))
+    result.location.second[i] = mesh.source(k) == built.vertices[v] ? 1. : 0.;
+  result.mesh_vertex = built.vertices[v];
+  result.point = mesh.point(built.vertices[v]);
+  return result;
+}
+
+// A curve along the points (x, j) of the square, j = first, ..., last. Of a source that is a curve, a vertex is given.
+Cut_locus wall(const Built_mesh<Mesh>& built, std::size_t n, double x, std::size_t first, std::size_t last,
+               const std::vector<std::size_t>& sources)
+{
+  const Mesh& mesh = built.mesh;
   Cut_locus::Graph graph;
   const std::size_t column = static_cast<std::size_t>(x);
   for(std::size_t j = first; j <= last; ++j)
   {
-    Cut_locus::Vertex node = at_vertex((n + 1) * j + column);
+    Cut_locus::Vertex node = at_vertex(built, (n + 1) * j + column);
     if(x > double(column)) // on the horizontal edge, a side of the face above or, at the top, below
     {
       const std::size_t a = (n + 1) * j + column, f = j < n ? 2 * (n * j + column) : 2 * (n * (j - 1) + column) + 1;
@@ -106,7 +108,11 @@ Cut_locus wall(const Built_mesh<Mesh>& built, std::size_t n, double x, std::size
     }
   }
   auto result = std::make_shared<CGAL::Cut_loci::internal::Source_result>();
-  return Cut_locus(graph, at_vertex(source), built.vertices[0], result, [](Vertex) { return 0.; });
+  std::vector<Cut_locus::Vertex> at_sources;
+  for(const std::size_t v : sources)
+    at_sources.push_back(at_vertex(built, v));
+  return Cut_locus(
+    graph, at_sources, built.vertices[0], result, [](Vertex) { return 0.; }, nullptr, 0);
 }
 
 double mean_length(const Mesh& mesh)
@@ -126,7 +132,7 @@ TEST(Detour, Around_the_end_of_a_wall)
   for(double x : {5., 5.5, 5. + 1e-4, 5. + 1e-7, 6. - 1e-9})
   {
     SCOPED_TRACE(x);
-    const Measures m = curve_measures::measure(built.mesh, wall(built, n, x, 0, 5, 0));
+    const Measures m = curve_measures::measure(built.mesh, wall(built, n, x, 0, 5, {0}));
     EXPECT_EQ(m.topology_fault, "");
     EXPECT_EQ(m.measuring_failed, "");
     double longest = 0.;
@@ -141,17 +147,101 @@ TEST(Detour, Around_the_end_of_a_wall)
   }
 }
 
+TEST(Detour, Of_two_sources_is_that_to_the_nearest)
+{
+  // Two corners of the square, and walls from side to side: between them there is none, and beside the middle it is
+  // longest on the lower side, from the last vertices before the wall to the other source.
+  const std::size_t n = 10;
+  const Built_mesh<Mesh> built(square(n));
+  const std::vector<std::size_t> corners = {0, n};
+  for(const double x : {5., 5.5, 7., 7.5, 8.})
+  {
+    SCOPED_TRACE(x);
+    const Measures m = curve_measures::measure(built.mesh, wall(built, n, x, 0, n, corners));
+    EXPECT_EQ(m.topology_fault, "");
+    EXPECT_EQ(m.measuring_failed, "");
+    const double last = std::ceil(x) - 1.; // before the wall
+    EXPECT_NEAR(m.max * mean_length(built.mesh), 2. * last - 10. > 0. ? 2. * last - 10. : 0., 1e-3);
+  }
+  EXPECT_EQ(curve_measures::measure(built.mesh, wall(built, n, 5., 0, 8, corners)).topology_fault,
+            "0 independent cycles on a surface of genus 0");
+  EXPECT_EQ(curve_measures::measure(built.mesh, wall(built, n, 5., 0, n, {0, 1})).topology_fault,
+            "a part of the complement has no source");
+}
+
+TEST(Detour, Of_curves_is_that_to_the_nearest_of_their_points)
+{
+  // Two sides of the square, or a side and a corner, and walls from side to side.
+  const std::size_t n = 10;
+  const Built_mesh<Mesh> built(square(n));
+  std::vector<std::vector<Mesh::Edge_index>> sides(2);
+  for(std::size_t j = 0; j < n; ++j)
+    for(std::size_t side = 0; side < 2; ++side)
+      sides[side].push_back(built.mesh.edge(
+        built.mesh.halfedge(built.vertices[(n + 1) * j + side * n], built.vertices[(n + 1) * (j + 1) + side * n])));
+  for(const double x : {5., 5.5, 7., 7.5, 8.})
+  {
+    SCOPED_TRACE(x);
+    const Measures m = curve_measures::measure(built.mesh, wall(built, n, x, 0, n, {0, n}), sides);
+    EXPECT_EQ(m.topology_fault, "");
+    EXPECT_EQ(m.measuring_failed, "");
+    const double last = std::ceil(x) - 1.;
+    EXPECT_NEAR(m.max * mean_length(built.mesh), 2. * last - 10. > 0. ? 2. * last - 10. : 0., 1e-3);
+  }
+  EXPECT_EQ(curve_measures::measure(built.mesh, wall(built, n, 5., 0, 8, {0, n}), sides).topology_fault,
+            "the curve has the Euler characteristic 1, and the surface without the sources 0");
+  EXPECT_EQ(curve_measures::measure(built.mesh, wall(built, n, 5., 2, 8, {0, n}), sides).topology_fault,
+            "the curve has the Euler characteristic 1, and the surface without the sources 0");
+  // to the corner from beside the wall, and to the side after it was cut off
+  const Measures m = curve_measures::measure(built.mesh, wall(built, n, 3., 0, n, {0, n}), {sides[1]});
+  EXPECT_EQ(m.topology_fault, "");
+  double longest = 0.;
+  for(std::size_t i = 0; i <= n; ++i)
+    for(std::size_t j = 0; j <= n; ++j)
+    {
+      const double to_corner = std::hypot(double(i), double(j)), to_side = double(n - i);
+      const double after = i < 3 ? to_corner : i > 3 ? to_side : (std::min)(to_corner, to_side);
+      longest = (std::max)(longest, after - (std::min)(to_corner, to_side));
+    }
+  EXPECT_NEAR(m.max * mean_length(built.mesh), longest, 1e-3);
+  EXPECT_GT(longest, 1.);
+}
+
+TEST(Detour, Vanishes_on_the_cut_locus_of_a_set)
+{
+  const Built_mesh<Mesh> built(torus(1., 0.4, 24, 12, 0.2, 1));
+  CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, params::cut_locus_method(Method::POLYHEDRAL));
+  solver.set_sources(std::vector<Vertex>{built.vertices[3], built.vertices[77], built.vertices[200]});
+  const Measures points = curve_measures::measure(built.mesh, solver.cut_locus());
+  EXPECT_EQ(points.topology_fault + points.measuring_failed, "");
+  EXPECT_LT(points.max, 1e-2);
+  EXPECT_NE(curve_measures::measure(built.mesh, solver.cut_locus(params::voronoi(true))).topology_fault, "");
+  const Measures edges =
+    curve_measures::measure(built.mesh, solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)));
+  EXPECT_EQ(edges.topology_fault + edges.measuring_failed, "");
+  EXPECT_GT(edges.max, points.max);
+
+  std::vector<std::vector<Mesh::Edge_index>> meridian(1); // not all of it
+  for(std::size_t j = 0; j < 8; ++j)
+    meridian[0].push_back(built.mesh.edge(built.mesh.halfedge(built.vertices[120 + j], built.vertices[121 + j])));
+  solver.set_sources(std::vector<Vertex>{built.vertices[3]}, params::source_curves(meridian));
+  const Measures curves = curve_measures::measure(built.mesh, solver.cut_locus(), meridian);
+  EXPECT_EQ(curves.topology_fault + curves.measuring_failed, "");
+  EXPECT_LT(curves.max, 1e-2);
+  EXPECT_NE(curve_measures::measure(built.mesh, solver.cut_locus(params::medial(true)), meridian).topology_fault, "");
+}
+
 TEST(Detour, Wrong_topology_is_named)
 {
   const std::size_t n = 10;
   const Built_mesh<Mesh> built(square(n));
   // apart from the border
-  EXPECT_NE(curve_measures::measure(built.mesh, wall(built, n, 5., 2, 5, 0)).topology_fault.find("2 components"),
+  EXPECT_NE(curve_measures::measure(built.mesh, wall(built, n, 5., 2, 5, {0})).topology_fault.find("2 components"),
             std::string::npos);
   // from side to side: what it cuts off would have no distance
   for(double x : {5., 5.5})
   {
-    const Measures m = curve_measures::measure(built.mesh, wall(built, n, x, 0, n, 0));
+    const Measures m = curve_measures::measure(built.mesh, wall(built, n, x, 0, n, {0}));
     EXPECT_NE(m.topology_fault.find("1 independent cycles"), std::string::npos) << m.topology_fault;
     EXPECT_EQ(m.measuring_failed, "");
     EXPECT_TRUE(std::isfinite(m.max));

@@ -160,12 +160,12 @@ std::vector<double> distances_to_images(const std::array<double, 2>& p, const st
 template <typename Result>
 void expect_dirichlet_polygon(const Flat_surface& torus, const Result& result, const std::array<double, 2>& source,
                               const std::array<double, 2>& a, const std::array<double, 2>& b, std::size_t branch_points,
-                              double inradius)
+                              double inradius, double circumradius, double length)
 {
   const auto& graph = result.graph();
   EXPECT_EQ(num_edges(graph), num_vertices(graph) + 1); // one component with two cycles
   std::size_t number_of_branch_points = 0;
-  double nearest = (std::numeric_limits<double>::infinity)();
+  double nearest = (std::numeric_limits<double>::infinity)(), sum = 0.;
   for(const auto v : CGAL::make_range(vertices(graph)))
   {
     const std::vector<double> images = distances_to_images(torus.position(graph[v].location), source, a, b);
@@ -173,10 +173,19 @@ void expect_dirichlet_polygon(const Flat_surface& torus, const Result& result, c
     EXPECT_NEAR(images[0], graph[v].distance, 1e-5);
     EXPECT_GE(degree(v, graph), 2u);
     number_of_branch_points += degree(v, graph) > 2;
+    if(degree(v, graph) > 2)
+    {
+      EXPECT_NEAR(graph[v].distance, circumradius, 1e-5);
+    }
     nearest = (std::min)(nearest, graph[v].distance);
   }
   EXPECT_EQ(number_of_branch_points, branch_points);
+  EXPECT_NEAR(nearest, inradius, 0.02); // an edge may reach across the middle of a side
   EXPECT_GE(nearest, inradius - 1e-5);
+  for(const auto e : CGAL::make_range(edges(graph))) // of the images of its ends, the nearest
+    sum += distances_to_images(torus.position(graph[boost::source(e, graph)].location),
+                               torus.position(graph[target(e, graph)].location), a, b)[0];
+  EXPECT_NEAR(sum, length, 1e-3);
 }
 
 TEST(Edge_lengths, of_a_mesh_in_space_give_its_distances)
@@ -265,7 +274,7 @@ TEST(Edge_lengths, the_cut_locus_of_a_flat_torus_of_a_square_lattice_is_the_boun
   const auto full = params::cut_locus_method(Method::POLYHEDRAL).edge_length_map(torus.lengths);
   const Location source(Mesh::Face_index(37), {{0.23, 0.31, 0.46}});
   const auto found = CGAL::compute_cut_locus(torus.mesh, source, full);
-  expect_dirichlet_polygon(torus, found, torus.position(source), a, b, 1, 0.5);
+  expect_dirichlet_polygon(torus, found, torus.position(source), a, b, 1, 0.5, std::sqrt(0.5), 2.);
 }
 
 TEST(Edge_lengths, the_cut_locus_of_a_flat_torus_of_a_hexagonal_lattice_is_the_boundary_of_a_hexagon)
@@ -275,7 +284,7 @@ TEST(Edge_lengths, the_cut_locus_of_a_flat_torus_of_a_hexagonal_lattice_is_the_b
   const auto full = params::cut_locus_method(Method::POLYHEDRAL).edge_length_map(torus.lengths);
   const Location source(Mesh::Face_index(37), {{0.23, 0.31, 0.46}});
   const auto found = CGAL::compute_cut_locus(torus.mesh, source, full);
-  expect_dirichlet_polygon(torus, found, torus.position(source), a, b, 2, 0.5);
+  expect_dirichlet_polygon(torus, found, torus.position(source), a, b, 2, 0.5, 1. / std::sqrt(3.), std::sqrt(3.));
 }
 
 TEST(Edge_lengths, distances_on_a_flat_torus_are_those_to_the_nearest_image)

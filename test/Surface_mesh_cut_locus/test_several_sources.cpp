@@ -524,6 +524,44 @@ TEST(Several_sources, have_a_great_circle_on_a_sphere)
   }
 }
 
+// Each edge of the Voronoi diagram of points of a sphere is on the great circle that is equally far from its two, and its
+// corners are the points opposite to each other on which such circles meet.
+TEST(Several_sources, have_great_circles_between_each_two_on_a_sphere)
+{
+  for(const std::size_t k : {3, 4, 7})
+  {
+    const Built built(jittered_sphere(32, 0.1, 2));
+    const double h = mean_edge_length(built.data);
+    std::mt19937 engine(unsigned(17 * k));
+    std::vector<std::size_t> at;
+    std::vector<Mesh::Vertex_index> sources;
+    while(sources.size() < k)
+    {
+      const std::size_t v = engine() % built.data.points.size();
+      bool is_far = true; // from the others
+      for(const std::size_t w : at)
+        is_far = is_far && norm(built.data.points[v] - built.data.points[w]) > 6. * h;
+      if(!is_far)
+        continue;
+      at.push_back(v);
+      sources.push_back(built.vertices[v]);
+    }
+    const Result result =
+      CGAL::compute_cut_locus(built.mesh, sources, params::cut_locus_curve(Curve::THROUGH_FACES).voronoi(true));
+    for(const auto& x : voronoi_points(result))
+    {
+      const Point &p = built.data.points[at[x.second[0]]], &q = built.data.points[at[x.second[1]]];
+      EXPECT_LT(std::fabs(dot(x.first, normalized(p - q))), 0.2 * h) << k;
+      for(const std::size_t v : at) // no other one is nearer
+        EXPECT_GT(norm(x.first - built.data.points[v]), norm(x.first - p) - 0.2 * h) << k;
+    }
+    std::size_t number_of_corners = 0;
+    for(const auto v : CGAL::make_range(vertices(result.graph())))
+      number_of_corners += degree(v, result.graph()) > 2;
+    EXPECT_EQ(number_of_corners, 2 * k - 4) << k; // by Euler's formula, as three cells meet in each
+  }
+}
+
 // -- the interface -----------------------------------------------------------------------------------------------------
 
 TEST(Several_sources, no_threshold_removes_what_is_between_two)

@@ -36,9 +36,8 @@ namespace internal {
 struct Curve_on_mesh
 {
   Indexed_cut_locus graph;
-  Indexed_location source;
-  Index source_vertex = null_index;
-  bool is_of_mesh_edges = true; // or else through the faces
+  std::vector<Indexed_source> sources; // a curve has its first vertex
+  bool is_of_mesh_edges = true;        // or else through the faces
 };
 
 [[noreturn]] inline void throw_foreign_cut_locus(const std::string& what)
@@ -59,7 +58,8 @@ public:
                        const Cut_locus<TriangleMesh, Point_3>& cut_locus)
   {
     const auto& graph = cut_locus.graph();
-    add(cut_locus.source());
+    for(std::size_t i = 0; i < cut_locus.number_of_sources(); ++i)
+      add(cut_locus.source(i));
     for(auto v : CGAL::make_range(vertices(graph)))
       add(graph[v]);
     for(auto e : CGAL::make_range(edges(graph)))
@@ -137,14 +137,11 @@ Curve_on_mesh curve_on_mesh(const Read_triangle_mesh<TriangleMesh>& read, const 
   const auto& graph = cut_locus.graph();
   if(num_vertices(graph) == 0)
     throw Invalid_input(Cause::INVALID_CUT_LOCUS, "the cut locus is empty");
-  if(cut_locus.number_of_sources() > 1)
-    throw Invalid_input(Cause::INVALID_CUT_LOCUS,
-                        "the cut locus is that of several sources: its complement is as many disks, and not one");
 
   const Indices_of_cut_locus<TriangleMesh, Point_3> indices(read, tm, cut_locus);
   Curve_on_mesh result;
-  result.source = indices.location(cut_locus.source());
-  result.source_vertex = indices.vertex(cut_locus.source());
+  for(std::size_t i = 0; i < cut_locus.number_of_sources(); ++i)
+    result.sources.push_back({indices.location(cut_locus.source(i)), indices.vertex(cut_locus.source(i))});
   for(auto v : CGAL::make_range(vertices(graph)))
   {
     result.graph.nodes.push_back({indices.location(graph[v]), indices.vertex(graph[v]), graph[v].distance});
@@ -184,7 +181,7 @@ inline Curve_on_component on_component(const Indexed_triangle_mesh& mesh, Curve_
   Index number_of_components = 0;
   const std::vector<Index> label = face_components(mesh, number_of_components);
   Curve_on_component result;
-  result.component = extract_component(mesh, label, label[curve.source.face]);
+  result.component = extract_component(mesh, label, label[curve.sources.front().location.face]);
   std::vector<Index> vertex(mesh.number_of_vertices(), null_index), face(mesh.number_of_faces(), null_index);
   for(Index v = 0; v < result.component.vertices.size(); ++v)
     vertex[result.component.vertices[v]] = v;
@@ -195,8 +192,11 @@ inline Curve_on_component on_component(const Indexed_triangle_mesh& mesh, Curve_
     if(i != null_index && (i = indices[i]) == null_index)
       throw_foreign_cut_locus("it is not in the component of its source");
   };
-  renumber(curve.source.face, face);
-  renumber(curve.source_vertex, vertex);
+  for(Indexed_source& source : curve.sources)
+  {
+    renumber(source.location.face, face);
+    renumber(source.vertex, vertex);
+  }
   for(Indexed_cut_locus::Node& node : curve.graph.nodes)
   {
     renumber(node.location.face, face);
@@ -211,6 +211,13 @@ inline Curve_on_component on_component(const Indexed_triangle_mesh& mesh, Curve_
     }
   result.curve = std::move(curve);
   return result;
+}
+
+inline void throw_unless_of_one_source(const Curve_on_mesh& curve)
+{
+  if(curve.sources.size() > 1)
+    throw Invalid_input(Cause::INVALID_CUT_LOCUS,
+                        "the cut locus is that of several sources: its complement is as many disks, and not one");
 }
 
 inline void throw_unless_of_mesh_edges(const Curve_on_mesh& curve)
@@ -237,7 +244,7 @@ inline Seams seams_of_mesh_edges(const Indexed_triangle_mesh& mesh, const Mesh_c
   Seams seams(mesh.number_of_halfedges(), 0);
   for(const Indexed_cut_locus::Edge& e : curve.graph.edges)
     add_seam(mesh, e.halfedge, seams);
-  complete_seams(mesh, connectivity, curve.graph.nodes.front().vertex, curve.source_vertex, seams);
+  complete_seams(mesh, connectivity, curve.graph.nodes.front().vertex, curve.sources.front().vertex, seams);
   return seams;
 }
 

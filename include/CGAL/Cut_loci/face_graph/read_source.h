@@ -67,22 +67,13 @@ Indexed_source source_at_vertex(const TriangleMesh& tm, const Read_triangle_mesh
   return {location_on(outgoing_halfedge(tm, read, index)), index};
 }
 
-// A coordinate up to `tolerance` is taken for zero; their sum becomes one.
-template <typename TriangleMesh, typename FT>
-Indexed_source source_in_face(const TriangleMesh& tm, const Read_triangle_mesh<TriangleMesh>& read,
-                              typename boost::graph_traits<TriangleMesh>::face_descriptor f,
-                              const std::array<FT, 3>& coordinates, double tolerance)
+// A point of the face with the number `face`. A coordinate up to `tolerance` is taken for zero; their sum becomes one.
+template <typename FT>
+Indexed_source source_at(const Indexed_triangle_mesh& mesh, Index face, const std::array<FT, 3>& coordinates,
+                         double tolerance)
 {
-  if(f == boost::graph_traits<TriangleMesh>::null_face())
-    throw Invalid_input(Cause::INVALID_SOURCE, "the face of the source is null");
   Indexed_source source;
-  source.location.face = 0;
-  while(source.location.face < read.mesh.number_of_faces() &&
-        face(read.halfedges[3 * std::size_t(source.location.face)], tm) != f)
-    ++source.location.face;
-  if(source.location.face == read.mesh.number_of_faces())
-    throw Invalid_input(Cause::INVALID_SOURCE, "the face of the source is not a face of the mesh");
-
+  source.location.face = face;
   std::array<double, 3>& c = source.location.coordinates;
   double sum = 0.;
   for(int i = 0; i < 3; ++i)
@@ -105,9 +96,24 @@ Indexed_source source_in_face(const TriangleMesh& tm, const Read_triangle_mesh<T
   {
     c[i] /= sum;
     if(c[i] == 1.)
-      source.vertex = read.mesh.triangles[source.location.face][i];
+      source.vertex = mesh.triangles[face][i];
   }
   return source;
+}
+
+template <typename TriangleMesh, typename FT>
+Indexed_source source_in_face(const TriangleMesh& tm, const Read_triangle_mesh<TriangleMesh>& read,
+                              typename boost::graph_traits<TriangleMesh>::face_descriptor f,
+                              const std::array<FT, 3>& coordinates, double tolerance)
+{
+  if(f == boost::graph_traits<TriangleMesh>::null_face())
+    throw Invalid_input(Cause::INVALID_SOURCE, "the face of the source is null");
+  Index number = 0;
+  while(number < read.mesh.number_of_faces() && face(read.halfedges[3 * std::size_t(number)], tm) != f)
+    ++number;
+  if(number == read.mesh.number_of_faces())
+    throw Invalid_input(Cause::INVALID_SOURCE, "the face of the source is not a face of the mesh");
+  return source_at(read.mesh, number, coordinates, tolerance);
 }
 
 // One of several sources: a vertex, a face location, or a variant of both.

@@ -1,0 +1,252 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "cells.h"
+
+#include "Union_find.h"
+#include "location_in_part.h"
+
+#include <CGAL/Cut_loci/curve/curve_refinement.h>
+#include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
+#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/split_fans.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace {
+
+namespace lib = CGAL::Cut_loci::internal;
+using CGAL::Cut_loci::Index;
+using CGAL::Cut_loci::null_index;
+using CGAL::Cut_loci::Refined_mesh;
+using Read = lib::Read_triangle_mesh<Mesh>;
+
+// The sources of the parts into which the seams divide the faces.
+class Part_sources
+{
+public:
+  Part_sources(const Refined_mesh& refined) : refined_(refined), parts_(refined.mesh.number_of_faces())
+  {
+    for_each_inner_edge(
+      [&](Index h)
+      {
+      if(!refined.seams[h])
+        parts_.unite(h / 3, refined.mesh.opposite[h] / 3);
+    });
+    source_.assign(refined.mesh.number_of_faces(), Cells::none);
+  }
+
+  // the first one that is found counts
+  void set(Index face, std::size_t source)
+  {
+    std::size_t& at = source_[parts_.find(face)];
+    at = at == Cells::none ? source : at;
+  }
+
+  // What rounding has cut off has the source of a part beside it.
+  void spread()
+  {
+    for(bool has_changed = true; has_changed;)
+    {
+      has_changed = false;
+      for_each_inner_edge(
+        [&](Index h)
+        {
+        const std::size_t a = (*this)(h / 3), b = (*this)(refined_.mesh.opposite[h] / 3);
+        if((a == Cells::none) == (b == Cells::none))
+          return;
+        set(h / 3, b);
+        set(refined_.mesh.opposite[h] / 3, a);
+        has_changed = true;
+      });
+    }
+  }
+
+  std::size_t operator()(Index face) { return source_[parts_.find(face)]; }
+
+private:
+  template <typename Function>
+  void for_each_inner_edge(const Function& function) const
+  {
+    for(Index h = 0; h < refined_.mesh.number_of_halfedges(); ++h)
+      if(!refined_.mesh.is_border_edge(h) && h < refined_.mesh.opposite[h])
+        function(h);
+  }
+
+  const Refined_mesh& refined_;
+  curve_measures::internal::Union_find parts_;
+  std::vector<std::size_t> source_;
+};
+
+// The points in faces first, as there may be no vertex in their cells; then what the vertices know that are on no seam.
+std::vector<std::size_t> sources_of_faces(const Read& read, const std::vector<Index>& vertices,
+                                          const lib::Curve_on_mesh& curve, const Refined_mesh& refined,
+                                          const Cut_locus& cut_locus)
+{
+  Part_sources parts(refined);
+  for(std::size_t i = 0; i < curve.sources.size(); ++i)
+    if(curve.sources[i].vertex == null_index)
+      parts.set(
+        curve_measures::internal::location_in_part(read.mesh, refined.mesh, refined.faces, curve.sources[i].location)
+          .face,
+        i);
+  std::vector<bool> is_on_seam(refined.mesh.number_of_vertices(), false);
+  for(Index h = 0; h < refined.mesh.number_of_halfedges(); ++h)
+    if(refined.seams[h])
+      is_on_seam[refined.mesh.source(h)] = is_on_seam[refined.mesh.target(h)] = true;
+  for(Index h = 0; h < refined.mesh.number_of_halfedges(); ++h)
+    if(const Index v = refined.mesh.source(h); v < vertices.size() && !is_on_seam[v])
+      if(const auto nearest = cut_locus.nearest_source(read.vertices[vertices[v]]))
+        parts.set(h / 3, *nearest);
+  parts.spread();
+  std::vector<std::size_t> result;
+  for(Index f = 0; f < refined.mesh.number_of_faces(); ++f)
+    result.push_back(parts(f));
+  return result;
+}
+
+// Of a point that is new because two segments cross in it after rounding, the mean of the distances around it.
+void fill_in_distances(const Refined_mesh& refined, std::vector<double>& distance)
+{
+  std::vector<std::pair<double, std::size_t>> sum(distance.size());
+  for(Index h = 0; h < refined.mesh.number_of_halfedges(); ++h)
+    if(const double d = distance[refined.mesh.target(h)];
+       std::isnan(distance[refined.mesh.source(h)]) && std::isfinite(d))
+    {
+      sum[refined.mesh.source(h)].first += d;
+      ++sum[refined.mesh.source(h)].second;
+    }
+  for(std::size_t v = 0; v < distance.size(); ++v)
+    if(std::isnan(distance[v]))
+      distance[v] = sum[v].second > 0 ? sum[v].first / double(sum[v].second) : 0.;
+}
+
+struct Point
+{
+  const Cells& cells;
+  Index vertex;
+};
+
+std::ostream& operator<<(std::ostream& os, const Point& p)
+{
+  const auto& x = p.cells.mesh.points[p.vertex];
+  return os << x[0] << ' ' << x[1] << ' ' << x[2];
+}
+
+void write_ply(std::ostream& os, const Cells& cells)
+{
+  os << "ply\nformat ascii 1.0\nelement vertex " << cells.mesh.number_of_vertices()
+     << "\nproperty double x\nproperty double y\nproperty double z\nproperty double distance\nelement face "
+     << cells.mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\nproperty int source\nend_header\n";
+  for(Index v = 0; v < cells.mesh.number_of_vertices(); ++v)
+    os << Point{cells, v} << ' ' << cells.distance[v] << '\n';
+  for(Index f = 0; f < cells.mesh.number_of_faces(); ++f)
+  {
+    const auto& t = cells.mesh.triangles[f];
+    os << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << ' ' << static_cast<std::ptrdiff_t>(cells.source[f]) << '\n';
+  }
+}
+
+void write_vtp(std::ostream& os, const Cells& cells)
+{
+  const Index nv = cells.mesh.number_of_vertices(), nf = cells.mesh.number_of_faces();
+  const auto write_array = [&](const std::string& attributes, Index size, const auto& write)
+  {
+    os << "<DataArray " << attributes << " format=\"ascii\">\n";
+    for(Index i = 0; i < size; ++i)
+    {
+      write(i);
+      os << '\n';
+    }
+    os << "</DataArray>\n";
+  };
+  os << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
+     << "<Piece NumberOfPoints=\"" << nv
+     << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" << nf
+     << "\">\n<PointData Scalars=\"distance\">\n";
+  write_array("type=\"Float64\" Name=\"distance\"", nv, [&](Index v) { os << cells.distance[v]; });
+  os << "</PointData>\n<CellData Scalars=\"source\">\n";
+  write_array("type=\"Int64\" Name=\"source\"", nf,
+              [&](Index f) { os << static_cast<std::ptrdiff_t>(cells.source[f]); });
+  os << "</CellData>\n<Points>\n";
+  write_array("type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", nv, [&](Index v) { os << Point{cells, v}; });
+  os << "</Points>\n<Polys>\n";
+  write_array("type=\"Int64\" Name=\"connectivity\"", nf,
+              [&](Index f)
+              {
+    const auto& t = cells.mesh.triangles[f];
+    os << t[0] << ' ' << t[1] << ' ' << t[2];
+  });
+  write_array("type=\"Int64\" Name=\"offsets\"", nf, [&](Index f) { os << 3 * (f + 1); });
+  os << "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+}
+
+// a group for each cell
+void write_obj(std::ostream& os, const Cells& cells)
+{
+  for(Index v = 0; v < cells.mesh.number_of_vertices(); ++v)
+    os << "v " << Point{cells, v} << '\n';
+  std::vector<std::pair<std::size_t, Index>> order; // by sources; those without one come last
+  for(Index f = 0; f < cells.mesh.number_of_faces(); ++f)
+    order.emplace_back(cells.source[f], f);
+  std::sort(order.begin(), order.end());
+  for(std::size_t i = 0; i < order.size(); ++i)
+  {
+    if(i == 0 || order[i].first != order[i - 1].first)
+      os << "g "
+         << (order[i].first == Cells::none ? std::string("unreached") : "source_" + std::to_string(order[i].first))
+         << '\n';
+    const auto& t = cells.mesh.triangles[order[i].second];
+    os << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+  }
+}
+
+} // namespace
+
+Cells make_cells(const Mesh& mesh, const Cut_locus& cut_locus)
+{
+  constexpr Index resolution = 1 << 12; // a pixel of a face that fills a picture
+  const Read read = lib::read_triangle_mesh(mesh, mesh.points());
+  const lib::Curve_on_mesh curve = lib::curve_on_mesh(read, mesh, cut_locus);
+  const lib::Mesh_of_fans fans = lib::split_fans(read.mesh); // components may touch in a vertex
+  Refined_mesh refined = CGAL::Cut_loci::refine_along_curve(fans.mesh, CGAL::Cut_loci::Mesh_connectivity(fans.mesh),
+                                                            curve.graph, resolution);
+
+  Cells cells;
+  cells.distance.assign(refined.mesh.number_of_vertices(), std::numeric_limits<double>::quiet_NaN());
+  for(std::size_t i = 0; i < refined.nodes.size(); ++i)
+    cells.distance[refined.nodes[i]] = curve.graph.nodes[i].distance;
+  for(Index v = 0; v < fans.vertices.size(); ++v)
+    cells.distance[v] = cut_locus.distance(read.vertices[fans.vertices[v]]);
+  fill_in_distances(refined, cells.distance);
+  cells.source = sources_of_faces(read, fans.vertices, curve, refined, cut_locus);
+  cells.mesh = std::move(refined.mesh);
+  cells.seams = std::move(refined.seams);
+  return cells;
+}
+
+bool is_cells_name(const std::string& filename)
+{
+  const std::string extension = std::filesystem::path(filename).extension().string();
+  return extension == ".ply" || extension == ".vtp" || extension == ".obj";
+}
+
+void write_cells(const std::string& filename, const Cells& cells)
+{
+  std::ofstream os(filename);
+  os.precision(std::numeric_limits<double>::max_digits10);
+  const std::string extension = std::filesystem::path(filename).extension().string();
+  (extension == ".ply" ? write_ply : extension == ".vtp" ? write_vtp : write_obj)(os, cells);
+  os.close();
+  if(os.fail())
+    throw std::runtime_error("cannot write to '" + filename + "'");
+}
