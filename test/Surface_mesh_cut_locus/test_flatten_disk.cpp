@@ -4,7 +4,7 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "built_mesh.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/flatten_disk.h>
 #include <CGAL/Simple_cartesian.h>
@@ -29,6 +29,17 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Point_2 = Kernel::Point_2;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using UV_map = Mesh::Property_map<Mesh::Vertex_index, Point_2>;
+
+Mesh build(const Mesh_data& data)
+{
+  Mesh mesh;
+  for(const Point& p : data.points)
+    mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
+  const auto vertex = [](std::size_t v) { return Mesh::Vertex_index(Mesh::size_type(v)); };
+  for(const Triangle& t : data.triangles)
+    mesh.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
+  return mesh;
+}
 
 UV_map add_uv_map(Mesh& disk)
 {
@@ -62,7 +73,7 @@ Layout_quality expect_injective(Mesh& disk)
 
 Mesh cut_open(const Mesh_data& data, std::size_t source)
 {
-  Mesh mesh = build<Mesh>(data), disk;
+  Mesh mesh = build(data), disk;
   CGAL::cut_along_cut_locus(mesh, CGAL::compute_cut_locus(mesh, Mesh::Vertex_index(Mesh::size_type(source))), disk);
   return disk;
 }
@@ -114,7 +125,7 @@ TEST(Flatten_disk, Developable_surfaces_keep_their_shape)
     Mesh_data roll = square(10, 0.2, 1);
     for(Point& p : roll.points)
       p = {{unit * std::sin(p[0]), unit * std::cos(p[0]), unit * p[1]}};
-    Mesh disk = build<Mesh>(roll);
+    Mesh disk = build(roll);
     // the chords of the roll turn at edges: it is flat up to the squares of their lengths
     const Layout_quality quality = expect_injective(disk);
     EXPECT_LT(quality.symmetric_dirichlet_energy, 1.001);
@@ -133,7 +144,7 @@ TEST(Flatten_disk, Developable_surfaces_keep_their_shape)
 // covered twice.
 TEST(Flatten_disk, Overlap_is_measured_and_avoided)
 {
-  Mesh disk = build<Mesh>(strip(1.5, 90, 0.02));
+  Mesh disk = build(strip(1.5, 90, 0.02));
   UV_map uv = add_uv_map(disk);
   for(Mesh::Vertex_index v : disk.vertices())
     uv[v] = Point_2(disk.point(v).x(), disk.point(v).y());
@@ -150,7 +161,7 @@ TEST(Flatten_disk, Overlap_is_measured_and_avoided)
 // One that does not reach itself, and one that overlaps by less than the grid can see.
 TEST(Flatten_disk, Overlap_is_found_exactly)
 {
-  Mesh disk = build<Mesh>(strip(0.99, 90, 0.));
+  Mesh disk = build(strip(0.99, 90, 0.));
   UV_map uv = add_uv_map(disk);
   const auto look_from_above = [&]
   {
@@ -175,7 +186,7 @@ TEST(Flatten_disk, Overlap_is_found_exactly)
 
 TEST(Flatten_disk, Flipped_faces_are_counted)
 {
-  Mesh disk = build<Mesh>(square(4));
+  Mesh disk = build(square(4));
   UV_map uv = add_uv_map(disk);
   for(Mesh::Vertex_index v : disk.vertices())
     uv[v] = Point_2(disk.point(v).x(), -disk.point(v).y());
@@ -192,7 +203,7 @@ TEST(Flatten_disk, Faces_without_area)
   for(double height : {0., 1e-300, 1e-12, 1e-3})
   {
     SCOPED_TRACE(height);
-    Mesh disk = build<Mesh>(square(8));
+    Mesh disk = build(square(8));
     Mesh::size_type inner = 0;
     for(Mesh::Vertex_index v : disk.vertices())
       if(!disk.is_border(v) && inner++ % 5 == 0)
@@ -204,7 +215,7 @@ TEST(Flatten_disk, Faces_without_area)
     EXPECT_EQ(quality.faces_without_shape > 0, height < 1e-4);
     EXPECT_TRUE(std::isfinite(quality.symmetric_dirichlet_energy));
   }
-  Mesh point = build<Mesh>(square(3));
+  Mesh point = build(square(3));
   for(Mesh::Vertex_index v : point.vertices())
     point.point(v) = Kernel::Point_3(1., 2., 3.);
   UV_map uv = add_uv_map(point);
@@ -215,15 +226,15 @@ TEST(Flatten_disk, Faces_without_area)
 // would allow for equal edges.
 TEST(Flatten_disk, Deep_pocket)
 {
-  Mesh disk = build<Mesh>(punctured(capsule(12., 16, 120), {Point{{0., 0., 13.}}}, 1.));
+  Mesh disk = build(punctured(capsule(12., 16, 120), {Point{{0., 0., 13.}}}, 1.));
   const Layout_quality quality = expect_injective(disk);
   EXPECT_LT(quality.symmetric_dirichlet_energy, 1e3);
 }
 
 TEST(Flatten_disk, Bad_input)
 {
-  Mesh sphere = build<Mesh>(icosahedron()), cylindrical = build<Mesh>(cylinder(1., 8, 3, 0., 0)),
-       two = build<Mesh>(disjoint_union(square(2), square(2), {{5., 0., 0.}}));
+  Mesh sphere = build(icosahedron()), cylindrical = build(cylinder(1., 8, 3, 0., 0)),
+       two = build(disjoint_union(square(2), square(2), {{5., 0., 0.}}));
   for(Mesh* mesh : {&sphere, &cylindrical, &two})
   {
     UV_map uv = add_uv_map(*mesh);
@@ -238,7 +249,7 @@ TEST(Flatten_disk, Bad_input)
       EXPECT_NE(std::string(e.what()).find("cut_along_cut_locus"), std::string::npos);
     }
   }
-  Mesh disk = build<Mesh>(square(2));
+  Mesh disk = build(square(2));
   UV_map uv = add_uv_map(disk);
   uv[Mesh::Vertex_index(1)] = Point_2(std::nan(""), 0.);
   EXPECT_THROW(CGAL::Cut_loci::layout_quality(disk, uv), Invalid_input);
