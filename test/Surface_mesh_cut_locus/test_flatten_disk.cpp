@@ -197,6 +197,24 @@ TEST(Flatten_disk, Flipped_faces_are_counted)
   EXPECT_TRUE(std::isinf(mirrored.symmetric_dirichlet_energy));
 }
 
+// Distortion is infinite then, and not a number.
+TEST(Flatten_disk, Images_without_area)
+{
+  Mesh disk = build(square(4));
+  UV_map uv = add_uv_map(disk);
+  for(bool is_partly : {false, true})
+  {
+    if(is_partly)
+      uv[*disk.vertices().begin()] = Point_2(-1., 1.);
+    const Layout_quality quality = CGAL::Cut_loci::layout_quality(disk, uv);
+    EXPECT_GT(quality.flipped_faces, 0u);
+    EXPECT_FALSE(quality.is_injective);
+    EXPECT_EQ(quality.overlap, 0.);
+    for(double mean : {quality.area_distortion, quality.angle_distortion, quality.symmetric_dirichlet_energy})
+      EXPECT_TRUE(std::isinf(mean)) << mean;
+  }
+}
+
 // Needles and faces without area have no shape; the others have theirs.
 TEST(Flatten_disk, Faces_without_area)
 {
@@ -222,8 +240,7 @@ TEST(Flatten_disk, Faces_without_area)
   EXPECT_THROW(flatten_disk(point, uv), Invalid_input);
 }
 
-// A long pocket whose only opening is the border: in the convex layout its end is smaller than the digits of its place
-// would allow for equal edges.
+// A long pocket whose only opening is the border: in the convex layout its end shrinks to about e^-24 of the disk.
 TEST(Flatten_disk, Deep_pocket)
 {
   Mesh disk = build(punctured(capsule(12., 16, 120), {Point{{0., 0., 13.}}}, 1.));

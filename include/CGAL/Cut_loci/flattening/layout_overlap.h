@@ -119,7 +119,10 @@ inline double overlapping_part(const std::vector<Triangle_corners>& faces, const
         low[i] = (std::min)(low[i], plane[v][i]);
         high[i] = (std::max)(high[i], plane[v][i]);
       }
-  const double scale = size / (std::max)(high[0] - low[0], high[1] - low[1]);
+  const double extent = (std::max)(high[0] - low[0], high[1] - low[1]);
+  if(!(extent > 0.))
+    return 0.;
+  const double scale = size / extent;
   std::vector<unsigned char> count(std::size_t(size) * size, 0);
   for(const Triangle_corners& corners : faces)
   {
