@@ -218,8 +218,10 @@ po::options_description visible_options()
     "border: faces between two sources are split")(
     "uv", po::value<std::string>()->value_name("FILE.obj"),
     "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a texture")(
-    "parameterization", po::value<std::string>()->value_name("NAME")->default_value("arap"),
-    "how --uv flattens:\n  arap: as rigidly as possible\n  lscm: least squares conformal map\n"
+    "parameterization", po::value<std::string>()->value_name("NAME")->default_value("injective"),
+    "how --uv flattens:\n  injective: as isometrically as may be without flipped or overlapping triangles\n  arap: as "
+    "rigidly "
+    "as possible; may flip and overlap\n  lscm: least squares conformal map; may, too\n"
     "  convex: mean value coordinates in a circle, without flipped triangles")(
     "unfold", po::value<std::string>()->value_name("FILE.svg|.obj"),
     "write the source unfolding of a convex polyhedron: cut along the exact cut locus, whatever the method, and laid "
@@ -490,7 +492,8 @@ Options parse_command_line(int argc, char* argv[])
     throw Usage_error("--parameterization is for --uv");
   options.parameterization = text("parameterization");
   if(!is_parameterization_name(options.parameterization))
-    throw Usage_error("--parameterization takes arap, lscm or convex, not '" + options.parameterization + "'");
+    throw Usage_error("--parameterization takes injective, arap, lscm or convex, not '" + options.parameterization +
+                      "'");
   if(given.count("unfold"))
   {
     check_output_path(options.unfold = text("unfold"), "--unfold");

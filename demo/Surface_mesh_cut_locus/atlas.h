@@ -9,6 +9,8 @@
 
 #include "Mesh.h"
 
+#include <CGAL/Cut_loci/Layout_quality.h>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -24,11 +26,7 @@ struct Atlas
   std::vector<std::array<std::size_t, 3>> faces;           // corners in `points`
   std::vector<std::array<std::size_t, 3>> texture_corners; // in `texture_coordinates`, for the first faces
 
-  std::size_t flipped_faces = 0;
-  // Means over the area of (s + 1/s) / 2, where s is the ratio of the areas, or of the largest and the least stretch:
-  // 1 if there is no distortion.
-  double area_distortion = 0., angle_distortion = 0.;
-  double overlap = 0.;       // the part of the texels in use, of 1024 x 1024, that several faces take
+  CGAL::Cut_loci::Layout_quality quality;
   double seam_distance = 0.; // of the seams to the source
 };
 
@@ -39,8 +37,8 @@ Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string
 // where this leaves a ring around a source that is a curve, along edges.
 Atlas make_atlas_of_cells(const Mesh& mesh, const Cut_locus& cut_locus, const std::string& parameterization);
 
-// Scales the texture coordinates, and measures.
-void finish_atlas(const Cut_locus& cut_locus, Atlas& atlas);
+// Scales the texture coordinates, mirrors them if they are reversed, and finds the distance of the seams.
+void finish_atlas(const Cut_locus& cut_locus, bool is_reversed, Atlas& atlas);
 
 // Writes the OBJ file, and a material and a texture beside it. Throws `std::runtime_error` if that fails.
 void write_atlas(const std::string& filename, const Atlas& atlas);

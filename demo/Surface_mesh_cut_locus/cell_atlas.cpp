@@ -11,12 +11,14 @@
 #include "flatten.h"
 
 #include <CGAL/Cut_loci/face_graph/build_face_graph.h>
+#include <CGAL/Cut_loci/flatten_disk.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <set>
 #include <vector>
@@ -34,6 +36,9 @@ struct Chart
   std::vector<std::array<std::size_t, 3>> corners; // in `points`
   std::vector<Index> faces;                        // of the cells
   UV size = {{0., 0.}};                            // `points` are between zero and it
+  Mesh disk;
+  double area = 0.;      // on the surface
+  std::size_t first = 0; // of its texture coordinates
 };
 
 // A connected part of a cell. What is left of its seams is opened, or completed, until it is a disk.
@@ -61,6 +66,7 @@ void place(const loci::Indexed_triangle_mesh& disk, Chart& chart)
     { return Kernel::Point_3(disk.points[t[i]][0], disk.points[t[i]][1], disk.points[t[i]][2]); };
     on_surface += std::sqrt(CGAL::squared_area(point(0), point(1), point(2)));
   }
+  chart.area = on_surface;
   const double scale = std::sqrt(on_surface / std::abs(in_plane));
   UV low = {{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}};
   for(UV& p : chart.points)
@@ -89,6 +95,7 @@ Chart flattened(const loci::internal::Mesh_component& part, const Cells& cells, 
     chart.corners.push_back({{t[0], t[1], t[2]}});
   chart.faces = part.faces;
   place(cut.mesh, chart);
+  chart.disk = flat.mesh;
   return chart;
 }
 
@@ -120,6 +127,36 @@ std::vector<UV> corners_of_charts(const std::vector<Chart>& charts)
     result[i] = {{x, y}};
     x += charts[i].size[0] + gap;
     height = (std::max)(height, charts[i].size[1]);
+  }
+  return result;
+}
+
+// Of all charts, as they are in the atlas; they do not touch each other.
+loci::Layout_quality quality_of_charts(std::vector<Chart>& charts, const Atlas& atlas)
+{
+  loci::Layout_quality result;
+  result.is_injective = true;
+  double area = 0.;
+  for(const Chart& chart : charts)
+    area += chart.area;
+  for(Chart& chart : charts)
+  {
+    auto uv = chart.disk.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:place").first;
+    for(const Mesh::Vertex_index v : chart.disk.vertices())
+    {
+      const UV& p = atlas.texture_coordinates[chart.first + std::size_t(v)];
+      uv[v] = Kernel::Point_2(p[0], p[1]);
+    }
+    const loci::Layout_quality quality = loci::layout_quality(chart.disk, uv);
+    const double part = chart.area / area;
+    result.flipped_faces += quality.flipped_faces;
+    result.is_injective = result.is_injective && quality.is_injective;
+    result.overlapping_faces += quality.overlapping_faces;
+    result.overlap += part * quality.overlap;
+    result.area_distortion += part * quality.area_distortion;
+    result.angle_distortion += part * quality.angle_distortion;
+    result.symmetric_dirichlet_energy += part * quality.symmetric_dirichlet_energy;
+    result.faces_without_shape += quality.faces_without_shape;
   }
   return result;
 }
@@ -162,7 +199,7 @@ Atlas make_atlas_of_cells(const Mesh& mesh, const Cut_locus& cut_locus, const st
   };
   for(std::size_t i = 0; i < charts.size(); ++i)
   {
-    const std::size_t first = atlas.texture_coordinates.size();
+    const std::size_t first = charts[i].first = atlas.texture_coordinates.size();
     for(const UV& p : charts[i].points)
       atlas.texture_coordinates.push_back({{corners[i][0] + p[0], corners[i][1] + p[1]}});
     for(std::size_t k = 0; k < charts[i].faces.size(); ++k)
@@ -175,6 +212,7 @@ Atlas make_atlas_of_cells(const Mesh& mesh, const Cut_locus& cut_locus, const st
   for(Index f = 0; f < cells.mesh.number_of_faces(); ++f) // other components
     if(cells.source[f] == Cells::none)
       atlas.faces.push_back(face(f));
-  finish_atlas(cut_locus, atlas);
+  finish_atlas(cut_locus, false, atlas);
+  atlas.quality = quality_of_charts(charts, atlas);
   return atlas;
 }

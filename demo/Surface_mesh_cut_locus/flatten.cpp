@@ -7,6 +7,7 @@
 #include "flatten.h"
 #include "arap.h"
 
+#include <CGAL/Cut_loci/flatten_disk.h>
 #include <CGAL/cut_along_cut_locus.h>
 #include <CGAL/refine_along_cut_locus.h>
 
@@ -59,7 +60,7 @@ bool make_rigid(const Mesh& disk, Flat_disk::UV_map uv)
 
 bool is_parameterization_name(const std::string& name)
 {
-  return name == "arap" || name == "lscm" || name == "convex";
+  return name == "injective" || name == "arap" || name == "lscm" || name == "convex";
 }
 
 Flat_disk::Flat_disk()
@@ -86,6 +87,11 @@ void cut_open(const Mesh& mesh, const Cut_locus& cut_locus, Flat_disk& disk)
 
 void flatten(Flat_disk& disk, const std::string& parameterization)
 {
+  if(parameterization == "injective")
+  {
+    CGAL::Cut_loci::flatten_disk(disk.mesh, disk.uv);
+    return;
+  }
   const SMP::Error_code error = parameterize(disk.mesh, parameterization, disk.uv);
   if(error == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM) // CGAL 5.5 and 6.1 give it the message of another error
     throw std::runtime_error("the surface can not be flattened: the linear system can not be solved");

@@ -91,13 +91,19 @@ void add_check(Json& report, const Check& check)
 
 void add_atlas(Json& report, const Atlas& atlas, const std::optional<double>& short_cut_graph_distance)
 {
+  const CGAL::Cut_loci::Layout_quality& quality = atlas.quality;
+  const auto figure = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
   Json& uv = report["uv"];
   uv["parameterization"] = atlas.parameterization;
   uv["faces"] = atlas.texture_corners.size();
-  uv["flipped_faces"] = atlas.flipped_faces;
-  uv["area_distortion"] = atlas.area_distortion;
-  uv["angle_distortion"] = atlas.angle_distortion;
-  uv["overlap"] = atlas.overlap;
+  uv["flipped_faces"] = quality.flipped_faces;
+  uv["injective"] = quality.is_injective;
+  uv["overlapping_faces"] = quality.overlapping_faces;
+  uv["overlap"] = quality.overlap;
+  uv["area_distortion"] = figure(quality.area_distortion);
+  uv["angle_distortion"] = figure(quality.angle_distortion);
+  uv["symmetric_dirichlet_energy"] = figure(quality.symmetric_dirichlet_energy);
+  uv["faces_without_shape"] = quality.faces_without_shape;
   uv["seam_distance"] = atlas.seam_distance;
   uv["short_cut_graph_distance"] = to_json(short_cut_graph_distance);
 }
@@ -221,9 +227,17 @@ std::string summary(const Options& options, CGAL::Cut_loci::Curve curve, const M
 std::string summary(const Atlas& atlas)
 {
   std::ostringstream text;
-  text << std::setprecision(4) << "atlas: " << atlas.flipped_faces << " faces flipped, overlap " << 100. * atlas.overlap
-       << " %, distortion of areas " << atlas.area_distortion << ", of angles " << atlas.angle_distortion;
-  if((atlas.flipped_faces > 0 || atlas.overlap > 0.) && atlas.parameterization != "convex")
-    text << "; --parameterization convex neither flips nor overlaps";
+  const CGAL::Cut_loci::Layout_quality& quality = atlas.quality;
+  text << std::setprecision(4) << "atlas: ";
+  if(quality.is_injective)
+    text << "injective";
+  else
+    text << quality.flipped_faces << " faces flipped, " << quality.overlapping_faces << " overlap, which is "
+         << 100. * quality.overlap << " % of what is covered";
+  text << "; distortion of areas " << quality.area_distortion << ", of angles " << quality.angle_distortion;
+  if(quality.faces_without_shape > 0)
+    text << "; " << quality.faces_without_shape << " faces are too thin to have a shape";
+  if(!quality.is_injective && atlas.parameterization != "injective")
+    text << "; --parameterization injective neither flips nor overlaps";
   return text.str();
 }

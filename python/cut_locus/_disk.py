@@ -11,7 +11,7 @@ import numpy.typing as npt
 from . import _core
 from ._input import Sources
 
-PARAMETERIZATIONS = ("arap", "lscm", "convex")
+PARAMETERIZATIONS = ("injective", "arap", "lscm", "convex")
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +52,8 @@ def cut_open(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *,
     vertices, faces, source, **parameters
         As in `compute()`. There must be one source.
     parameterization : str or None
-        "arap": as rigid as possible; "lscm": conformal; "convex": in a circle, which alone never flips; None: no `uv`.
+        "arap": as rigid as possible; "injective": as isometric as may be without flipped or overlapping faces; "lscm":
+        conformal; "convex": in a circle, which never flips either; None: no `uv`.
 
     Returns
     -------

@@ -29,7 +29,7 @@ def area(points, faces):
 
 
 @pytest.mark.parametrize("curve", ["edges", "faces"])
-@pytest.mark.parametrize("parameterization", ["arap", "lscm", "convex", None])
+@pytest.mark.parametrize("parameterization", ["injective", "arap", "lscm", "convex", None])
 def test_torus(curve, parameterization):
     points, faces = meshes.torus(24, 12)
     disk = cut_locus.cut_open(points, faces, 3, curve=curve, parameterization=parameterization)
@@ -54,8 +54,9 @@ def test_torus(curve, parameterization):
     flat = np.concatenate([uv, np.zeros((len(uv), 1))], axis=1)
     assert area(flat, disk_faces[~disk.is_flipped]) - area(flat, disk_faces[disk.is_flipped]) == pytest.approx(
         area(points, faces))
-    if parameterization == "convex":
+    if parameterization in ("injective", "convex"):
         assert not disk.is_flipped.any()
+    if parameterization == "convex":
         directed = {(a, b) for f in disk_faces.tolist() for a, b in zip(f, f[1:] + f[:1])}
         border = uv[[a for a, b in directed if (b, a) not in directed]]
         system = np.concatenate([2. * border, np.ones((len(border), 1))], axis=1)

@@ -308,7 +308,7 @@ TEST_F(Program, Textured_mesh)
 {
   for(const char* method : {"--method laplacian", "--method direction", "--method polyhedral",
                             "--method laplacian --curve faces", "--method direction --curve faces"})
-    for(const char* parameterization : {"arap", "lscm", "convex"})
+    for(const char* parameterization : {"injective", "arap", "lscm", "convex"})
     {
       SCOPED_TRACE(std::string(method) + " " + parameterization);
       const Outcome outcome =
@@ -403,10 +403,13 @@ TEST_F(Program, Textured_mesh)
       EXPECT_EQ(report.at("parameterization"), parameterization);
       EXPECT_EQ(report.at("faces"), faces.size());
       EXPECT_NEAR(report.at("flipped_faces").get<int>(), flipped, 1); // of no area, up to rounding
-      if(std::string(parameterization) == "convex")                   // the other two do not promise it
+      if(std::string(parameterization) == "injective" || std::string(parameterization) == "convex")
       {
         EXPECT_EQ(flipped, 0);
+        EXPECT_EQ(report.at("injective"), true);
+        EXPECT_EQ(report.at("overlapping_faces"), 0);
         EXPECT_EQ(report.at("overlap"), 0.);
+        EXPECT_GE(report.at("symmetric_dirichlet_energy").get<double>(), 1.);
       }
       EXPECT_GE(report.at("area_distortion").get<double>(), 1.);
       EXPECT_GE(report.at("angle_distortion").get<double>(), 1.);
@@ -441,13 +444,16 @@ TEST_F(Program, Overlapping_atlas)
       off << "3 " << a << ' ' << a + 1 << ' ' << b + 1 << "\n3 " << a << ' ' << b + 1 << ' ' << b << '\n';
     }
   write("ramp.off", off.str());
-  for(const auto& [parameterization, overlap] : std::map<std::string, double>{{"arap", 0.5}, {"convex", 0.}})
+  for(const auto& [parameterization, overlap] :
+      std::map<std::string, double>{{"arap", 0.5}, {"convex", 0.}, {"injective", 0.}})
   {
     const Outcome outcome = run(quoted(path("ramp.off")) + " --quiet --parameterization " + parameterization +
                                 " --uv " + quoted(path("uv.obj")) + " --report " + quoted(path("uv.json")));
     ASSERT_EQ(outcome.status, 0) << outcome.messages;
     const auto report = nlohmann::json::parse(read_file(path("uv.json"))).at("uv");
     EXPECT_NEAR(report.at("overlap").get<double>(), overlap, 0.02) << parameterization;
+    EXPECT_EQ(report.at("injective"), overlap == 0.) << parameterization;
+    EXPECT_EQ(report.at("overlapping_faces") == 0, overlap == 0.) << parameterization;
   }
 }
 

@@ -32,6 +32,7 @@ enum class Cause {
   PARAMETER_OF_OTHER_METHOD, ///< a parameter, or several sources, have no meaning for the method
   INVALID_CUT_LOCUS,         ///< a cut locus is not one of the mesh, or not of the kind that is needed
   NOT_CONVEX,                ///< a polyhedron is not convex, or not closed, where it has to be
+  NO_DISK,                   ///< a surface is not a disk with one border loop
   TOO_INACCURATE             ///< the exact solver, or what cuts a surface open, meets faces that are too thin for it
 };
 
