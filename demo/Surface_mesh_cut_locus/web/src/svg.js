@@ -14,7 +14,7 @@ function document(width, height, body) {
 export function curveToSvg(viewer, segments, dots, colors) {
   const { width, height } = viewer.boxOf(viewer.model);
   const { camera, probe } = viewer;
-  viewer.setAspect(camera, width / height);
+  viewer.setAspect(viewer.model, width / height);
   const scale = Math.min(2, 2048 / Math.max(width, height));
   probe.look(viewer.pickable.geometry, camera, Math.round(scale * width), Math.round(scale * height));
   const place = (p) => {

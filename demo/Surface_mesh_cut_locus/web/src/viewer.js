@@ -5,6 +5,7 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { ViewHelper } from 'three/examples/jsm/helpers/ViewHelper.js';
 import { CurveLines } from './curve_lines.js';
 import { DepthProbe } from './depth_probe.js';
+import { bestArea } from './free_area.js';
 import { makeMarker, setMarkerColors, sizeMarker } from './markers.js';
 import { Pointer } from './pointer.js';
 import { Surface } from './surface.js';
@@ -16,9 +17,10 @@ const restMilliseconds = 140; // the shadows of hollows wait until the view rest
 const modelRadius = 1.02; // the mesh fills the unit ball
 
 export class Viewer {
-  constructor(canvas, views, { onPick, onHover, onChange }) {
+  constructor(canvas, views, { onPick, onHover, onChange, overlays = [] }) {
     this.canvas = canvas;
     this.onChange = onChange;
+    this.overlays = overlays; // what lies above the picture
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.autoClear = false;
@@ -51,7 +53,8 @@ export class Viewer {
     this.faceCurve = new CurveLines(3.5, 4);
     this.seams = new CurveLines(1.4, 1, { hasCasing: false });
     this.paths = new CurveLines(3, 6);
-    this.curves = [this.edgeCurve, this.faceCurve, this.seams, this.paths];
+    this.sourceLines = new CurveLines(4.5, 5);
+    this.curves = [this.edgeCurve, this.faceCurve, this.seams, this.paths, this.sourceLines];
     this.arrows = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
     this.arrows.visible = false;
     this.sourceMarkers = [];
@@ -77,7 +80,7 @@ export class Viewer {
 
   makePane(element, camera) {
     const surfaces = new THREE.Scene(), lines = new THREE.Scene();
-    const pane = { element, camera, surfaces, lines, layer: new SurfaceLayer(this.renderer, surfaces, camera) };
+    const pane = { element, camera, surfaces, lines, shift: [0, 0], part: 1, layer: new SurfaceLayer(this.renderer, surfaces, camera) };
     if (camera.isOrthographicCamera) {
       camera.position.set(0, 0, 5);
       pane.controls = this.listen(new OrbitControls(camera, element), pane);
@@ -121,6 +124,7 @@ export class Viewer {
     this.edgeCurve.setColors(colors.edges, new THREE.Color(colors.edges).lerp(new THREE.Color(colors.back), 0.6), colors.casing);
     this.seams.setColors(colors.edges, colors.back, colors.casing);
     this.paths.setColors(colors.path, new THREE.Color(colors.path).lerp(new THREE.Color(colors.back), 0.5), colors.casing);
+    this.sourceLines.setColors(colors.source, new THREE.Color(colors.source).lerp(new THREE.Color(colors.back), 0.5), colors.casing);
     this.atlasSeams.setColors(colors.curve, colors.back, colors.casing);
     this.arrows.material.color.set(colors.arrows);
     this.wireframe.material.color.set(colors.isDark ? 0x000000 : 0x20262e);
@@ -204,7 +208,7 @@ export class Viewer {
 
   drawPane(pane, occlusion) {
     const box = this.boxOf(pane);
-    this.setAspect(pane.camera, box.width / box.height);
+    this.setAspect(pane, box.width / box.height);
     this.setMarkerSizes(box.height);
     const lines = pane === this.model ? this.curves : [this.atlasSeams];
     for (const curve of lines) curve.setResolution(box.width, box.height);
@@ -217,7 +221,8 @@ export class Viewer {
   }
 
   // The view has the same angle along the shorter side of the window, whichever that is.
-  setAspect(camera, aspect) {
+  // What is looked at is in the middle of the part of the pane that is free.
+  setAspect({ camera, shift, part }, aspect) {
     if (camera.isPerspectiveCamera) {
       const half = Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(aspect, 1);
       camera.fov = 2 * THREE.MathUtils.radToDeg(Math.atan(half));
@@ -227,10 +232,41 @@ export class Viewer {
       camera.near = Math.max(distance - modelRadius, 0.004);
       camera.far = Math.max(distance + modelRadius, 0.1);
     } else {
-      const half = 1.06 * Math.max(1, 1 / aspect);
+      const half = 1.06 / part * Math.max(1, 1 / aspect);
       Object.assign(camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
     }
-    camera.updateProjectionMatrix();
+    camera.setViewOffset(aspect, 1, -shift[0] * aspect, shift[1], aspect, 1);
+  }
+
+  // what lies above a pane, in pixels from its upper left corner
+  overlaysOf(pane) {
+    const view = this.boxOf(pane);
+    const stage = this.canvas.getBoundingClientRect();
+    const left = stage.left + view.left, top = stage.top + this.size.height - view.bottom - view.height;
+    return this.overlays.map((element) => element.getBoundingClientRect()).filter(({ width, height }) => width > 0 && height > 0)
+      .map((box) => ({ left: box.left - left, top: box.top - top, right: box.right - left, bottom: box.bottom - top }));
+  }
+
+  // The mesh, seen from a direction, in the area in which it is largest; the distance from which it fills it is returned.
+  placeModel(eye) {
+    const view = this.boxOf(this.model);
+    const reach = ({ width, height }) => (this.positions ? this.reachFrom(eye, width / view.height, height / view.height) : 3.4);
+    const area = bestArea(view, this.overlaysOf(this.model), (size) => -reach(size));
+    this.model.shift = area.shift;
+    return reach(area);
+  }
+
+  // and the sheet, which is a square
+  placePlane() {
+    const view = this.boxOf(this.plane);
+    const sideOf = ({ width, height }) => Math.min(width, height);
+    const area = bestArea(view, this.overlaysOf(this.plane), sideOf);
+    this.plane.shift = area.shift;
+    this.plane.part = sideOf(area) / sideOf(view);
+  }
+
+  get eye() {
+    return this.camera.position.clone().sub(this.controls.target).normalize();
   }
 
   setMarkerSizes(height) {
@@ -242,36 +278,38 @@ export class Viewer {
     this.size = { width: Math.max(clientWidth, 1), height: Math.max(clientHeight, 1) };
     this.isStacked = window.matchMedia('(max-width: 640px)').matches;
     this.renderer.setSize(this.size.width, this.size.height, false);
+    if (this.controls) {
+      this.placeModel(this.eye);
+      this.placePlane();
+    }
     // the canvas has been cleared: there must not be a frame without a picture
     this.draw();
   }
 
   // from a direction, so that the mesh fills the view
   lookFrom(eye, center = new THREE.Vector3()) {
-    const box = this.boxOf(this.model);
-    const reach = this.positions ? this.reachFrom(eye, box.width / box.height) : 3.4;
     this.controls.target.copy(center);
-    this.camera.position.copy(center).addScaledVector(eye, reach);
+    this.camera.position.copy(center).addScaledVector(eye, this.placeModel(eye));
     this.controls.update();
     this.moved(this.model);
   }
 
-  // How far away the eye has to be to see all vertices, with a margin.
-  reachFrom(eye, aspect) {
+  // How far away the eye has to be to see all vertices in a part of the view, with a margin. Its sides are those parts of
+  // the height of the view.
+  reachFrom(eye, width, height) {
     const right = new THREE.Vector3().crossVectors(this.camera.up, eye).normalize();
     const high = new THREE.Vector3().crossVectors(eye, right).normalize();
-    const half = Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(aspect, 1);
+    const view = this.boxOf(this.model);
+    const half = Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(view.width / view.height, 1);
     const p = this.positions;
     let reach = 0;
     for (let i = 0; i < p.length; i += 3) {
       const along = p[i] * eye.x + p[i + 1] * eye.y + p[i + 2] * eye.z;
       const across = Math.abs(p[i] * right.x + p[i + 1] * right.y + p[i + 2] * right.z);
       const above = Math.abs(p[i] * high.x + p[i + 1] * high.y + p[i + 2] * high.z);
-      reach = Math.max(reach, along + above / half, along + across / (half * aspect));
+      reach = Math.max(reach, along + above / (half * height), along + across / (half * width));
     }
-    // the legend and the buttons lie above the picture
-    const { height } = this.boxOf(this.model);
-    return Math.min(Math.max(1.1, height / (height - 130)), 1.3) * reach;
+    return 1.06 * reach;
   }
 
   resetView() {
@@ -281,7 +319,7 @@ export class Viewer {
 
   // The same direction, and all in sight.
   fit() {
-    this.lookFrom(this.camera.position.clone().sub(this.controls.target).normalize());
+    this.lookFrom(this.eye);
     this.fitPlane();
   }
 
@@ -289,7 +327,19 @@ export class Viewer {
     this.plane.controls.target.set(0, 0, 0);
     this.plane.camera.position.set(0, 0, 5);
     this.plane.camera.zoom = 1;
+    this.placePlane();
     this.plane.controls.update();
+    this.moved(this.plane);
+  }
+
+  // Moves the eye over the sheet, by parts of half of its size, and zooms.
+  movePlane(right, up, factor = 1) {
+    const { camera, controls } = this.plane;
+    const step = new THREE.Vector3(right, up, 0).divideScalar(camera.zoom);
+    camera.position.add(step);
+    controls.target.add(step);
+    camera.zoom *= factor;
+    controls.update();
     this.moved(this.plane);
   }
 
@@ -300,7 +350,7 @@ export class Viewer {
       const facing = points.map((point) => ({ point, normal: this.normalNear(point) }));
       this.lookFrom(bestDirection(this.probe, this.pickable.geometry, this.up, segments, facing));
     }
-    if (name === 'source') this.lookFrom(this.outwardAt(points[0]));
+    if (name === 'source' && points.length > 0) this.lookFrom(this.outwardAt(points[0]));
     if (isSide(name)) this.lookFrom(sideDirection(this.up, name));
   }
 
@@ -331,6 +381,7 @@ export class Viewer {
     this.camera.position.fromArray(view, 0);
     this.controls.target.fromArray(view, 3);
     this.controls.update();
+    this.placeModel(this.eye);
     this.moved(this.model);
   }
 
@@ -367,12 +418,14 @@ export class Viewer {
     this.pickable.geometry.computeBoundingSphere();
     this.distance = null;
     this.laplacian = null;
+    this.cells = null;
     this.wireframe.geometry.dispose();
     this.wireframe.geometry = new THREE.BufferGeometry();
     this.showUncut();
     this.setMarker(this.farthestMarker, null);
     this.setMarker(this.nearestMarker, null);
     this.setSources([]);
+    this.setSourceLines(new Float32Array(0));
     this.setPaths(new Float32Array(0), null);
     for (const curve of [this.edgeCurve, this.faceCurve]) curve.set(new Float32Array(0));
     this.arrows.visible = false;
@@ -386,6 +439,7 @@ export class Viewer {
     this.atlas.setGeometry(geometry);
     this.setDistance(this.distance);
     this.setLaplacian(this.laplacian);
+    this.setCells(this.cells);
     this.model.layer.hasOcclusion = false;
   }
 
@@ -448,6 +502,21 @@ export class Viewer {
     this.setAttribute('distanceLaplacian', values);
   }
 
+  // the colour of each vertex of the mesh, or null
+  setCells(colors) {
+    this.cells = colors;
+    const { geometry } = this.surface.opaque;
+    if (!colors) {
+      geometry.deleteAttribute('cellColor');
+      return;
+    }
+    const size = geometry.getAttribute('position').count;
+    const attribute = new Float32Array(3 * size);
+    for (let i = 0; i < size; ++i) attribute.set(colors[this.origin ? this.origin[i] : i], 3 * i);
+    geometry.setAttribute('cellColor', new THREE.BufferAttribute(attribute, 3));
+    this.invalidate();
+  }
+
   // values at the vertices of the mesh, or null
   setAttribute(name, values) {
     const { geometry } = this.surface.opaque;
@@ -500,6 +569,13 @@ export class Viewer {
       this.markers.add(marker);
     }
     this.sourceMarkers.forEach((marker, i) => this.setMarker(marker, points[i] || null));
+  }
+
+  // edges that are sources
+  setSourceLines(segments) {
+    this.sourceLines.set(segments);
+    this.sourceLines.show(true, true);
+    this.invalidateCurves();
   }
 
   setPaths(segments, end) {

@@ -36,6 +36,48 @@ export const tests = {
     await d.resize();
   },
 
+  async 'nothing that lies above the picture covers the mesh, nor the sheet'(d) {
+    for (const [name, [width, height]] of Object.entries(sizes)) {
+      await d.resize(width, height);
+      await d.open('#sample=torus&faces=5000');
+      await d.page.evaluate(() => { document.getElementById('result-fold').open = false; });
+      for (const isCut of [false, true]) {
+        if (isCut) {
+          await d.page.focus('#model-view');
+          await d.page.keyboard.press('c');
+          await d.page.waitForFunction(() => window.cutLocusPage.app.atlas);
+          await d.settle();
+          assert.ok(await d.page.locator('#cut-info').isVisible(), `${name}: nothing is said about the sheet`);
+        }
+        await d.page.click('#fit');
+        const covered = await d.app(({ app, viewer }) => {
+          viewer.draw();
+          const boxes = ['tools', 'result', 'legend', 'cut-info'].map((id) => document.getElementById(id).getBoundingClientRect());
+          const p = viewer.farthestMarker.position.clone();
+          const isCovered = (pane) => {
+            const box = pane.element.getBoundingClientRect();
+            p.project(pane.camera);
+            const x = box.left + (p.x + 1) / 2 * box.width, y = box.top + (1 - p.y) / 2 * box.height;
+            return Math.max(Math.abs(p.x), Math.abs(p.y)) > 1 || boxes.some((b) => x > b.left && x < b.right && y > b.top && y < b.bottom);
+          };
+          let count = 0;
+          for (let i = 0; i < viewer.positions.length; i += 3) {
+            p.fromArray(viewer.positions, i);
+            count += isCovered(viewer.model);
+          }
+          const { uv } = app.atlas || { uv: [] };
+          for (let i = 0; i < uv.length; i += 2) {
+            p.set(uv[i], uv[i + 1], 0);
+            count += isCovered(viewer.plane);
+          }
+          return count;
+        });
+        assert.equal(covered, 0, `${name}, ${isCut ? 'cut' : 'closed'}: ${covered} vertices are covered`);
+      }
+    }
+    await d.resize();
+  },
+
   async 'groups fold, and only what everybody needs is open at first'(d) {
     await d.page.goto('about:blank');
     await d.page.goto(`${d.address}#sample=torus&faces=5000`);

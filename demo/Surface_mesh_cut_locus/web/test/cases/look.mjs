@@ -180,6 +180,35 @@ export const tests = {
     assert.ok(b2 > r2, `far away ${[r2, b2]}`);
   },
 
+  async 'colours tell which source is the nearest'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000&color=cells&show=-isolines,-hidden,-values&source=10,0.3,0.3,0.4,2000,0.2,0.3,0.5');
+    assert.match(await page.innerText('#legend'), /nearest source:\s*1\s*2/);
+    // by where the sources are, and by the distances themselves
+    const places = await d.app(({ app, viewer }) => {
+      const found = [[], []];
+      for (let x = 10; x < viewer.size.width; x += 14)
+        for (let y = 10; y < viewer.size.height; y += 14) {
+          const hit = viewer.pointer.onModel(x, y);
+          if (!hit) continue;
+          const corners = [0, 1, 2].map((k) => app.source.nearest[viewer.triangles[3 * hit.face + k]]);
+          if (corners.every((c) => c === corners[0])) found[corners[0]].push([x, y]);
+        }
+      return found;
+    });
+    assert.ok(places.every((list) => list.length > 20), places.map((list) => list.length).join());
+    const hues = [];
+    for (const list of places) {
+      const colors = await colorsAt(d, list);
+      // of most pixels, as markers and the curve lie above some: how much more blue than red, relative to the light
+      hues.push(colors.map(([r, g, b]) => (b - r) / (r + g + b)).sort((a, b) => a - b)[colors.length >> 1]);
+    }
+    assert.ok(Math.abs(hues[0] - hues[1]) > 0.05, `${hues}`);
+    await d.open('#sample=torus&faces=5000&color=cells');
+    assert.doesNotMatch(await page.innerText('#legend'), /nearest source/);
+    await page.selectOption('#look-color', 'plain');
+  },
+
   async 'light and dark'(d) {
     await d.open('#sample=torus&faces=5000');
     const back = async () => (await colorsAt(d, [[20, 300]]))[0];
