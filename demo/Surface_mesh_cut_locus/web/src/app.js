@@ -20,6 +20,7 @@ const stageTexts = {
   strength: 'Finding where shortest paths meet…',
   tree: 'Joining the branches…',
   homology: 'Closing the loops…',
+  filter: 'Choosing the branches…',
   cutting: 'Cutting the surface open…',
   flattening: 'Flattening…',
 };

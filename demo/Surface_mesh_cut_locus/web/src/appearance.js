@@ -109,9 +109,9 @@ export class Appearance {
   }
 
   look(name) {
-    const { curve } = this.app;
-    if (!this.app.mesh || !this.app.source) return;
-    this.app.viewer.look(name, curve ? curve.segments : new Float32Array(0), this.app.source.points.map((p) => this.app.toView(p)));
+    const { curve, source, viewer } = this.app;
+    if (!this.app.mesh || !source) return;
+    viewer.look(name, curve ? curve.segments : new Float32Array(0), source.points.map((p) => this.app.toView(p)), source.borderLoops === 0);
     this.app.onState();
   }
 

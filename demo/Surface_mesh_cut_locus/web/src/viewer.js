@@ -344,22 +344,39 @@ export class Viewer {
   }
 
   // one of the sides, `best` or `source`
-  look(name, segments, sources) {
+  look(name, segments, sources, isClosed) {
     const points = sources.map((p) => new THREE.Vector3(...p));
     if (name === 'best') {
-      const facing = points.map((point) => ({ point, normal: this.normalNear(point) }));
-      this.lookFrom(bestDirection(this.probe, this.pickable.geometry, this.up, segments, facing));
+      const facing = points.map((point) => ({ point, normal: this.outwardNormal(point) }));
+      this.lookFrom(bestDirection(this.probe, this.pickable.geometry, this.up, segments, facing, isClosed));
     }
     if (name === 'source' && points.length > 0) this.lookFrom(this.outwardAt(points[0]));
     if (isSide(name)) this.lookFrom(sideDirection(this.up, name));
   }
 
+  // whether a closed surface has its inner side out: its volume is negative
+  isInsideOut() {
+    const { positions: p, triangles: t } = this;
+    let volume = 0;
+    for (let f = 0; f < t.length; f += 3) {
+      const [a, b, c] = [3 * t[f], 3 * t[f + 1], 3 * t[f + 2]];
+      volume += p[a] * (p[b + 1] * p[c + 2] - p[b + 2] * p[c + 1]) + p[a + 1] * (p[b + 2] * p[c] - p[b] * p[c + 2])
+        + p[a + 2] * (p[b] * p[c + 1] - p[b + 1] * p[c]);
+    }
+    return volume < 0;
+  }
+
   // not straight along the axis, around which the controls turn
   outwardAt(point) {
-    const normal = this.normalNear(point);
+    const normal = this.outwardNormal(point);
     const high = upVector(this.up);
     if (Math.abs(normal.dot(high)) > 0.99) normal.addScaledVector(direction(this.up, 0, 0), 0.2).normalize();
     return normal;
+  }
+
+  // files may have their faces the wrong way around
+  outwardNormal(point) {
+    return this.normalNear(point).multiplyScalar(this.isInsideOut() ? -1 : 1);
   }
 
   normalNear(point) {

@@ -21,7 +21,7 @@ export function rounded(x, error) {
   const unit = 10 ** Math.floor(Math.log10(error));
   const digits = Math.max(0, -Math.floor(Math.log10(error)));
   const at = (y) => (Math.round(y / unit) * unit).toFixed(Math.min(digits, 20));
-  return `${at(x)} ± ${at(Math.max(error, unit))}`;
+  return `${at(x)}\u00a0±\u00a0${at(Math.max(error, unit))}`;
 }
 
 // by the status of a cut locus: 0 is that of one with branches

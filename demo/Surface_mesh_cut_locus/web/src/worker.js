@@ -21,7 +21,7 @@ const ready = self.createCutLocus({
     const name = stageNames[stage];
     if (starts) {
       stageStart = now;
-      if (name !== 'filter') self.postMessage({ stage: name });
+      self.postMessage({ stage: name });
     } else {
       stageTimes[name] = (stageTimes[name] || 0) + now - stageStart;
     }

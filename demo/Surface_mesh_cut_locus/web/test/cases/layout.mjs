@@ -21,7 +21,7 @@ export const tests = {
           && box.y + box.height <= stage.y + stage.height + 1, `${name}: ${part} is not within the stage`);
       }
       assert.ok(!overlaps(await boxOf(d, '#result'), await boxOf(d, '#tools')), `${name}: buttons under the result`);
-      assert.match(await d.page.innerText('#result'), /Injectivity radius [\d.]+ ±/);
+      assert.match(await d.page.innerText('#result'), /Injectivity radius [\d.]+\s±/);
       const overflow = await d.page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
       assert.ok(overflow <= 0, `${name}: ${overflow} pixels too wide`);
       for (const scheme of ['light', 'dark']) {
@@ -112,6 +112,17 @@ export const tests = {
     });
     assert.deepEqual(small, []);
     await d.page.click('#panel-toggle');
+    // a tap shows values, as there is no pointer that could rest
+    await d.page.locator('#modes label:has-text("Paths")').click();
+    const [x, y] = await d.placeOnSurface();
+    const view = await boxOf(d, '#model-view');
+    const session = await d.page.context().newCDPSession(d.page);
+    await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x: view.x + x * view.width, y: view.y + y * view.height }] });
+    await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await d.settle();
+    assert.match(await d.page.innerText('#readout'), /from the source/);
+    assert.match(await d.page.innerText('#legend'), /the shortest path/);
+    await d.picture('phone_path.png');
     await d.page.keyboard.press('c');
     await d.page.waitForFunction(() => window.cutLocusPage.app.atlas);
     await d.settle();

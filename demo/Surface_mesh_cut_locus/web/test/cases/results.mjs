@@ -166,7 +166,7 @@ export const tests = {
   async 'the injectivity radius is rounded to what the mesh tells, and says what it depends on'(d) {
     await d.open('#sample=torus&faces=5000');
     const text = await d.page.innerText('#numbers');
-    const [, value, error] = text.match(/([\d.]+) ± ([\d.]+)/);
+    const [, value, error] = text.match(/([\d.]+)\s±\s([\d.]+)/);
     const { radius } = await d.result();
     const edge = await d.app(({ app }) => app.mesh.edgeLength);
     assert.ok(Math.abs(value - radius) <= error && error >= 0.25 * edge && error <= edge, `${value} ± ${error}, edges of ${edge}`);
