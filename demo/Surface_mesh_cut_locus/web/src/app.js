@@ -463,6 +463,8 @@ export class App {
 
   // for exports, for the thresholds as they are
   async curveFor(name) {
+    if (name === 'edgeCurve' && this.state.border !== 'no')
+      throw new Error('Along the edges of the mesh there is a cut locus of points only: let the border be no source');
     const result = await this.engine.run('curves',
       { curves: [name === 'faceCurve' ? faceCurve : edgeCurve], parameters: this.parameters });
     return result[name];

@@ -30,7 +30,8 @@ export function laplacianColor(t) {
 }
 
 // of the points whose nearest source has that number: light, and for 12 sources well apart
-export const cellColor = (source) => channels(schemeSet3[source % schemeSet3.length]);
+const fields = schemeSet3.map(channels);
+export const cellColor = (source) => fields[source % fields.length];
 
 export function makeTexture(colorAt) {
   const data = new Uint8Array(4 * size);

@@ -13,7 +13,7 @@ function pathLabel({ numbers }) {
 const cellStops = (count) => Array.from({ length: Math.min(count, 12) }, (_, i) => cssColor(cellColor(i)))
   .flatMap((color) => [color, color, color, color]);
 
-export function legendItems({ state, source, curve, defaults, viewer, path, atlas, appearance }) {
+export function legendItems({ state, source, curve, curves, defaults, viewer, path, atlas, appearance }) {
   const { gradient, hasDisk, laplacian, laplacianScale } = appearance;
   if (!source || !curve) return [];
   const { show, look } = state;
@@ -24,12 +24,13 @@ export function legendItems({ state, source, curve, defaults, viewer, path, atla
     items.push({ kind: 'dot', color: colors.source, rim: colors.casing, label: source.points.length > 1 ? 'sources' : 'source' });
   if (source.hasBorder) items.push({ kind: 'line', color: colors.source, label: 'the border, as a source' });
   const scale = branchScale(state, defaults);
-  const colored = show.width && hasCurve && (show.faceCurve || show.edgeCurve);
+  const hasEdgeCurve = show.edgeCurve && hasCurve && Boolean(curves.edgeCurve);
+  const colored = show.width && hasCurve && (show.faceCurve || hasEdgeCurve);
   if (colored)
     items.push({ kind: 'scale', label: `cut locus by ${scale.label.toLowerCase()}:`, ends: scale.ends, stops: stops(branchColor, 4) });
   if (show.faceCurve && hasCurve && !colored) items.push({ kind: 'line', color: colors.curve, label: 'cut locus' });
-  if (show.edgeCurve && hasCurve && !colored) items.push({ kind: 'line', color: colors.edges, label: 'cut locus along mesh edges' });
-  if (show.hidden && hasCurve && (show.faceCurve || show.edgeCurve))
+  if (hasEdgeCurve && !colored) items.push({ kind: 'line', color: colors.edges, label: 'cut locus along mesh edges' });
+  if (show.hidden && hasCurve && (show.faceCurve || hasEdgeCurve))
     items.push({ kind: 'line', color: colors.hidden, label: 'its parts behind the surface' });
   items.push({ kind: 'dot', color: colors.casing, rim: colors.text, label: 'farthest point' });
   if (path) items.push({ kind: 'line', color: colors.path, label: pathLabel(path) });

@@ -21,6 +21,7 @@ export function rounded(x, error) {
   const unit = 10 ** Math.floor(Math.log10(error));
   const digits = Math.max(0, -Math.floor(Math.log10(error)));
   const at = (y) => (Math.round(y / unit) * unit).toFixed(Math.min(digits, 20));
+  if (x < error) return `less than ${at(x + error)}`;
   return `${at(x)}\u00a0±\u00a0${at(Math.max(error, unit))}`;
 }
 
@@ -67,7 +68,7 @@ export function summary({ curve, source, edgeLength }) {
   if (edges === 0) return `${shape}.`;
   const loops = cycles > 0 ? `${several(cycles, 'independent loop', 'independent loops')} and ` : '';
   return `${shape}: the cut locus has ${loops}${several(leaves, 'free end', 'free ends')}. `
-    + (source.hasBorder ? `It comes as near to the sources as ${rounded(radius, edgeLength / 2)}.`
+    + (source.hasBorder ? `Its nearest point to the sources is ${rounded(radius, edgeLength / 2)} away.`
       : `Injectivity radius ${rounded(radius, edgeLength / 2)}.`);
 }
 

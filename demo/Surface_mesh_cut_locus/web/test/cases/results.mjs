@@ -1,5 +1,6 @@
 // What is computed: sources, methods, thresholds, shortest paths, and what the page says about them.
 import assert from 'node:assert/strict';
+import { rounded } from '../../src/words.js';
 
 const cube = () => {
   const corners = [0, 1].flatMap((z) => [[0, 0, z], [1, 0, z], [1, 1, z], [0, 1, z]]);
@@ -173,6 +174,12 @@ export const tests = {
     assert.match(text, /injectivity radius\s*of branches of [\d.]+ % and more/);
   },
 
+  async 'lengths are told as far as they are known'() {
+    assert.deepEqual([rounded(1.2345, 0.05), rounded(1234.5, 60), rounded(0.1, 0.5)],
+      ['1.23\u00a0±\u00a00.05', '1230\u00a0±\u00a060', 'less than 0.6']);
+    assert.equal(rounded(Infinity, 1), '–');
+  },
+
   async 'there may be several sources: a Voronoi diagram with cycles of its own'(d) {
     const { page } = d;
     const one = await d.result();
@@ -243,6 +250,19 @@ export const tests = {
     await page.click('#cut');
     await d.settle();
     assert.match(await page.innerText('#message-text'), /flattened from one source/);
+    assert.ok(await page.isDisabled('#show-edgeCurve'));
+    await page.selectOption('#export-what', 'edgeCurve');
+    await page.click('#export');
+    await d.settle();
+    assert.match(await page.innerText('#message-text'), /of points only/);
+    // nor may a point be on it: then all stays as it was
+    await d.app(async ({ app, viewer }) => {
+      const face = viewer.triangles.indexOf(0); // a vertex of the border
+      await app.setSources([{ face: Math.floor(face / 3), coordinates: [0, 1, 2].map((k) => Number(k === face % 3)) }], 'also');
+    });
+    await d.settle();
+    assert.match(await page.innerText('#message-text'), /have a point in common: choose another/);
+    assert.equal(await page.inputValue('#border'), 'only');
     // a click adds a point; both can be taken back
     await d.click(...await d.placeOnSurface());
     assert.equal(await page.inputValue('#border'), 'also');
