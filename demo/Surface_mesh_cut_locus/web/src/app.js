@@ -252,7 +252,7 @@ export class App {
   takeSources({ sourceNumbers, borderSegments, nearestSource }) {
     const [fx, fy, fz, farthestDistance, borderLoops, genus, angle, width, gap, total, ...points] = sourceNumbers;
     const hasBorder = borderSegments.length > 0;
-    this.source = { points: [], hasBorder, total, nearest: nearestSource, farthest: [fx, fy, fz], farthestDistance, borderLoops, genus };
+    this.source = { points: [], border: borderSegments, hasBorder, total, nearest: nearestSource, farthest: [fx, fy, fz], farthestDistance, borderLoops, genus };
     for (let i = 0; i < points.length; i += 3) this.source.points.push(points.slice(i, i + 3));
     this.defaults = { angle, width, gap };
     this.viewer.setSources(this.source.points.map((point) => this.toView(point)));

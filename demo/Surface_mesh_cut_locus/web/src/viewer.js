@@ -5,14 +5,13 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { ViewHelper } from 'three/examples/jsm/helpers/ViewHelper.js';
 import { CurveLines } from './curve_lines.js';
 import { DepthProbe } from './depth_probe.js';
-import { bestArea } from './free_area.js';
 import { makeMarker, setMarkerColors, sizeMarker } from './markers.js';
+import { Placement, viewAngle } from './placement.js';
 import { Pointer } from './pointer.js';
 import { Surface } from './surface.js';
 import { SurfaceLayer } from './surface_layer.js';
 import { bestDirection, direction, isSide, sideDirection, upVector } from './views.js';
 
-const viewAngle = 35; // degrees
 const restMilliseconds = 140; // the shadows of hollows wait until the view rests
 const modelRadius = 1.02; // the mesh fills the unit ball
 
@@ -20,7 +19,7 @@ export class Viewer {
   constructor(canvas, views, { onPick, onHover, onChange, overlays = [] }) {
     this.canvas = canvas;
     this.onChange = onChange;
-    this.overlays = overlays; // what lies above the picture
+    this.placement = new Placement(this, overlays);
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.autoClear = false;
@@ -238,33 +237,6 @@ export class Viewer {
     camera.setViewOffset(aspect, 1, -shift[0] * aspect, shift[1], aspect, 1);
   }
 
-  // what lies above a pane, in pixels from its upper left corner
-  overlaysOf(pane) {
-    const view = this.boxOf(pane);
-    const stage = this.canvas.getBoundingClientRect();
-    const left = stage.left + view.left, top = stage.top + this.size.height - view.bottom - view.height;
-    return this.overlays.map((element) => element.getBoundingClientRect()).filter(({ width, height }) => width > 0 && height > 0)
-      .map((box) => ({ left: box.left - left, top: box.top - top, right: box.right - left, bottom: box.bottom - top }));
-  }
-
-  // The mesh, seen from a direction, in the area in which it is largest; the distance from which it fills it is returned.
-  placeModel(eye) {
-    const view = this.boxOf(this.model);
-    const reach = ({ width, height }) => (this.positions ? this.reachFrom(eye, width / view.height, height / view.height) : 3.4);
-    const area = bestArea(view, this.overlaysOf(this.model), (size) => -reach(size));
-    this.model.shift = area.shift;
-    return reach(area);
-  }
-
-  // and the sheet, which is a square
-  placePlane() {
-    const view = this.boxOf(this.plane);
-    const sideOf = ({ width, height }) => Math.min(width, height);
-    const area = bestArea(view, this.overlaysOf(this.plane), sideOf);
-    this.plane.shift = area.shift;
-    this.plane.part = sideOf(area) / sideOf(view);
-  }
-
   get eye() {
     return this.camera.position.clone().sub(this.controls.target).normalize();
   }
@@ -279,8 +251,8 @@ export class Viewer {
     this.isStacked = window.matchMedia('(max-width: 640px)').matches;
     this.renderer.setSize(this.size.width, this.size.height, false);
     if (this.controls) {
-      this.placeModel(this.eye);
-      this.placePlane();
+      this.placement.placeModel(this.eye);
+      this.placement.placePlane();
     }
     // the canvas has been cleared: there must not be a frame without a picture
     this.draw();
@@ -289,27 +261,9 @@ export class Viewer {
   // from a direction, so that the mesh fills the view
   lookFrom(eye, center = new THREE.Vector3()) {
     this.controls.target.copy(center);
-    this.camera.position.copy(center).addScaledVector(eye, this.placeModel(eye));
+    this.camera.position.copy(center).addScaledVector(eye, this.placement.placeModel(eye));
     this.controls.update();
     this.moved(this.model);
-  }
-
-  // How far away the eye has to be to see all vertices in a part of the view, with a margin. Its sides are those parts of
-  // the height of the view.
-  reachFrom(eye, width, height) {
-    const right = new THREE.Vector3().crossVectors(this.camera.up, eye).normalize();
-    const high = new THREE.Vector3().crossVectors(eye, right).normalize();
-    const view = this.boxOf(this.model);
-    const half = Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(view.width / view.height, 1);
-    const p = this.positions;
-    let reach = 0;
-    for (let i = 0; i < p.length; i += 3) {
-      const along = p[i] * eye.x + p[i + 1] * eye.y + p[i + 2] * eye.z;
-      const across = Math.abs(p[i] * right.x + p[i + 1] * right.y + p[i + 2] * right.z);
-      const above = Math.abs(p[i] * high.x + p[i + 1] * high.y + p[i + 2] * high.z);
-      reach = Math.max(reach, along + above / (half * height), along + across / (half * width));
-    }
-    return 1.06 * reach;
   }
 
   resetView() {
@@ -327,7 +281,7 @@ export class Viewer {
     this.plane.controls.target.set(0, 0, 0);
     this.plane.camera.position.set(0, 0, 5);
     this.plane.camera.zoom = 1;
-    this.placePlane();
+    this.placement.placePlane();
     this.plane.controls.update();
     this.moved(this.plane);
   }
@@ -398,7 +352,7 @@ export class Viewer {
     this.camera.position.fromArray(view, 0);
     this.controls.target.fromArray(view, 3);
     this.controls.update();
-    this.placeModel(this.eye);
+    this.placement.placeModel(this.eye);
     this.moved(this.model);
   }
 

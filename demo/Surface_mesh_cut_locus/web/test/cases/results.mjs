@@ -242,6 +242,7 @@ export const tests = {
     assert.match(await page.innerText('#legend'), /the border, as a source/);
     assert.match(await page.innerText('#numbers'), /sources\s*2/);
     assert.match(await page.evaluate(() => location.hash), /border=only/);
+    assert.match(String(await d.exported('faceCurve', 'svg')), /id="border"[^>]*d="M/);
     // what is for points alone says so
     await page.focus('#model-view');
     await page.keyboard.press('t');
