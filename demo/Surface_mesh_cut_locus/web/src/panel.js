@@ -166,6 +166,7 @@ export class Panel {
 
   // On a phone the panel lies below the surface, and can be unfolded.
   toggle() {
+    this.showReadout(null); // places move
     const isFolded = element('panel').classList.toggle('is-folded');
     element('panel-toggle').textContent = isFolded ? 'More' : 'Less';
     element('panel-toggle').setAttribute('aria-expanded', !isFolded);
@@ -257,6 +258,7 @@ export class Panel {
     element('cut-info').classList.toggle('is-doubtful', Boolean(quality) && !quality.isInjective);
     element('cut').textContent = isCut ? 'Close again' : 'Cut and flatten';
     element('cut').setAttribute('aria-pressed', isCut);
+    this.showReadout(null); // places move
     if (isCut) element('result-fold').open = false; // it would cover the sheet
   }
 

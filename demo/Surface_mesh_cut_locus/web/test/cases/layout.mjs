@@ -126,6 +126,7 @@ export const tests = {
     await d.page.keyboard.press('c');
     await d.page.waitForFunction(() => window.cutLocusPage.app.atlas);
     await d.settle();
+    assert.ok(!await d.page.locator('#readout').isVisible());
     await d.picture('phone_atlas.png');
     const [model, atlas] = [await boxOf(d, '#model-view'), await boxOf(d, '#atlas-view')];
     assert.ok(atlas.y >= model.y + model.height - 1 && atlas.width === model.width);
