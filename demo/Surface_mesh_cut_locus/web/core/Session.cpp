@@ -56,7 +56,7 @@ void Session::load(Mesh mesh, const std::vector<std::size_t>& component_of_face,
   component.assign(component_of_face.begin(), component_of_face.end());
   results_[0].reset();
   results_[1].reset();
-  sources_.clear();
+  has_sources_ = false;
   mesh_ = std::make_unique<Mesh>(std::move(mesh));
 
   std::array<double, 3> low = {{infinity, infinity, infinity}}, high = {{-infinity, -infinity, -infinity}};
@@ -103,7 +103,7 @@ void Session::prepare(const std::string& solver, const std::string& method)
   results_[0].reset();
   results_[1].reset();
   solver_.reset(); // its memory is free for the next one
-  sources_.clear();
+  has_sources_ = false;
   if(solver == "heat")
     solver_ = make_heat_solver(*mesh_);
   else if(solver == "graph")
@@ -114,16 +114,25 @@ void Session::prepare(const std::string& solver, const std::string& method)
   method_name_ = method;
 }
 
-void Session::set_sources(const std::vector<Location>& sources)
+void Session::set_sources(const std::vector<Location>& points, bool with_border)
 {
   if(!solver_)
     throw std::runtime_error("there is no solver yet");
-  for(const Location& source : sources)
-    check(source);
-  sources_.clear();
+  for(const Location& point : points)
+    check(point);
+  has_sources_ = false;
   exact_distance_.clear();
-  ::set_sources(*solver_, sources);
-  sources_ = sources;
+  points_ = points;
+  curves_.clear();
+  if(with_border)
+    curves_ = border_loops(*mesh_, component, points.empty() ? Mesh::null_face() : points.front().first);
+  ::set_sources(*solver_, points_, curves_);
+  has_sources_ = true;
+  border_segments.clear();
+  for(const Edge_curve& curve : curves_)
+    for(const Mesh::Edge_index e : curve)
+      for(int end : {0, 1})
+        append_point(mesh_->point(mesh_->vertex(e, end)), border_segments);
 }
 
 void Session::check(const Location& location) const
@@ -134,7 +143,7 @@ void Session::check(const Location& location) const
 
 void Session::compute_curve(Curve_index index, const Thresholds& thresholds)
 {
-  if(sources_.empty())
+  if(!has_sources_)
     throw std::runtime_error("there is no source yet");
   using CGAL::Cut_loci::Curve;
   const Curve kind = index == MESH_EDGES ? Curve::MESH_EDGES : Curve::THROUGH_FACES;
@@ -164,6 +173,7 @@ void Session::read_source(const Cut_locus& cut_locus)
 {
   exact_distance_.reserve(mesh_->number_of_vertices());
   distance.clear();
+  nearest_source.clear();
   CGAL::Bbox_3 box;
   for(Mesh::Vertex_index v : mesh_->vertices())
   {
@@ -171,6 +181,8 @@ void Session::read_source(const Cut_locus& cut_locus)
     distance.push_back(static_cast<float>(exact_distance_.back()));
     if(std::isfinite(exact_distance_.back()))
       box += mesh_->point(v).bbox();
+    if(cut_locus.number_of_sources() > 1)
+      nearest_source.push_back(static_cast<std::uint32_t>(cut_locus.nearest_source(v).value_or(0)));
   }
   diagonal_ = std::sqrt(CGAL::squared_distance(Kernel::Point_3(box.xmin(), box.ymin(), box.zmin()),
                                                Kernel::Point_3(box.xmax(), box.ymax(), box.zmax())));
@@ -184,8 +196,9 @@ void Session::read_source(const Cut_locus& cut_locus)
                     double(cut_locus.genus()),
                     solver_->gradient_angle_threshold(),
                     solver_->minimum_branch_width(),
-                    solver_->minimum_branch_gap()};
-  for(std::size_t i = 0; i < cut_locus.number_of_sources(); ++i)
+                    solver_->minimum_branch_gap(),
+                    double(cut_locus.number_of_sources())};
+  for(std::size_t i = 0; i < points_.size(); ++i)
     for(int k = 0; k < 3; ++k)
       source_numbers.push_back(cut_locus.source(i).point[k]);
 }
@@ -202,8 +215,8 @@ void Session::compute_gradient()
 
 void Session::cut_open(const Thresholds& thresholds)
 {
-  if(sources_.size() > 1)
-    throw std::runtime_error("a surface is flattened from one source; this one has several");
+  if(points_.size() > 1 || !curves_.empty())
+    throw std::runtime_error("a surface is flattened from one point; this one has other sources");
   compute_curve(MESH_EDGES, thresholds);
   report_stage(6, 1);
   atlas = make_atlas(*mesh_, *results_[MESH_EDGES], [] { report_stage(7, 1); });
@@ -220,8 +233,10 @@ const Fields& Session::fields()
 
 void Session::find_paths(const Location& end)
 {
-  if(sources_.empty())
+  if(!has_sources_)
     throw std::runtime_error("there is no source yet");
+  if(!curves_.empty())
+    throw std::runtime_error("shortest paths are shown to points; here the border is a source, too");
   check(end);
   if(!paths_)
     paths_ = std::make_unique<Paths>(*mesh_);
@@ -233,7 +248,7 @@ void Session::find_paths(const Location& end)
                                                                      mesh_->point(mesh_->target(side)))));
   path_points.clear();
   path_numbers.clear();
-  for(const Paths::Path& path : paths_->find(sources_, end, .05 * shortest))
+  for(const Paths::Path& path : paths_->find(points_, end, .05 * shortest))
   {
     for(const Kernel::Point_3& p : path.points)
       append_point(p, path_points);

@@ -37,7 +37,8 @@ public:
   // The component of each face may be left out if there is one.
   void load(Mesh mesh, const std::vector<std::size_t>& component_of_face = {}, std::string repairs = {});
   void prepare(const std::string& solver, const std::string& method);
-  void set_sources(const std::vector<Location>& sources);
+  // The points, and, if that is wished, each border loop of their component, or of the largest one that has a border.
+  void set_sources(const std::vector<Location>& points, bool with_border);
   void compute_curve(Curve_index index, const Thresholds& thresholds);
   void compute_laplacian();
   void compute_gradient();
@@ -51,8 +52,11 @@ public:
   std::vector<std::uint32_t> component; // of each face
   std::vector<double> mesh_numbers;     // center (3), radius
   std::string repairs;                  // what has been done to the file to have a mesh, or nothing
-  // farthest vertex (3), its distance, border loops, genus, default angle, width and gap, then the sources (3 each)
+  // farthest vertex (3), its distance, border loops, genus, default angle, width and gap, number of sources, then the
+  // points among them (3 each)
   std::vector<double> source_numbers;
+  std::vector<float> border_segments;        // of the border loops that are sources: two points each
+  std::vector<std::uint32_t> nearest_source; // of each vertex; empty if there is one
   // shortest paths: the points of all of them, and for each how many it has, and its length
   std::vector<float> path_points;
   std::vector<double> path_numbers;
@@ -72,7 +76,9 @@ private:
   std::string solver_name_, method_name_;
   std::unique_ptr<Solver> solver_;
   std::unique_ptr<Fields> fields_;
-  std::vector<Location> sources_; // empty if they are not those of the solver
+  bool has_sources_ = false; // the solver has those below
+  std::vector<Location> points_;
+  std::vector<Edge_curve> curves_;
   std::unique_ptr<Paths> paths_;
   double diagonal_ = 1.; // of the bounding box of the source's component
   std::vector<double> exact_distance_;

@@ -130,6 +130,10 @@ Array array(int id)
     return array(session.path_points);
   case 24:
     return array(session.path_numbers);
+  case 25:
+    return array(session.border_segments);
+  case 26:
+    return array(session.nearest_source);
   default:
     return {nullptr, 0};
   }
@@ -138,10 +142,16 @@ Array array(int id)
 } // namespace
 
 EM_JS(void, report_stage_to_page, (int stage, int starts), { Module['onStage'](stage, starts); });
+EM_JS(void, report_progress_to_page, (int stage, double share), { Module['onProgress'](stage, share); });
 
 void report_stage(int stage, bool starts)
 {
   report_stage_to_page(stage, starts);
+}
+
+void report_progress(int stage, double share)
+{
+  report_progress_to_page(stage, share);
 }
 
 void Stage_reporter::start_stage(CGAL::Cut_loci::Stage stage) const
@@ -151,6 +161,10 @@ void Stage_reporter::start_stage(CGAL::Cut_loci::Stage stage) const
 void Stage_reporter::end_stage(CGAL::Cut_loci::Stage stage) const
 {
   report_stage(static_cast<int>(stage), false);
+}
+void Stage_reporter::progress(CGAL::Cut_loci::Stage stage, double share) const
+{
+  report_progress(static_cast<int>(stage), share);
 }
 
 extern "C" {
@@ -203,9 +217,9 @@ EMSCRIPTEN_KEEPALIVE void add_source(unsigned int face, double b0, double b1, do
   sources.push_back(location(face, b0, b1, b2));
 }
 
-EMSCRIPTEN_KEEPALIVE int set_sources()
+EMSCRIPTEN_KEEPALIVE int set_sources(int with_border)
 {
-  return run([&] { session.set_sources(sources); });
+  return run([&] { session.set_sources(sources, with_border != 0); });
 }
 
 EMSCRIPTEN_KEEPALIVE int find_paths(unsigned int face, double b0, double b1, double b2)
@@ -214,11 +228,11 @@ EMSCRIPTEN_KEEPALIVE int find_paths(unsigned int face, double b0, double b1, dou
 }
 
 // What is not a number stands for the default of the library.
-EMSCRIPTEN_KEEPALIVE void set_thresholds(double width, int voronoi, double angle, double laplacian,
-                                         double minimum_edges, double minimum_length, int grows, int smoothing)
+EMSCRIPTEN_KEEPALIVE void set_thresholds(double width, int keeps, double angle, double laplacian, double minimum_edges,
+                                         double minimum_length, int grows, int smoothing)
 {
-  thresholds = {width,         voronoi != 0,   angle,      laplacian,
-                minimum_edges, minimum_length, grows != 0, static_cast<unsigned int>(smoothing)};
+  thresholds = {width,      static_cast<Kept_part>(keeps),       angle, laplacian, minimum_edges, minimum_length,
+                grows != 0, static_cast<unsigned int>(smoothing)};
 }
 
 EMSCRIPTEN_KEEPALIVE int compute_curve(int index)

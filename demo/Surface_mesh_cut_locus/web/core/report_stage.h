@@ -10,4 +10,7 @@
 // Tells the page that a stage starts or ends: one of `CGAL::Cut_loci::Stage`, 6 for cutting or 7 for flattening.
 void report_stage(int stage, bool starts);
 
+// And which share of it is done.
+void report_progress(int stage, double share);
+
 #endif // SURFACE_MESH_CUT_LOCUS_WEB_REPORT_STAGE_H

@@ -28,14 +28,16 @@ std::unique_ptr<Solver> make_graph_solver(const Mesh& mesh)
                                           .visitor(Stage_reporter()));
 }
 
-void set_sources(Solver& solver, const std::vector<Location>& sources)
+void set_sources(Solver& solver, const std::vector<Location>& points, const std::vector<Edge_curve>& curves)
 {
-  solver.set_sources(sources);
+  solver.set_sources(points, CGAL::parameters::source_curves(curves));
 }
 
 Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& thresholds, Curve curve)
 {
-  const auto parameters = CGAL::parameters::cut_locus_curve(curve).voronoi(thresholds.voronoi);
+  const auto parameters = CGAL::parameters::cut_locus_curve(curve)
+                            .voronoi(thresholds.keeps == Kept_part::VORONOI)
+                            .medial(thresholds.keeps == Kept_part::MEDIAL);
   if(std::isnan(thresholds.width))
     return solver.cut_locus(parameters);
   return solver.cut_locus(parameters.minimum_branch_width(thresholds.width));

@@ -7,7 +7,7 @@
 #ifndef SURFACE_MESH_CUT_LOCUS_WEB_SOLVERS_H
 #define SURFACE_MESH_CUT_LOCUS_WEB_SOLVERS_H
 
-#include "../../Mesh.h"
+#include "border_loops.h"
 
 #include <CGAL/Surface_mesh_cut_locus.h>
 
@@ -16,11 +16,12 @@
 
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
 
-// Tells the page which stage runs.
+// Tells the page which stage runs, and how far it is.
 struct Stage_reporter
 {
   void start_stage(CGAL::Cut_loci::Stage stage) const;
   void end_stage(CGAL::Cut_loci::Stage stage) const;
+  void progress(CGAL::Cut_loci::Stage stage, double share) const;
 };
 
 // Each solver of distances is compiled on its own: they take long.
@@ -28,11 +29,15 @@ std::unique_ptr<Solver> make_exact_solver(const Mesh& mesh, CGAL::Cut_loci::Meth
 std::unique_ptr<Solver> make_graph_solver(const Mesh& mesh);
 std::unique_ptr<Solver> make_heat_solver(const Mesh& mesh);
 
+// Of the cut locus of several sources: all, what is between two of them, or what is inside their cells. The page has
+// the same numbers.
+enum class Kept_part { ALL, VORONOI, MEDIAL };
+
 // The thresholds of all methods: each takes its own. What is not a number stands for the default of the library.
 struct Thresholds
 {
   double width; // of the methods `DIRECTION` and `POLYHEDRAL`, a part of the diagonal
-  bool voronoi; // for these: between sources only
+  Kept_part keeps;
   double angle; // and these of the method `LAPLACIAN`
   double laplacian;
   double minimum_edges;
@@ -41,7 +46,8 @@ struct Thresholds
   unsigned int smoothing;
 };
 
-void set_sources(Solver& solver, const std::vector<Location>& sources);
+// The method `LAPLACIAN` takes one point and no curves.
+void set_sources(Solver& solver, const std::vector<Location>& points, const std::vector<Edge_curve>& curves);
 Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& thresholds, CGAL::Cut_loci::Curve curve);
 Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& thresholds, CGAL::Cut_loci::Curve curve);
 

@@ -1,6 +1,7 @@
 // What the page does: it loads a mesh, solves for its sources, follows the sliders and cuts the surface open. It knows
 // the engine, the viewer and the panel, which do not know each other.
 import { Appearance } from './appearance.js';
+import { cellColor } from './color_maps.js';
 import { Cancelled, Engine } from './engine.js';
 import { exportAs } from './exports.js';
 import { History } from './history.js';
@@ -19,6 +20,7 @@ const stageTexts = {
   strength: 'Finding where shortest paths meet…',
   tree: 'Joining the branches…',
   homology: 'Closing the loops…',
+  filter: 'Choosing the branches…',
   cutting: 'Cutting the surface open…',
   flattening: 'Flattening…',
 };
@@ -34,7 +36,7 @@ export class App {
     this.viewer = viewer;
     this.panel = panel;
     this.state = state;
-    this.engine = new Engine((stage) => panel.setBusyText(stageTexts[stage]));
+    this.engine = new Engine((stage) => panel.setBusyText(stageTexts[stage]), (stage, share) => panel.setBusyShare(share));
     this.history = new History();
     this.readout = new Readout();
     this.appearance = new Appearance(this);
@@ -142,6 +144,7 @@ export class App {
     if (!keepsSource) {
       // thresholds are those of another mesh
       this.state.isCut = false;
+      this.state.border = 'no';
       this.state.parameters = defaultState().parameters;
       this.state.look.up = 'auto';
     }
@@ -163,6 +166,8 @@ export class App {
     if (!this.mesh) return null;
     if (mode === 'path') return this.pathTool.show(location);
     const source = { face: location.face, coordinates: location.coordinates.map(rounded) };
+    // a point beside the border, if that has been the only source
+    if (this.state.border === 'only') return this.setSources([source], 'also');
     return this.setSources(mode === 'add' ? this.withSource(source, location) : [source]);
   }
 
@@ -176,17 +181,19 @@ export class App {
   }
 
   // If that fails, all stays as it was.
-  async setSources(sources) {
+  async setSources(sources, border = this.state.border) {
     const { state } = this;
     if (sources.length > 1 && state.method === 'laplacian') {
       this.panel.showMessage('This method takes one source: choose “the smooth shape” or “the polyhedron itself” for several.');
       return;
     }
-    const before = state.sources;
+    const before = { sources: state.sources, border: state.border };
     const wasSolved = this.isSolved;
-    state.sources = sources;
+    Object.assign(state, { sources, border });
+    this.panel.setState(state);
     if (await this.solve() || !wasSolved || this.isSolved) return;
-    state.sources = before;
+    Object.assign(state, before);
+    this.panel.setState(state);
     await this.solveNow().catch(() => {});
   }
 
@@ -195,11 +202,11 @@ export class App {
     if (solver === 'exact') this.exactMethod = state.solver === 'exact' ? method : this.exactMethod;
     state.method = solver === 'exact' ? this.exactMethod : 'laplacian';
     state.solver = solver;
-    const hadSeveral = state.method === 'laplacian' && state.sources && state.sources.length > 1;
-    if (hadSeveral) state.sources = state.sources.slice(0, 1);
+    const hadSeveral = state.method === 'laplacian' && state.sources && (state.sources.length > 1 || state.border !== 'no');
+    if (hadSeveral) Object.assign(state, { sources: state.sources.slice(0, 1), border: 'no' });
     this.panel.setState(state);
     return this.solve().then(() => {
-      if (hadSeveral) this.panel.showMessage('This method takes one source: the first one is left.', true);
+      if (hadSeveral) this.panel.showMessage('This method takes one point: the first one is left.', true);
     });
   }
 
@@ -212,18 +219,20 @@ export class App {
 
   async solveNow() {
     const begin = performance.now();
-    const { solver, method, sources, parameters } = this.state;
+    const { solver, method, sources, border, parameters } = this.state;
+    const points = border === 'only' ? [] : sources;
     const result = await this.engine.run('solve',
-      { solver, method, sources, parameters: this.parameters, curves: this.wantedCurves() });
+      { solver, method, sources: points, border: border !== 'no', parameters: this.parameters, curves: this.wantedCurves() });
     this.isSolved = true;
     this.panel.showReadout(null); // it was that of other sources
     this.distance = result.distance;
     this.appearance.forgetFields();
-    this.takeSources(result.sourceNumbers);
+    this.takeSources(result);
     this.leastAngle = Math.min(this.angleFor(null), this.angleFor(parameters.width));
     this.panel.setDefaults(this.defaults, method);
     this.viewer.setDistance(this.distance);
     this.pathTool.set(null);
+    this.curves = {};
     this.takeCurves(result, parameters);
     this.viewer.invalidateCurves();
     Object.assign(this.times, {
@@ -240,13 +249,16 @@ export class App {
     this.report();
   }
 
-  takeSources(numbers) {
-    const [fx, fy, fz, farthestDistance, borderLoops, genus, angle, width, gap, ...points] = numbers;
-    this.source = { points: [], farthest: [fx, fy, fz], farthestDistance, borderLoops, genus };
+  takeSources({ sourceNumbers, borderSegments, nearestSource }) {
+    const [fx, fy, fz, farthestDistance, borderLoops, genus, angle, width, gap, total, ...points] = sourceNumbers;
+    const hasBorder = borderSegments.length > 0;
+    this.source = { points: [], border: borderSegments, hasBorder, total, nearest: nearestSource, farthest: [fx, fy, fz], farthestDistance, borderLoops, genus };
     for (let i = 0; i < points.length; i += 3) this.source.points.push(points.slice(i, i + 3));
     this.defaults = { angle, width, gap };
     this.viewer.setSources(this.source.points.map((point) => this.toView(point)));
     this.viewer.setMarker(this.viewer.farthestMarker, this.toView(this.source.farthest));
+    this.viewer.setSourceLines(borderSegments);
+    this.viewer.setCells(total > 1 ? Array.from(nearestSource, cellColor) : null);
   }
 
   toView(p) {
@@ -256,8 +268,8 @@ export class App {
 
   // what can be taken back
   get step() {
-    const { sources, solver, method, parameters } = this.state;
-    return copy({ sources, solver, method, parameters });
+    const { sources, border, solver, method, parameters } = this.state;
+    return copy({ sources, border, solver, method, parameters });
   }
 
   remember() {
@@ -282,7 +294,7 @@ export class App {
     if (step.solver === 'exact') this.exactMethod = step.method;
     this.panel.setState(this.state);
     this.panel.setHistory(this.history);
-    const isSame = ['sources', 'solver', 'method'].every((name) => JSON.stringify(now[name]) === JSON.stringify(step[name]));
+    const isSame = ['sources', 'border', 'solver', 'method'].every((name) => JSON.stringify(now[name]) === JSON.stringify(step[name]));
     if (isSame && this.isSolved) await this.updateCurves();
     else await this.solve();
     this.panel.setHistory(this.history);
@@ -290,6 +302,7 @@ export class App {
 
   wantedCurves() {
     const { show } = this.state;
+    if (this.state.border !== 'no') return [faceCurve]; // curves as sources have no other
     const curves = [];
     if (show.faceCurve) curves.push(faceCurve);
     if (show.edgeCurve || !show.faceCurve) curves.push(edgeCurve);
@@ -365,10 +378,16 @@ export class App {
     }
   }
 
+  get hasOnePoint() {
+    return this.state.sources.length === 1 && this.state.border === 'no';
+  }
+
   // for the library: of one source, a Voronoi diagram is empty
   get parameters() {
-    const { parameters, sources } = this.state;
-    return { ...parameters, voronoi: parameters.voronoi && sources.length > 1 };
+    const { parameters, sources, border } = this.state;
+    const loops = border !== 'no' && this.source ? this.source.borderLoops : 0;
+    const total = (border === 'only' ? 0 : sources.length) + loops;
+    return { ...parameters, keep: total > 1 ? parameters.keep : 'all' };
   }
 
   liveParameters() {
@@ -444,6 +463,8 @@ export class App {
 
   // for exports, for the thresholds as they are
   async curveFor(name) {
+    if (name === 'edgeCurve' && this.state.border !== 'no')
+      throw new Error('Along the edges of the mesh there is a cut locus of points only: let the border be no source');
     const result = await this.engine.run('curves',
       { curves: [name === 'faceCurve' ? faceCurve : edgeCurve], parameters: this.parameters });
     return result[name];

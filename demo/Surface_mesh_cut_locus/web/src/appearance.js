@@ -56,8 +56,9 @@ export class Appearance {
     this.app.panel.setScale(scale);
     for (const name of ['edgeCurve', 'faceCurve']) {
       const curve = this.app.curves[name];
-      this.app.viewer[name].show(show[name], show.hidden);
-      if (curve && show[name])
+      const isShown = show[name] && Boolean(curve);
+      this.app.viewer[name].show(isShown, show.hidden);
+      if (isShown)
         this.app.viewer[name].set(curve.segments, show.width ? Array.from(curve[scale.quantity], scale.place) : null);
     }
     this.updateSurface();
@@ -70,7 +71,7 @@ export class Appearance {
     const hasDisk = show.disk && curve && Number.isFinite(curve.numbers[5]) && curve.numbers[0] > 0;
     this.app.viewer.setUniforms({
       showIsolines: show.isolines,
-      coloring: look.color === 'laplacian' && !this.laplacian ? 'plain' : look.color,
+      coloring: this.hasColors(look.color) ? look.color : 'plain',
       showDisk: Boolean(hasDisk),
       showChecker: show.checker && Boolean(this.app.atlas),
       radius: hasDisk ? curve.numbers[5] : 0,
@@ -81,6 +82,12 @@ export class Appearance {
     const nearest = hasDisk ? this.app.toView(curve.numbers.subarray(6, 9)) : null;
     this.app.viewer.setMarker(this.app.viewer.nearestMarker, nearest);
     this.hasDisk = Boolean(hasDisk);
+  }
+
+  // whether there is what they show
+  hasColors(name) {
+    if (name === 'laplacian') return Boolean(this.laplacian);
+    return name !== 'cells' || Boolean(this.app.source && this.app.source.total > 1);
   }
 
   // The Laplacian and the gradient are computed when they are first shown for a source.
@@ -102,9 +109,9 @@ export class Appearance {
   }
 
   look(name) {
-    const { curve } = this.app;
-    if (!this.app.mesh || !this.app.source) return;
-    this.app.viewer.look(name, curve ? curve.segments : new Float32Array(0), this.app.source.points.map((p) => this.app.toView(p)));
+    const { curve, source, viewer } = this.app;
+    if (!this.app.mesh || !source) return;
+    viewer.look(name, curve ? curve.segments : new Float32Array(0), source.points.map((p) => this.app.toView(p)), source.borderLoops === 0);
     this.app.onState();
   }
 

@@ -20,6 +20,8 @@ export const arrays = {
   component: [21, 'u32'],
   repairs: [22, 'u8'],
   paths: { points: [23, 'f32'], numbers: [24, 'f64'] },
+  borderSegments: [25, 'f32'],
+  nearestSource: [26, 'u32'],
 };
 
 export const curveNames = ['edgeCurve', 'faceCurve'];

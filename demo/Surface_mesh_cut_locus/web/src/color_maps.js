@@ -1,5 +1,5 @@
 // The scales of colours: in the picture a number becomes a place in a texture, in the legend a gradient.
-import { interpolateViridis } from 'd3-scale-chromatic';
+import { interpolateViridis, schemeSet3 } from 'd3-scale-chromatic';
 import * as THREE from 'three';
 
 const size = 256;
@@ -28,6 +28,10 @@ export function laplacianColor(t) {
   const x = 2 * t - 1;
   return middle.map((m, k) => m + Math.abs(x) * ((x < 0 ? low : high)[k] - m));
 }
+
+// of the points whose nearest source has that number: light, and for 12 sources well apart
+const fields = schemeSet3.map(channels);
+export const cellColor = (source) => fields[source % fields.length];
 
 export function makeTexture(colorAt) {
   const data = new Uint8Array(4 * size);

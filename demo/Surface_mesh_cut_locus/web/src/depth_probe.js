@@ -42,8 +42,9 @@ export class DepthProbe {
     return near * far / (far - depth * (far - near));
   }
 
-  // Whether the point, in space, is seen: not more than `slack` behind the surface at its pixel and around it.
-  sees(point, slack) {
+  // Whether the point, in space, is seen: not more than `slack` behind the surface at its pixel, or, for what may lie at the
+  // rim, at one around it.
+  sees(point, slack, mayBeAtRim = true) {
     const { width, height } = this.target;
     const view = point.clone().applyMatrix4(this.camera.matrixWorldInverse);
     const place = view.clone().applyMatrix4(this.camera.projectionMatrix);
@@ -51,7 +52,8 @@ export class DepthProbe {
     const x = Math.min(Math.floor((place.x + 1) / 2 * width), width - 1);
     const y = Math.min(Math.floor((place.y + 1) / 2 * height), height - 1);
     let farthest = 0;
-    for (const [i, j] of [[x, y], [x + 1, y], [x - 1, y], [x, y + 1], [x, y - 1]]) {
+    const around = mayBeAtRim ? [[x + 1, y], [x - 1, y], [x, y + 1], [x, y - 1]] : [];
+    for (const [i, j] of [[x, y], ...around]) {
       if (i < 0 || j < 0 || i >= width || j >= height) continue;
       const b = this.bytes.subarray(4 * (j * width + i));
       // as three.js packs it

@@ -3,8 +3,8 @@
 export class Cancelled extends Error {}
 
 export class Engine {
-  constructor(onStage) {
-    this.onStage = onStage;
+  constructor(onStage, onProgress) {
+    Object.assign(this, { onStage, onProgress });
     this.pending = new Map();
     this.nextId = 1;
     this.recipe = null; // what the worker has loaded, to load it again
@@ -14,7 +14,8 @@ export class Engine {
   start() {
     this.worker = new Worker(new URL('worker.js', import.meta.url));
     this.worker.onmessage = ({ data }) => {
-      if (data.stage) this.onStage(data.stage);
+      if (data.share !== undefined) this.onProgress(data.stage, data.share);
+      else if (data.stage) this.onStage(data.stage);
       else this.settle(data);
     };
     this.worker.onerror = (event) => {

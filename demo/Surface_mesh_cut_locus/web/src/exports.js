@@ -18,9 +18,8 @@ export const kinds = {
 async function exportCurve(app, kind, format) {
   const curve = await app.curveFor(kind);
   if (format === 'svg') {
-    const { colors } = app.viewer;
-    const dots = app.source.points.map((point) => ({ point: app.toView(point), color: colors.source }));
-    return download(curveToSvg(app.viewer, curve.segments, dots, colors), app.fileName('cut_locus.svg'), 'image/svg+xml');
+    const sources = { points: app.source.points.map((point) => app.toView(point)), lines: app.source.border };
+    return download(curveToSvg(app.viewer, curve.segments, sources, app.viewer.colors), app.fileName('cut_locus.svg'), 'image/svg+xml');
   }
   const text = await app.engine.run('write', { curve: kind === 'faceCurve' ? 1 : 0, format });
   return download(text, app.fileName(format === 'txt' ? 'cut_locus.polylines.txt' : `cut_locus.${format}`));

@@ -1,6 +1,6 @@
 // Everything that is on the screen, in the order of its weight, with the colours it has there.
 import { branchScale } from './branch_scale.js';
-import { branchColor, distanceColor, laplacianColor, stops } from './color_maps.js';
+import { branchColor, cellColor, cssColor, distanceColor, laplacianColor, stops } from './color_maps.js';
 import { number } from './words.js';
 
 function pathLabel({ numbers }) {
@@ -9,20 +9,28 @@ function pathLabel({ numbers }) {
   return paths === 1 ? `the shortest path, ${length}` : `${paths} shortest paths, ${length} each`;
 }
 
-export function legendItems({ state, source, curve, defaults, viewer, path, atlas, appearance }) {
+// of the first sources, after which colours come again; with fields rather than a ramp
+const cellStops = (count) => Array.from({ length: Math.min(count, 12) }, (_, i) => cssColor(cellColor(i)))
+  .flatMap((color) => [color, color, color, color]);
+
+export function legendItems({ state, source, curve, curves, defaults, viewer, path, atlas, appearance }) {
   const { gradient, hasDisk, laplacian, laplacianScale } = appearance;
   if (!source || !curve) return [];
   const { show, look } = state;
   const { colors } = viewer;
   const hasCurve = curve.numbers[0] > 0;
-  const items = [{ kind: 'dot', color: colors.source, rim: colors.casing, label: source.points.length > 1 ? 'sources' : 'source' }];
+  const items = [];
+  if (source.points.length > 0)
+    items.push({ kind: 'dot', color: colors.source, rim: colors.casing, label: source.points.length > 1 ? 'sources' : 'source' });
+  if (source.hasBorder) items.push({ kind: 'line', color: colors.source, label: 'the border, as a source' });
   const scale = branchScale(state, defaults);
-  const colored = show.width && hasCurve && (show.faceCurve || show.edgeCurve);
+  const hasEdgeCurve = show.edgeCurve && hasCurve && Boolean(curves.edgeCurve);
+  const colored = show.width && hasCurve && (show.faceCurve || hasEdgeCurve);
   if (colored)
     items.push({ kind: 'scale', label: `cut locus by ${scale.label.toLowerCase()}:`, ends: scale.ends, stops: stops(branchColor, 4) });
   if (show.faceCurve && hasCurve && !colored) items.push({ kind: 'line', color: colors.curve, label: 'cut locus' });
-  if (show.edgeCurve && hasCurve && !colored) items.push({ kind: 'line', color: colors.edges, label: 'cut locus along mesh edges' });
-  if (show.hidden && hasCurve && (show.faceCurve || show.edgeCurve))
+  if (hasEdgeCurve && !colored) items.push({ kind: 'line', color: colors.edges, label: 'cut locus along mesh edges' });
+  if (show.hidden && hasCurve && (show.faceCurve || hasEdgeCurve))
     items.push({ kind: 'line', color: colors.hidden, label: 'its parts behind the surface' });
   items.push({ kind: 'dot', color: colors.casing, rim: colors.text, label: 'farthest point' });
   if (path) items.push({ kind: 'line', color: colors.path, label: pathLabel(path) });
@@ -33,6 +41,8 @@ export function legendItems({ state, source, curve, defaults, viewer, path, atla
   }
   if (look.color === 'distance')
     items.push({ kind: 'scale', label: 'distance:', ends: ['0', number(source.farthestDistance)], stops: stops(distanceColor) });
+  if (look.color === 'cells' && source.total > 1)
+    items.push({ kind: 'scale', label: 'nearest source:', ends: ['1', `${source.total}`], stops: cellStops(source.total) });
   if (look.color === 'laplacian' && laplacian)
     items.push({ kind: 'scale', label: 'Laplacian:', ends: [`−${number(laplacianScale, 2)}`, number(laplacianScale, 2)], stops: stops(laplacianColor) });
   if (show.isolines)

@@ -14,6 +14,7 @@ try {
     onPick: (place, mode) => app.pick(place, mode || panel.mode),
     onHover: (place, at) => app.hover(place, at),
     onChange: () => saveState(),
+    overlays: ['tools', 'result', 'legend', 'cut-info'].map(element),
   });
 } catch (error) {
   panel.showMessage('This page needs WebGL 2, which this browser does not offer.');
@@ -60,6 +61,9 @@ const pickCenter = (mode) => {
 };
 
 const turn = Math.PI / 24;
+const part = 0.1; // of half of the sheet
+const zoom = (factor) => (isOnSheet() ? viewer.movePlane(0, 0, factor) : viewer.zoom(1 / factor));
+const isOnSheet = () => document.activeElement === element('atlas-view');
 const keys = {
   o: () => element('open').click(),
   s: () => pickCenter('source'),
@@ -72,16 +76,17 @@ const keys = {
   c: () => app.sheet.toggle(),
   p: () => app.export('picture', 'png', { ...viewer.size, hasLegend: true }),
   '?': () => element('help').showModal(),
-  '+': () => viewer.zoom(0.9),
-  '=': () => viewer.zoom(0.9),
-  '-': () => viewer.zoom(1 / 0.9),
+  '+': () => zoom(1 / 0.9),
+  '=': () => zoom(1 / 0.9),
+  '-': () => zoom(0.9),
   Escape: () => { app.cancel(); panel.hideMessage(); },
 };
+const move = (right, up) => (isOnSheet() ? viewer.movePlane(part * right, part * up) : viewer.orbit(turn * right, -turn * up));
 const viewKeys = {
-  ArrowLeft: () => viewer.orbit(-turn, 0),
-  ArrowRight: () => viewer.orbit(turn, 0),
-  ArrowUp: () => viewer.orbit(0, -turn),
-  ArrowDown: () => viewer.orbit(0, turn),
+  ArrowLeft: () => move(-1, 0),
+  ArrowRight: () => move(1, 0),
+  ArrowUp: () => move(0, 1),
+  ArrowDown: () => move(0, -1),
 };
 
 function takeBack(event) {

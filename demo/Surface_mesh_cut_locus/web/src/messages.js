@@ -6,11 +6,13 @@ const byCause = {
   faceWithoutArea: (element) => `The ${element} of this mesh has no area. Remove degenerate faces first and open it again.`,
   nonManifold: (element) =>
     `The faces do not form a surface: at the ${element} several sheets touch in a point. Split that vertex first.`,
+  sameSources: () => 'Two sources have a point in common: choose another point, or let the border be no source.',
   sourcesApart: () => 'Sources must be on the same part of the mesh: no path leads from one part to another.',
 };
 
-// and with the file, of which there are words alone
+// and what has words alone, as what is wrong with the file
 const byWords = [
+  [/have a point in common/, byCause.sameSources],
   [/an edge belongs to more than two faces/,
     () => 'The faces do not form an oriented surface: an edge belongs to more than two faces, or to two of opposite orientation.'],
   [/meets others at a vertex that is not manifold/,
@@ -32,7 +34,7 @@ const byWords = [
 
 export function explain({ message, cause }) {
   if (cause in byCause) return byCause[cause]((message.match(/(face|vertex) #\d+/) || ['mesh'])[0]);
-  for (const [pattern, text] of cause ? [] : byWords) {
+  for (const [pattern, text] of cause && cause !== 'other' ? [] : byWords) {
     const match = message.match(pattern);
     if (match) return text(match);
   }

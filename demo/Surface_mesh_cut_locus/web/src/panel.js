@@ -71,7 +71,8 @@ export class Panel {
     element('solver').addEventListener('change', () => app.setSolver(element('solver').value, app.state.method));
     element('method').addEventListener('change', () => app.setSolver(app.state.solver, element('method').value));
     element('policy').addEventListener('change', () => app.setParameter('policy', element('policy').value));
-    element('voronoi').addEventListener('change', ({ target }) => app.setParameter('voronoi', target.checked));
+    element('keep').addEventListener('change', ({ target }) => app.setParameter('keep', target.value));
+    element('border').addEventListener('change', ({ target }) => app.setSources(app.state.sources, target.value));
     element('defaults').addEventListener('click', () => app.resetParameters());
     element('undo').addEventListener('click', () => app.undo());
     element('redo').addEventListener('click', () => app.redo());
@@ -137,7 +138,8 @@ export class Panel {
     element('method').disabled = state.solver !== 'exact';
     element('method').title = state.solver === 'exact' ? 'Next method (M)' : 'The other methods need exact distances';
     element('policy').value = state.parameters.policy;
-    element('voronoi').checked = state.parameters.voronoi;
+    element('keep').value = state.parameters.keep;
+    element('border').value = state.border;
     element('policy-field').hidden = state.method !== 'laplacian';
     for (const [name, slider] of Object.entries(this.sliders)) {
       slider.set(state.parameters[name]);
@@ -164,6 +166,7 @@ export class Panel {
 
   // On a phone the panel lies below the surface, and can be unfolded.
   toggle() {
+    this.showReadout(null); // places move
     const isFolded = element('panel').classList.toggle('is-folded');
     element('panel-toggle').textContent = isFolded ? 'More' : 'Less';
     element('panel-toggle').setAttribute('aria-expanded', !isFolded);
@@ -222,7 +225,10 @@ export class Panel {
   setResult(result) {
     const { times, state } = result;
     element('result').hidden = false;
-    element('voronoi-field').hidden = result.source.points.length < 2;
+    element('keep-field').hidden = result.source.total < 2;
+    element('border-field').hidden = result.source.borderLoops === 0 || state.method === 'laplacian';
+    element('show-edgeCurve').disabled = result.source.hasBorder; // such sources have none
+    element('look-color').querySelector('[value=cells]').disabled = result.source.total < 2;
     const concerns = doubts(result);
     const text = [summary(result), ...concerns].join(' ');
     // what has not changed is not announced again
@@ -252,6 +258,7 @@ export class Panel {
     element('cut-info').classList.toggle('is-doubtful', Boolean(quality) && !quality.isInjective);
     element('cut').textContent = isCut ? 'Close again' : 'Cut and flatten';
     element('cut').setAttribute('aria-pressed', isCut);
+    this.showReadout(null); // places move
     if (isCut) element('result-fold').open = false; // it would cover the sheet
   }
 
@@ -286,6 +293,13 @@ export class Panel {
 
   setBusyText(text) {
     element('busy-text').textContent = text;
+    element('busy-share').hidden = true;
+  }
+
+  // the part of a stage that is done
+  setBusyShare(share) {
+    element('busy-share').value = share;
+    element('busy-share').hidden = false;
   }
 
   // what is plain goes by itself

@@ -12,6 +12,10 @@ export class PathTool {
   // A point near the curve is meant to be on it.
   async show(location) {
     if (!this.app.isSolved || !this.app.curve) return;
+    if (this.app.source.hasBorder) {
+      this.app.panel.showMessage('Shortest paths are shown to points only: let the border be no source.', true);
+      return;
+    }
     const nearest = nearestSegment(this.app.curve.segments, location.place);
     const isOnCurve = nearest && nearest.away < nearPixels * location.pixel;
     const end = (isOnCurve && this.app.viewer.pointer.atPlace(nearest.place)) || location;

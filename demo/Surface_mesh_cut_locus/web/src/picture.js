@@ -10,6 +10,8 @@ function largestSide(viewer) {
 // Lines and points are as thick, relative to the height, as on the screen.
 export async function takePicture(viewer, { width, height, isTransparent, legend }) {
   const { renderer, size } = viewer;
+  const panes = [viewer.model, viewer.plane];
+  const shifts = panes.map((pane) => pane.shift);
   const ratio = renderer.getPixelRatio();
   const scale = height / size.height;
   const largest = largestSide(viewer);
@@ -21,6 +23,7 @@ export async function takePicture(viewer, { width, height, isTransparent, legend
     renderer.setSize(viewer.size.width, viewer.size.height, false);
     // rounding must not change the number of pixels
     Object.assign(viewer.canvas, { width, height });
+    for (const pane of panes) pane.shift = [0, 0]; // nothing but the legend lies above it
     viewer.draw(true, { isTransparent, hasAxes: viewer.hasAxes && !isTransparent });
     const canvas = Object.assign(document.createElement('canvas'), { width, height });
     const context = canvas.getContext('2d');
@@ -29,6 +32,7 @@ export async function takePicture(viewer, { width, height, isTransparent, legend
     return await new Promise((resolve) => { canvas.toBlob(resolve, 'image/png'); });
   } finally {
     viewer.size = size;
+    panes.forEach((pane, i) => { pane.shift = shifts[i]; });
     renderer.setPixelRatio(ratio);
     viewer.resize();
   }

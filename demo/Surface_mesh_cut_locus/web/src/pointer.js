@@ -28,6 +28,8 @@ export class Pointer {
       down = null;
       const location = locate(...place(event));
       if (location) this.onPick(location, event.shiftKey ? 'add' : event.altKey ? 'path' : null);
+      // a finger does not rest above the surface: values are those where it has been
+      if (location && event.pointerType === 'touch') this.onHover(location, [event.clientX, event.clientY]);
     });
     element.addEventListener('pointermove', (event) => {
       clearTimeout(this.timer);
@@ -35,7 +37,8 @@ export class Pointer {
       const [x, y] = place(event);
       this.timer = setTimeout(() => this.onHover(locate(x, y), [event.clientX, event.clientY]), restMilliseconds);
     });
-    element.addEventListener('pointerleave', () => {
+    element.addEventListener('pointerleave', (event) => {
+      if (event.pointerType === 'touch') return;
       clearTimeout(this.timer);
       this.onHover(null);
     });
@@ -45,7 +48,7 @@ export class Pointer {
     const { viewer } = this;
     const { width, height } = viewer.boxOf(pane);
     if (!viewer.positions) return null;
-    viewer.setAspect(pane.camera, width / height);
+    viewer.setAspect(pane, width / height);
     pane.camera.updateMatrixWorld();
     this.ray.setFromCamera(new THREE.Vector2(2 * x / width - 1, 1 - 2 * y / height), pane.camera);
     const [hit] = this.ray.intersectObject(object);

@@ -36,7 +36,7 @@ export class Sheet {
   // Along the curve of mesh edges, for the thresholds as they are.
   async cut() {
     const begin = performance.now();
-    if (this.app.state.sources.length > 1) {
+    if (!this.app.hasOnePoint) {
       this.drop();
       throw new Error('The surface is flattened from one source: with several, it falls into as many sheets');
     }
@@ -73,7 +73,7 @@ export class Sheet {
   }
 
   async current() {
-    if (this.app.state.sources.length > 1)
+    if (!this.app.hasOnePoint)
       throw new Error('The surface is cut open from one source: with several, it falls into as many sheets');
     return this.atlas && this.atlas.step === JSON.stringify(this.app.step) ? this.atlas : this.compute();
   }

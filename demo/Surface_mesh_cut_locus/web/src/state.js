@@ -1,6 +1,7 @@
 // All that a link restores: the sample, the sources, the method with its thresholds, what is shown and how, and the view.
 
 export const methods = ['direction', 'polyhedral', 'laplacian'];
+export const keptParts = ['all', 'voronoi', 'medial']; // in the order of `Kept_part` in core/solvers.h
 
 export function defaultState() {
   return {
@@ -8,12 +9,13 @@ export function defaultState() {
     faces: 20000,
     file: null,
     sources: null, // of each { face, coordinates }
+    border: 'no', // whether the border is a source: 'also' with these, or 'only'
     solver: 'exact',
     method: 'direction',
     // null is the default of the library
     parameters: {
       width: null, // in percent of the diagonal of the bounding box
-      voronoi: false, // of several sources, only what is between them
+      keep: 'all', // of several sources: or 'voronoi', what is between them, or 'medial', what is inside their cells
       angle: null,
       laplacian: null,
       minimumEdges: null,
@@ -63,6 +65,7 @@ export function toHash(state) {
   }
   if (state.sources)
     items.set('source', state.sources.flatMap(({ face, coordinates }) => [face, ...coordinates.map(rounded)]).join());
+  if (state.border !== standard.border) items.set('border', state.border);
   items.set('solver', state.solver);
   items.set('method', state.method);
   for (const [name, value] of Object.entries(state.parameters))
@@ -90,7 +93,7 @@ function sourcesIn(text) {
 }
 
 const looks = {
-  color: ['plain', 'distance', 'laplacian'],
+  color: ['plain', 'distance', 'cells', 'laplacian'],
   shading: ['smooth', 'flat'],
   up: ['auto', 'y', 'z'],
   theme: ['auto', 'light', 'dark'],
@@ -125,7 +128,8 @@ export function fromHash(hash) {
     if (items.has(name) && Number.isFinite(value) && (name !== 'width' || value >= 0)) state.parameters[name] = value;
   }
   if (items.get('policy') === 'grow') state.parameters.policy = 'grow';
-  state.parameters.voronoi = items.get('voronoi') === 'true';
+  if (keptParts.includes(items.get('keep'))) state.parameters.keep = items.get('keep');
+  if (state.method !== 'laplacian' && ['also', 'only'].includes(items.get('border'))) state.border = items.get('border');
   for (const item of (items.get('show') || '').split(',')) {
     const name = item.replace(/^-/, '');
     if (name in state.show) state.show[name] = !item.startsWith('-');

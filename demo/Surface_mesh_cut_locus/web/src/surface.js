@@ -6,14 +6,17 @@ import { distanceColor, laplacianColor, makeTexture } from './color_maps.js';
 const vertexShader = `
 attribute float geodesicDistance;
 attribute float distanceLaplacian;
+attribute vec3 cellColor;
 varying float vDistance;
 varying float vLaplacian;
+varying vec3 vCell;
 varying vec3 vNormal;
 varying vec3 vPlace;
 varying vec2 vUv;
 uniform bool isAtlas;
 
 void main() {
+  vCell = cellColor;
   vDistance = geodesicDistance;
   vLaplacian = distanceLaplacian;
   vNormal = normalMatrix * normal;
@@ -26,6 +29,7 @@ void main() {
 const fragmentShader = `
 varying float vDistance;
 varying float vLaplacian;
+varying vec3 vCell;
 varying vec3 vNormal;
 varying vec3 vPlace;
 varying vec2 vUv;
@@ -34,7 +38,7 @@ uniform bool isFlat;
 uniform bool showIsolines;
 uniform bool showDisk;
 uniform bool showChecker;
-uniform int coloring; // 0: plain, 1: distance, 2: Laplacian
+uniform int coloring; // 0: plain, 1: distance, 2: Laplacian, 3: nearest source
 uniform vec3 plain;
 uniform float spacing;
 uniform float radius;
@@ -52,6 +56,8 @@ void main() {
     color = texture2D(distanceMap, vec2(vDistance / largest, .5)).rgb;
   if(coloring == 2 && isReached)
     color = texture2D(laplacianMap, vec2(.5 + .5 * vLaplacian / laplacianScale, .5)).rgb;
+  if(coloring == 3 && isReached)
+    color = vCell;
   if(showChecker) {
     vec2 square = floor(vUv * checkers);
     color *= mod(square.x + square.y, 2.) < .5 ? .82 : 1.;
@@ -78,7 +84,7 @@ void main() {
   gl_FragColor = vec4(color * opacity, opacity); // premultiplied
 }`;
 
-const colorings = ['plain', 'distance', 'laplacian'];
+const colorings = ['plain', 'distance', 'laplacian', 'cells'];
 
 function makeUniforms(isAtlas) {
   return {

@@ -10,11 +10,11 @@ function document(width, height, body) {
     + `fill="none" stroke-linecap="round" stroke-linejoin="round">\n${body}\n</svg>\n`;
 }
 
-// `dots`: points in space and their colours.
-export function curveToSvg(viewer, segments, dots, colors) {
+// `points` and `lines` are sources, in space.
+export function curveToSvg(viewer, segments, { points, lines }, colors) {
   const { width, height } = viewer.boxOf(viewer.model);
   const { camera, probe } = viewer;
-  viewer.setAspect(camera, width / height);
+  viewer.setAspect(viewer.model, width / height);
   const scale = Math.min(2, 2048 / Math.max(width, height));
   probe.look(viewer.pickable.geometry, camera, Math.round(scale * width), Math.round(scale * height));
   const place = (p) => {
@@ -26,18 +26,20 @@ export function curveToSvg(viewer, segments, dots, colors) {
     const isSeen = (i) => probe.sees(new THREE.Vector3(...chain[i - 1]).add(new THREE.Vector3(...chain[i])).multiplyScalar(0.5), 0.01);
     for (let i = 1; i < chain.length;) {
       const seen = isSeen(i);
-      const points = [place(chain[i - 1])];
-      for (; i < chain.length && isSeen(i) === seen; ++i) points.push(place(chain[i]));
-      parts[seen ? 'seen' : 'hidden'].push(path(points));
+      const run = [place(chain[i - 1])];
+      for (; i < chain.length && isSeen(i) === seen; ++i) run.push(place(chain[i]));
+      parts[seen ? 'seen' : 'hidden'].push(path(run));
     }
   }
-  const circles = dots.map(({ point, color }) => {
+  const sources = points.map((point) => {
     const [x, y] = place(point);
-    return `<circle cx="${round(x)}" cy="${round(y)}" r="5" fill="${color}" stroke="#fff"/>`;
+    return `<circle cx="${round(x)}" cy="${round(y)}" r="5" fill="${colors.source}" stroke="#fff"/>`;
   });
+  if (lines.length > 0)
+    sources.unshift(`<path id="border" stroke="${colors.source}" stroke-width="3" d="${chainsOf(lines).map((chain) => path(chain.map(place))).join('')}"/>`);
   return document(width, height,
     `<path id="hidden" stroke="${colors.hidden}" stroke-width="2" stroke-dasharray="4 5" d="${parts.hidden.join('')}"/>\n`
-    + `<path id="seen" stroke="${colors.curve}" stroke-width="3" d="${parts.seen.join('')}"/>\n${circles.join('\n')}`);
+    + `<path id="seen" stroke="${colors.curve}" stroke-width="3" d="${parts.seen.join('')}"/>\n${sources.join('\n')}`);
 }
 
 export function outlineToSvg({ border, uv }, colors) {

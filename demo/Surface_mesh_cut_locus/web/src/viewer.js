@@ -6,19 +6,20 @@ import { ViewHelper } from 'three/examples/jsm/helpers/ViewHelper.js';
 import { CurveLines } from './curve_lines.js';
 import { DepthProbe } from './depth_probe.js';
 import { makeMarker, setMarkerColors, sizeMarker } from './markers.js';
+import { Placement, viewAngle } from './placement.js';
 import { Pointer } from './pointer.js';
 import { Surface } from './surface.js';
 import { SurfaceLayer } from './surface_layer.js';
 import { bestDirection, direction, isSide, sideDirection, upVector } from './views.js';
 
-const viewAngle = 35; // degrees
 const restMilliseconds = 140; // the shadows of hollows wait until the view rests
 const modelRadius = 1.02; // the mesh fills the unit ball
 
 export class Viewer {
-  constructor(canvas, views, { onPick, onHover, onChange }) {
+  constructor(canvas, views, { onPick, onHover, onChange, overlays = [] }) {
     this.canvas = canvas;
     this.onChange = onChange;
+    this.placement = new Placement(this, overlays);
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.autoClear = false;
@@ -51,7 +52,8 @@ export class Viewer {
     this.faceCurve = new CurveLines(3.5, 4);
     this.seams = new CurveLines(1.4, 1, { hasCasing: false });
     this.paths = new CurveLines(3, 6);
-    this.curves = [this.edgeCurve, this.faceCurve, this.seams, this.paths];
+    this.sourceLines = new CurveLines(4.5, 5);
+    this.curves = [this.edgeCurve, this.faceCurve, this.seams, this.paths, this.sourceLines];
     this.arrows = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
     this.arrows.visible = false;
     this.sourceMarkers = [];
@@ -77,7 +79,7 @@ export class Viewer {
 
   makePane(element, camera) {
     const surfaces = new THREE.Scene(), lines = new THREE.Scene();
-    const pane = { element, camera, surfaces, lines, layer: new SurfaceLayer(this.renderer, surfaces, camera) };
+    const pane = { element, camera, surfaces, lines, shift: [0, 0], part: 1, layer: new SurfaceLayer(this.renderer, surfaces, camera) };
     if (camera.isOrthographicCamera) {
       camera.position.set(0, 0, 5);
       pane.controls = this.listen(new OrbitControls(camera, element), pane);
@@ -121,6 +123,7 @@ export class Viewer {
     this.edgeCurve.setColors(colors.edges, new THREE.Color(colors.edges).lerp(new THREE.Color(colors.back), 0.6), colors.casing);
     this.seams.setColors(colors.edges, colors.back, colors.casing);
     this.paths.setColors(colors.path, new THREE.Color(colors.path).lerp(new THREE.Color(colors.back), 0.5), colors.casing);
+    this.sourceLines.setColors(colors.source, new THREE.Color(colors.source).lerp(new THREE.Color(colors.back), 0.5), colors.casing);
     this.atlasSeams.setColors(colors.curve, colors.back, colors.casing);
     this.arrows.material.color.set(colors.arrows);
     this.wireframe.material.color.set(colors.isDark ? 0x000000 : 0x20262e);
@@ -204,7 +207,7 @@ export class Viewer {
 
   drawPane(pane, occlusion) {
     const box = this.boxOf(pane);
-    this.setAspect(pane.camera, box.width / box.height);
+    this.setAspect(pane, box.width / box.height);
     this.setMarkerSizes(box.height);
     const lines = pane === this.model ? this.curves : [this.atlasSeams];
     for (const curve of lines) curve.setResolution(box.width, box.height);
@@ -217,7 +220,8 @@ export class Viewer {
   }
 
   // The view has the same angle along the shorter side of the window, whichever that is.
-  setAspect(camera, aspect) {
+  // What is looked at is in the middle of the part of the pane that is free.
+  setAspect({ camera, shift, part }, aspect) {
     if (camera.isPerspectiveCamera) {
       const half = Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(aspect, 1);
       camera.fov = 2 * THREE.MathUtils.radToDeg(Math.atan(half));
@@ -227,10 +231,14 @@ export class Viewer {
       camera.near = Math.max(distance - modelRadius, 0.004);
       camera.far = Math.max(distance + modelRadius, 0.1);
     } else {
-      const half = 1.06 * Math.max(1, 1 / aspect);
+      const half = 1.06 / part * Math.max(1, 1 / aspect);
       Object.assign(camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
     }
-    camera.updateProjectionMatrix();
+    camera.setViewOffset(aspect, 1, -shift[0] * aspect, shift[1], aspect, 1);
+  }
+
+  get eye() {
+    return this.camera.position.clone().sub(this.controls.target).normalize();
   }
 
   setMarkerSizes(height) {
@@ -242,36 +250,20 @@ export class Viewer {
     this.size = { width: Math.max(clientWidth, 1), height: Math.max(clientHeight, 1) };
     this.isStacked = window.matchMedia('(max-width: 640px)').matches;
     this.renderer.setSize(this.size.width, this.size.height, false);
+    if (this.controls) {
+      this.placement.placeModel(this.eye);
+      this.placement.placePlane();
+    }
     // the canvas has been cleared: there must not be a frame without a picture
     this.draw();
   }
 
   // from a direction, so that the mesh fills the view
   lookFrom(eye, center = new THREE.Vector3()) {
-    const box = this.boxOf(this.model);
-    const reach = this.positions ? this.reachFrom(eye, box.width / box.height) : 3.4;
     this.controls.target.copy(center);
-    this.camera.position.copy(center).addScaledVector(eye, reach);
+    this.camera.position.copy(center).addScaledVector(eye, this.placement.placeModel(eye));
     this.controls.update();
     this.moved(this.model);
-  }
-
-  // How far away the eye has to be to see all vertices, with a margin.
-  reachFrom(eye, aspect) {
-    const right = new THREE.Vector3().crossVectors(this.camera.up, eye).normalize();
-    const high = new THREE.Vector3().crossVectors(eye, right).normalize();
-    const half = Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(aspect, 1);
-    const p = this.positions;
-    let reach = 0;
-    for (let i = 0; i < p.length; i += 3) {
-      const along = p[i] * eye.x + p[i + 1] * eye.y + p[i + 2] * eye.z;
-      const across = Math.abs(p[i] * right.x + p[i + 1] * right.y + p[i + 2] * right.z);
-      const above = Math.abs(p[i] * high.x + p[i + 1] * high.y + p[i + 2] * high.z);
-      reach = Math.max(reach, along + above / half, along + across / (half * aspect));
-    }
-    // the legend and the buttons lie above the picture
-    const { height } = this.boxOf(this.model);
-    return Math.min(Math.max(1.1, height / (height - 130)), 1.3) * reach;
   }
 
   resetView() {
@@ -281,7 +273,7 @@ export class Viewer {
 
   // The same direction, and all in sight.
   fit() {
-    this.lookFrom(this.camera.position.clone().sub(this.controls.target).normalize());
+    this.lookFrom(this.eye);
     this.fitPlane();
   }
 
@@ -289,27 +281,56 @@ export class Viewer {
     this.plane.controls.target.set(0, 0, 0);
     this.plane.camera.position.set(0, 0, 5);
     this.plane.camera.zoom = 1;
+    this.placement.placePlane();
     this.plane.controls.update();
     this.moved(this.plane);
   }
 
+  // Moves the eye over the sheet, by parts of half of its size, and zooms.
+  movePlane(right, up, factor = 1) {
+    const { camera, controls } = this.plane;
+    const step = new THREE.Vector3(right, up, 0).divideScalar(camera.zoom);
+    camera.position.add(step);
+    controls.target.add(step);
+    camera.zoom *= factor;
+    controls.update();
+    this.moved(this.plane);
+  }
+
   // one of the sides, `best` or `source`
-  look(name, segments, sources) {
+  look(name, segments, sources, isClosed) {
     const points = sources.map((p) => new THREE.Vector3(...p));
     if (name === 'best') {
-      const facing = points.map((point) => ({ point, normal: this.normalNear(point) }));
-      this.lookFrom(bestDirection(this.probe, this.pickable.geometry, this.up, segments, facing));
+      const facing = points.map((point) => ({ point, normal: this.outwardNormal(point) }));
+      this.lookFrom(bestDirection(this.probe, this.pickable.geometry, this.up, segments, facing, isClosed));
     }
-    if (name === 'source') this.lookFrom(this.outwardAt(points[0]));
+    if (name === 'source' && points.length > 0) this.lookFrom(this.outwardAt(points[0]));
     if (isSide(name)) this.lookFrom(sideDirection(this.up, name));
+  }
+
+  // whether a closed surface has its inner side out: its volume is negative
+  isInsideOut() {
+    const { positions: p, triangles: t } = this;
+    let volume = 0;
+    for (let f = 0; f < t.length; f += 3) {
+      const [a, b, c] = [3 * t[f], 3 * t[f + 1], 3 * t[f + 2]];
+      volume += p[a] * (p[b + 1] * p[c + 2] - p[b + 2] * p[c + 1]) + p[a + 1] * (p[b + 2] * p[c] - p[b] * p[c + 2])
+        + p[a + 2] * (p[b] * p[c + 1] - p[b + 1] * p[c]);
+    }
+    return volume < 0;
   }
 
   // not straight along the axis, around which the controls turn
   outwardAt(point) {
-    const normal = this.normalNear(point);
+    const normal = this.outwardNormal(point);
     const high = upVector(this.up);
     if (Math.abs(normal.dot(high)) > 0.99) normal.addScaledVector(direction(this.up, 0, 0), 0.2).normalize();
     return normal;
+  }
+
+  // files may have their faces the wrong way around
+  outwardNormal(point) {
+    return this.normalNear(point).multiplyScalar(this.isInsideOut() ? -1 : 1);
   }
 
   normalNear(point) {
@@ -331,6 +352,7 @@ export class Viewer {
     this.camera.position.fromArray(view, 0);
     this.controls.target.fromArray(view, 3);
     this.controls.update();
+    this.placement.placeModel(this.eye);
     this.moved(this.model);
   }
 
@@ -367,12 +389,14 @@ export class Viewer {
     this.pickable.geometry.computeBoundingSphere();
     this.distance = null;
     this.laplacian = null;
+    this.cells = null;
     this.wireframe.geometry.dispose();
     this.wireframe.geometry = new THREE.BufferGeometry();
     this.showUncut();
     this.setMarker(this.farthestMarker, null);
     this.setMarker(this.nearestMarker, null);
     this.setSources([]);
+    this.setSourceLines(new Float32Array(0));
     this.setPaths(new Float32Array(0), null);
     for (const curve of [this.edgeCurve, this.faceCurve]) curve.set(new Float32Array(0));
     this.arrows.visible = false;
@@ -386,6 +410,7 @@ export class Viewer {
     this.atlas.setGeometry(geometry);
     this.setDistance(this.distance);
     this.setLaplacian(this.laplacian);
+    this.setCells(this.cells);
     this.model.layer.hasOcclusion = false;
   }
 
@@ -448,6 +473,21 @@ export class Viewer {
     this.setAttribute('distanceLaplacian', values);
   }
 
+  // the colour of each vertex of the mesh, or null
+  setCells(colors) {
+    this.cells = colors;
+    const { geometry } = this.surface.opaque;
+    if (!colors) {
+      geometry.deleteAttribute('cellColor');
+      return;
+    }
+    const size = geometry.getAttribute('position').count;
+    const attribute = new Float32Array(3 * size);
+    for (let i = 0; i < size; ++i) attribute.set(colors[this.origin ? this.origin[i] : i], 3 * i);
+    geometry.setAttribute('cellColor', new THREE.BufferAttribute(attribute, 3));
+    this.invalidate();
+  }
+
   // values at the vertices of the mesh, or null
   setAttribute(name, values) {
     const { geometry } = this.surface.opaque;
@@ -500,6 +540,13 @@ export class Viewer {
       this.markers.add(marker);
     }
     this.sourceMarkers.forEach((marker, i) => this.setMarker(marker, points[i] || null));
+  }
+
+  // edges that are sources
+  setSourceLines(segments) {
+    this.sourceLines.set(segments);
+    this.sourceLines.show(true, true);
+    this.invalidateCurves();
   }
 
   setPaths(segments, end) {

@@ -46,8 +46,12 @@ function samplesOf(segments, count) {
   return points;
 }
 
-// The direction from which most of the curve is seen, and the sources with it: points, and where the surface faces there.
-export function bestDirection(probe, geometry, up, segments, sources) {
+// How well a point is seen on a surface that faces the eye by this cosine: hardly at the rim, and behind it not at all.
+const clarity = (toward) => (toward > 0.08 ? 0.85 + 0.15 * Math.min(1, 2.5 * toward) : 0);
+
+// The direction from which most of the curve is seen, and the sources with it: points, and where the surface faces there,
+// with its outer side if it has one.
+export function bestDirection(probe, geometry, up, segments, sources, hasOuterSide) {
   const faceCount = geometry.index.count / 3;
   const around = faceCount > 40000 ? 8 : 16; // each is a small picture
   const camera = new THREE.PerspectiveCamera(35, 1, 1.5, 6.5);
@@ -62,11 +66,13 @@ export function bestDirection(probe, geometry, up, segments, sources) {
       camera.lookAt(0, 0, 0);
       probe.look(geometry, camera, 96, 96);
       const seen = points.filter((p) => probe.sees(p, slack)).length / Math.max(points.length, 1);
-      // a source at the rim is hardly seen
-      const facing = ({ normal }) => Math.min(1, 2.5 * Math.abs(normal.dot(eye)));
-      const shown = sources.reduce((sum, source) => sum + (probe.sees(source.point, slack) ? facing(source) : 0), 0);
-      // what is usual, a little from above and from the front, is better if all else is equal
-      const score = seen + 1.3 * shown / Math.max(sources.length, 1) + 0.04 * Math.cos(2 * Math.PI * (i + 0.35) / around)
+      const shown = sources.reduce((sum, { point, normal }) => {
+        const toward = hasOuterSide ? normal.dot(eye) : Math.abs(normal.dot(eye));
+        return sum + (probe.sees(point, 2 * slack, false) ? clarity(toward) : 0);
+      }, 0);
+      // A source that is seen counts for more than all of the curve. What is usual, a little from above and from the front,
+      // is better if all else is equal.
+      const score = seen + 1.25 * shown / Math.max(sources.length, 1) + 0.04 * Math.cos(2 * Math.PI * (i + 0.35) / around)
         - 0.1 * Math.abs(above - 0.32);
       if (score > most) {
         most = score;

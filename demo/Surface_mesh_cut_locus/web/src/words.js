@@ -21,7 +21,8 @@ export function rounded(x, error) {
   const unit = 10 ** Math.floor(Math.log10(error));
   const digits = Math.max(0, -Math.floor(Math.log10(error)));
   const at = (y) => (Math.round(y / unit) * unit).toFixed(Math.min(digits, 20));
-  return `${at(x)} ± ${at(Math.max(error, unit))}`;
+  if (x < error) return `less than ${at(x + error)}`;
+  return `${at(x)}\u00a0±\u00a0${at(Math.max(error, unit))}`;
 }
 
 // by the status of a cut locus: 0 is that of one with branches
@@ -51,7 +52,7 @@ export function doubts({ curve, source, faceCount, state, defaults }) {
     result.push('Each corner of the polyhedron has a branch. If the mesh stands for a smooth shape, choose that under Method.');
   if (solver !== 'exact')
     result.push('These distances are approximate, and so is the curve. Exact ones are under Method.');
-  if (source.borderLoops > 0 && leaves > 2 * source.borderLoops && edges > 0)
+  if (!source.hasBorder && source.borderLoops > 0 && leaves > 2 * source.borderLoops && edges > 0)
     result.push(`Shortest paths go around the ${source.borderLoops === 1 ? 'hole' : `${count(source.borderLoops)} holes`}: `
       + 'branches behind them are real for this surface. Holes that are none of the shape should be filled first.');
   if (corridors > 0)
@@ -67,7 +68,8 @@ export function summary({ curve, source, edgeLength }) {
   if (edges === 0) return `${shape}.`;
   const loops = cycles > 0 ? `${several(cycles, 'independent loop', 'independent loops')} and ` : '';
   return `${shape}: the cut locus has ${loops}${several(leaves, 'free end', 'free ends')}. `
-    + `Injectivity radius ${rounded(radius, edgeLength / 2)}.`;
+    + (source.hasBorder ? `Its nearest point to the sources is ${rounded(radius, edgeLength / 2)} away.`
+      : `Injectivity radius ${rounded(radius, edgeLength / 2)}.`);
 }
 
 export function numberRows({ curve, source, edgeLength, state, defaults }) {
@@ -77,11 +79,11 @@ export function numberRows({ curve, source, edgeLength, state, defaults }) {
     : width !== null ? `of branches of ${number(width)} % and more`
       : defaults.width > 0 ? `of branches of ${number(100 * defaults.width)} % and more` : 'of the branches shown';
   return [
-    ['injectivity radius', edges > 0 ? `${rounded(radius, edgeLength / 2)}` : '–', edges > 0 ? detail : ''],
-    ['farthest point', `${number(source.farthestDistance, 4)}`, source.points.length > 1 ? 'away from the nearest source' : 'away from the source'],
+    [source.hasBorder ? 'nearest to the sources' : 'injectivity radius', edges > 0 ? `${rounded(radius, edgeLength / 2)}` : '–', edges > 0 ? detail : ''],
+    ['farthest point', `${number(source.farthestDistance, 4)}`, source.total > 1 ? 'away from the nearest source' : 'away from the source'],
     ['length of the curve', edges > 0 ? number(length, 3) : '–', ''],
     ['genus', count(source.genus), ''],
-    ...(source.points.length > 1 ? [['sources', count(source.points.length), '']] : []),
+    ...(source.total > 1 ? [['sources', count(source.total), '']] : []),
     ...(source.borderLoops > 0 ? [['borders', count(source.borderLoops), '']] : []),
     ['loops', count(cycles), ''],
     ['free ends', count(leaves), ''],

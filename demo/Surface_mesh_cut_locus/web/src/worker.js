@@ -1,6 +1,7 @@
 // Runs the library in a thread of its own. It takes messages { id, command, ...arguments } and answers each with
-// { id, result } or { id, error, cause }; meanwhile { stage, starts } tell how far it is.
+// { id, result } or { id, error, cause }; meanwhile { stage } and { stage, share } tell how far it is.
 import { arrays, causeNames, curveNames } from './arrays.js';
+import { keptParts } from './state.js';
 
 const base = new URL('.', self.location.href);
 importScripts(new URL('cut_locus.js', base).href);
@@ -9,6 +10,8 @@ const stageNames = ['preprocessing', 'distance', 'strength', 'tree', 'homology',
   'cutting', 'flattening'];
 let stageTimes = {};
 let stageStart = 0;
+let lastShare = 0; // when it was told
+const betweenShares = 60; // milliseconds
 
 const ready = self.createCutLocus({
   locateFile: (name) => new URL(name, base).href,
@@ -18,10 +21,16 @@ const ready = self.createCutLocus({
     const name = stageNames[stage];
     if (starts) {
       stageStart = now;
-      if (name !== 'filter') self.postMessage({ stage: name });
+      self.postMessage({ stage: name });
     } else {
       stageTimes[name] = (stageTimes[name] || 0) + now - stageStart;
     }
+  },
+  onProgress(stage, share) {
+    const now = performance.now();
+    if (now - lastShare < betweenShares) return;
+    lastShare = now;
+    self.postMessage({ stage: stageNames[stage], share });
   },
 });
 
@@ -43,7 +52,7 @@ function arraysOf(module, named) {
 function setThresholds(module, p) {
   const number = (value) => (value === null ? NaN : value);
   const share = p.width === null ? null : p.width / 100;
-  module._set_thresholds(number(share), p.voronoi ? 1 : 0, number(p.angle), number(p.laplacian), number(p.minimumEdges),
+  module._set_thresholds(number(share), keptParts.indexOf(p.keep), number(p.angle), number(p.laplacian), number(p.minimumEdges),
     number(p.minimumLength), p.policy === 'grow' ? 1 : 0, p.smoothing);
 }
 
@@ -80,19 +89,19 @@ const commands = {
     };
   },
 
-  solve(module, { solver, method, sources, curves, parameters }) {
+  solve(module, { solver, method, sources, border, curves, parameters }) {
     stageTimes = {};
     const start = performance.now();
     call(module, 'prepare', ['string', 'string'], [solver, method]);
     module._clear_sources();
     for (const { face, coordinates } of sources) module._add_source(face, ...coordinates);
-    check(module, module._set_sources());
+    check(module, module._set_sources(border ? 1 : 0));
     const milliseconds = performance.now() - start;
     const result = commands.curves(module, { curves, parameters });
     result.solveMilliseconds = milliseconds;
     result.stages = stageTimes;
     result.distance = arrayOf(module, arrays.distance);
-    result.sourceNumbers = arrayOf(module, arrays.sourceNumbers);
+    for (const name of ['sourceNumbers', 'borderSegments', 'nearestSource']) result[name] = arrayOf(module, arrays[name]);
     return result;
   },
 

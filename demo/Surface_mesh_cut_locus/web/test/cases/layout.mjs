@@ -21,7 +21,7 @@ export const tests = {
           && box.y + box.height <= stage.y + stage.height + 1, `${name}: ${part} is not within the stage`);
       }
       assert.ok(!overlaps(await boxOf(d, '#result'), await boxOf(d, '#tools')), `${name}: buttons under the result`);
-      assert.match(await d.page.innerText('#result'), /Injectivity radius [\d.]+ ±/);
+      assert.match(await d.page.innerText('#result'), /Injectivity radius [\d.]+\s±/);
       const overflow = await d.page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
       assert.ok(overflow <= 0, `${name}: ${overflow} pixels too wide`);
       for (const scheme of ['light', 'dark']) {
@@ -32,6 +32,48 @@ export const tests = {
         }
       }
       await d.page.emulateMedia({ colorScheme: 'light' });
+    }
+    await d.resize();
+  },
+
+  async 'nothing that lies above the picture covers the mesh, nor the sheet'(d) {
+    for (const [name, [width, height]] of Object.entries(sizes)) {
+      await d.resize(width, height);
+      await d.open('#sample=torus&faces=5000');
+      await d.page.evaluate(() => { document.getElementById('result-fold').open = false; });
+      for (const isCut of [false, true]) {
+        if (isCut) {
+          await d.page.focus('#model-view');
+          await d.page.keyboard.press('c');
+          await d.page.waitForFunction(() => window.cutLocusPage.app.atlas);
+          await d.settle();
+          assert.ok(await d.page.locator('#cut-info').isVisible(), `${name}: nothing is said about the sheet`);
+        }
+        await d.page.click('#fit');
+        const covered = await d.app(({ app, viewer }) => {
+          viewer.draw();
+          const boxes = ['tools', 'result', 'legend', 'cut-info'].map((id) => document.getElementById(id).getBoundingClientRect());
+          const p = viewer.farthestMarker.position.clone();
+          const isCovered = (pane) => {
+            const box = pane.element.getBoundingClientRect();
+            p.project(pane.camera);
+            const x = box.left + (p.x + 1) / 2 * box.width, y = box.top + (1 - p.y) / 2 * box.height;
+            return Math.max(Math.abs(p.x), Math.abs(p.y)) > 1 || boxes.some((b) => x > b.left && x < b.right && y > b.top && y < b.bottom);
+          };
+          let count = 0;
+          for (let i = 0; i < viewer.positions.length; i += 3) {
+            p.fromArray(viewer.positions, i);
+            count += isCovered(viewer.model);
+          }
+          const { uv } = app.atlas || { uv: [] };
+          for (let i = 0; i < uv.length; i += 2) {
+            p.set(uv[i], uv[i + 1], 0);
+            count += isCovered(viewer.plane);
+          }
+          return count;
+        });
+        assert.equal(covered, 0, `${name}, ${isCut ? 'cut' : 'closed'}: ${covered} vertices are covered`);
+      }
     }
     await d.resize();
   },
@@ -70,9 +112,21 @@ export const tests = {
     });
     assert.deepEqual(small, []);
     await d.page.click('#panel-toggle');
+    // a tap shows values, as there is no pointer that could rest
+    await d.page.locator('#modes label:has-text("Paths")').click();
+    const [x, y] = await d.placeOnSurface();
+    const view = await boxOf(d, '#model-view');
+    const session = await d.page.context().newCDPSession(d.page);
+    await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x: view.x + x * view.width, y: view.y + y * view.height }] });
+    await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await d.settle();
+    assert.match(await d.page.innerText('#readout'), /from the source/);
+    assert.match(await d.page.innerText('#legend'), /the shortest path/);
+    await d.picture('phone_path.png');
     await d.page.keyboard.press('c');
     await d.page.waitForFunction(() => window.cutLocusPage.app.atlas);
     await d.settle();
+    assert.ok(!await d.page.locator('#readout').isVisible());
     await d.picture('phone_atlas.png');
     const [model, atlas] = [await boxOf(d, '#model-view'), await boxOf(d, '#atlas-view')];
     assert.ok(atlas.y >= model.y + model.height - 1 && atlas.width === model.width);

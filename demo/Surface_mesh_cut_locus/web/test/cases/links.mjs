@@ -38,6 +38,10 @@ export const tests = {
     const { sources, cycles } = await d.result();
     assert.deepEqual([sources, cycles], [2, 3]);
     assert.match(await page.evaluate(() => location.hash), /source=10,0.3,0.3,0.4,2000,0.2,0.3,0.5/);
+    await d.open('#sample=torus&faces=5000&source=10,0.3,0.3,0.4,2000,0.2,0.3,0.5&keep=voronoi&color=cells');
+    assert.equal(await page.inputValue('#keep'), 'voronoi');
+    assert.equal(await page.inputValue('#look-color'), 'cells');
+    assert.match(await page.evaluate(() => location.hash), /keep=voronoi/);
     await d.open('#sample=capsule&faces=5000&cut=1');
     await page.waitForFunction(() => window.cutLocusPage.app.atlas);
   },

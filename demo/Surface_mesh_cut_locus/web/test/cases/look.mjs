@@ -126,13 +126,23 @@ export const tests = {
     await d.page.selectOption('#view', 'front');
     await d.page.waitForTimeout(100);
     const box = await d.page.locator('#model-view').boundingBox();
-    const at = [box.x + 0.7 * box.width, box.y + 0.5 * box.height];
-    const place = await d.app(({ viewer }, [x, y]) => viewer.pointer.onModel(x, y).place, [0.7 * box.width, 0.5 * box.height]);
-    await d.page.mouse.move(...at);
+    // far from the middle of the mesh, which stays where it is if that is not done
+    const [x0, y0, place] = await d.app(({ viewer }) => {
+      const { width, height } = viewer.boxOf(viewer.model);
+      viewer.draw();
+      const middle = viewer.controls.target.clone().project(viewer.camera);
+      for (let x = Math.floor((middle.x + 1) / 2 * width); x > 0; x -= 4) {
+        const y = (1 - middle.y) / 2 * height;
+        const next = viewer.pointer.onModel(x - 30, y);
+        if (!next) return [x / width, y / height, viewer.pointer.onModel(x, y).place];
+      }
+      throw new Error('the mesh has no end');
+    });
+    await d.page.mouse.move(box.x + x0 * box.width, box.y + y0 * box.height);
     for (let i = 0; i < 4; ++i) await d.page.mouse.wheel(0, -120);
     await d.page.waitForTimeout(200);
     const [x, y] = await d.seenAt(place);
-    assert.ok(Math.hypot(x - 0.7, y - 0.5) < 0.03, `it moved to ${x}, ${y}`);
+    assert.ok(Math.hypot(x - x0, y - y0) < 0.01, `it moved from ${x0}, ${y0} to ${x}, ${y}`);
   },
 
   async 'each layer is seen, and the legend names it'(d) {
@@ -178,6 +188,35 @@ export const tests = {
     const [[r, , b], [r2, , b2]] = await colorsAt(d, [near, far]);
     assert.ok(r > 1.6 * b, `near the source ${[r, b]}`);
     assert.ok(b2 > r2, `far away ${[r2, b2]}`);
+  },
+
+  async 'colours tell which source is the nearest'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000&color=cells&show=-isolines,-hidden,-values&source=10,0.3,0.3,0.4,2000,0.2,0.3,0.5');
+    assert.match(await page.innerText('#legend'), /nearest source:\s*1\s*2/);
+    // by where the sources are, and by the distances themselves
+    const places = await d.app(({ app, viewer }) => {
+      const found = [[], []];
+      for (let x = 10; x < viewer.size.width; x += 14)
+        for (let y = 10; y < viewer.size.height; y += 14) {
+          const hit = viewer.pointer.onModel(x, y);
+          if (!hit) continue;
+          const corners = [0, 1, 2].map((k) => app.source.nearest[viewer.triangles[3 * hit.face + k]]);
+          if (corners.every((c) => c === corners[0])) found[corners[0]].push([x, y]);
+        }
+      return found;
+    });
+    assert.ok(places.every((list) => list.length > 20), places.map((list) => list.length).join());
+    const hues = [];
+    for (const list of places) {
+      const colors = await colorsAt(d, list);
+      // of most pixels, as markers and the curve lie above some: how much more blue than red, relative to the light
+      hues.push(colors.map(([r, g, b]) => (b - r) / (r + g + b)).sort((a, b) => a - b)[colors.length >> 1]);
+    }
+    assert.ok(Math.abs(hues[0] - hues[1]) > 0.05, `${hues}`);
+    await d.open('#sample=torus&faces=5000&color=cells');
+    assert.doesNotMatch(await page.innerText('#legend'), /nearest source/);
+    await page.selectOption('#look-color', 'plain');
   },
 
   async 'light and dark'(d) {

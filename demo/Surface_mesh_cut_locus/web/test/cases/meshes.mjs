@@ -20,6 +20,15 @@ export const tests = {
       await d.openPath(path);
       await d.noMessage();
       assert.ok((await d.page.innerText('#mesh-info')).startsWith(`${file}: `), file);
+      // nothing lies before the source
+      const behind = await d.app(({ app, viewer }) => {
+        const place = app.toView(app.source.points[0]);
+        const hit = viewer.pointer.atPlace(place);
+        const eye = viewer.camera.position.toArray();
+        const away = (point) => Math.hypot(...point.map((x, k) => x - eye[k]));
+        return hit ? away(place) - away(hit.place) : 0;
+      });
+      assert.ok(behind < 0.02, `${file}: the source is hidden at first, ${behind} behind the surface`);
       if (pictured.includes(file)) {
         await d.picture(`mesh_${file.replace(/\.\w+$/, '')}.png`);
         const view = await d.view();

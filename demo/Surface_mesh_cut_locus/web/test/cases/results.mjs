@@ -1,5 +1,6 @@
 // What is computed: sources, methods, thresholds, shortest paths, and what the page says about them.
 import assert from 'node:assert/strict';
+import { rounded } from '../../src/words.js';
 
 const cube = () => {
   const corners = [0, 1].flatMap((z) => [[0, 0, z], [1, 0, z], [1, 1, z], [0, 1, z]]);
@@ -7,6 +8,20 @@ const cube = () => {
     [2, 7, 6], [3, 0, 4], [3, 4, 7]];
   return `OFF\n8 12 0\n${corners.map((c) => c.join(' ')).join('\n')}\n${faces.map((f) => `3 ${f.join(' ')}`).join('\n')}\n`;
 };
+
+// of height 4.8 and radius 1
+const tube = (() => {
+  const n = 12, points = [], faces = [];
+  for (let i = 0; i <= n; ++i)
+    for (let j = 0; j < n; ++j) {
+      const angle = 2 * Math.PI * (j + i / 2) / n;
+      points.push([Math.cos(angle), Math.sin(angle), 0.4 * i]);
+      if (i === n) continue;
+      const [a, b] = [i * n + j, i * n + (j + 1) % n];
+      faces.push([3, a, b, a + n], [3, b, b + n, a + n]);
+    }
+  return `OFF\n${points.length} ${faces.length} 0\n${[...points, ...faces].map((row) => row.join(' ')).join('\n')}\n`;
+})();
 
 const square = 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n';
 
@@ -152,11 +167,17 @@ export const tests = {
   async 'the injectivity radius is rounded to what the mesh tells, and says what it depends on'(d) {
     await d.open('#sample=torus&faces=5000');
     const text = await d.page.innerText('#numbers');
-    const [, value, error] = text.match(/([\d.]+) ± ([\d.]+)/);
+    const [, value, error] = text.match(/([\d.]+)\s±\s([\d.]+)/);
     const { radius } = await d.result();
     const edge = await d.app(({ app }) => app.mesh.edgeLength);
     assert.ok(Math.abs(value - radius) <= error && error >= 0.25 * edge && error <= edge, `${value} ± ${error}, edges of ${edge}`);
     assert.match(text, /injectivity radius\s*of branches of [\d.]+ % and more/);
+  },
+
+  async 'lengths are told as far as they are known'() {
+    assert.deepEqual([rounded(1.2345, 0.05), rounded(1234.5, 60), rounded(0.1, 0.5)],
+      ['1.23\u00a0±\u00a00.05', '1230\u00a0±\u00a060', 'less than 0.6']);
+    assert.equal(rounded(Infinity, 1), '–');
   },
 
   async 'there may be several sources: a Voronoi diagram with cycles of its own'(d) {
@@ -178,11 +199,15 @@ export const tests = {
     await d.picture('sources.png');
     // without the cut locus inside the cells it is shorter
     const whole = await d.result();
-    await page.check('#voronoi');
-    await page.waitForFunction(() => window.cutLocusPage.app.drawn.voronoi && !window.cutLocusPage.app.isUpdating);
-    assert.ok((await d.result()).length < whole.length);
-    await page.uncheck('#voronoi');
-    await page.waitForFunction(() => !window.cutLocusPage.app.drawn.voronoi && !window.cutLocusPage.app.isUpdating);
+    const lengthOf = async (part) => {
+      await page.selectOption('#keep', part);
+      await page.waitForFunction((p) => window.cutLocusPage.app.drawn.keep === p && !window.cutLocusPage.app.isUpdating, part);
+      return (await d.result()).length;
+    };
+    const parts = [await lengthOf('voronoi'), await lengthOf('medial')];
+    assert.ok(parts.every((length) => length > 0 && length < whole.length), `${parts} of ${whole.length}`);
+    assert.ok(Math.abs(parts[0] + parts[1] - whole.length) < 1e-3 * whole.length, `${parts} of ${whole.length}`);
+    assert.equal(await lengthOf('all'), whole.length);
     // a click on one takes it away
     await d.click(...second);
     assert.equal((await d.result()).sources, 2);
@@ -198,6 +223,64 @@ export const tests = {
     await page.click('#cut');
     await d.settle();
     assert.match(await page.innerText('#message-text'), /flattened from one source/);
+  },
+
+  async 'the border may be a source: its cut locus is the medial axis'(d) {
+    const { page } = d;
+    assert.equal(await d.openFile('tube.off', tube), null);
+    const point = await d.result();
+    await page.selectOption('#border', 'only');
+    await d.settle();
+    // between the two ends of a tube, the circle in the middle
+    const { cycles, leaves, sources } = await d.result();
+    assert.deepEqual([cycles, leaves, sources], [1, 0, 0]);
+    const heights = await d.app(({ app }) => {
+      const [, , z, radius] = app.mesh.numbers;
+      return Array.from(app.curve.segments).filter((_, i) => i % 3 === 2).map((x) => z + radius * x);
+    });
+    assert.ok(heights.every((z) => Math.abs(z - 2.4) < 0.05), `${Math.min(...heights)} to ${Math.max(...heights)}`);
+    assert.match(await page.innerText('#legend'), /the border, as a source/);
+    assert.match(await page.innerText('#numbers'), /sources\s*2/);
+    assert.match(await page.evaluate(() => location.hash), /border=only/);
+    assert.match(String(await d.exported('faceCurve', 'svg')), /id="border"[^>]*d="M/);
+    // what is for points alone says so
+    await page.focus('#model-view');
+    await page.keyboard.press('t');
+    await page.waitForSelector('#message', { state: 'visible' });
+    assert.match(await page.innerText('#message-text'), /points only/);
+    await page.click('#cut');
+    await d.settle();
+    assert.match(await page.innerText('#message-text'), /flattened from one source/);
+    assert.ok(await page.isDisabled('#show-edgeCurve'));
+    await page.selectOption('#export-what', 'edgeCurve');
+    await page.click('#export');
+    await d.settle();
+    assert.match(await page.innerText('#message-text'), /of points only/);
+    // nor may a point be on it: then all stays as it was
+    await d.app(async ({ app, viewer }) => {
+      const face = viewer.triangles.indexOf(0); // a vertex of the border
+      await app.setSources([{ face: Math.floor(face / 3), coordinates: [0, 1, 2].map((k) => Number(k === face % 3)) }], 'also');
+    });
+    await d.settle();
+    assert.match(await page.innerText('#message-text'), /have a point in common: choose another/);
+    assert.equal(await page.inputValue('#border'), 'only');
+    // a click adds a point; both can be taken back
+    await d.click(...await d.placeOnSurface());
+    assert.equal(await page.inputValue('#border'), 'also');
+    assert.deepEqual([(await d.result()).sources, await d.app(({ app }) => app.source.total)], [1, 3]);
+    await page.click('#undo');
+    await d.settle();
+    await page.click('#undo');
+    await d.settle();
+    assert.equal(await page.inputValue('#border'), 'no');
+    assert.deepEqual((await d.result()).point, point.point);
+    await page.click('#redo');
+    await d.settle();
+    await page.selectOption('#method', 'laplacian');
+    await d.settle();
+    assert.equal(await page.inputValue('#border'), 'no');
+    await page.click('#defaults');
+    await d.settle();
   },
 
   async 'a point has one shortest path, and one of the cut locus has two of the same length'(d) {

@@ -110,6 +110,28 @@ export const tests = {
     assert.equal(await d.app(({ app }) => app.drawn.width), null);
   },
 
+  async 'what takes long tells how much of it is done'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000');
+    const shares = await page.evaluate(async () => {
+      const { app } = window.cutLocusPage;
+      const found = [];
+      const { onProgress } = app.engine;
+      app.engine.onProgress = (stage, share) => {
+        onProgress(stage, share);
+        found.push([stage, share, document.getElementById('busy-share').value]);
+      };
+      await app.openSample('torus', 400000);
+      return found;
+    });
+    assert.ok(shares.length >= 3, JSON.stringify(shares));
+    shares.forEach(([stage, share, shown], i) => {
+      assert.ok(share >= 0 && share <= 1 && Math.abs(shown - share) < 1e-6, `${stage} ${share} ${shown}`);
+      if (i > 0 && shares[i - 1][0] === stage) assert.ok(share >= shares[i - 1][1], JSON.stringify(shares));
+    });
+    assert.ok(!await page.locator('#busy').isVisible());
+  },
+
   async 'what takes long can be cancelled, and the page goes on'(d) {
     const { page } = d;
     await d.open('#sample=torus&faces=5000');
@@ -166,5 +188,17 @@ export const tests = {
     assert.equal((await d.result()).sources, 2);
     await page.keyboard.press('v');
     assert.notDeepEqual(await d.view(), turned);
+    // on the sheet, they move the sheet
+    await page.keyboard.press('s');
+    await d.settle();
+    await page.keyboard.press('c');
+    await page.waitForFunction(() => window.cutLocusPage.app.atlas);
+    await d.settle();
+    const still = await d.view();
+    await page.focus('#atlas-view');
+    for (const key of ['ArrowLeft', 'ArrowUp', '+']) await page.keyboard.press(key);
+    const [x, y, zoom] = await d.app(({ viewer: { plane: { camera } } }) => [camera.position.x, camera.position.y, camera.zoom]);
+    assert.ok(x < -0.05 && y > 0.05 && zoom > 1.05, `${x}, ${y}, ${zoom}`);
+    assert.deepEqual(await d.view(), still);
   },
 };
