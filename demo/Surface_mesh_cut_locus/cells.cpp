@@ -83,7 +83,7 @@ private:
   }
 
   const Refined_mesh& refined_;
-  curve_measures::internal::Union_find parts_;
+  curve_measures::Union_find parts_;
   std::vector<std::size_t> source_;
 };
 
