@@ -127,7 +127,9 @@ export const tests = {
     assert.ok(shares.length >= 3, JSON.stringify(shares));
     shares.forEach(([stage, share, shown], i) => {
       assert.ok(share >= 0 && share <= 1 && Math.abs(shown - share) < 1e-6, `${stage} ${share} ${shown}`);
-      if (i > 0 && shares[i - 1][0] === stage) assert.ok(share >= shares[i - 1][1], JSON.stringify(shares));
+      // preprocessing comes twice, for the mesh and for the part of the source: a stage starts with 0
+      const isSame = i > 0 && shares[i - 1][0] === stage && share !== 0;
+      if (isSame) assert.ok(share >= shares[i - 1][1], JSON.stringify(shares));
     });
     assert.ok(!await page.locator('#busy').isVisible());
   },
