@@ -183,7 +183,7 @@ def test_parameters_of_geodesics(parameters, cause):
 
 
 def test_parameters_of_disk():
-    with pytest.raises(cut_locus.InvalidInput, match="parameterization must be one of 'arap'"):
+    with pytest.raises(cut_locus.InvalidInput, match="parameterization must be one of 'injective', 'arap'"):
         cut_locus.cut_open(POINTS, FACES, 0, parameterization="flat")
     with pytest.raises(cut_locus.InvalidInput, match="several sources"):
         cut_locus.cut_open(POINTS, FACES, [0, 1])

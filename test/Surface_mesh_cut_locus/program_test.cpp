@@ -552,7 +552,7 @@ TEST_F(Program, Atlas_of_several_sources)
         for(std::size_t i = 0; i < 3; ++i)
         {
           edges.insert(std::minmax(f[i], f[(i + 1) % 3]));
-          parts.join(f[i], f[(i + 1) % 3]);
+          parts.unite(f[i], f[(i + 1) % 3]);
         }
       std::set<std::size_t> representatives;
       for(std::size_t v = 0; v < vertices; ++v)
