@@ -90,8 +90,9 @@ public:
   /// The same, with what `edges` need that are not known: `draw_ridges()` and what follows have to be called again. The
   /// topology says how they are to be joined, and where shortest paths separate what they join.
   ///
+  /// @param rings of faces around what is not known that are looked at, too
   /// @return false, and does nothing, if all is known in the faces that may matter
-  bool propagate_once_more(const std::vector<Tree_branches::Edge>& edges)
+  bool propagate_once_more(const std::vector<Tree_branches::Edge>& edges, Index rings)
   {
     std::vector<unsigned char> is_drawn = changes_.drawn_faces();
     bool is_more = false;
@@ -100,9 +101,8 @@ public:
       is_more = is_more || !is_drawn[f];
       is_drawn[f] = 1;
     };
-    for(const Tree_branches::Edge& b : edges)
-      if(graph_->edges[b.edge].face != null_index)
-        draw(graph_->edges[b.edge].face);
+    for(Index f : unknown_faces(edges, rings))
+      draw(f);
     const Path_classes classes(mesh_, connectivity_, geodesics_, known_parts(edges));
     for(Index h : connectivity_.halfedge_of_edge)
       if(classes.separates(h))
@@ -243,6 +243,37 @@ private:
     constexpr double share = 1e-6;
     const Plane_point p = ridges_.piece_end(piece, end), q = ridges_.piece_end(piece, 1 - end);
     return {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
+  }
+
+  /// the faces of edges of which nothing is known but that they are there, and rings of faces around these
+  std::vector<Index> unknown_faces(const std::vector<Tree_branches::Edge>& edges, Index rings) const
+  {
+    std::vector<Index> result;
+    std::vector<unsigned char> is_found(mesh_.number_of_faces(), 0), is_reached(mesh_.number_of_vertices(), 0);
+    const auto add = [&](Index f)
+    {
+      if(is_found[f])
+        return;
+      is_found[f] = 1;
+      result.push_back(f);
+    };
+    for(const Tree_branches::Edge& b : edges)
+    {
+      const Tree_graph::Edge& e = graph_->edges[b.edge];
+      if(e.piece == null_index && e.face != null_index && !changes_.is_drawn(e.face))
+        add(e.face);
+    }
+    for(Index ring = 0; ring < rings && !result.empty(); ++ring)
+    {
+      for(Index f : result)
+        for(Index v : mesh_.triangles[f])
+          is_reached[v] = 1;
+      for(Index f = 0; f < mesh_.number_of_faces(); ++f)
+        for(Index v : mesh_.triangles[f])
+          if(is_reached[v])
+            add(f);
+    }
+    return result;
   }
 
   /// a point of each connected part of the edges that are known, border loops among them

@@ -274,18 +274,17 @@ private:
     }
   }
 
-  // Some more faces are seen each time: it takes as many times as a branch leaves those that have been seen. That is once
-  // or twice; should it go on and on, all that there is takes less.
+  // A branch may leave the faces that are seen, and come back: more and more are seen around it, each time.
   void look_where_paths_part(std::vector<Tree_branches::Edge>& kept, const Exact_tree_thresholds& thresholds,
                              int number, const Progress& progress)
   {
     double done = 0.;
-    for(int time = 0; time < 8 && !tree_->is_known(kept); ++time)
+    for(Index rings = 0; !tree_->is_known(kept); rings = 2 * rings + 1)
     {
       report_to(progress.part(done, 0.5 * (1. + done)));
       done = 0.5 * (1. + done);
       is_complete_ = false;
-      if(!tree_->propagate_once_more(kept))
+      if(!tree_->propagate_once_more(kept, rings))
       {
         is_complete_ = true;
         return;
@@ -293,10 +292,6 @@ private:
       finish(number);
       kept = tree_->kept(thresholds);
     }
-    if(tree_->is_known(kept))
-      return;
-    compute_more(Branch_strength(), number, progress.part(done, 1.));
-    kept = tree_->kept(thresholds);
   }
 
   // `number` as for `start()`
