@@ -67,23 +67,28 @@ def test_progress_that_uses_its_object():
     lambda *mesh: cut_locus.ExactGeodesics(*mesh).compute([0, 1, 2, 3, 4, 5, 6]),
 ])
 def test_gil_is_released(large, work):
-    times = []
+    def longest_silence():
+        """of this thread, while another one computes, as a share of its time"""
+        times = []
 
-    def run():
-        times.append(time.monotonic())
-        work(*large)
-        times.append(time.monotonic())
+        def run():
+            times.append(time.monotonic())
+            work(*large)
+            times.append(time.monotonic())
 
-    ticks = []
-    thread = threading.Thread(target=run)
-    thread.start()
-    while thread.is_alive():
-        ticks.append(time.monotonic())
-        time.sleep(0.001)
-    thread.join()
-    start, end = times
-    within = [start] + [t for t in ticks if start < t < end] + [end]
-    assert np.diff(within).max() < 0.5 * (end - start)
+        ticks = []
+        thread = threading.Thread(target=run)
+        thread.start()
+        while thread.is_alive():
+            ticks.append(time.monotonic())
+            time.sleep(0.001)
+        thread.join()
+        start, end = times
+        within = [start] + [t for t in ticks if start < t < end] + [end]
+        return np.diff(within).max() / (end - start)
+
+    # with the lock held it is silent each time; on a busy machine it may be for once
+    assert min(longest_silence() for _ in range(10)) < 0.5
 
 
 def test_objects_in_threads(large):
