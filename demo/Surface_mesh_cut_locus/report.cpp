@@ -238,6 +238,6 @@ std::string summary(const Atlas& atlas)
   if(quality.faces_without_shape > 0)
     text << "; " << quality.faces_without_shape << " faces are too thin to have a shape";
   if(!quality.is_injective && atlas.parameterization != "injective")
-    text << "; --parameterization injective neither flips nor overlaps";
+    text << "; --parameterization injective avoids that where numbers are fine enough";
   return text.str();
 }
