@@ -88,7 +88,7 @@ def test_gil_is_released(large, work):
         return np.diff(within).max() / (end - start)
 
     # with the lock held it is silent each time; on a busy machine it may be for once
-    assert min(longest_silence() for _ in range(10)) < 0.5
+    assert any(longest_silence() < 0.5 for _ in range(10))
 
 
 def test_objects_in_threads(large):

@@ -24,6 +24,7 @@ namespace {
 
 using CGAL::Cut_loci::Index;
 using CGAL::Cut_loci::Indexed_cut_locus;
+using CGAL::Cut_loci::Indexed_source;
 using CGAL::Cut_loci::Indexed_triangle_mesh;
 using CGAL::Cut_loci::null_index;
 using CGAL::Cut_loci::internal::Branch_strength;
@@ -69,13 +70,26 @@ std::vector<Case> cases()
           {"open cylinder", test_meshes::cylinder(1., 16, 6, 0.1, 4)}};
 }
 
-void solve(Exact_tree_solver& solver, Index source, const Branch_strength& least)
+Indexed_source at_vertex(const Exact_tree_solver& solver, Index v)
+{
+  Indexed_source source;
+  source.vertex = v;
+  source.location = CGAL::Cut_loci::internal::location_of_vertex(solver.connectivity(), v);
+  return source;
+}
+
+Indexed_source in_face(Index f, double a, double b)
+{
+  Indexed_source source;
+  source.location.face = f;
+  source.location.coordinates = {{a, b, 1. - a - b}};
+  return source;
+}
+
+void solve(Exact_tree_solver& solver, const Indexed_source& source, const Branch_strength& least)
 {
   solver.expect(least);
-  CGAL::Cut_loci::Indexed_source at;
-  at.vertex = source;
-  at.location = CGAL::Cut_loci::internal::location_of_vertex(solver.connectivity(), source);
-  solver.compute_distance(at);
+  solver.compute_distance(source);
   solver.compute_strengths();
   solver.grow_tree();
   solver.close_cycles();
@@ -113,37 +127,60 @@ std::vector<int> crossings_of_core(const Exact_tree_solver& solver, const Tree_g
   return result;
 }
 
+// those of the border loops
+std::vector<Path_classes::Mark> marks(const Indexed_triangle_mesh& mesh,
+                                      const CGAL::Cut_loci::Mesh_connectivity& connectivity)
+{
+  std::vector<Path_classes::Mark> result(connectivity.number_of_border_loops);
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    if(mesh.is_border_edge(h))
+      result[connectivity.border_loop[mesh.source(h)]] = {h, 0.};
+  return result;
+}
+
+void expect_classes_of_core(const Indexed_triangle_mesh& mesh, const Exact_tree_solver& solver, const Tree_graph& graph)
+{
+  const auto& connectivity = solver.connectivity();
+  const Path_classes classes(mesh, connectivity, solver.geodesics(), marks(mesh, connectivity));
+  const std::vector<int> crossings = crossings_of_core(solver, graph);
+  std::size_t number = 0;
+  for(Index e = 0; e < crossings.size(); ++e)
+  {
+    const Index h = connectivity.halfedge_of_edge[e];
+    if(mesh.is_border_edge(h))
+      continue;
+    // crossings of several may cancel each other
+    if(crossings[e] < 2)
+      EXPECT_EQ(classes.separates(h), crossings[e] == 1) << "edge " << e;
+    number += crossings[e] == 1;
+  }
+  EXPECT_GT(number, 0u);
+}
+
 TEST(Weak_connections, cross_the_edges_whose_shortest_paths_separate_what_they_join)
 {
+  double number = 0., number_of_sure = 0.;
   for(const Case& c : cases())
   {
     const Indexed_triangle_mesh mesh = indexed(c.data);
-    for(Index source : {Index(1), mesh.number_of_vertices() / 3, mesh.number_of_vertices() - 1})
+    Exact_tree_solver solver(mesh);
+    std::vector<Indexed_source> sources;
+    for(Index v : {Index(1), mesh.number_of_vertices() / 3, mesh.number_of_vertices() - 1})
+      sources.push_back(at_vertex(solver, v));
+    for(Index f = 0; f < mesh.number_of_faces(); f += mesh.number_of_faces() / 7)
+      for(double a : {0., 0.31}) // on an edge, and inside
+        sources.push_back(in_face(f, a, 0.37));
+    for(std::size_t i = 0; i < sources.size(); ++i)
     {
-      SCOPED_TRACE(c.name + ", source " + std::to_string(source));
-      Exact_tree_solver solver(mesh);
-      solve(solver, source, {});
-      const auto& connectivity = solver.connectivity();
-      std::vector<Path_classes::Mark> marks(connectivity.number_of_border_loops);
-      for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-        if(mesh.is_border_edge(h))
-          marks[connectivity.border_loop[mesh.source(h)]] = {h, 0.};
-      const Path_classes classes(mesh, connectivity, solver.geodesics(), marks);
-      const std::vector<int> crossings = crossings_of_core(solver, solver.tree().graph());
-      std::size_t number = 0;
-      for(Index e = 0; e < crossings.size(); ++e)
-      {
-        const Index h = connectivity.halfedge_of_edge[e];
-        if(mesh.is_border_edge(h))
-          continue;
-        // crossings of several may cancel each other
-        if(crossings[e] < 2)
-          EXPECT_EQ(classes.separates(h), crossings[e] == 1) << "edge " << e;
-        number += crossings[e] == 1;
-      }
-      EXPECT_GT(number, 0u);
+      SCOPED_TRACE(c.name + ", source " + std::to_string(i));
+      solve(solver, sources[i], {});
+      number += 1;
+      number_of_sure += solver.tree().is_sure();
+      if(solver.tree().is_sure())
+        expect_classes_of_core(mesh, solver, solver.tree().graph());
     }
   }
+  EXPECT_GT(number_of_sure, 0.9 * number);
 }
 
 double length(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& graph)
@@ -169,8 +206,8 @@ TEST(Weak_connections, are_found_where_they_are_though_what_is_weak_is_not_looke
         least.width = width * test_meshes::mean_edge_length(c.data);
         Indexed_cut_locus edges;
         Exact_tree_solver full(mesh), run(mesh);
-        solve(full, source, {});
-        solve(run, source, least);
+        solve(full, at_vertex(full, source), {});
+        solve(run, at_vertex(run, source), least);
         number_of_weak += !run.tree().is_known(run.tree().kept(least));
         const auto faces = CGAL::Cut_loci::Curve::THROUGH_FACES;
         const double expected = length(mesh, full.filter(least, faces, edges)),

@@ -174,8 +174,8 @@ Layout_quality layout_quality(const TriangleMesh& tm, VertexUVMap uv_map,
  * area in space.
  *
  * A step takes O(n^1.5) time and O(n log n) space for n faces. Numbers are too coarse for the start if parts of the disk
- * shrink below their resolution there, as the closed end of a tube that is 160 times as long as its radius; then it is
- * returned as it is, and `Layout_quality::flipped_faces` says so. With a quarter of that length, and where the border is as
+ * shrink below their resolution there, as the closed end of a tube that is 80 times as long as its radius; then it is
+ * returned as it is, and `Layout_quality::flipped_faces` says so. With half of that length, and where the border is as
  * long as all edges together, as with a genus of a hundred, the result is injective, but far from the least energy.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`

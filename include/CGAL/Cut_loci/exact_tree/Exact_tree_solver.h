@@ -10,9 +10,9 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/curve/curve_correspondence.h>
-#include <CGAL/Cut_loci/curve/short_branches.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/exact_tree/Curve_filter.h>
 #include <CGAL/Cut_loci/exact_tree/Default_branch_strength.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
@@ -145,12 +145,13 @@ public:
     if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
       throw_source_without_face(at_sources.first_without_face());
     edges = Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, at_sources, lone_vertex()).graph;
+    const Curve_filter filter(mesh_, connectivity_, thresholds);
     const bool drops_branches = thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.;
     if(curve == Curve::MESH_EDGES)
     {
       if(drops_branches)
-        remove_edges(mesh_, connectivity_, edges, short_ones(thresholds, edges));
-      remove_other_parts(thresholds, edges);
+        filter.remove_short_branches(edges);
+      filter.remove_other_parts(edges);
       return edges;
     }
     Tree_curve result(tree_->mesh(), tree_->connectivity(), geodesics(), *tree_, kept, lone_vertex());
@@ -158,9 +159,9 @@ public:
       divided_->remove_sources(result.graph, result.face);
     set_origins(mesh_, connectivity_, edges, result.face, result.graph);
     if(drops_branches)
-      remove_short_branches(thresholds, edges, result);
+      filter.remove_short_branches(edges, result);
     if(!thresholds.has_all_parts())
-      remove_other_parts(thresholds, edges, result.graph);
+      filter.remove_other_parts(edges, result.graph);
     return std::move(result.graph);
   }
 
@@ -210,7 +211,7 @@ private:
     divided_->remove_sources(result.graph, result.face);
     for(Index i = 0; i < result.graph.edges.size(); ++i)
       result.graph.edges[i].origin = i;
-    remove_other_parts(thresholds, result.graph);
+    Curve_filter(mesh_, connectivity_, thresholds).remove_other_parts(result.graph);
     return std::move(result.graph);
   }
 
@@ -318,70 +319,6 @@ private:
   {
     for(Index v : divided_ != nullptr ? divided_->vertices() : source_vertices())
       tree_->remove_branch_to(v);
-  }
-
-  std::vector<unsigned char> short_ones(const Exact_tree_thresholds& thresholds, const Indexed_cut_locus& edges) const
-  {
-    return short_branches(mesh_, connectivity_, edges, thresholds.minimum_edges, thresholds.minimum_length);
-  }
-
-  // Both curves lose the same branches: those that are short as edges of the mesh.
-  void remove_short_branches(const Exact_tree_thresholds& thresholds, Indexed_cut_locus& edges, Tree_curve& curve) const
-  {
-    const std::vector<unsigned char> is_removed = short_ones(thresholds, edges);
-    if(!curve.graph.edges.empty())
-    {
-      const std::vector<unsigned char> is_gone =
-        corresponding_branches(mesh_, connectivity_, edges, is_removed, curve.graph);
-      std::size_t size = 0;
-      for(std::size_t i = 0; i < is_gone.size(); ++i)
-        if(!is_gone[i])
-          curve.face[size++] = curve.face[i];
-      curve.face.resize(size);
-      remove_edges(mesh_, connectivity_, curve.graph, is_gone);
-    }
-    remove_edges(mesh_, connectivity_, edges, is_removed);
-    for(Index i = 0; i < edges.edges.size(); ++i)
-      edges.edges[i].origin = i;
-    set_origins(mesh_, connectivity_, edges, curve.face, curve.graph);
-  }
-
-  // whether an edge is in none of the parts that are asked for
-  static bool is_of_other_part(const Exact_tree_thresholds& thresholds, const Indexed_cut_locus::Edge& e)
-  {
-    return e.sources[0] == e.sources[1] ? thresholds.is_voronoi : thresholds.is_medial;
-  }
-
-  // returns the new number of each edge, or null
-  std::vector<Index> remove_other_parts(const Exact_tree_thresholds& thresholds, Indexed_cut_locus& graph) const
-  {
-    std::vector<Index> number;
-    if(thresholds.has_all_parts())
-      return number;
-    std::vector<unsigned char> is_removed;
-    Index size = 0;
-    for(Indexed_cut_locus::Edge& e : graph.edges)
-    {
-      is_removed.push_back(is_of_other_part(thresholds, e));
-      number.push_back(is_removed.back() ? null_index : size++);
-      e.origin = number.back();
-    }
-    remove_edges(mesh_, connectivity_, graph, is_removed);
-    return number;
-  }
-
-  // from both curves, of which the second one refers to the first
-  void remove_other_parts(const Exact_tree_thresholds& thresholds, Indexed_cut_locus& edges,
-                          Indexed_cut_locus& curve) const
-  {
-    std::vector<Index> origin;
-    for(const Indexed_cut_locus::Edge& e : curve.edges)
-      if(!is_of_other_part(thresholds, e))
-        origin.push_back(e.origin);
-    const std::vector<Index> number = remove_other_parts(thresholds, edges);
-    remove_other_parts(thresholds, curve);
-    for(std::size_t i = 0; i < curve.edges.size(); ++i)
-      curve.edges[i].origin = origin[i] != null_index ? number[origin[i]] : null_index;
   }
 
   bool has_source_off_vertices() const

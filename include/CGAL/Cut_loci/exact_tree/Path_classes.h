@@ -12,6 +12,7 @@
 #include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,9 +32,9 @@ namespace internal {
  * With the edge between its ends, two such paths are a closed curve. If it leads around a handle, or has some of the
  * marks on each of its sides, such as holes and parts of the cut locus that are known, the cut locus crosses the edge on
  * its way from one to the other. That is a matter of homology modulo 2: chains of edges between the marks, and around the
- * handles, tell by how often the curve crosses them. Each chain is a random number of 64 bits, and a set of them the
- * exclusive or of these. They follow a spanning tree of edges, and those around handles
- * one edge more, which is not in a tree dual to the rest either \cgalCite{cgal:ew-gohhb-05}.
+ * handles, tell by how often the curve crosses them. Each chain is a random number of 64 bits, and a set of chains the
+ * exclusive or of theirs. Chains follow a spanning tree of edges; one around a handle has one edge more, which neither this
+ * tree has nor one of the dual graph without it \cgalCite{cgal:ew-gohhb-05}.
  *
  * Where a chain passes a vertex, it is pushed a little to one side: each corner has the set of chains to be crossed on the
  * way around the vertex from its first corner. So chains and paths may meet in vertices and run along the same edges.
@@ -193,18 +194,19 @@ private:
   {
     path_.assign(mesh_.number_of_vertices(), 0);
     is_lost_.assign(mesh_.number_of_vertices(), 0);
-    std::iota(order_.begin(), order_.end(), Index(0));
-    std::sort(order_.begin(), order_.end(),
+    std::vector<Index> order(mesh_.number_of_vertices()); // paths to the vertices at which others start come first
+    std::iota(order.begin(), order.end(), Index(0));
+    std::sort(order.begin(), order.end(),
               [this](Index a, Index b) { return geodesics_.distance(a) < geodesics_.distance(b); });
     Geodesic_path_tracing tracing(geodesics_);
-    for(Index v : order_)
+    for(Index v : order)
     {
       if(!(geodesics_.distance(v) > 0.))
         continue;
       Index begin = null_index;
       const std::vector<Indexed_location>& piece = tracing.last_piece(v, begin);
       for(std::size_t i = 0; i + 1 < piece.size() && !is_lost_[v]; ++i)
-        add_step(v, piece[i], piece[i + 1]);
+        add_step(v, piece[i], piece[i + 1], begin == null_index && i + 2 == piece.size());
       if(begin != null_index && geodesics_.distance(begin) < geodesics_.distance(v))
       {
         path_[v] ^= path_[begin];
@@ -214,9 +216,9 @@ private:
   }
 
   /// through one face, or along an edge
-  void add_step(Index v, const Indexed_location& from, const Indexed_location& to)
+  void add_step(Index v, const Indexed_location& from, const Indexed_location& to, bool ends_at_source)
   {
-    const Index a = vertex_at(from), b = vertex_at(to);
+    const Index a = vertex_of(mesh_, from), b = vertex_of(mesh_, to);
     if(a != null_index && b != null_index)
     {
       const Index h = halfedge_between(a, b);
@@ -224,24 +226,39 @@ private:
       path_[v] ^= h != null_index ? along_edge(h) : 0;
       return;
     }
-    if(a != null_index)
-      leave_or_reach(v, a, to);
-    if(b != null_index)
-      leave_or_reach(v, b, from);
-    const Index h = halfedge_at(to);
-    if(b == null_index && h != null_index)
+    // a source on an edge is taken to be on one side of it
+    const Index h = edge_of(to), side = h != null_index ? (std::min)(h, mesh_.opposite[h]) / 3 : to.face;
+    const Index face = common_face(from, to, side);
+    is_lost_[v] |= face == null_index;
+    if(is_lost_[v])
+      return;
+    for(Index end : {a, b})
+      if(end != null_index)
+        path_[v] ^= at_corner_[corner_of(end, face)];
+    if(h != null_index && (!ends_at_source || face != side))
       path_[v] ^= chains_at(h, to.coordinates[(h + 1) % 3] * geodesics_.faces().length(h));
   }
 
-  /// the vertex `a`, in the face in which both are
-  void leave_or_reach(Index v, Index a, const Indexed_location& other)
+  /// one in which, or on the boundary of which, both points are: `first`, if possible; no two vertices
+  Index common_face(const Indexed_location& p, const Indexed_location& q, Index first) const
   {
-    const Index h = halfedge_at(other), o = h != null_index ? mesh_.opposite[h] : null_index;
-    Index corner = corner_of(a, other.face);
-    if(corner == null_index && o != null_index)
-      corner = corner_of(a, o / 3);
-    is_lost_[v] |= corner == null_index;
-    path_[v] ^= corner != null_index ? at_corner_[corner] : 0;
+    for(Index f : {first, p.face, q.face, face_across(p), face_across(q)})
+      if(f != null_index && is_in(p, f) && is_in(q, f))
+        return f;
+    return null_index;
+  }
+
+  bool is_in(const Indexed_location& p, Index f) const
+  {
+    const Index v = vertex_of(mesh_, p);
+    return p.face == f || (v != null_index && corner_of(v, f) != null_index) || face_across(p) == f;
+  }
+
+  /// behind the edge that a point is on, if any
+  Index face_across(const Indexed_location& p) const
+  {
+    const Index h = edge_of(p), o = h != null_index ? mesh_.opposite[h] : null_index;
+    return o != null_index ? o / 3 : null_index;
   }
 
   /// beside it, in the face of the halfedge
@@ -263,23 +280,6 @@ private:
     return null_index;
   }
 
-  Index vertex_at(const Indexed_location& p) const
-  {
-    for(Index i = 0; i < 3; ++i)
-      if(p.coordinates[(i + 1) % 3] == 0. && p.coordinates[(i + 2) % 3] == 0.)
-        return mesh_.triangles[p.face][i];
-    return null_index;
-  }
-
-  /// a halfedge of the edge that a point lies on which is no vertex, or null
-  static Index halfedge_at(const Indexed_location& p)
-  {
-    for(Index i = 0; i < 3; ++i)
-      if(p.coordinates[(i + 2) % 3] == 0.)
-        return 3 * p.face + i;
-    return null_index;
-  }
-
   // of an edge
   struct Part
   {
@@ -291,7 +291,7 @@ private:
   const Mesh_connectivity& connectivity_;
   const Exact_geodesic_propagation& geodesics_;
   std::mt19937_64 random_;
-  std::vector<Index> order_;                           // of the vertices: from the root of the tree, later by distance
+  std::vector<Index> order_;                           // of the vertices, from the root of the tree
   std::vector<Index> to_root_;                         // by vertex: a halfedge of the edge of the tree
   std::vector<Chains> chains_;                         // through each edge
   std::unordered_map<Index, std::vector<Part>> parts_; // of edges on which chains end
