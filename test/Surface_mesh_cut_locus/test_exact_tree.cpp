@@ -253,46 +253,6 @@ TEST(Exact_tree, no_shortest_path_crosses_it)
   }
 }
 
-// A turned cube whose faces are divided anyhow, with the seven digits that many files have: each vertex has a branch
-// along which two paths differ by less than rounding in one place or another.
-test_meshes::Mesh_data rounded_cube(int n, unsigned seed)
-{
-  test_meshes::Mesh_data m = test_meshes::cube(n);
-  std::mt19937 engine(seed);
-  for(test_meshes::Point& p : m.points)
-  {
-    for(double& x : p)
-    {
-      const double jitter = 0.3 / n * test_meshes::random_unit(engine);
-      x += x > 0. && x < 1. ? jitter : 0.;
-    }
-    const double x = 0.8 * p[0] - 0.6 * p[1], y = 0.6 * p[0] + 0.8 * p[1];
-    p = {{x, 0.28 * y - 0.96 * p[2], 0.96 * y + 0.28 * p[2]}};
-    for(double& c : p)
-      c = std::round(1e7 * c) * 1e-7;
-  }
-  return m;
-}
-
-TEST(Exact_tree, is_right_on_faces_that_are_flat_but_for_rounding)
-{
-  for(int n : {6, 10})
-    for(unsigned seed : {1u, 2u, 3u})
-    {
-      const Mesh mesh = to_surface_mesh(rounded_cube(n, seed));
-      CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
-      for(int i : {0, 1, 2})
-      {
-        SCOPED_TRACE(testing::Message() << n << ", seed " << seed << ", source " << i);
-        solver.set_source(Mesh::Vertex_index(Mesh::size_type(i * (mesh.number_of_vertices() - 1) / 2)));
-        const curve_measures::Measures measures = curve_measures::measure(
-          mesh, solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
-        EXPECT_EQ(measures.topology_fault, "");
-        EXPECT_LT(measures.max, 0.01);
-      }
-    }
-}
-
 TEST(Exact_tree, thresholds_cut_branches_from_their_tips)
 {
   for(const Named_mesh& m : meshes())

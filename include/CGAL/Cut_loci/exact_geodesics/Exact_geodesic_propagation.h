@@ -166,9 +166,10 @@ private:
   /// a path of length `d` to the vertex `v` has been found
   void reach(Index v, double d, const Geodesic_arrival& arrival);
   /// notes the path by the window `i` to its end `t` and from there to the apex, if it is straight up to rounding: it counts
-  /// if no window covers the apex
+  /// if no window covers the apex, or only those of longer paths
   template <int columns>
   void note_path_beside(const Crossing& crossing, const Geodesic_window_list& list, std::size_t i, double t);
+  bool is_shorter(const Path_beside& path) const;
   /// reaches the vertices that rounding has left between windows; whether there were any
   bool reach_beside_windows();
   void prefetch(Index far, Index near) const;

@@ -104,7 +104,7 @@ inline bool Exact_geodesic_propagation::reach_beside_windows()
             [](const Path_beside& p, const Path_beside& q) { return p.distance < q.distance; });
   bool result = false;
   for(const Path_beside& path : beside_)
-    if(!is_reached(path.vertex))
+    if(is_shorter(path))
     {
       reach(path.vertex, path.distance, path.arrival);
       result = true;

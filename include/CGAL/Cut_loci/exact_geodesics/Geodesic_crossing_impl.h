@@ -38,10 +38,22 @@ inline void Exact_geodesic_propagation::note_path_beside(const Crossing& crossin
   if(d > (1. + geodesic_cover) * std::hypot(apex.x - image.x, apex.y - image.y))
     return;
   const Geodesic_window w = list.get<columns>(i);
-  beside_.push_back(
-    {crossing.apex_vertex,
-     w.sigma + d,
-     {w.x, w.y, w.sigma, w.turn, crossing.halfedge, static_cast<Index>(w.origin), true, w.rate, w.error}});
+  const Path_beside path = {
+    crossing.apex_vertex,
+    w.sigma + d,
+    {w.x, w.y, w.sigma, w.turn, crossing.halfedge, static_cast<Index>(w.origin), true, w.rate, w.error}};
+  if(!is_shorter(path))
+    return;
+  if(is_reached(path.vertex))
+    reach(path.vertex, path.distance, path.arrival);
+  else
+    beside_.push_back(path);
+}
+
+/// by more than it is longer than a straight one
+inline bool Exact_geodesic_propagation::is_shorter(const Path_beside& path) const
+{
+  return path.distance < (1. - geodesic_cover) * distance_[path.vertex];
 }
 
 /// takes the windows of `h` across the face of `h`
@@ -154,7 +166,7 @@ inline void Exact_geodesic_propagation::reach_apex(const Geodesic_window_list& l
     if(view.shortest < distance_[v])
       reach(v, view.shortest, end_of(list.get<columns>(view.winner), crossing.halfedge));
   }
-  else if(!is_reached(v))
+  else
   {
     if(view.behind_left > list.begin)
       note_path_beside<columns>(crossing, list, view.behind_left - 1, list.column(1)[view.behind_left - 1]);

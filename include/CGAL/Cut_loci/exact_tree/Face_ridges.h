@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_FACE_RIDGES_H
 
 #include <CGAL/Cut_loci/exact_tree/Image_bisector.h>
+#include <CGAL/Cut_loci/exact_tree/draw_by_labels.h>
 
 #include <algorithm>
 #include <array>
@@ -34,29 +35,14 @@ namespace internal {
 class Face_ridges
 {
 public:
-  /// is a point of the boundary at which the label changes, as one goes around the face counterclockwise.
-  struct Change
-  {
-    Plane_point point;
-    Index edge; // of the face, or null at a corner, where the piece starts
-    Image before, after;
-    bool is_ray;    // both paths come along the same line: one of them bends, and this is the boundary of its shadow
-    bool is_shadow; // they are one path, so that this is no cut locus
-    double strength = 0.; // where images do not fit exactly: a star is put on the line between the two strongest
-  };
+  using Change = Face_change;
+  using Ridge = Face_ridge;
 
   /// is a part of an edge of the face through which the straight paths from an image enter the face.
   struct Entry
   {
     Image image;
     Plane_point from, to; // counterclockwise
-  };
-
-  struct Ridge
-  {
-    Index nodes[2];
-    Image images[2];
-    bool is_shadow;
   };
 
   /// the nodes: first one for each change, then those inside
@@ -89,17 +75,9 @@ public:
     entries_ = &entries();
     if(join_all(are_one_path))
       return;
-    // Labels that do not fit, or nodes that rounding has put on the wrong side: pieces that end each other, and a star
-    // of the rest, are good to the size of the face and do not cross each other either.
-    is_doubtful = true;
     start(changes);
-    while(size_ > 2 && join_ends())
-    {
-    }
-    if(size_ == 2)
-      connect(first_, fronts_[first_].next);
-    else if(size_ > 2)
-      draw_star();
+    is_doubtful = true;
+    draw_by_labels(changes, nodes, ridges);
   }
 
 private:
@@ -444,85 +422,6 @@ private:
         return true;
     }
     return false;
-  }
-
-  /// connects the nearest two neighbors that end each other; returns whether there are any
-  bool join_ends()
-  {
-    Index best = null_index, i = first_;
-    double least = infinity;
-    do
-    {
-      const Front &first = fronts_[i], &second = fronts_[first.next];
-      const double length = squared_distance(nodes[first.node], nodes[second.node]);
-      if(length < least && is_same_image(first.before, second.after))
-      {
-        least = length;
-        best = i;
-      }
-      i = first.next;
-    } while(i != first_);
-    if(best == null_index)
-      return false;
-    connect(best, fronts_[best].next);
-    return true;
-  }
-
-  /// what fits nowhere meets in one point: several images at the same distance, up to the tolerance
-  void draw_star()
-  {
-    Plane_point point{0., 0.};
-    bool has_point = false;
-    std::array<Index, 3> three;
-    Index number = 0;
-    for(Index i = first_; number < size_; i = fronts_[i].next, ++number)
-    {
-      three[number % 3] = i;
-      point.x += nodes[fronts_[i].node].x / size_;
-      point.y += nodes[fronts_[i].node].y / size_;
-    }
-    if(size_ == 3)
-    {
-      const Front &a = fronts_[three[0]], &b = fronts_[three[1]], &c = fronts_[three[2]];
-      std::array<Plane_point, 2> candidates;
-      const std::size_t n = equidistant_points(a.before, b.before, c.before, candidates);
-      for(std::size_t i = 0; i < n; ++i)
-        if(is_among(candidates[i], nodes[a.node], nodes[b.node], nodes[c.node]))
-        {
-          point = candidates[i];
-          has_point = true;
-        }
-    }
-    if(!has_point)
-      move_to_strongest(point);
-    const Index node = add_node(point);
-    Index i = first_;
-    for(Index k = 0; k < size_; ++k, i = fronts_[i].next)
-      add_ridge(fronts_[i], node);
-  }
-
-  void move_to_strongest(Plane_point& point) const
-  {
-    std::array<Index, 2> best = {{null_index, null_index}};
-    Index i = first_;
-    for(Index k = 0; k < size_; ++k, i = fronts_[i].next)
-      if(best[0] == null_index || fronts_[i].strength > fronts_[best[0]].strength)
-        best = {{i, best[0]}};
-      else if(best[1] == null_index || fronts_[i].strength > fronts_[best[1]].strength)
-        best[1] = i;
-    if(!(fronts_[best[1]].strength > 0.))
-      return;
-    const Plane_point &p = nodes[fronts_[best[0]].node], &q = nodes[fronts_[best[1]].node];
-    const double l = squared_distance(p, q);
-    const double s = l > 0. ? ((point.x - p.x) * (q.x - p.x) + (point.y - p.y) * (q.y - p.y)) / l : 0.;
-    const double t = (std::min)((std::max)(s, 0.), 1.);
-    point = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
-  }
-
-  /// whether a point is in a triangle
-  static bool is_among(const Plane_point& p, const Plane_point& a, const Plane_point& b, const Plane_point& c)
-  {
-    return cross(a, b, p) > 0. && cross(b, c, p) > 0. && cross(c, a, p) > 0.;
   }
 
   /// whether two pieces that are on the cut locus cross each other

@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// Turned polyhedra of unit squares whose faces are divided anyhow, with the seven digits that many files have: no two faces
+// are quite coplanar, each vertex has a branch along which two paths differ by less than rounding in one place or another,
+// and paths pass vertices by less than windows are accurate.
+
+#include "detour.h"
+#include "polyhedra.h"
+
+#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_cut_locus.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace params = CGAL::parameters;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
+
+struct Named_mesh
+{
+  std::string name;
+  Mesh mesh;
+};
+
+// each unit square is divided in n x n
+Mesh rounded(const test_meshes::Mesh_data& m, int n, unsigned seed)
+{
+  std::mt19937 engine(seed);
+  Mesh mesh;
+  for(test_meshes::Point p : m.points)
+  {
+    for(double& x : p)
+    {
+      const double jitter = 0.3 / n * test_meshes::random_unit(engine);
+      x += x != std::round(x) ? jitter : 0.;
+    }
+    const double x = 0.8 * p[0] - 0.6 * p[1], y = 0.6 * p[0] + 0.8 * p[1];
+    p = {{x, 0.28 * y - 0.96 * p[2], 0.96 * y + 0.28 * p[2]}};
+    for(double& c : p)
+      c = std::round(1e7 * c) * 1e-7;
+    mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
+  }
+  for(const test_meshes::Triangle& t : m.triangles)
+    mesh.add_face(Mesh::Vertex_index(Mesh::size_type(t[0])), Mesh::Vertex_index(Mesh::size_type(t[1])),
+                  Mesh::Vertex_index(Mesh::size_type(t[2])));
+  return mesh;
+}
+
+std::vector<Named_mesh> meshes()
+{
+  std::vector<Named_mesh> result;
+  for(unsigned seed : {1u, 2u, 3u})
+  {
+    const std::string end = ", seed " + std::to_string(seed);
+    for(int n : {3, 6, 10})
+    {
+      result.push_back({"cube " + std::to_string(n) + end, rounded(test_meshes::cube(n), n, seed)});
+      result.push_back({"L-shape " + std::to_string(n) + end, rounded(test_meshes::l_shape(n), n, seed)});
+    }
+    for(int n : {1, 2, 3})
+      result.push_back(
+        {"plate with holes " + std::to_string(n) + end, rounded(test_meshes::plate_with_holes(2, 1, n), 3 * n, seed)});
+  }
+  return result;
+}
+
+std::vector<Mesh::Vertex_index> sources(const Mesh& mesh)
+{
+  std::vector<Mesh::Vertex_index> result;
+  for(int i : {0, 1, 2})
+    result.push_back(Mesh::Vertex_index(Mesh::size_type(i * (mesh.number_of_vertices() - 1) / 2)));
+  return result;
+}
+
+TEST(Rounded_polyhedra, distances_are_those_of_cgal)
+{
+  for(const Named_mesh& m : meshes())
+  {
+    if(m.mesh.number_of_vertices() > 600)
+      continue;
+    const Mesh& mesh = m.mesh;
+    SCOPED_TRACE(m.name);
+    const auto read = CGAL::Cut_loci::internal::read_triangle_mesh(mesh, get(CGAL::vertex_point, mesh));
+    CGAL::Cut_loci::internal::Exact_geodesic_propagation geodesics(read.mesh);
+    for(Mesh::Vertex_index source : sources(mesh))
+    {
+      geodesics.run(static_cast<CGAL::Cut_loci::Index>(source.idx()));
+      CGAL::Surface_mesh_shortest_path<Traits> other(mesh);
+      other.add_source_point(source);
+      for(Mesh::Vertex_index v : mesh.vertices())
+      {
+        const double expected = other.shortest_distance_to_source_points(v).first;
+        EXPECT_NEAR(geodesics.distance(static_cast<CGAL::Cut_loci::Index>(v.idx())), expected, 1e-9 * (1. + expected))
+          << "from " << source << " to " << v;
+      }
+    }
+  }
+}
+
+TEST(Rounded_polyhedra, no_shortest_path_crosses_the_cut_locus)
+{
+  for(const Named_mesh& m : meshes())
+  {
+    CGAL::Surface_mesh_cut_locus<Mesh> solver(m.mesh, params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+    for(Mesh::Vertex_index source : sources(m.mesh))
+    {
+      SCOPED_TRACE(testing::Message() << m.name << ", from " << source);
+      solver.set_source(source);
+      const curve_measures::Measures measures = curve_measures::measure(
+        m.mesh, solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
+      EXPECT_EQ(measures.topology_fault, "");
+      EXPECT_LT(measures.max, 0.01);
+    }
+  }
+}
+
+} // namespace
