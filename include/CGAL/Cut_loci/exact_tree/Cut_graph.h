@@ -72,8 +72,8 @@ public:
     number_intervals(progress.part(0., 0.2));
     if(has_several_sources_)
       plant(source_vertices);
-    // as many as a spanning tree has, and those of the cycles
-    joints.reserve(number_of_nodes + 2 * std::size_t(connectivity_.genus(mesh_)) + 2 * source_vertices.size());
+    // those of a spanning tree, and some for cycles
+    joints.reserve(number_of_nodes + std::size_t(number_of_nodes) / 16);
     link_cells(progress.part(0.2, 0.4));
     link_edges(progress.part(0.4, 1.));
     if(has_several_sources_)
