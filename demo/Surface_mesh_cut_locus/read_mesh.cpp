@@ -6,6 +6,7 @@
 
 #include "Input_mesh.h"
 #include "file_checks.h"
+#include "text_meshes.h"
 
 #include <CGAL/IO/OFF/File_scanner_OFF.h>
 #include <CGAL/IO/polygon_soup_io.h>
@@ -92,12 +93,27 @@ bool read_file(const std::string& filename, std::vector<Kernel::Point_3>& points
   }
 }
 
+bool read_plain_file(const std::string& filename, std::size_t size, Polygon_soup& soup)
+{
+  const std::string extension = file_extension(filename);
+  if(extension != ".off" && extension != ".obj")
+    return false;
+  std::string text(size, '\0');
+  if(!std::ifstream(filename, std::ios_base::binary).read(text.data(), static_cast<std::streamsize>(size)))
+    return false;
+  return extension == ".off" ? read_plain_OFF(text, soup) : read_plain_OBJ(text, soup);
+}
+
 } // namespace
 
 Polygon_soup read_polygon_soup(const std::string& filename)
 {
-  Bounded_polygon::maximum = check_file(filename);
+  const std::size_t size = check_file(filename);
   Polygon_soup soup;
+  if(read_plain_file(filename, size, soup))
+    return soup;
+  soup = Polygon_soup();
+  Bounded_polygon::maximum = size;
   std::vector<Bounded_polygon> polygons;
   bool is_read = false;
   try

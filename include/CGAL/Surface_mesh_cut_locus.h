@@ -180,9 +180,8 @@ public:
     Cut_loci::internal::read_edge_lengths(tm, *read, get_parameter(np, internal_np::edge_length_map));
     Cut_loci::internal::normalize_lengths(*read);
     read_ = read;
-    visitor_.progress(Cut_loci::Stage::PREPROCESSING)(0.8);
-    component_of_face_ = std::make_shared<const std::vector<Index>>(
-      Cut_loci::internal::face_components(read_->mesh, number_of_components_));
+    component_of_face_ = std::make_shared<const std::vector<Index>>(Cut_loci::internal::face_components(
+      read_->mesh, number_of_components_, visitor_.progress(Cut_loci::Stage::PREPROCESSING).part(0.8, 1.)));
   }
 
   /*!

@@ -305,6 +305,36 @@ TEST_F(Input, OBJ_with_lines_tabs_and_continued_lines)
   EXPECT_EQ(report_on("a.obj").at("faces"), 1);
 }
 
+// The first of each kind is read without streams, the others by CGAL, which has to find the same numbers.
+TEST_F(Input, A_mesh_is_read_to_the_same_bits_however_its_file_is_written)
+{
+  const std::vector<std::string> points = {"0.1 1e-3 -.30000000000000004 ",
+                                           "1.7976931348623157 2.2250738585072014e-8 7",
+                                           "0.3333333333333333 100000000000000008e-17 5", "3 -4.35 0.1e1"};
+  std::string lines, obj, obj_faces = "f 1 2 3\nf 1//1 4/2 2/3/4\nf -3 -1 3\nf 1 3 4\n";
+  for(const std::string& p : points)
+  {
+    lines += p + "\n";
+    obj += "v " + p + "\n";
+  }
+  const std::string faces = "3 0 1 2\n3 0 3 1\n3 1 3 2 255 0 0\n3 0 2 3\n";
+  write("plain.off", "OFF\n4 4 6\n" + lines + faces);
+  write("windows.off", "# text\nOFF\r\n\r\n4 4 0\r\n" + lines + "# text\n" + faces);
+  write("one_line.off", "OFF 4 4 0\n" + lines + faces);
+  write("with_comments.off", "OFF\n4 4 0 # counts\n" + lines + faces);
+  write("plain.obj", obj + obj_faces);
+  write("continued.obj", obj + "vn 0 0 \\\n1\n" + obj_faces);
+  const auto lengths = [&](const std::string& name)
+  {
+    const Json report = report_on(name);
+    return std::vector<double>{report.at("mean_edge_length").get<double>(), report.at("length").get<double>(),
+                               report.at("farthest_distance").get<double>()};
+  };
+  const std::vector<double> expected = lengths("plain.off");
+  for(const char* name : {"windows.off", "one_line.off", "with_comments.off", "plain.obj", "continued.obj"})
+    EXPECT_EQ(lengths(name), expected) << name;
+}
+
 TEST_F(Input, Broken_files)
 {
   const auto run_on_ply = [&](const std::string& text)

@@ -30,6 +30,7 @@
 namespace {
 
 using namespace test_meshes;
+using CGAL::Cut_loci::Cause;
 using CGAL::Cut_loci::Invalid_input;
 using CGAL::Cut_loci::Method;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -646,7 +647,7 @@ TEST(Curves_as_sources, and_points_mix_with_the_points_first)
 // -- the interface -----------------------------------------------------------------------------------------------------
 
 template <typename Function>
-void expect_refusal(const Function& function, const std::string& part)
+void expect_refusal(const Function& function, Cause cause, const std::string& part)
 {
   try
   {
@@ -655,6 +656,7 @@ void expect_refusal(const Function& function, const std::string& part)
   }
   catch(const Invalid_input& error)
   {
+    EXPECT_EQ(error.cause(), cause) << error.what();
     EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
   }
 }
@@ -667,22 +669,26 @@ TEST(Curves_as_sources, that_can_not_be_used_are_refused)
   parts.insert(parts.end(), apart.begin(), apart.end());
   const auto compute = [&](const Vertices& points, const std::vector<Edges>& curves)
   { cut_locus_of_curves(built, points, curves, Method::DIRECTION); };
-  expect_refusal([&] { compute({}, {first, second}); }, "sources 0 and 1 have a vertex in common");
-  expect_refusal([&] { compute({built.vertices[9]}, {first}); }, "sources 0 and 1 have a point in common");
-  expect_refusal([&] { compute({}, {first, Edges()}); }, "source curve 1: it has no edges");
-  expect_refusal([&] { compute({}, {parts}); }, "source curve 0: it is not connected");
-  expect_refusal([&] { compute({}, {}); }, "the range of sources is empty");
+  expect_refusal([&] { compute({}, {first, second}); }, Cause::SAME_SOURCES, "sources 0 and 1 have a vertex in common");
+  expect_refusal([&] { compute({built.vertices[9]}, {first}); }, Cause::SAME_SOURCES,
+                 "sources 0 and 1 have a point in common");
+  expect_refusal([&] { compute({}, {first, Edges()}); }, Cause::NO_SOURCE, "source curve 1: it has no edges");
+  expect_refusal([&] { compute({}, {parts}); }, Cause::INVALID_SOURCE, "source curve 0: it is not connected");
+  expect_refusal([&] { compute({}, {}); }, Cause::NO_SOURCE, "the range of sources is empty");
   expect_refusal([&] { CGAL::compute_cut_locus(Built(sphere(4)).mesh, Vertices(), params::source_border(true)); },
-                 "no border");
-  expect_refusal([&] { cut_locus_of_curves(built, {}, {first}, Method::LAPLACIAN); }, "curves need the paths");
+                 Cause::NO_SOURCE, "no border");
+  expect_refusal([&] { cut_locus_of_curves(built, {}, {first}, Method::LAPLACIAN); }, Cause::PARAMETER_OF_OTHER_METHOD,
+                 "curves need the paths");
   Solver solver(built.mesh);
   expect_refusal(
     [&]
     { solver.set_sources(Vertices(), params::source_curves(std::vector<Edges>{first}).maximum_relative_error(0.01)); },
-    "exact distances");
+    Cause::INVALID_PARAMETER, "exact distances");
   solver.set_sources(Vertices(), params::source_curves(std::vector<Edges>{first}));
-  expect_refusal([&] { solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)); }, "MESH_EDGES");
-  expect_refusal([&] { solver.cut_locus(params::minimum_branch_edges(3)); }, "minimum_branch_edges");
+  expect_refusal([&] { solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)); },
+                 Cause::INVALID_PARAMETER, "MESH_EDGES");
+  expect_refusal([&] { solver.cut_locus(params::minimum_branch_edges(3)); }, Cause::INVALID_PARAMETER,
+                 "minimum_branch_edges");
 }
 
 TEST(Curves_as_sources, are_forgotten_by_the_next_source)

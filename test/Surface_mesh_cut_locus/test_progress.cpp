@@ -87,10 +87,11 @@ TEST_F(Progress_of_stages, It_grows_from_zero_to_one)
     EXPECT_GE(visitor.shares[Stage::DISTANCE].size(), 4u);
     EXPECT_LT(visitor.shares[Stage::DISTANCE].front(), 0.1);
     EXPECT_GT(visitor.shares[Stage::DISTANCE].back(), 0.9);
-    EXPECT_FALSE(visitor.shares[Stage::STRENGTH].empty());
-    if(method == Method::LAPLACIAN)
-      for(Stage stage : {Stage::PREPROCESSING, Stage::TREE, Stage::HOMOLOGY})
-        EXPECT_FALSE(visitor.shares[stage].empty());
+    for(Stage stage : {Stage::PREPROCESSING, Stage::STRENGTH, Stage::TREE})
+      EXPECT_FALSE(visitor.shares[stage].empty());
+    EXPECT_EQ(visitor.shares[Stage::HOMOLOGY].empty(), method != Method::LAPLACIAN);
+    solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+    EXPECT_FALSE(visitor.shares[Stage::FILTER].empty());
     for(const auto& [stage, shares] : visitor.shares)
       for(std::size_t i = 0; i < shares.size(); ++i)
       {
@@ -107,43 +108,57 @@ TEST_F(Progress_of_stages, What_is_thrown_leaves_no_source_and_an_object_that_ca
     Solver untouched(built.mesh, params::cut_locus_method(method));
     untouched.set_source(source);
     const std::vector<double> expected = result_numbers(untouched.cut_locus());
-    std::vector<Stage> stages = {Stage::DISTANCE, Stage::STRENGTH};
+    std::vector<Stage> stages = {Stage::DISTANCE, Stage::STRENGTH, Stage::TREE};
     if(method == Method::LAPLACIAN)
-      stages.insert(stages.end(), {Stage::TREE, Stage::HOMOLOGY});
+      stages.push_back(Stage::HOMOLOGY);
+    Canceling_visitor visitor(Stage::DISTANCE, 0);
+    Solver solver(built.mesh, params::cut_locus_method(method).visitor(std::ref(visitor)));
+    solver.set_source(other);
     for(Stage stage : stages)
-      for(std::size_t at : {1, 2})
+    {
+      visitor = Canceling_visitor(stage, 0); // at none: the calls are counted
+      solver.set_source(source);
+      const std::size_t last = visitor.number;
+      for(std::size_t at : {std::size_t(1), (last + 1) / 2, last})
       {
-        Canceling_visitor visitor(stage, at);
-        Solver solver(built.mesh, params::cut_locus_method(method).visitor(std::ref(visitor)));
-        visitor.number = at; // not yet
-        solver.set_source(other);
-        visitor.number = 0;
+        visitor = Canceling_visitor(stage, at);
         EXPECT_THROW(solver.set_source(source), Canceled);
         EXPECT_THROW(solver.cut_locus(), CGAL::Cut_loci::Invalid_input);
-        solver.set_source(source);
-        EXPECT_EQ(result_numbers(solver.cut_locus()), expected);
       }
+      solver.set_source(source);
+      EXPECT_EQ(result_numbers(solver.cut_locus()), expected);
+    }
   }
 }
 
 TEST_F(Progress_of_stages, What_is_done_once_for_a_mesh_can_be_canceled_and_done_again)
 {
-  const auto method = params::cut_locus_method(Method::LAPLACIAN);
-  Solver untouched(built.mesh, method);
-  untouched.set_source(source);
-  const std::vector<double> expected = result_numbers(untouched.cut_locus());
   const auto smooth = params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES);
-  Canceling_visitor visitor(Stage::PREPROCESSING, 1);
-  EXPECT_THROW(Solver(built.mesh, method.visitor(std::ref(visitor))), Canceled);
-  Solver solver(built.mesh, method.visitor(std::ref(visitor)));
-  visitor.number = 0;
-  EXPECT_THROW(solver.set_source(source), Canceled);
-  solver.set_source(source);
-  EXPECT_EQ(result_numbers(solver.cut_locus()), expected);
-  visitor.stage = Stage::FILTER;
-  visitor.number = 0;
-  EXPECT_THROW(solver.cut_locus(smooth), Canceled);
-  EXPECT_EQ(result_numbers(solver.cut_locus(smooth)), result_numbers(untouched.cut_locus(smooth)));
+  for(Method method : {Method::DIRECTION, Method::LAPLACIAN})
+  {
+    const auto parameters = params::cut_locus_method(method);
+    Solver untouched(built.mesh, parameters);
+    untouched.set_source(source);
+    Canceling_visitor visitor(Stage::PREPROCESSING, 1);
+    EXPECT_THROW(Solver(built.mesh, parameters.visitor(std::ref(visitor))), Canceled);
+    Solver solver(built.mesh, parameters.visitor(std::ref(visitor)));
+    for(std::size_t at : {1, 2, 5})
+    {
+      visitor.at = at;
+      visitor.number = 0;
+      EXPECT_THROW(solver.set_source(source), Canceled);
+    }
+    solver.set_source(source);
+    EXPECT_EQ(result_numbers(solver.cut_locus()), result_numbers(untouched.cut_locus()));
+    visitor.stage = Stage::FILTER;
+    for(std::size_t at : {1, 2, 5})
+    {
+      visitor.at = at;
+      visitor.number = 0;
+      EXPECT_THROW(solver.cut_locus(smooth), Canceled);
+    }
+    EXPECT_EQ(result_numbers(solver.cut_locus(smooth)), result_numbers(untouched.cut_locus(smooth)));
+  }
 }
 
 TEST_F(Progress_of_stages, A_threshold_that_needs_more_can_be_canceled_too)
@@ -151,11 +166,16 @@ TEST_F(Progress_of_stages, A_threshold_that_needs_more_can_be_canceled_too)
   Canceling_visitor visitor(Stage::FILTER, 3);
   Solver solver(built.mesh, params::visitor(std::ref(visitor)));
   solver.set_source(source);
+  visitor.number = visitor.at; // not yet
   const std::vector<double> by_default = result_numbers(solver.cut_locus());
   const auto all = params::minimum_branch_width(0.);
-  visitor.number = 0;
-  EXPECT_THROW(solver.cut_locus(all), Canceled);
-  EXPECT_EQ(result_numbers(solver.cut_locus()), by_default);
+  for(std::size_t at : {1, 3, 20})
+  {
+    visitor.at = at;
+    visitor.number = 0;
+    EXPECT_THROW(solver.cut_locus(all), Canceled);
+    EXPECT_EQ(result_numbers(solver.cut_locus()), by_default);
+  }
   Solver untouched(built.mesh);
   untouched.set_source(source);
   EXPECT_EQ(result_numbers(solver.cut_locus(all)), result_numbers(untouched.cut_locus(all)));

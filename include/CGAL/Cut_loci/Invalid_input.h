@@ -24,7 +24,7 @@ enum class Cause {
   NON_MANIFOLD,              ///< the faces at a vertex or an edge form no surface
   NO_SOURCE,                 ///< no source is given
   INVALID_SOURCE,            ///< a source is null, isolated or not in the mesh
-  SAME_SOURCES,              ///< two sources are at the same point
+  SAME_SOURCES,              ///< two sources are at the same point, or have one in common
   SOURCES_APART,             ///< sources are in different components of the mesh
   NO_FACE_AT_SOURCE,         ///< a curve of mesh edges can not separate a source from the others
   INVALID_DISTANCE,          ///< distances that are given can not be used

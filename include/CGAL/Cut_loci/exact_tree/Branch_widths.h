@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/Index.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,10 +35,13 @@ public:
   /// @param measure returns the width of an edge
   /// @param most edges are passed over at most: between two that are measured the width may be larger than at both
   Branch_widths(const std::vector<Tree_branches::Edge>& edges, Index number_of_nodes, std::size_t most,
-                const Measure& measure, std::vector<float>& width)
+                const Measure& measure, std::vector<float>& width, const Progress& progress = {})
     : edges_(edges), measure_(measure), width_(width), degree_(number_of_nodes, 0), exclusive_or_(number_of_nodes, 0),
       is_done_(edges.size(), 0)
   {
+    constexpr std::size_t seldom =
+      8; // parts of rows: the two paths of each edge that is measured take a part of a millisecond
+    std::size_t number = 0;
     for(Index e = 0; e < edges.size(); ++e)
       for(Index i : {edges[e].outer, edges[e].inner})
       {
@@ -52,6 +56,8 @@ public:
       at(row_.front()) = measure(edges[row_.front()].edge);
       for(std::size_t first = 0; first + 1 < row_.size(); first += most)
       {
+        if(number++ % seldom == 0)
+          progress(static_cast<double>(seed) / static_cast<double>(edges.size()));
         const std::size_t last = (std::min)(first + most, row_.size() - 1);
         at(row_[last]) = measure(edges[row_[last]].edge);
         fill_between(first, last);

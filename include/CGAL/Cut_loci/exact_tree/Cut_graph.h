@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Ridges.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Source_forest.h>
 #include <CGAL/Cut_loci/internal/rough_sort.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -62,16 +63,19 @@ public:
 
   /// @param source_vertices of several sources; of one it may be empty
   Cut_graph(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Geodesic_results& geodesics,
-            const Label_changes& changes, const Ridges& ridges, const std::vector<Index>& source_vertices)
+            const Label_changes& changes, const Ridges& ridges, const std::vector<Index>& source_vertices,
+            const Progress& progress = {})
     : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), changes_(changes), ridges_(ridges),
       has_several_sources_(source_vertices.size() > 1 || geodesics.has_lines())
   {
     number_nodes();
-    number_intervals();
+    number_intervals(progress.part(0., 0.2));
     if(has_several_sources_)
       plant(source_vertices);
-    link_cells();
-    link_edges();
+    // those of a spanning tree, and some for cycles
+    joints.reserve(number_of_nodes + std::size_t(number_of_nodes) / 16);
+    link_cells(progress.part(0.2, 0.4));
+    link_edges(progress.part(0.4, 1.));
     if(has_several_sources_)
       name_sources();
   }
@@ -127,12 +131,13 @@ private:
 
   bool is_real(Index c) const { return !changes_[c].is_shadow; }
 
-  void number_intervals()
+  void number_intervals(const Progress& progress)
   {
     Index n = mesh_.number_of_vertices();
     behind_.assign(changes_.number_of_crossings(), null_index);
     for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
     {
+      progress(e, connectivity_.number_of_edges());
       Index previous = null_index;
       for(Index c = changes_.first(e); c < changes_.first(e + 1); ++c)
         if(is_real(c))
@@ -191,13 +196,15 @@ private:
    * tree leads along the cell to the crossing of the same tree before it, where the next part starts. Links join one
    * part to the next; each separates the tree between them from the one between the last and the first.
    */
-  void link_cells()
+  void link_cells(const Progress& progress)
   {
     const std::vector<Ridges::Face>& faces = ridges_.faces();
     std::vector<unsigned char> is_done;
     std::vector<Index> parts;
+    Progress::Counter told(progress, faces.empty() ? 0 : faces.back().end_node);
     for(Index r = 0; r < faces.size(); ++r)
     {
+      told(faces[r].first_node);
       const Ridges::Face& face = faces[r];
       if(face.number_of_trees < 2)
         continue;
@@ -229,14 +236,45 @@ private:
     }
   }
 
-  void link_edges()
+  using Link = std::pair<Index, bool>; // an edge, or a crossing
+
+  void link_edges(const Progress& progress)
   {
-    // edges and crossings by weight; an angle is at most pi
-    constexpr float last = 4.f * static_cast<float>(geodesic_pi);
     std::vector<float> weight;
-    std::vector<std::pair<Index, bool>> links; // an edge, or a crossing
+    std::vector<Link> links;
+    weigh_links(weight, links, progress.part(0., 0.2));
+    const Progress linking = progress.part(0.4, 1.);
+    std::size_t number = 0;
+    for(Index i : roughly_sorted(weight, progress.part(0.2, 0.4)))
+    {
+      linking(number++, links.size());
+      const Index element = links[i].first;
+      if(links[i].second)
+      {
+        if(!forest_.link(before(element), behind_[element]))
+          add_crossing(element);
+        continue;
+      }
+      const Index h = connectivity_.halfedge_of_edge[element];
+      if(!forest_.link(mesh_.source(h), mesh_.target(h)))
+      {
+        const Index o = mesh_.opposite[h];
+        joints.push_back({Joint::EDGE, element, {node_beside(h), o != null_index ? node_beside(o) : border_node(h)}});
+        set_sides(mesh_.source(h), mesh_.target(h));
+      }
+    }
+  }
+
+  /// edges and crossings by weight; an angle is at most pi
+  void weigh_links(std::vector<float>& weight, std::vector<Link>& links, const Progress& progress) const
+  {
+    constexpr float last = 4.f * static_cast<float>(geodesic_pi);
+    const std::size_t most = std::size_t(connectivity_.number_of_edges()) + changes_.number_of_crossings();
+    weight.reserve(most);
+    links.reserve(most);
     for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
     {
+      progress(e, connectivity_.number_of_edges());
       if(geodesics_.line_at(connectivity_.halfedge_of_edge[e]) != null_index)
         continue;
       bool is_crossed = false;
@@ -255,23 +293,6 @@ private:
         const bool is_between_sources = has_several_sources_ && geodesics_.nearest_source(mesh_.source(h)) !=
                                                                   geodesics_.nearest_source(mesh_.target(h));
         weight.push_back(is_between_sources ? last : changes_.bend(h));
-      }
-    }
-    for(Index i : roughly_sorted(weight))
-    {
-      const Index element = links[i].first;
-      if(links[i].second)
-      {
-        if(!forest_.link(before(element), behind_[element]))
-          add_crossing(element);
-        continue;
-      }
-      const Index h = connectivity_.halfedge_of_edge[element];
-      if(!forest_.link(mesh_.source(h), mesh_.target(h)))
-      {
-        const Index o = mesh_.opposite[h];
-        joints.push_back({Joint::EDGE, element, {node_beside(h), o != null_index ? node_beside(o) : border_node(h)}});
-        set_sides(mesh_.source(h), mesh_.target(h));
       }
     }
   }

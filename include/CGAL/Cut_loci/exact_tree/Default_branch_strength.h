@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_DEFAULT_BRANCH_STRENGTH_H
 
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
@@ -53,10 +54,10 @@ public:
 
   /// @param diagonal of the bounding box
   Default_branch_strength(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                          const Geodesic_faces& faces, double diagonal)
+                          const Geodesic_faces& faces, double diagonal, const Progress& progress = {})
     : mesh_(mesh), connectivity_(connectivity), faces_(faces)
   {
-    const double share = sharp_share();
+    const double share = sharp_share(progress.part(0., 0.2));
     if(share >= 0.5)
     {
       gap = sharp;
@@ -64,7 +65,7 @@ public:
       return;
     }
     const double h = connectivity_.mean_edge_length;
-    const double apart = noise() * std::pow(diagonal / h, 1.5) / std::sqrt(3.);
+    const double apart = noise(progress.part(0.2, 1.)) * std::pow(diagonal / h, 1.5) / std::sqrt(3.);
     width = h * std::hypot(3., 2. * std::pow(apart, 4. / 9.));
   }
 
@@ -75,11 +76,13 @@ private:
    * J0(2 pi / 3) = .17, and if vertices are displaced independently on a regular mesh, it is -5/21 of the vertex' own.
    * Medians and cut values are for vertices of features.
    */
-  double noise() const
+  double noise(const Progress& progress) const
   {
+    const Progress reading = progress.part(0., 0.7);
     std::vector<double> own, around, deviations;
     for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
     {
+      reading(v, mesh_.number_of_vertices());
       double mean;
       if(connectivity_.is_border(v) || !mean_around(v, mean))
         continue;
@@ -92,7 +95,9 @@ private:
     constexpr double of_median = 1.4826; // of the sizes of normally distributed numbers: their standard deviation
     std::vector<double> sizes(own.size());
     std::transform(own.begin(), own.end(), sizes.begin(), [](double d) { return std::fabs(d); });
+    progress(0.7);
     const double most = 3. * of_median * median(sizes);
+    progress(0.75);
     const auto cut = [&](double d) { return (std::max)(-most, (std::min)(d, most)); };
     double square = 0., product = 0.;
     for(std::size_t i = 0; i < own.size(); ++i)
@@ -101,7 +106,9 @@ private:
       product += cut(own[i]) * cut(around[i]);
     }
     constexpr double of_shape = 0.17, of_noise = -5. / 21.;
+    progress(0.9);
     const double share = square > 0. ? (of_shape - product / square) / (of_shape - of_noise) : 0.;
+    progress(0.95);
     return std::sqrt((std::max)(0., (std::min)(share, 1.))) * of_median * median(deviations);
   }
 
@@ -129,11 +136,12 @@ private:
   }
 
   /// the part of the curvature that is in sharp vertices
-  double sharp_share() const
+  double sharp_share(const Progress& progress) const
   {
     double in_sharp = 0., all = 0.;
     for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
     {
+      progress(v, mesh_.number_of_vertices());
       if(connectivity_.is_border(v))
         continue;
       const double curvature = std::fabs(deficit(v));

@@ -11,10 +11,12 @@
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/exact_tree/Edge_envelope.h>
 #include <CGAL/Cut_loci/exact_tree/Path_label.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <unordered_map>
 #include <vector>
 
@@ -115,21 +117,28 @@ public:
   }
 
   /// the end of the propagation
-  void finish()
+  void finish(const Progress& progress = {})
   {
-    while(next_ < waiting_.size())
-      divide(waiting_[next_++].halfedge);
+    for(; next_ < waiting_.size(); ++next_)
+    {
+      progress(next_, waiting_.size());
+      divide(waiting_[next_].halfedge);
+    }
     waiting_.clear();
     for(Index h = 0; h < faces_.number_of_halfedges(); ++h)
+    {
+      progress(h, faces_.number_of_halfedges());
       if(h < faces_.opposite(h) && (state_[h] & divided) == 0 &&
          is_needed(h, faces_.opposite(h))) // edges along which all paths run
         divide(h);
+    }
   }
 
   // -- afterwards ------------------------------------------------------------------------------------------------------
 
-  std::vector<Edge_crossing> crossings; ///< those of an edge together, in order
-  std::vector<Edge_ends> ends;          ///< of all edges of the faces that are drawn
+  // they grow without being copied, which would take long at once
+  std::deque<Edge_crossing> crossings; ///< those of an edge together, in order
+  std::deque<Edge_ends> ends;          ///< of all edges of the faces that are drawn
 
   /// how often windows came too late
   std::size_t number_of_late() const { return number_of_late_; }

@@ -121,17 +121,18 @@ public:
 
   void draw_ridges(const Threads& threads = {})
   {
-    changes_ = Label_changes(connectivity_, geodesics_, *crossings_, std::move(is_drawn_), std::move(bend_));
+    changes_ = Label_changes(connectivity_, geodesics_, *crossings_, std::move(is_drawn_), std::move(bend_),
+                             progress_.part(0., 0.4));
     crossings_.reset();
-    ridges_ = Ridges(mesh_, connectivity_, geodesics_, changes_, threads, progress_.part(0.5, 1.));
+    ridges_ = Ridges(mesh_, connectivity_, geodesics_, changes_, threads, progress_.part(0.4, 1.));
   }
 
   void join()
   {
-    const Cut_graph cut(mesh_, connectivity_, geodesics_, changes_, ridges_, source_vertices_);
-    graph_.reset(new Tree_graph(mesh_, connectivity_, geodesics_, changes_, ridges_, cut));
+    const Cut_graph cut(mesh_, connectivity_, geodesics_, changes_, ridges_, source_vertices_, progress_.part(0., 0.5));
+    graph_.reset(new Tree_graph(mesh_, connectivity_, geodesics_, changes_, ridges_, cut, progress_.part(0.5, 0.9)));
     if(!least_.is_none())
-      graph_->drop_weak_branches(least_);
+      graph_->drop_weak_branches(least_, progress_.part(0.9, 1.));
   }
 
   /// The source is moved away from a vertex: what starts there is none of it.
@@ -157,17 +158,17 @@ public:
 
   /// the edges of the graph whose branches are at least that strong: those that pass all thresholds, or have one behind
   /// them that does. So they are connected, wherever a branch is weaker than it is farther out.
-  std::vector<Tree_branches::Edge> kept(const Branch_strength& least)
+  std::vector<Tree_branches::Edge> kept(const Branch_strength& least, const Progress& progress = {})
   {
     const auto can_be = [&](Index e) { return least.is_none() || is_a_branch(e, least); };
     const auto is_strong = [&](Index e) { return least.width == 0. || width(e) >= least.width; };
     const Strong_branches<decltype(can_be), decltype(is_strong)> strong(*graph_, connectivity_.number_of_border_loops,
-                                                                        can_be, is_strong);
+                                                                        can_be, is_strong, progress.part(0., 0.6));
     const std::vector<Index> edges = strong.edges();
     const Tree_branches branches(
       static_cast<Index>(graph_->nodes.size()), static_cast<Index>(edges.size()),
       [&](Index i) { return graph_->edges[edges[i]].nodes; }, [&](Index i) { return graph_->edges[edges[i]].gap; },
-      connectivity_.number_of_border_loops);
+      connectivity_.number_of_border_loops, progress.part(0.6, 1.));
     root_ = branches.root();
     std::vector<Tree_branches::Edge> result = branches.edges();
     for(Tree_branches::Edge& b : result)
@@ -199,13 +200,14 @@ public:
   }
 
   /// finds what `shown_width()` returns, for edges that are kept
-  void measure_widths(const std::vector<Tree_branches::Edge>& edges)
+  void measure_widths(const std::vector<Tree_branches::Edge>& edges, const Progress& progress = {})
   {
     const auto measure = [this](Index e) { return static_cast<float>(width(e)); };
     // some faces: in each it crosses, a branch has about as many pieces as there are on average
     const std::size_t most = 1 + 16 * edges.size() / (std::max)(ridges_.faces().size(), std::size_t(1));
     shown_width_.assign(graph_->edges.size(), 0.f);
-    Branch_widths<decltype(measure)>(edges, static_cast<Index>(graph_->nodes.size()), most, measure, shown_width_);
+    Branch_widths<decltype(measure)>(edges, static_cast<Index>(graph_->nodes.size()), most, measure, shown_width_,
+                                     progress);
   }
   float shown_width(Index edge) const { return shown_width_[edge]; }
 
@@ -314,7 +316,7 @@ private:
     {
       crossings_.reset(new Edge_crossings(geodesics_, is_drawn_, slack));
       geodesics_.run(sources_, options_, *crossings_);
-      crossings_->finish();
+      crossings_->finish(progress_.part(1., 1.));
       if(crossings_->number_of_late() == 0)
         return;
       options_.progress = progress_.part(1., 1.);

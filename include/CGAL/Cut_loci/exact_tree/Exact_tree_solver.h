@@ -49,8 +49,9 @@ class Exact_tree_solver : public Exact_tree_method
 {
 public:
   // once per mesh
-  explicit Exact_tree_solver(const Indexed_triangle_mesh& mesh, const Threads& threads = {})
-    : Exact_tree_solver(mesh, std::make_shared<const Surface>(mesh, threads))
+  explicit Exact_tree_solver(const Indexed_triangle_mesh& mesh, const Threads& threads = {},
+                             const Progress& progress = {})
+    : Exact_tree_solver(mesh, std::make_shared<const Surface>(mesh, threads, progress))
   {
     threads_ = threads;
   }
@@ -85,7 +86,9 @@ public:
     divided_.reset();
     curves_ = curves;
     if(!curves.empty() || (has_source_off_vertices() && points.size() > 1))
-      divided_.reset(new Divided_surface(mesh_, points, curves));
+      divided_.reset(new Divided_surface(mesh_, points, curves, progress_.part(0., 0.1)));
+    const Progress all = progress_;
+    report_to(divided_ != nullptr ? all.part(0.1, 1.) : all);
     start();
     distance_ = geodesics().distances();
     for(Index v = 0; v < distance_.size() && maximum_relative_error_ > 0.; ++v)
@@ -111,14 +114,18 @@ public:
   void grow_tree() override
   {
     const Progress all = progress_;
+    const double first = least_.is_none() ? 0.2 : 1.;
+    report_to(all.part(0., first));
     tree_->join();
     const int most = has_curves() ? 4 : most_moves;
     for(int number = 1; number <= most && least_.is_none() && !tree_->is_sure(); ++number)
     {
-      report_to(all.part((number - 1.) / most, (number - 0.2) / most));
+      const Progress part = all.part(first + (1. - first) * (number - 1) / most, first + (1. - first) * number / most);
+      report_to(part.part(0., 0.6));
       start(number);
-      report_to(all.part((number - 0.2) / most, double(number) / most));
+      report_to(part.part(0.6, 0.8));
       tree_->draw_ridges(threads_);
+      report_to(part.part(0.8, 1.));
       tree_->join();
       remove_branches_to_sources();
     }
@@ -135,16 +142,18 @@ public:
   {
     const Progress all = progress_;
     if(thresholds.is_weaker_than(least_) || !is_complete_)
-      compute_more(thresholds, 0, all.part(0., 0.5));
-    std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds);
-    see_all_of(kept, thresholds, all.part(0.5, 1.));
-    tree_->measure_widths(kept);
+      compute_more(thresholds, 0, all.part(0., 0.4));
+    std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds, all.part(0.4, 0.5));
+    see_all_of(kept, thresholds, all.part(0.5, 0.7));
+    tree_->measure_widths(kept, all.part(0.7, 0.8));
     if(has_curves())
       return curve_between_curves(thresholds, kept);
     const Source_faces at_sources(mesh_, connectivity_, sources_);
     if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
       throw_source_without_face(at_sources.first_without_face());
-    edges = Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, at_sources, lone_vertex()).graph;
+    edges =
+      Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, at_sources, lone_vertex(), all.part(0.8, 0.9))
+        .graph;
     const Curve_filter filter(mesh_, connectivity_, thresholds);
     const bool drops_branches = thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.;
     if(curve == Curve::MESH_EDGES)
@@ -154,7 +163,8 @@ public:
       filter.remove_other_parts(edges);
       return edges;
     }
-    Tree_curve result(tree_->mesh(), tree_->connectivity(), geodesics(), *tree_, kept, lone_vertex());
+    Tree_curve result(tree_->mesh(), tree_->connectivity(), geodesics(), *tree_, kept, lone_vertex(),
+                      all.part(0.9, 1.));
     if(divided_ != nullptr)
       divided_->remove_sources(result.graph, result.face);
     set_origins(mesh_, connectivity_, edges, result.face, result.graph);
@@ -187,10 +197,10 @@ private:
     Exact_geodesic_propagation geodesics;
 
     Divided_surface(const Indexed_triangle_mesh& without, const std::vector<Indexed_source>& points,
-                    const std::vector<Indexed_curve>& curves, int number = 1)
+                    const std::vector<Indexed_curve>& curves, const Progress& progress, int number = 1)
       : Mesh_with_sources(without, points),
         with_curves(curves.empty() ? nullptr : new Mesh_with_curves(without, *this, curves, 1e-5 * number)),
-        connectivity(surface()), geodesics(surface())
+        connectivity(surface(), progress.part(0., 0.5)), geodesics(surface(), nullptr, progress.part(0.5, 1.))
     {
     }
 
@@ -220,7 +230,7 @@ private:
   {
     is_complete_ = false;
     if(number > 0 && has_curves())
-      divided_.reset(new Divided_surface(mesh_, sources_, curves_, number + 1));
+      divided_.reset(new Divided_surface(mesh_, sources_, curves_, Progress(), number + 1));
     if(divided_ != nullptr)
       tree_.reset(
         new Exact_tree(divided_->surface(), divided_->connectivity, divided_->geodesics, divided_->vertices()));
@@ -282,7 +292,8 @@ private:
     double done = 0.;
     for(Index rings = 0; !tree_->is_known(kept); rings = 2 * rings + 1)
     {
-      report_to(progress.part(done, 0.5 * (1. + done)));
+      const Progress part = progress.part(done, 0.5 * (1. + done));
+      report_to(part.part(0., 0.6));
       done = 0.5 * (1. + done);
       is_complete_ = false;
       if(!tree_->propagate_once_more(kept, rings))
@@ -290,8 +301,8 @@ private:
         is_complete_ = true;
         return;
       }
-      finish(number);
-      kept = tree_->kept(thresholds);
+      finish(number, part.part(0.6, 0.95));
+      kept = tree_->kept(thresholds, part.part(0.95, 1.));
     }
   }
 
@@ -302,13 +313,14 @@ private:
     least_ = least;
     report_to(progress.part(0., 0.6));
     start(number);
-    report_to(progress.part(0.6, 1.));
-    finish(number);
+    finish(number, progress.part(0.6, 1.));
   }
 
-  void finish(int number)
+  void finish(int number, const Progress& progress)
   {
+    report_to(progress.part(0., 0.4));
     compute_strengths();
+    report_to(progress.part(0.4, 1.));
     grow_tree();
     if(number > 0)
       remove_branches_to_sources();
@@ -397,7 +409,26 @@ private:
   // what depends on the mesh alone
   struct Surface
   {
-    Surface(const Indexed_triangle_mesh& mesh, const Threads& threads) : extent(internal::extent(mesh))
+    Surface(const Indexed_triangle_mesh& mesh, const Threads& threads, const Progress& progress)
+      : extent(internal::extent(mesh))
+    {
+      // only the thread that asks for the work is to be told of it
+      if(threads.are_there() && !progress.is_wanted())
+        read_in_threads(mesh, threads);
+      else
+      {
+        connectivity.reset(new Mesh_connectivity(mesh, progress.part(0., 0.3)));
+        checked_mesh(mesh, *connectivity, progress.part(0.3, 0.4)); // has more to say than the faces
+        faces = std::make_shared<const Geodesic_faces>(mesh, nullptr, progress.part(0.4, 0.8));
+      }
+      const Default_branch_strength strength(mesh, *connectivity, *faces, extent, progress.part(0.8, 1.));
+      thresholds.gap = strength.gap;
+      thresholds.width = strength.width;
+      thresholds.counts_meeting = strength.counts_meeting;
+      progress(1.);
+    }
+
+    void read_in_threads(const Indexed_triangle_mesh& mesh, const Threads& threads)
     {
       std::exception_ptr error;
       const auto read = [&](std::size_t i)
@@ -418,10 +449,6 @@ private:
       checked_mesh(mesh, *connectivity); // has more to say
       if(error)
         std::rethrow_exception(error);
-      const Default_branch_strength strength(mesh, *connectivity, *faces, extent);
-      thresholds.gap = strength.gap;
-      thresholds.width = strength.width;
-      thresholds.counts_meeting = strength.counts_meeting;
     }
 
     std::unique_ptr<const Mesh_connectivity> connectivity;

@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
@@ -33,14 +34,19 @@ class Face_cells
 {
 public:
   Face_cells(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Geodesic_faces& faces,
-             const Tree_graph& graph, const std::vector<Tree_branches::Edge>& kept)
+             const Tree_graph& graph, const std::vector<Tree_branches::Edge>& kept, const Progress& progress = {})
     : mesh_(mesh), connectivity_(connectivity), faces_(faces), graph_(graph)
   {
     sort_nodes(kept);
-    sort_edges(kept);
+    progress(0.2);
+    sort_edges(kept, progress.part(0.2, 0.4));
+    const Progress dividing = progress.part(0.4, 1.);
     for(Index f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      dividing(f, mesh.number_of_faces());
       if(edge_begin_[f] < edge_begin_[f + std::size_t(1)])
         divide(f);
+    }
   }
 
   /// the nodes on an edge of the mesh, along its halfedge of smaller index
@@ -100,23 +106,25 @@ private:
       node_begin_[e + 1] += node_begin_[e];
   }
 
-  void sort_edges(const std::vector<Tree_branches::Edge>& kept)
+  void sort_edges(const std::vector<Tree_branches::Edge>& kept, const Progress& progress)
   {
     edge_begin_.assign(mesh_.number_of_faces() + std::size_t(1), 0);
+    std::vector<Index> order;
     for(const Tree_branches::Edge& b : kept)
       if(!graph_.edges[b.edge].is_virtual)
       {
-        edges_.push_back(b.edge);
+        order.push_back(b.edge);
         ++edge_begin_[graph_.edges[b.edge].face + std::size_t(1)];
       }
     for(std::size_t f = 0; f + 1 < edge_begin_.size(); ++f)
       edge_begin_[f + 1] += edge_begin_[f];
-    std::sort(edges_.begin(), edges_.end(),
-              [&](Index a, Index b)
-              {
-      const Index f = graph_.edges[a].face, g = graph_.edges[b].face;
-      return f != g ? f < g : a < b;
-    });
+    progress(0.4);
+    std::sort(order.begin(), order.end());
+    progress(0.7);
+    edges_.resize(order.size());
+    std::vector<Index> next(edge_begin_.begin(), edge_begin_.end() - 1);
+    for(Index e : order) // by face, and in a face by index
+      edges_[next[graph_.edges[e].face]++] = e;
     part_begin_.assign(mesh_.number_of_faces(), null_index);
   }
 

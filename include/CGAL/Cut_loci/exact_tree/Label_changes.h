@@ -9,12 +9,14 @@
 
 #include <CGAL/Cut_loci/exact_tree/Edge_crossings.h>
 #include <CGAL/Cut_loci/exact_tree/Vertex_labels.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <utility>
 #include <vector>
 
@@ -36,14 +38,13 @@ public:
   /// @param is_drawn by face
   /// @param bend by halfedge, or empty
   Label_changes(const Mesh_connectivity& connectivity, const Geodesic_results& geodesics, Edge_crossings& found,
-                std::vector<unsigned char> is_drawn, std::vector<float> bend)
+                std::vector<unsigned char> is_drawn, std::vector<float> bend, const Progress& progress = {})
     : connectivity_(&connectivity), geodesics_(&geodesics), is_drawn_(std::move(is_drawn)), bend_(std::move(bend))
   {
     const Vertex_labels labels(geodesics);
-    crossings_.swap(found.crossings);
-    add_crossings_at_ends(found, labels);
-    sort();
-    find_changes_at_vertices(labels);
+    add_crossings_at_ends(found, labels, progress.part(0., 0.5));
+    sort(found.crossings, progress.part(0.5, 0.8));
+    find_changes_at_vertices(labels, progress.part(0.8, 1.));
   }
 
   /// all crossings: those of edge `e` are `first(e)`, ..., `first(e + 1) - 1`, in order
@@ -67,23 +68,25 @@ public:
   const std::vector<Vertex_labels::Change>& at_vertices() const { return at_vertices_; }
 
 private:
-  void add_crossings_at_ends(const Edge_crossings& found, const Vertex_labels& labels)
+  void add_crossings_at_ends(Edge_crossings& found, const Vertex_labels& labels, const Progress& progress) const
   {
+    std::size_t i = 0;
     for(const Edge_ends& e : found.ends)
     {
+      progress(i++, found.ends.size());
       const double length = geodesics_->faces().length(e.halfedge);
       add_crossing_at_end({e.halfedge, 0., labels.at_source(e.halfedge), e.first, 0., 0., false},
-                          geodesics_->faces().source(e.halfedge));
+                          geodesics_->faces().source(e.halfedge), found.crossings);
       add_crossing_at_end({e.halfedge, length, e.last, labels.at_target(e.halfedge), 0., 0., false},
-                          geodesics_->faces().target(e.halfedge));
+                          geodesics_->faces().target(e.halfedge), found.crossings);
     }
   }
 
   /// if the label of an edge is not that of the vertex `v` at which it ends
-  void add_crossing_at_end(Edge_crossing c, Index v)
+  void add_crossing_at_end(Edge_crossing c, Index v, std::deque<Edge_crossing>& crossings) const
   {
     if(geodesics_->is_on_line(v))
-      add_crossing_at_line(c);
+      add_crossing_at_line(c, crossings);
     if(geodesics_->distance(v) == 0.)
       return;
     const Path_label& label = c.t == 0. ? c.right : c.left;
@@ -96,40 +99,62 @@ private:
     if(geodesics_->is_seam(arrival.origin, label.origin, c.angle))
       return;
     if(!Edge_crossings::is_same_family(*geodesics_, c.angle, c.gap))
-      crossings_.push_back(c);
+      crossings.push_back(c);
   }
 
   /// where lines meet, and the branch between them runs along an edge
-  void add_crossing_at_line(Edge_crossing c)
+  void add_crossing_at_line(Edge_crossing c, std::deque<Edge_crossing>& crossings) const
   {
     c.angle = meeting_angle(c.left, c.right, c.t);
     c.gap = Parting_angle(*geodesics_)(c.left, c.right, c.t);
     if(c.left.origin != c.right.origin && !geodesics_->is_seam(c.left.origin, c.right.origin, c.angle) &&
        !Edge_crossings::is_same_path(c.angle, c.gap))
-      crossings_.push_back(c);
+      crossings.push_back(c);
   }
 
-  void sort()
+  void sort(std::deque<Edge_crossing>& found, const Progress& progress)
   {
+    const Progress counting = progress.part(0., 0.2), numbering = progress.part(0.2, 0.4),
+                   copying = progress.part(0.4, 0.8), in_edges = progress.part(0.8, 1.);
     const std::vector<Index>& edge = connectivity_->edge_of_halfedge;
     first_.assign(connectivity_->number_of_edges() + std::size_t(1), 0);
-    for(const Edge_crossing& c : crossings_)
+    std::size_t number = 0;
+    for(const Edge_crossing& c : found)
+    {
+      counting(number++, found.size());
       ++first_[edge[c.halfedge] + std::size_t(1)];
+    }
     for(std::size_t e = 0; e + 1 < first_.size(); ++e)
       first_[e + 1] += first_[e];
-    std::vector<Edge_crossing> sorted(crossings_.size());
-    std::vector<Index> next(first_.begin(), first_.end() - 1);
-    for(const Edge_crossing& c : crossings_)
-      sorted[next[edge[c.halfedge]]++] = c;
+    std::vector<Index> next(first_.begin(), first_.end() - 1), order(found.size());
+    for(Index i = 0; i < order.size(); ++i)
+    {
+      numbering(i, order.size());
+      order[next[edge[found[i].halfedge]]++] = i;
+    }
+    crossings_.reserve(order.size());
+    for(Index i : order)
+    {
+      copying(crossings_.size(), order.size());
+      crossings_.push_back(found[i]);
+    }
+    while(!found.empty()) // so much memory takes long to be freed at once
+    {
+      progress(0.8);
+      found.erase(found.begin(),
+                  found.begin() + static_cast<std::ptrdiff_t>((std::min)(found.size(), std::size_t(65536))));
+    }
     // they come in order, but for those at the ends
     const auto is_before = [](const Edge_crossing& a, const Edge_crossing& b) { return a.t < b.t; };
     for(std::size_t e = 0; e + 1 < first_.size(); ++e)
-      if(!std::is_sorted(sorted.begin() + first_[e], sorted.begin() + first_[e + 1], is_before))
-        std::stable_sort(sorted.begin() + first_[e], sorted.begin() + first_[e + 1], is_before);
-    crossings_.swap(sorted);
+    {
+      in_edges(e, first_.size());
+      if(!std::is_sorted(crossings_.begin() + first_[e], crossings_.begin() + first_[e + 1], is_before))
+        std::stable_sort(crossings_.begin() + first_[e], crossings_.begin() + first_[e + 1], is_before);
+    }
   }
 
-  void find_changes_at_vertices(const Vertex_labels& labels)
+  void find_changes_at_vertices(const Vertex_labels& labels, const Progress& progress)
   {
     const Geodesic_faces& faces = geodesics_->faces();
     // as `Edge_crossings::is_same_family()`, for the crossings behind the vertex
@@ -137,6 +162,7 @@ private:
     std::vector<unsigned char> is_done(faces.number_of_vertices(), 0);
     for(Index h = 0; h < faces.number_of_halfedges(); ++h)
     {
+      progress(h, faces.number_of_halfedges());
       const Index v = faces.source(h);
       if(is_done[v] || !is_drawn(h / 3))
         continue;

@@ -15,6 +15,7 @@
 #include <CGAL/Cut_loci/exact_tree/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Source_forest.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -53,12 +54,13 @@ public:
   /// @param lone the vertex that is left if nothing else is
   Mesh_edge_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                   const Mesh_with_sources* divided, Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept,
-                  const Source_faces& sources, Index lone)
+                  const Source_faces& sources, Index lone, const Progress& progress = {})
     : mesh_(mesh), connectivity_(connectivity), divided_(divided), geodesics_(tree.geodesics()), tree_(tree)
   {
-    const Face_cells cells(tree.mesh(), tree.connectivity(), geodesics_.faces(), tree.graph(), kept);
-    grow_tree(cells, sources);
-    drop_weak_leaves();
+    const Face_cells cells(tree.mesh(), tree.connectivity(), geodesics_.faces(), tree.graph(), kept,
+                           progress.part(0., 0.2));
+    grow_tree(cells, sources, progress.part(0.2, 0.8));
+    drop_weak_leaves(progress.part(0.8, 1.));
     draw(lone);
   }
 
@@ -71,20 +73,25 @@ private:
     std::array<Index, 2> sources = {{0, 0}}; // on its two sides
   };
 
-  void grow_tree(const Face_cells& cells, const Source_faces& sources)
+  void grow_tree(const Face_cells& cells, const Source_faces& sources, const Progress& progress)
   {
     forest_ = Source_forest(mesh_.number_of_faces());
     for(Index i = 0; i < sources.number_of_sources(); ++i)
       if(sources.face(i) != null_index)
         forest_.plant(sources.face(i), i);
     // The faces at the source belong to its cell, wherever their centroids are.
+    const Progress at_sources = progress.part(0., 0.2), linking = progress.part(0.2, 1.);
     for(Index h = 0; h < mesh_.number_of_halfedges(); ++h)
+    {
+      at_sources(h, mesh_.number_of_halfedges());
       if(sources.is_inside(mesh_, h))
         forest_.link(h / 3, mesh_.opposite[h] / 3);
+    }
     // edges between cells that touch come first, in any order, then the others by the distance of their middle
     std::vector<Candidate> barred;
     for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
     {
+      linking(e, connectivity_.number_of_edges());
       const Index h = connectivity_.halfedge_of_edge[e];
       if(mesh_.is_border_edge(h) || sources.is_inside(mesh_, h))
         continue;
@@ -180,18 +187,24 @@ private:
     return {{node_of(mesh_.source(h)), node_of(mesh_.target(h))}};
   }
 
-  void drop_weak_leaves()
+  void drop_weak_leaves(const Progress& progress)
   {
     const Index loops = connectivity_.number_of_border_loops, n = loops + mesh_.number_of_vertices();
     std::vector<Index> degree(n, 0), exclusive_or(n, 0);
+    const Progress counting = progress.part(0., 0.5), dropping = progress.part(0.5, 1.);
     for(Index i = 0; i < candidates_.size(); ++i)
+    {
+      counting(i, candidates_.size());
       for(Index v : ends(candidates_[i]))
       {
         ++degree[v];
         exclusive_or[v] ^= i; // with one candidate left, this is the one
       }
+    }
     std::vector<unsigned char> is_dropped(candidates_.size(), 0);
     for(Index seed = loops; seed < n; ++seed)
+    {
+      dropping(seed, n);
       for(Index v = seed; degree[v] == 1 && v >= loops;)
       {
         const Index i = exclusive_or[v];
@@ -207,6 +220,7 @@ private:
           break; // its turn comes
         v = other;
       }
+    }
     std::size_t size = 0;
     for(std::size_t i = 0; i < candidates_.size(); ++i)
       if(!is_dropped[i])

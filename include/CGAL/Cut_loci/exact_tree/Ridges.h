@@ -76,22 +76,21 @@ public:
          const Label_changes& changes, const Threads& threads = {}, const Progress& progress = {})
     : mesh_(&mesh), connectivity_(&connectivity), geodesics_(&geodesics), changes_(&changes)
   {
-    constexpr std::size_t block = 4096; // faces, which take a millisecond or two
+    constexpr std::size_t block = 128; // faces, which take some milliseconds where they have hundreds of crossings
     const std::size_t number = (mesh.number_of_faces() + block - 1) / block;
+    std::vector<Ridges> parts(number, empty_copy());
     for(std::size_t first = 0; first < number; first += threads.number_at_once())
     {
-      progress(static_cast<double>(first) / static_cast<double>(number));
-      std::vector<Ridges> parts((std::min)(threads.number_at_once(), number - first), empty_copy());
-      threads.run(parts.size(),
+      progress(0.8 * static_cast<double>(first) / static_cast<double>(number));
+      threads.run((std::min)(threads.number_at_once(), number - first),
                   [&](std::size_t i)
                   {
         const std::size_t begin = (first + i) * block;
-        parts[i].add_faces(static_cast<Index>(begin),
-                           static_cast<Index>((std::min)(begin + block, std::size_t(mesh.number_of_faces()))));
+        parts[first + i].add_faces(static_cast<Index>(begin),
+                                   static_cast<Index>((std::min)(begin + block, std::size_t(mesh.number_of_faces()))));
       });
-      for(const Ridges& part : parts)
-        append(part);
     }
+    append(parts, progress.part(0.8, 1.));
   }
 
   const std::vector<Face>& faces() const { return faces_; }
@@ -161,6 +160,27 @@ private:
         ++next_at_vertex;
       if(changes_->is_drawn(f) && (has_crossings(f) || has_two_ends(f, next_at_vertex)))
         add_face(f, next_at_vertex);
+    }
+  }
+
+  /// all at the end, when their sizes are known: growing would copy them, and take long at once
+  void append(std::vector<Ridges>& parts, const Progress& progress)
+  {
+    std::size_t nodes = 0, pieces = 0, faces = 0;
+    for(const Ridges& part : parts)
+    {
+      nodes += part.nodes_.size();
+      pieces += part.pieces_.size();
+      faces += part.faces_.size();
+    }
+    nodes_.reserve(nodes);
+    pieces_.reserve(pieces);
+    faces_.reserve(faces);
+    for(std::size_t i = 0; i < parts.size(); ++i)
+    {
+      progress(static_cast<double>(i) / static_cast<double>(parts.size()));
+      append(parts[i]);
+      parts[i] = Ridges();
     }
   }
 

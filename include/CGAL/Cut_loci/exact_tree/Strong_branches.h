@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_STRONG_BRANCHES_H
 
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
@@ -33,23 +34,31 @@ template <typename Can_be, typename Is_strong>
 class Strong_branches
 {
 public:
-  Strong_branches(const Tree_graph& graph, Index number_of_loops, const Can_be& can_be, const Is_strong& is_strong)
+  Strong_branches(const Tree_graph& graph, Index number_of_loops, const Can_be& can_be, const Is_strong& is_strong,
+                  const Progress& progress = {})
     : graph_(graph), can_be_(can_be), is_strong_(is_strong), degree_(graph.nodes.size(), 0),
       exclusive_or_(graph.nodes.size(), 0), is_kept_(graph.edges.size(), 1)
   {
+    const Progress counting = progress.part(0., 0.3), cutting = progress.part(0.3, 1.);
     for(Index e = 0; e < graph.edges.size(); ++e)
+    {
+      counting(e, graph.edges.size());
       for(Index i : graph.edges[e].nodes)
       {
         ++degree_[i];
         exclusive_or_[i] ^= e; // with one edge left, this is the edge
       }
+    }
     for(Index i = 0; i < number_of_loops; ++i)
       degree_[i] += 2; // no leaf, and no inner node of a row
     for(Index i = 0; i < graph.nodes.size(); ++i)
       if(degree_[i] == 1)
         leaves_.push_back(i);
-    while(!leaves_.empty())
+    constexpr std::size_t seldom = 64; // rows: their edges have widths to be measured
+    for(std::size_t number = 0; !leaves_.empty(); ++number)
     {
+      if(number % seldom == 0)
+        cutting((std::min)(1., static_cast<double>(number) / static_cast<double>(graph.edges.size())));
       const Index leaf = leaves_.back();
       leaves_.pop_back();
       if(degree_[leaf] == 1)

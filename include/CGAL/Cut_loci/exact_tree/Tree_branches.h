@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_TREE_BRANCHES_H
 #define CGAL_CUT_LOCI_EXACT_TREE_TREE_BRANCHES_H
 
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
@@ -44,9 +45,9 @@ public:
   /// @param first_terminals the nodes before it are terminals
   template <typename Ends, typename Strength>
   Tree_branches(Index number_of_nodes, Index number_of_edges, const Ends& ends, const Strength& strength,
-                Index first_terminals)
+                Index first_terminals, const Progress& progress = {})
   {
-    peel(number_of_nodes, number_of_edges, ends, strength, first_terminals);
+    peel(number_of_nodes, number_of_edges, ends, strength, first_terminals, progress);
   }
 
   /// the edges from the inside out, which is from strong to weak: the core first
@@ -56,7 +57,7 @@ public:
 
 private:
   template <typename Ends, typename Strength>
-  void peel(Index n, Index m, const Ends& ends, const Strength& strength, Index terminals)
+  void peel(Index n, Index m, const Ends& ends, const Strength& strength, Index terminals, const Progress& progress)
   {
     struct Incidence
     {
@@ -64,12 +65,16 @@ private:
       float strength = 0.f; // of the branches that have fallen off
     };
     std::vector<Incidence> incidence(n);
+    const Progress counting = progress.part(0., 0.3), peeling = progress.part(0.3, 1.);
     for(Index e = 0; e < m; ++e)
+    {
+      counting(e, m);
       for(Index i : ends(e))
       {
         ++incidence[i].degree;
         incidence[i].exclusive_or ^= e; // with one edge left, this is the edge
       }
+    }
     for(Index i = 0; i < terminals; ++i)
       incidence[i].degree += 2;
 
@@ -86,6 +91,7 @@ private:
     std::vector<unsigned char> is_peeled(m, 0);
     while(!leaves.empty())
     {
+      peeling(edges_.size(), m);
       const Leaf leaf = leaves.top();
       leaves.pop();
       const Index i = leaf.second;

@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Image_bisector.h>
 #include <CGAL/Cut_loci/exact_tree/Polyline_crossings.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
@@ -41,22 +42,28 @@ public:
   /// @param lone the vertex that is left if nothing else is
   Tree_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
              const Exact_geodesic_propagation& geodesics, Exact_tree& tree,
-             const std::vector<Tree_branches::Edge>& kept, Index lone)
+             const std::vector<Tree_branches::Edge>& kept, Index lone, const Progress& progress = {})
     : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), tree_(tree)
   {
     const Index root = tree_.root();
     number_.assign(tree_.graph().nodes.size(), null_index);
-    contract(kept);
+    contract(kept, progress.part(0.1, 0.3));
     join(kept);
+    progress(0.4);
     root_ = root != null_index ? representative(root) : null_index;
     if(root != null_index && tree_.graph().nodes[root].face != null_index)
       node(root); // it comes first
     for(const Tree_branches::Edge& b : kept)
       if(!is_drawn_[b.edge] && !tree_.graph().edges[b.edge].is_virtual)
         find_chain(b.edge);
-    set_tolerances();
+    set_tolerances(progress.part(0.5, 0.8));
+    const Progress drawing = progress.part(0.8, 1.);
+    std::size_t number = 0;
     for(const Chain& c : chains_)
+    {
+      drawing(number++, chains_.size());
       draw(c);
+    }
     if(graph.edges.empty())
       graph.nodes.assign(1, lone_node(lone));
   }
@@ -68,13 +75,16 @@ private:
   }
 
   /// Where more pieces than two meet, or at a vertex, pieces of no length may be between them: they become one node.
-  void contract(const std::vector<Tree_branches::Edge>& kept)
+  void contract(const std::vector<Tree_branches::Edge>& kept, const Progress& progress)
   {
     const std::vector<Tree_graph::Node>& nodes = tree_.graph().nodes;
     merged_.assign(nodes.size(), null_index);
     vertex_.resize(nodes.size());
     for(Index i = 0; i < nodes.size(); ++i)
+    {
+      progress(i, nodes.size());
       vertex_[i] = nodes[i].vertex;
+    }
     is_drawn_.assign(tree_.graph().edges.size(), 0);
     for(const Tree_branches::Edge& b : kept)
       if(is_nothing(b.edge))
@@ -270,15 +280,17 @@ private:
   Index face_of(const Chain& c) const { return tree_.graph().edges[c.widest].face; }
 
   /// smaller ones in faces in which chains cross each other else
-  void set_tolerances()
+  void set_tolerances(const Progress& progress)
   {
     std::vector<Index> order(chains_.size());
     for(Index i = 0; i < order.size(); ++i)
       order[i] = i;
     std::stable_sort(order.begin(), order.end(),
                      [&](Index a, Index b) { return face_of(chains_[a]) < face_of(chains_[b]); });
+    std::size_t number = 0; // of faces
     for(std::size_t first = 0, last; first < order.size(); first = last)
     {
+      progress(number++, order.size());
       for(last = first + 1; last < order.size() && face_of(chains_[order[last]]) == face_of(chains_[order[first]]);)
         ++last;
       // down to the accuracy of the nodes, and then the lines between these, which do not cross each other

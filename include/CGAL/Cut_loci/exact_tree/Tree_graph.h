@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Ridges.h>
 #include <CGAL/Cut_loci/exact_tree/weak_islands.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -64,17 +65,18 @@ public:
 
   Tree_graph(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
              const Geodesic_results& geodesics, const Label_changes& changes, const Ridges& ridges,
-             const Cut_graph& graph)
+             const Cut_graph& graph, const Progress& progress = {})
     : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), changes_(changes), ridges_(ridges), graph_(graph)
   {
-    drop_weak_leaves();
+    drop_weak_leaves(progress.part(0., 0.2));
+    reserve();
     add_loops();
-    add_ridges();
-    add_joints();
-    add_plain_faces();
-    add_pieces_between_vertices();
+    add_ridges(progress.part(0.2, 0.6));
+    add_joints(progress.part(0.6, 0.7));
+    add_plain_faces(progress.part(0.7, 0.8));
+    add_pieces_between_vertices(progress.part(0.8, 0.9));
     drop_open_ends_on_border();
-    drop_weak_islands();
+    drop_weak_islands(progress.part(0.9, 1.));
   }
 
   /// whether all of the graph comes from labels, and nothing had to be added or left out for the topology
@@ -89,14 +91,20 @@ public:
   }
 
   /// removes the branches on which the paths to no point have the angle that they need
-  void drop_weak_branches(const Branch_strength& least)
+  void drop_weak_branches(const Branch_strength& least, const Progress& progress = {})
   {
     std::vector<Incidence> incidence(nodes.size());
+    const Progress counting = progress.part(0., 0.3), dropping = progress.part(0.3, 0.8);
     for(Index e = 0; e < edges.size(); ++e)
+    {
+      counting(e, edges.size());
       for(Index i : edges[e].nodes)
         incidence[i].add(e);
+    }
     std::vector<unsigned char> is_removed(edges.size(), 0);
     for(Index seed = number_of_loops(); seed < nodes.size(); ++seed)
+    {
+      dropping(seed, nodes.size());
       for(Index i = seed; i >= number_of_loops() && incidence[i].degree == 1;)
       {
         const Index e = incidence[i].exclusive_or;
@@ -110,7 +118,8 @@ public:
           break; // its turn comes
         i = other;
       }
-    remove(is_removed);
+    }
+    remove(is_removed, progress.part(0.8, 1.));
   }
 
   /// whether the paths to an edge part or meet at the angle that this strength needs: past saddles, paths that part at a
@@ -163,26 +172,35 @@ private:
     }
   };
 
-  void remove(const std::vector<unsigned char>& is_removed)
+  void remove(const std::vector<unsigned char>& is_removed, const Progress& progress = {})
   {
     std::size_t size = 0;
     for(std::size_t e = 0; e < edges.size(); ++e)
+    {
+      progress(e, edges.size());
       if(!is_removed[e])
         edges[size++] = edges[e];
+    }
     edges.resize(size);
   }
 
   /// Faces without a piece that are leaves of the graph are no part of the cut locus.
-  void drop_weak_leaves()
+  void drop_weak_leaves(const Progress& progress)
   {
     const Index n = graph_.number_of_nodes;
     std::vector<Incidence> incidence(n);
     is_kept_.assign(graph_.joints.size(), 1);
+    const Progress counting = progress.part(0., 0.5), dropping = progress.part(0.5, 1.);
     for(Index j = 0; j < graph_.joints.size(); ++j)
+    {
+      counting(j, graph_.joints.size());
       for(Index i : graph_.joints[j].nodes)
         incidence[i].add(j);
+    }
     const auto is_plain = [&](Index i) { return i < graph_.first_loop && graph_.record(i) == null_index; };
     for(Index seed = 0; seed < graph_.first_loop; ++seed)
+    {
+      dropping(seed, graph_.first_loop);
       for(Index i = seed; is_plain(i) && incidence[i].degree == 1;)
       {
         const Index j = incidence[i].exclusive_or;
@@ -195,6 +213,21 @@ private:
           break; // its turn comes
         i = other;
       }
+    }
+  }
+
+  /// about what is needed: growing would copy all there is, and take long at once
+  void reserve()
+  {
+    const std::size_t joints = static_cast<std::size_t>(std::count(is_kept_.begin(), is_kept_.end(), 1));
+    std::size_t inside = 0, pieces = 0;
+    for(const Ridges::Face& face : ridges_.faces())
+    {
+      inside += face.end_node - face.first_node - face.number_of_crossings;
+      pieces += face.end_piece - face.first_piece;
+    }
+    nodes.reserve(number_of_loops() + 2 * joints + inside);
+    edges.reserve(2 * joints + pieces);
   }
 
   Index add_node(const Node& node)
@@ -270,10 +303,13 @@ private:
   }
 
   /// the pieces in the faces; two faces share the node of a crossing if a joint joins them there
-  void add_ridges()
+  void add_ridges(const Progress& progress)
   {
     node_of_crossing_.assign(changes_.number_of_crossings(), null_index);
+    const Progress crossing = progress.part(0., 0.3), drawing = progress.part(0.3, 1.);
     for(Index j = 0; j < graph_.joints.size(); ++j)
+    {
+      crossing(j, graph_.joints.size());
       if(is_kept_[j] && graph_.joints[j].kind == Joint::CROSSING)
       {
         const Index c = graph_.joints[j].element;
@@ -282,10 +318,13 @@ private:
         if(node.loop != null_index)
           add_joint(node_of_crossing_[c], node.loop, null_index, graph_.joints[j]);
       }
+    }
     const std::vector<Ridges::Face>& faces = ridges_.faces();
     first_of_face_.resize(faces.size() + 1, 0);
+    Progress::Counter told(drawing, faces.empty() ? 0 : faces.back().end_node);
     for(Index r = 0; r < faces.size(); ++r)
     {
+      told(faces[r].first_node);
       first_of_face_[r] = static_cast<Index>(node_in_face_.size());
       for(Index i = 0; i < faces[r].end_node - faces[r].first_node; ++i)
         node_in_face_.push_back(add_node_of_face(faces[r], i));
@@ -353,11 +392,12 @@ private:
   Index node_in_face(Index record, Index i) const { return node_in_face_[first_of_face_[record] + i]; }
 
   /// joints without a crossing: straight across an edge of the mesh, or a cell
-  void add_joints()
+  void add_joints(const Progress& progress)
   {
     node_of_joint_.assign(graph_.joints.size(), null_index);
     for(Index j = 0; j < graph_.joints.size(); ++j)
     {
+      progress(j, graph_.joints.size());
       const Joint& joint = graph_.joints[j];
       if(!is_kept_[j])
         continue;
@@ -381,23 +421,26 @@ private:
     }
   }
 
-  void drop_weak_islands()
+  void drop_weak_islands(const Progress& progress)
   {
     // the accuracy of coordinates with seven digits, in angles of faces that are not well shaped
     constexpr double least = 1e-5;
     const auto is_known = [](const Edge& e) { return e.piece != null_index || e.is_virtual; };
     const auto is_weak = [&](const Edge& e)
     { return e.piece != null_index && e.gap < least && ridges_.meeting_angle(e.piece) < least; };
-    remove(weak_islands(edges, nodes.size(), number_of_loops(), is_known, is_weak));
+    remove(weak_islands(edges, nodes.size(), number_of_loops(), is_known, is_weak, progress.part(0., 0.8)),
+           progress.part(0.8, 1.));
   }
 
   /// faces that hold no piece and are left: they lead from one edge to another
-  void add_plain_faces()
+  void add_plain_faces(const Progress& progress)
   {
     std::unordered_map<Index, std::vector<Index>> at_face; // the joints
     std::vector<Index> order;
+    const Progress finding = progress.part(0., 0.5), adding = progress.part(0.5, 1.);
     for(Index j = 0; j < graph_.joints.size(); ++j)
     {
+      finding(j, graph_.joints.size());
       const Joint& joint = graph_.joints[j];
       if(!is_kept_[j] || joint.kind == Joint::CELL)
         continue;
@@ -415,8 +458,10 @@ private:
       const Joint& joint = graph_.joints[j];
       return joint.kind == Joint::EDGE ? node_of_joint_[j] : node_of_crossing_[joint.element];
     };
+    std::size_t number = 0;
     for(Index f : order)
     {
+      adding(number++, order.size());
       const std::vector<Index>& at = at_face[f];
       if(at.size() == 2)
       {
@@ -442,15 +487,20 @@ private:
    * A tree that crosses no edge ends at vertices only. Either it is all of the cut locus, or one of the vertices is on
    * other branches: there it belongs to them.
    */
-  void add_pieces_between_vertices()
+  void add_pieces_between_vertices(const Progress& progress)
   {
     std::unordered_map<Index, Index> node_at_vertex;
+    const Progress finding = progress.part(0., 0.5), adding = progress.part(0.5, 1.);
     for(Index i = 0; i < nodes.size(); ++i)
+    {
+      finding(i, nodes.size());
       if(nodes[i].vertex != null_index)
         node_at_vertex.insert({nodes[i].vertex, i});
+    }
     const bool is_all = edges.empty();
     for(Index r = 0; r < ridges_.faces().size(); ++r)
     {
+      adding(r, ridges_.faces().size());
       const Ridges::Face& face = ridges_.faces()[r];
       // pieces between vertices, one after the other; the nodes inside of the face when they come
       std::unordered_map<Index, Index> node_inside;

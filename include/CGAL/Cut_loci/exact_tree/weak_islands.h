@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_WEAK_ISLANDS_H
 
 #include <CGAL/Cut_loci/Index.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Union_find.h>
 
 #include <cstddef>
@@ -27,18 +28,22 @@ namespace internal {
  */
 template <typename Edges, typename Is_known, typename Is_weak>
 std::vector<unsigned char> weak_islands(const Edges& edges, std::size_t number_of_nodes, Index number_of_loops,
-                                        const Is_known& is_known, const Is_weak& is_weak)
+                                        const Is_known& is_known, const Is_weak& is_weak, const Progress& progress = {})
 {
   std::vector<unsigned char> result(edges.size(), 0);
   std::vector<std::size_t> ways;
   Union_find islands(number_of_nodes);
   std::vector<unsigned char> stays(number_of_nodes, 0);
   std::vector<Index> on_cycles;
+  const Progress finding = progress.part(0., 0.3), marking = progress.part(0.3, 0.6), rest = progress.part(0.7, 1.);
   for(std::size_t e = 0; e < edges.size(); ++e)
+  {
+    finding(e, edges.size());
     if(!is_known(edges[e]))
       ways.push_back(e);
     else if(!islands.unite(edges[e].nodes[0], edges[e].nodes[1]))
       on_cycles.push_back(edges[e].nodes[0]);
+  }
   if(ways.empty())
     return result;
   for(Index i : on_cycles)
@@ -46,8 +51,11 @@ std::vector<unsigned char> weak_islands(const Edges& edges, std::size_t number_o
   for(Index i = 0; i < number_of_loops; ++i)
     stays[islands.find(i)] = 1;
   for(std::size_t e = 0; e < edges.size(); ++e)
+  {
+    marking(e, edges.size());
     if(is_known(edges[e]) && !is_weak(edges[e]))
       stays[islands.find(edges[e].nodes[0])] = 1;
+  }
 
   // leaves of the graph of islands and ways, again and again
   std::vector<Index> degree(number_of_nodes, 0);
@@ -57,6 +65,7 @@ std::vector<unsigned char> weak_islands(const Edges& edges, std::size_t number_o
   for(bool is_new = true; is_new;)
   {
     is_new = false;
+    progress(0.6);
     for(std::size_t e : ways)
     {
       const Index a = islands.find(edges[e].nodes[0]), b = islands.find(edges[e].nodes[1]);
@@ -69,8 +78,11 @@ std::vector<unsigned char> weak_islands(const Edges& edges, std::size_t number_o
     }
   }
   for(std::size_t e = 0; e < edges.size(); ++e)
+  {
+    rest(e, edges.size());
     if(is_known(edges[e]) && !stays[islands.find(edges[e].nodes[0])] && degree[islands.find(edges[e].nodes[0])] == 0)
       result[e] = 1;
+  }
   return result;
 }
 

@@ -142,7 +142,7 @@ struct Surface_component
       if(method == Method::LAPLACIAN)
         laplacian = make_laplacian_solver(*mesh, laplacian_operator, threads, progress);
       else
-        exact_tree = make_exact_tree_solver(mollified ? *mollified : *mesh, threads);
+        exact_tree = make_exact_tree_solver(mollified ? *mollified : *mesh, threads, progress);
     });
   }
 

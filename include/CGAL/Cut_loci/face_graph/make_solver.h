@@ -23,7 +23,8 @@ namespace internal {
 // The mesh must stay where it is.
 std::unique_ptr<Laplacian_method> make_laplacian_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type,
                                                         const Threads& threads, const Progress& progress);
-std::unique_ptr<Exact_tree_method> make_exact_tree_solver(const Indexed_triangle_mesh& mesh, const Threads& threads);
+std::unique_ptr<Exact_tree_method> make_exact_tree_solver(const Indexed_triangle_mesh& mesh, const Threads& threads,
+                                                          const Progress& progress);
 
 } // namespace internal
 } // namespace Cut_loci

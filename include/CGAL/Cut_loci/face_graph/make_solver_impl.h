@@ -25,10 +25,10 @@ CGAL_CUT_LOCI_INLINE std::unique_ptr<Laplacian_method> make_laplacian_solver(con
   return std::unique_ptr<Laplacian_method>(new Laplacian_solver(mesh, type, threads, progress));
 }
 
-CGAL_CUT_LOCI_INLINE std::unique_ptr<Exact_tree_method> make_exact_tree_solver(const Indexed_triangle_mesh& mesh,
-                                                                               const Threads& threads)
+CGAL_CUT_LOCI_INLINE std::unique_ptr<Exact_tree_method>
+make_exact_tree_solver(const Indexed_triangle_mesh& mesh, const Threads& threads, const Progress& progress)
 {
-  return std::unique_ptr<Exact_tree_method>(new Exact_tree_solver(mesh, threads));
+  return std::unique_ptr<Exact_tree_method>(new Exact_tree_solver(mesh, threads, progress));
 }
 
 } // namespace internal

@@ -61,11 +61,13 @@ inline void refuse_several_sources(Method method)
 inline void refuse_curves(Method method, double error)
 {
   if(method == Method::LAPLACIAN)
-    throw Invalid_input("the method " + std::string(name_of(method)) +
-                        " takes one source, a point: curves need the paths of the package's own exact solver, with "
-                        "Cut_loci::Method::DIRECTION or Cut_loci::Method::POLYHEDRAL");
+    throw Invalid_input(Cause::PARAMETER_OF_OTHER_METHOD,
+                        "the method " + std::string(name_of(method)) +
+                          " takes one source, a point: curves need the paths of the package's own exact solver, with "
+                          "Cut_loci::Method::DIRECTION or Cut_loci::Method::POLYHEDRAL");
   if(error > 0.)
-    throw Invalid_input("sources that are curves need exact distances: leave maximum_relative_error away");
+    throw Invalid_input(Cause::INVALID_PARAMETER,
+                        "sources that are curves need exact distances: leave maximum_relative_error away");
 }
 
 // The curve of mesh edges would have to leave a face on each side of each edge of a source.
@@ -74,9 +76,10 @@ void refuse_mesh_edges(const NamedParameters& np)
 {
   const auto refuse = [](const std::string& name)
   {
-    throw Invalid_input("the parameter " + name +
-                        " is for a cut locus made of edges of the mesh, which sources that are "
-                        "curves do not have: leave it away");
+    throw Invalid_input(Cause::INVALID_PARAMETER,
+                        "the parameter " + name +
+                          " is for a cut locus made of edges of the mesh, which sources that are "
+                          "curves do not have: leave it away");
   };
   if(parameters::choose_parameter(parameters::get_parameter(np, internal_np::cut_locus_curve), Curve::THROUGH_FACES) ==
      Curve::MESH_EDGES)
@@ -194,7 +197,8 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
   result.is_voronoi = choose_parameter(get_parameter(np, internal_np::voronoi), false);
   result.is_medial = choose_parameter(get_parameter(np, internal_np::medial), false);
   if(result.is_voronoi && result.is_medial)
-    throw Invalid_input("the parameters voronoi and medial exclude each other: without both, the result has all edges");
+    throw Invalid_input(Cause::INVALID_PARAMETER,
+                        "the parameters voronoi and medial exclude each other: without both, the result has all edges");
   return result;
 }
 

@@ -32,7 +32,7 @@ Index halfedge_of_curve(const TriangleMesh& tm, const Read_triangle_mesh<Triangl
                         typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h)
 {
   if(h == boost::graph_traits<TriangleMesh>::null_halfedge())
-    throw Invalid_input("one of its edges is null");
+    throw Invalid_input(Cause::INVALID_SOURCE, "one of its edges is null");
   if(face(h, tm) == boost::graph_traits<TriangleMesh>::null_face())
     h = opposite(h, tm);
   const auto f = face(h, tm);
@@ -43,13 +43,13 @@ Index halfedge_of_curve(const TriangleMesh& tm, const Read_triangle_mesh<Triangl
       if(read.halfedges[i] == h)
         return static_cast<Index>(i);
   }
-  throw Invalid_input("one of its edges is not an edge of a face of the mesh");
+  throw Invalid_input(Cause::INVALID_SOURCE, "one of its edges is not an edge of a face of the mesh");
 }
 
 inline void check_curve(const Indexed_triangle_mesh& mesh, const Indexed_curve& curve)
 {
   if(curve.halfedges.empty())
-    throw Invalid_input("it has no edges");
+    throw Invalid_input(Cause::NO_SOURCE, "it has no edges");
   std::unordered_map<Index, Index> number; // of its vertices
   std::vector<std::pair<Index, Index>> ends;
   for(Index h : curve.halfedges)
@@ -63,7 +63,7 @@ inline void check_curve(const Indexed_triangle_mesh& mesh, const Indexed_curve& 
   for(const auto& e : ends)
     n -= parts.unite(e.first, e.second);
   if(n > 1)
-    throw Invalid_input("it is not connected: its parts have to be curves of their own");
+    throw Invalid_input(Cause::INVALID_SOURCE, "it is not connected: its parts have to be curves of their own");
 }
 
 // A range of curves, each of which is a range of edges of the mesh.
@@ -83,7 +83,7 @@ std::vector<Indexed_curve> read_curves(const TriangleMesh& tm, const Read_triang
     }
     catch(const Invalid_input& error)
     {
-      throw Invalid_input("source curve " + std::to_string(result.size() - 1) + ": " + error.what());
+      throw Invalid_input(error.cause(), "source curve " + std::to_string(result.size() - 1) + ": " + error.what());
     }
   }
   return result;
@@ -117,7 +117,7 @@ inline std::vector<Indexed_curve> border_curves(const Indexed_triangle_mesh& mes
     }
   }
   if(result.empty())
-    throw Invalid_input("the mesh has no border that could be a source: leave source_border away");
+    throw Invalid_input(Cause::NO_SOURCE, "the mesh has no border that could be a source: leave source_border away");
   return result;
 }
 
@@ -136,11 +136,13 @@ inline void check_curves(const Indexed_triangle_mesh& mesh, const std::vector<In
     {
       const std::size_t number = points.size() + i;
       if(component_of_face[h / 3] != component)
-        throw Invalid_input(name(0, number) + " are in different components of the mesh: each component is a surface "
+        throw Invalid_input(Cause::SOURCES_APART,
+                            name(0, number) + " are in different components of the mesh: each component is a surface "
                                               "of its own, whose cut locus has to be computed for the sources in it");
       for(Index v : {mesh.source(h), mesh.target(h)})
         if(const std::size_t other = source_at.insert({v, number}).first->second; other != number)
-          throw Invalid_input(name(other, number) + " have a vertex in common: together, they are one source");
+          throw Invalid_input(Cause::SAME_SOURCES,
+                              name(other, number) + " have a vertex in common: together, they are one source");
       source_on[h] = number;
       if(!mesh.is_border_edge(h))
         source_on[mesh.opposite[h]] = number;
@@ -149,11 +151,11 @@ inline void check_curves(const Indexed_triangle_mesh& mesh, const std::vector<In
   {
     const Indexed_location& at = points[i].location;
     if(const auto found = source_at.find(points[i].vertex); found != source_at.end())
-      throw Invalid_input(name(i, found->second) + " have a point in common");
+      throw Invalid_input(Cause::SAME_SOURCES, name(i, found->second) + " have a point in common");
     for(Index k = 0; k < 3; ++k)
       if(const auto found = source_on.find(3 * at.face + k);
          found != source_on.end() && at.coordinates[(k + 2) % 3] == 0.)
-        throw Invalid_input(name(i, found->second) + " have a point in common");
+        throw Invalid_input(Cause::SAME_SOURCES, name(i, found->second) + " have a point in common");
   }
 }
 

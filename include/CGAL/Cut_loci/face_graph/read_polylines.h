@@ -87,15 +87,16 @@ inline void check_segments(const Indexed_triangle_mesh& mesh, const Mesh_connect
     const std::size_t first = polylines.first[k], last = polylines.first[k + 1];
     const std::string name = "polyline " + std::to_string(k);
     if(last - first < 2)
-      throw Invalid_input(name + " has less than two points: one point is a source by itself");
+      throw Invalid_input(Cause::INVALID_SOURCE, name + " has less than two points: one point is a source by itself");
     for(std::size_t i = first; i + 1 < last; ++i)
     {
       bool is_in_face = false;
       geodesics.for_each_common_face(polylines.graph.nodes[i].location, polylines.graph.nodes[i + 1].location,
                                      [&](Index) { is_in_face = true; });
       if(!is_in_face)
-        throw Invalid_input(name + ": points " + std::to_string(i - first) + " and " + std::to_string(i + 1 - first) +
-                            " are in no common face: the points are needed where it crosses edges");
+        throw Invalid_input(Cause::INVALID_SOURCE,
+                            name + ": points " + std::to_string(i - first) + " and " + std::to_string(i + 1 - first) +
+                              " are in no common face: the points are needed where it crosses edges");
     }
   }
 }
@@ -122,8 +123,9 @@ inline std::vector<std::vector<Index>> connected_seams(const Refined_mesh& refin
   for(std::size_t k = 0; k + 1 < polylines.first.size(); ++k)
     if(result[number.at(parts.find(refined.nodes[polylines.first[k]]))].empty())
       throw Invalid_input(
+        Cause::INVALID_SOURCE,
         "polyline " + std::to_string(k) +
-        " is a point after rounding: a smaller snapping_tolerance keeps it, or one point as a source");
+          " is a point after rounding: a smaller snapping_tolerance keeps it, or one point as a source");
   return result;
 }
 

@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_INTERNAL_PROGRESS_H
 #define CGAL_CUT_LOCI_INTERNAL_PROGRESS_H
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -45,6 +46,26 @@ public:
     result.last_ = first_ + last * (last_ - first_);
     return result;
   }
+
+  // for a loop whose steps are of different sizes: called with the work that is done, it tells of that whenever it has
+  // grown by some thousands
+  class Counter
+  {
+  public:
+    Counter(const Progress& progress, std::size_t total) : progress_(progress), total_(total) {}
+
+    void operator()(std::size_t done)
+    {
+      if(done < next_)
+        return;
+      progress_(static_cast<double>(done) / static_cast<double>((std::max)(total_, std::size_t(1))));
+      next_ = done + 4096;
+    }
+
+  private:
+    const Progress& progress_;
+    std::size_t total_, next_ = 0;
+  };
 
 private:
   std::function<void(double)> receiver_;

@@ -45,14 +45,12 @@ struct Mesh_connectivity
 
   explicit Mesh_connectivity(const Indexed_triangle_mesh& mesh, const internal::Progress& progress = {})
   {
-    number_edges(mesh);
-    progress(0.3);
-    build_rings(mesh);
-    progress(0.7);
+    number_edges(mesh, progress.part(0., 0.3));
+    build_rings(mesh, progress.part(0.3, 0.7));
     if(first_non_manifold.empty())
     {
-      reverse_rings();
-      label_border(mesh);
+      reverse_rings(progress.part(0.7, 0.9));
+      label_border(mesh, progress.part(0.9, 1.));
     }
   }
 
@@ -64,7 +62,7 @@ struct Mesh_connectivity
   }
 
 private:
-  void number_edges(const Indexed_triangle_mesh& mesh)
+  void number_edges(const Indexed_triangle_mesh& mesh, const internal::Progress& progress)
   {
     const Index nh = mesh.number_of_halfedges();
     edge_of_halfedge.resize(nh);
@@ -72,6 +70,7 @@ private:
     double sum = 0.;
     for(Index h = 0; h < nh; ++h)
     {
+      progress(h, nh);
       const Index o = mesh.opposite[h];
       if(o < h) // null_index is larger than any halfedge
       {
@@ -85,15 +84,17 @@ private:
     mean_edge_length = sum / (std::max)(number_of_edges(), Index(1));
   }
 
-  void build_rings(const Indexed_triangle_mesh& mesh)
+  void build_rings(const Indexed_triangle_mesh& mesh, const internal::Progress& progress)
   {
     const Index nv = mesh.number_of_vertices(), nh = mesh.number_of_halfedges();
 
     // Each vertex starts at an outgoing halfedge: the one on its border, else the one of smallest index.
     std::vector<Index> start(nv, null_index);
     ring_begin.assign(nv + 1, 0);
+    const internal::Progress counting = progress.part(0., 0.3), filling = progress.part(0.3, 1.);
     for(Index h = 0; h < nh; ++h)
     {
+      counting(h, nh);
       const Index v = mesh.source(h);
       ++ring_begin[v + 1];
       if(mesh.is_border_edge(h))
@@ -111,6 +112,7 @@ private:
 
     for(Index v = 0; v < nv; ++v)
     {
+      filling(v, nv);
       Index entry = ring_begin[v];
       const Index end = ring_begin[v + 1];
       Index h = start[v];
@@ -134,13 +136,14 @@ private:
     }
   }
 
-  void reverse_rings()
+  void reverse_rings(const internal::Progress& progress)
   {
     // The two entries of an edge are met one after the other.
     ring_reverse.resize(ring_vertex.size());
     std::vector<Index> entry_of_edge(number_of_edges(), null_index);
     for(Index entry = 0; entry < ring_vertex.size(); ++entry)
     {
+      progress(entry, ring_vertex.size());
       Index& other = entry_of_edge[ring_edge(entry)];
       if(other == null_index)
         other = entry;
@@ -152,11 +155,12 @@ private:
     }
   }
 
-  void label_border(const Indexed_triangle_mesh& mesh)
+  void label_border(const Indexed_triangle_mesh& mesh, const internal::Progress& progress)
   {
     const Index nh = mesh.number_of_halfedges();
     for(Index h = 0; h < nh; ++h)
     {
+      progress(h, nh);
       if(!mesh.is_border_edge(h) || is_border(mesh.source(h)))
         continue;
       if(border_loop.empty())

@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_SURFACE_CHECKED_MESH_H
 #define CGAL_CUT_LOCI_SURFACE_CHECKED_MESH_H
 
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
@@ -31,12 +32,13 @@ struct Non_manifold_vertex
 // Faces without area have no tangent plane. Coordinates of the size of a face resolve 2^-53 of it: at 100 times that,
 // the direction of its normal is noise.
 inline const Indexed_triangle_mesh& checked_mesh(const Indexed_triangle_mesh& mesh,
-                                                 const Mesh_connectivity& connectivity)
+                                                 const Mesh_connectivity& connectivity, const Progress& progress = {})
 {
   if(!connectivity.first_non_manifold.empty())
     throw Non_manifold_vertex{connectivity.first_non_manifold.front()};
   for(Index f = 0; f < mesh.number_of_faces(); ++f)
   {
+    progress(f, mesh.number_of_faces());
     if(!mesh.lengths.empty())
       continue; // who gave them has seen to it
     const Vector &p = mesh.points[mesh.triangles[f][0]], &q = mesh.points[mesh.triangles[f][1]],

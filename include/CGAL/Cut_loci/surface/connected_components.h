@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_SURFACE_CONNECTED_COMPONENTS_H
 #define CGAL_CUT_LOCI_SURFACE_CONNECTED_COMPONENTS_H
 
+#include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <vector>
@@ -16,10 +17,12 @@ namespace Cut_loci {
 namespace internal {
 
 // Labels the faces by edge-connected component, in the order of their first faces.
-inline std::vector<Index> face_components(const Indexed_triangle_mesh& mesh, Index& number_of_components)
+inline std::vector<Index> face_components(const Indexed_triangle_mesh& mesh, Index& number_of_components,
+                                          const Progress& progress = {})
 {
   std::vector<Index> label(mesh.number_of_faces(), null_index), stack;
   number_of_components = 0;
+  std::size_t number = 0;
   for(Index seed = 0; seed < mesh.number_of_faces(); ++seed)
   {
     if(label[seed] != null_index)
@@ -28,6 +31,7 @@ inline std::vector<Index> face_components(const Indexed_triangle_mesh& mesh, Ind
     stack.push_back(seed);
     while(!stack.empty())
     {
+      progress(number++, label.size());
       const Index f = stack.back();
       stack.pop_back();
       for(Index h = 3 * f; h < 3 * f + 3; ++h)
