@@ -98,6 +98,8 @@ void Progress::start_stage(CGAL::Cut_loci::Stage stage)
     return start("homology");
   case Stage::FILTER:
     return start("filter");
+  case Stage::FLATTENING:
+    return start("flatten");
   }
   start("other");
 }

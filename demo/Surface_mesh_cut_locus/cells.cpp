@@ -228,6 +228,10 @@ Cells make_cells(const Mesh& mesh, const Cut_locus& cut_locus)
   for(Index v = 0; v < fans.vertices.size(); ++v)
     cells.distance[v] = cut_locus.distance(read.vertices[fans.vertices[v]]);
   fill_in_distances(refined, cells.distance);
+  cells.vertices.assign(refined.mesh.number_of_vertices(), null_index);
+  for(Index v = 0; v < fans.vertices.size(); ++v)
+    cells.vertices[v] = static_cast<Index>(read.vertices[fans.vertices[v]]);
+  cells.faces = refined.faces;
   cells.source = sources_of_faces(read, fans.vertices, curve, refined, cut_locus);
   cells.mesh = std::move(refined.mesh);
   cells.seams = std::move(refined.seams);

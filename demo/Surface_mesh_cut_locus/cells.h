@@ -22,9 +22,11 @@ struct Cells
   static constexpr std::size_t none = static_cast<std::size_t>(-1); // where no path leads from a source
 
   CGAL::Cut_loci::Indexed_triangle_mesh mesh;
-  CGAL::Cut_loci::Seams seams;     // the edges on the cut locus
-  std::vector<double> distance;    // of each vertex to the nearest source
-  std::vector<std::size_t> source; // of each face
+  std::vector<CGAL::Cut_loci::Index> vertices; // of the surface, or `null_index` for those that are new
+  std::vector<CGAL::Cut_loci::Index> faces;    // of the surface, of which they are parts
+  CGAL::Cut_loci::Seams seams;                 // the edges on the cut locus
+  std::vector<double> distance;                // of each vertex to the nearest source
+  std::vector<std::size_t> source;             // of each face
 };
 
 // The cut locus has what is between two sources, and may have what is inside the cells.

@@ -85,21 +85,21 @@ void cut_open(const Mesh& mesh, const Cut_locus& cut_locus, Flat_disk& disk)
     CGAL::cut_along_curve(mesh, cut_locus, disk.mesh, maps);
 }
 
-void flatten(Flat_disk& disk, const std::string& parameterization)
+void flatten(Mesh& disk, Flat_disk::UV_map uv, const std::string& parameterization)
 {
   if(parameterization == "injective")
   {
-    CGAL::Cut_loci::flatten_disk(disk.mesh, disk.uv);
+    CGAL::Cut_loci::flatten_disk(disk, uv);
     return;
   }
-  const SMP::Error_code error = parameterize(disk.mesh, parameterization, disk.uv);
+  const SMP::Error_code error = parameterize(disk, parameterization, uv);
   if(error == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM) // CGAL 5.5 and 6.1 give it the message of another error
     throw std::runtime_error("the surface can not be flattened: the linear system can not be solved");
   if(error != SMP::OK)
     throw std::runtime_error(std::string("the surface can not be flattened: ") + SMP::get_error_message(error));
-  if(parameterization == "arap" && !make_rigid(disk.mesh, disk.uv))
+  if(parameterization == "arap" && !make_rigid(disk, uv))
     throw std::runtime_error("the surface can not be flattened: the linear system can not be solved");
-  for(Mesh::Vertex_index v : disk.mesh.vertices())
-    if(!std::isfinite(disk.uv[v].x()) || !std::isfinite(disk.uv[v].y()))
+  for(Mesh::Vertex_index v : disk.vertices())
+    if(!std::isfinite(uv[v].x()) || !std::isfinite(uv[v].y()))
       throw std::runtime_error("the surface can not be flattened: the solver fails");
 }

@@ -34,6 +34,6 @@ bool is_parameterization_name(const std::string& name);
 void cut_open(const Mesh& mesh, const Cut_locus& cut_locus, Flat_disk& disk);
 
 // Throws `std::runtime_error` if the surface can not be flattened.
-void flatten(Flat_disk& disk, const std::string& parameterization);
+void flatten(Mesh& disk, Flat_disk::UV_map uv, const std::string& parameterization);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_FLATTEN_H

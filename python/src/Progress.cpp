@@ -29,6 +29,8 @@ const char* name_of(Stage stage)
     return "homology";
   case Stage::FILTER:
     return "filter";
+  case Stage::FLATTENING:
+    return "flattening";
   }
   return "other";
 }

@@ -15,7 +15,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <map>
+#include <stdexcept>
 #include <string>
 
 namespace {
@@ -246,6 +248,43 @@ TEST(Flatten_disk, Deep_pocket)
   Mesh disk = build(punctured(capsule(12., 16, 120), {Point{{0., 0., 13.}}}, 1.));
   const Layout_quality quality = expect_injective(disk);
   EXPECT_LT(quality.symmetric_dirichlet_energy, 1e3);
+}
+
+// A tube of 40 radii that is open at an end alone, and so a disk: faces at the other end shrink to nothing in a convex
+// layout of all of them.
+TEST(Flatten_disk, Long_tube)
+{
+  Mesh disk = build(punctured(capsule(40., 12, 120), {Point{{0., 0., 41.}}}, 1.));
+  UV_map uv = add_uv_map(disk);
+  const Layout_quality quality = flatten_disk(disk, uv);
+  EXPECT_EQ(quality.flipped_faces, 0u);
+  EXPECT_TRUE(quality.is_injective);
+}
+
+struct Progress_log : public CGAL::Cut_loci::Default_visitor
+{
+  void progress(CGAL::Cut_loci::Stage stage, double share)
+  {
+    EXPECT_EQ(stage, CGAL::Cut_loci::Stage::FLATTENING);
+    EXPECT_GE(share, last);
+    EXPECT_LE(share, 1.);
+    last = share;
+    if(share > limit)
+      throw std::runtime_error("canceled");
+  }
+  double last = 0., limit = 2.;
+};
+
+TEST(Flatten_disk, Progress_is_told_and_can_cancel)
+{
+  Mesh disk = build(smoothed(square(20, 0.2, 1), 1));
+  UV_map uv = add_uv_map(disk);
+  Progress_log log;
+  flatten_disk(disk, uv, params::visitor(std::ref(log)));
+  EXPECT_GT(log.last, 0.5);
+  Progress_log canceling;
+  canceling.limit = 0.5;
+  EXPECT_THROW(flatten_disk(disk, uv, params::visitor(std::ref(canceling))), std::runtime_error);
 }
 
 TEST(Flatten_disk, Bad_input)

@@ -18,7 +18,8 @@ enum class Stage {
   STRENGTH,      ///< gradient and Laplacian of the distance, and the strengths they give
   TREE,          ///< region growing and thinning
   HOMOLOGY,      ///< extension of the tree, generators
-  FILTER         ///< thresholds; the only stage that runs again when these change
+  FILTER,        ///< thresholds; the only stage that runs again when these change
+  FLATTENING     ///< `flatten_disk()`
 };
 
 /// \ingroup PkgSurfaceMeshCutLocusRef

@@ -7,11 +7,13 @@
 #ifndef CGAL_CUT_LOCI_FLATTEN_DISK_H
 #define CGAL_CUT_LOCI_FLATTEN_DISK_H
 
+#include <CGAL/Cut_loci/Default_visitor.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/Layout_quality.h>
+#include <CGAL/Cut_loci/face_graph/Visitor_handle.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/flattening/Disk_shape.h>
-#include <CGAL/Cut_loci/flattening/Injective_layout.h>
+#include <CGAL/Cut_loci/flattening/Multilevel_layout.h>
 #include <CGAL/Cut_loci/flattening/layout_overlap.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
@@ -163,8 +165,9 @@ Layout_quality layout_quality(const TriangleMesh& tm, VertexUVMap uv_map,
  *
  * lays a disk flat, injectively, and as isometrically as may be: no face is flipped, no two overlap.
  *
- * A convex layout \cgalCite{cgal:t-hdg-63} is the start. Newton steps \cgalCite{cgal:sgk-aeide-19} lower its symmetric
- * Dirichlet energy \cgalCite{cgal:ss-bpfb-15}, and end before the first face loses its area. Nor does the border ever
+ * The disk is simplified, down to about as many vertices inside as there are on the border. A convex layout
+ * \cgalCite{cgal:t-hdg-63} of that is the start, and vertices come back level by level. On each level, Newton steps
+ * \cgalCite{cgal:sgk-aeide-19} lower the symmetric Dirichlet energy \cgalCite{cgal:ss-bpfb-15}, and end before the first face loses its area. Nor does the border ever
  * cross itself: the plane around it is triangulated anew in each step, and none of these triangles is flipped either
  * \cgalCite{cgal:jsp-scaf-17}. Where the disk would overlap itself if it were laid flat more freely, it is distorted or
  * moved aside.
@@ -173,10 +176,12 @@ Layout_quality layout_quality(const TriangleMesh& tm, VertexUVMap uv_map,
  * edge, or shorter than as much of the mean one, are laid out as if they were as thick as that, so that they may have no
  * area in space.
  *
- * A step takes O(n^1.5) time and O(n log n) space for n faces. Numbers are too coarse for the start if parts of the disk
- * shrink below their resolution there, as the closed end of a tube that is 80 times as long as its radius; then it is
- * returned as it is, and `Layout_quality::flipped_faces` says so. With half of that length, and where the border is as
- * long as all edges together, as with a genus of a hundred, the result is injective, but far from the least energy.
+ * A step takes O(n^1.5) time and O(n log n) space for n faces; the steps on all simplified disks together take as long as
+ * those on the disk itself at most. Numbers are too coarse for the start if parts of the simplified
+ * disk shrink below their resolution there; then it is returned as it is, and `Layout_quality::flipped_faces` says so. A
+ * closed tube, cut open at one end and 80 times as long as its radius, is laid out injectively; its distortion is that of a
+ * tube that becomes a disk. Where the border is as long as all edges together, as with a genus of a hundred, the result is
+ * injective, but far from the least energy.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  * @tparam VertexUVMap a model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as
@@ -194,10 +199,18 @@ Layout_quality layout_quality(const TriangleMesh& tm, VertexUVMap uv_map,
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the largest number of steps. Fewer are made if two of them lower the energy by less than a
- *                           thousandth each. With 0, the convex layout is returned.}
+ *     \cgalParamDescription{the largest number of steps on the disk itself. Fewer are made if two of them lower the energy by less than a
+ *                           thousandth each. With 0, the convex layout is returned, of the disk
+ *                           as it is.}
  *     \cgalParamType{unsigned int}
  *     \cgalParamDefault{60}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor that is told how many of the steps are done, in `Stage::FLATTENING`. An exception
+ *                           that it throws there cancels the computation.}
+ *     \cgalParamType{a model of `CutLocusVisitor`}
+ *     \cgalParamDefault{`Default_visitor()`}
+ *     \cgalParamExtra{It is copied; pass `std::ref(visitor)` to keep its state.}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
@@ -212,22 +225,12 @@ Layout_quality flatten_disk(const TriangleMesh& tm, VertexUVMap uv_map,
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using Point_2 = typename boost::property_traits<VertexUVMap>::value_type;
-  // two steps, as one may be held up by the border
-  constexpr double least_progress = 1e-3;
-  constexpr int least_slow_steps = 2;
-
+  const internal::Visitor_handle visitor(choose_parameter(get_parameter(np, internal_np::visitor), Default_visitor()));
+  const internal::Visitor_handle::Scope scope(visitor, Stage::FLATTENING);
   const auto read = internal::read_disk(tm, np);
   const internal::Disk_shape disk = internal::shape_of_disk(read.mesh);
   const unsigned int most_steps = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 60u);
-  internal::Injective_layout layout(disk);
-  int slow_steps = 0;
-  for(unsigned int k = 0; k < most_steps && slow_steps < least_slow_steps && std::isfinite(layout.energy()); ++k)
-  {
-    const double before = layout.energy();
-    if(!layout.improve())
-      break;
-    slow_steps = layout.energy() < (1. - least_progress) * before ? 0 : slow_steps + 1;
-  }
+  const internal::Multilevel_layout layout(disk, most_steps, visitor.progress(Stage::FLATTENING));
   for(std::size_t v = 0; v < read.vertices.size(); ++v)
     put(uv_map, read.vertices[v], Point_2(read.unit * layout.plane()[v][0], read.unit * layout.plane()[v][1]));
   return internal::layout_quality(disk, layout.plane());

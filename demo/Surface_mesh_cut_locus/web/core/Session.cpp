@@ -6,8 +6,6 @@
 
 #include "Session.h"
 
-#include "report_stage.h"
-
 #include <CGAL/Cut_loci/IO/OBJ.h>
 #include <CGAL/Cut_loci/IO/PLY.h>
 #include <CGAL/Cut_loci/IO/VTP.h>
@@ -114,7 +112,7 @@ void Session::prepare(const std::string& solver, const std::string& method)
   method_name_ = method;
 }
 
-void Session::set_sources(const std::vector<Location>& points, bool with_border)
+void Session::set_sources(const std::vector<Location>& points, bool with_border, double relative_error)
 {
   if(!solver_)
     throw std::runtime_error("there is no solver yet");
@@ -126,7 +124,8 @@ void Session::set_sources(const std::vector<Location>& points, bool with_border)
   curves_.clear();
   if(with_border)
     curves_ = border_loops(*mesh_, component, points.empty() ? Mesh::null_face() : points.front().first);
-  ::set_sources(*solver_, points_, curves_);
+  const bool can_be_inexact = solver_name_ == "exact" && method_name_ != "polyhedral" && curves_.empty();
+  ::set_sources(*solver_, points_, curves_, can_be_inexact ? relative_error : 0.);
   has_sources_ = true;
   border_segments.clear();
   for(const Edge_curve& curve : curves_)
@@ -215,11 +214,18 @@ void Session::compute_gradient()
 
 void Session::cut_open(const Thresholds& thresholds)
 {
-  if(points_.size() > 1 || !curves_.empty())
-    throw std::runtime_error("a surface is flattened from one point; this one has other sources");
+  if(!curves_.empty())
+    throw std::runtime_error("a surface is flattened from points; here the border is a source, too");
   compute_curve(MESH_EDGES, thresholds);
-  report_stage(6, 1);
-  atlas = make_atlas(*mesh_, *results_[MESH_EDGES], [] { report_stage(7, 1); });
+  if(thresholds.keeps == Kept_part::ALL)
+  {
+    atlas = make_atlas(*mesh_, *results_[MESH_EDGES]);
+    return;
+  }
+  // what is not shown is needed as well, to have disks
+  Thresholds whole = thresholds;
+  whole.keeps = Kept_part::ALL;
+  atlas = make_atlas(*mesh_, exact_cut_locus(*solver_, whole, CGAL::Cut_loci::Curve::MESH_EDGES));
 }
 
 const Fields& Session::fields()

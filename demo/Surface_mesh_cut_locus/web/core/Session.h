@@ -38,7 +38,8 @@ public:
   void load(Mesh mesh, const std::vector<std::size_t>& component_of_face = {}, std::string repairs = {});
   void prepare(const std::string& solver, const std::string& method);
   // The points, and, if that is wished, each border loop of their component, or of the largest one that has a border.
-  void set_sources(const std::vector<Location>& points, bool with_border);
+  // Distances may be longer by `relative_error`, where solver and method can make use of that.
+  void set_sources(const std::vector<Location>& points, bool with_border, double relative_error);
   void compute_curve(Curve_index index, const Thresholds& thresholds);
   void compute_laplacian();
   void compute_gradient();

@@ -10,7 +10,6 @@
 #include "../../Mesh.h"
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 // A surface cut open and laid out in the plane.
@@ -18,13 +17,16 @@ struct Atlas
 {
   std::vector<std::uint32_t> origin;    // for each vertex of the cut surface the one that it is a copy of
   std::vector<std::uint32_t> triangles; // of vertices of the cut surface
+  std::vector<std::uint32_t> faces;     // for each of them the face of the mesh
   std::vector<std::uint32_t> border;    // the ends of its border edges
   std::vector<float> uv;                // two coordinates for each vertex, in [-1, 1]
-  std::vector<double> numbers;          // flipped faces, part of the area that is moved to other faces, is rigid
+  // flipped faces, overlapping ones, the part of the sheets that they cover, the part of the area that is moved to other
+  // faces, whether it is injective, the number of sheets
+  std::vector<double> numbers;
 };
 
-// Cuts along a cut locus of mesh edges, and flattens as rigidly as possible, or, where that fails or folds, by the
-// polar coordinates of the shortest paths. `on_flatten` is called between the two.
-Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::function<void()>& on_flatten);
+// Cuts along a cut locus of mesh edges, and lays the disk flat injectively; of several sources the cells, side by side.
+// Tells the page how far it is.
+Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus);
 
 #endif // SURFACE_MESH_CUT_LOCUS_WEB_ATLAS_H

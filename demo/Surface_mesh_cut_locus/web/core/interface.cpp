@@ -134,6 +134,8 @@ Array array(int id)
     return array(session.border_segments);
   case 26:
     return array(session.nearest_source);
+  case 27:
+    return array(session.atlas.faces);
   default:
     return {nullptr, 0};
   }
@@ -217,9 +219,9 @@ EMSCRIPTEN_KEEPALIVE void add_source(unsigned int face, double b0, double b1, do
   sources.push_back(location(face, b0, b1, b2));
 }
 
-EMSCRIPTEN_KEEPALIVE int set_sources(int with_border)
+EMSCRIPTEN_KEEPALIVE int set_sources(int with_border, double relative_error)
 {
-  return run([&] { session.set_sources(sources, with_border != 0); });
+  return run([&] { session.set_sources(sources, with_border != 0, relative_error); });
 }
 
 EMSCRIPTEN_KEEPALIVE int find_paths(unsigned int face, double b0, double b1, double b2)

@@ -7,7 +7,10 @@
 #ifndef SURFACE_MESH_CUT_LOCUS_WEB_REPORT_STAGE_H
 #define SURFACE_MESH_CUT_LOCUS_WEB_REPORT_STAGE_H
 
-// Tells the page that a stage starts or ends: one of `CGAL::Cut_loci::Stage`, 6 for cutting or 7 for flattening.
+// The page's own stage, after those of `CGAL::Cut_loci::Stage`.
+constexpr int cutting_stage = 7;
+
+// Tells the page that a stage starts or ends.
 void report_stage(int stage, bool starts);
 
 // And which share of it is done.

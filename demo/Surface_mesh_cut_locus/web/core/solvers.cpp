@@ -28,9 +28,10 @@ std::unique_ptr<Solver> make_graph_solver(const Mesh& mesh)
                                           .visitor(Stage_reporter()));
 }
 
-void set_sources(Solver& solver, const std::vector<Location>& points, const std::vector<Edge_curve>& curves)
+void set_sources(Solver& solver, const std::vector<Location>& points, const std::vector<Edge_curve>& curves,
+                 double relative_error)
 {
-  solver.set_sources(points, CGAL::parameters::source_curves(curves));
+  solver.set_sources(points, CGAL::parameters::source_curves(curves).maximum_relative_error(relative_error));
 }
 
 Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& thresholds, Curve curve)

@@ -47,7 +47,8 @@ struct Thresholds
 };
 
 // The method `LAPLACIAN` takes one point and no curves.
-void set_sources(Solver& solver, const std::vector<Location>& points, const std::vector<Edge_curve>& curves);
+void set_sources(Solver& solver, const std::vector<Location>& points, const std::vector<Edge_curve>& curves,
+                 double relative_error);
 Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& thresholds, CGAL::Cut_loci::Curve curve);
 Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& thresholds, CGAL::Cut_loci::Curve curve);
 

@@ -4,6 +4,7 @@ import { Appearance } from './appearance.js';
 import { cellColor } from './color_maps.js';
 import { Cancelled, Engine } from './engine.js';
 import { exportAs } from './exports.js';
+import { Follower } from './follow.js';
 import { History } from './history.js';
 import { legendItems } from './legend_items.js';
 import { explain, objectionTo } from './messages.js';
@@ -41,6 +42,7 @@ export class App {
     this.readout = new Readout();
     this.appearance = new Appearance(this);
     this.sheet = new Sheet(this);
+    this.follower = new Follower(this);
     this.pathTool = new PathTool(this);
     this.mesh = null;
     this.curves = {};
@@ -249,6 +251,24 @@ export class App {
     this.report();
   }
 
+  // Sources that move: what is drawn follows, and nothing else.
+  async previewSources(sources, relativeError) {
+    this.isSolved = false;
+    const { solver, method, border } = this.state;
+    const parameters = { ...this.parameters, smoothing: 0 };
+    const result = await this.engine.run('solve',
+      { solver, method, sources, border: border !== 'no', parameters, curves: this.wantedCurves(), relativeError });
+    this.distance = result.distance;
+    this.appearance.forgetFields();
+    this.times.follow = result.solveMilliseconds + result.milliseconds;
+    this.takeSources(result);
+    this.pathTool.set(null);
+    this.viewer.setDistance(this.distance);
+    this.curves = {};
+    this.takeCurves(result, parameters);
+    this.viewer.invalidateCurves();
+  }
+
   takeSources({ sourceNumbers, borderSegments, nearestSource }) {
     const [fx, fy, fz, farthestDistance, borderLoops, genus, angle, width, gap, total, ...points] = sourceNumbers;
     const hasBorder = borderSegments.length > 0;
@@ -376,10 +396,6 @@ export class App {
     } finally {
       if (takesLong) this.panel.setBusy(--this.jobs > 0);
     }
-  }
-
-  get hasOnePoint() {
-    return this.state.sources.length === 1 && this.state.border === 'no';
   }
 
   // for the library: of one source, a Voronoi diagram is empty

@@ -13,6 +13,7 @@ export const arrays = {
   atlas: {
     origin: [16, 'u32'],
     triangles: [17, 'u32'],
+    faces: [27, 'u32'],
     border: [18, 'u32'],
     uv: [19, 'f32'],
     numbers: [20, 'f64'],

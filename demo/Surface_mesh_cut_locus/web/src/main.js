@@ -13,6 +13,11 @@ try {
   viewer = new Viewer(element('canvas'), { model: element('model-view'), atlas: element('atlas-view') }, {
     onPick: (place, mode) => app.pick(place, mode || panel.mode),
     onHover: (place, at) => app.hover(place, at),
+    onFollow: {
+      start: (index) => app.follower.start(index),
+      move: (locate) => app.follower.move(locate),
+      end: () => app.follower.end(),
+    },
     onChange: () => saveState(),
     overlays: ['tools', 'result', 'legend', 'cut-info'].map(element),
   });
@@ -105,12 +110,17 @@ window.addEventListener('keydown', (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
   if (isTyping && key !== 'Escape') return;
-  if (/^[1-4]$/.test(key)) element('samples').children[Number(key) - 1].click();
+  if (key === 'd') viewer.pointer.startFollowing();
+  else if (/^[1-4]$/.test(key)) element('samples').children[Number(key) - 1].click();
   else if (keys[key]) keys[key]();
   else if (viewKeys[key] && !event.target.matches('button, input, summary')) viewKeys[key]();
   else return;
   event.preventDefault();
 });
+
+// what is held is let go
+window.addEventListener('keyup', (event) => { if (event.key.toLowerCase() === 'd') viewer.pointer.endFollowing(); });
+window.addEventListener('blur', () => viewer.pointer.endFollowing());
 
 const stage = document.body;
 let depth = 0; // of the elements entered while a file is dragged

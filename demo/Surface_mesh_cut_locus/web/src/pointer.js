@@ -1,15 +1,18 @@
 // What the pointer is at: a click is a press and a release at about the same place, and where it rests one may read off
-// values.
+// values. A source that is pressed follows the pointer until it is released, as all sources do while a key is held.
 import * as THREE from 'three';
 
 const restMilliseconds = 50;
+const clickPixels = 4; // a click moves less
+const grabPixels = { mouse: 10, pen: 14, touch: 22 }; // a source that is as near is pressed
 
 export class Pointer {
-  constructor(viewer, { onPick, onHover }) {
-    Object.assign(this, { viewer, onPick, onHover });
+  constructor(viewer, { onPick, onHover, onFollow }) {
+    Object.assign(this, { viewer, onPick, onHover, onFollow });
     this.ray = new THREE.Raycaster();
     this.watch(viewer.model, (x, y) => this.onModel(x, y));
     this.watch(viewer.plane, (x, y) => this.onPlane(x, y));
+    this.watchSources(viewer.model.element);
   }
 
   watch(pane, locate) {
@@ -24,7 +27,7 @@ export class Pointer {
       this.onHover(null);
     });
     element.addEventListener('pointerup', (event) => {
-      if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 4) return;
+      if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > clickPixels) return;
       down = null;
       const location = locate(...place(event));
       if (location) this.onPick(location, event.shiftKey ? 'add' : event.altKey ? 'path' : null);
@@ -33,7 +36,7 @@ export class Pointer {
     });
     element.addEventListener('pointermove', (event) => {
       clearTimeout(this.timer);
-      if (event.buttons !== 0 || event.pointerType === 'touch') return;
+      if (event.buttons !== 0 || event.pointerType === 'touch' || this.isFollowing) return;
       const [x, y] = place(event);
       this.timer = setTimeout(() => this.onHover(locate(x, y), [event.clientX, event.clientY]), restMilliseconds);
     });
@@ -63,15 +66,75 @@ export class Pointer {
     return hit && this.location(hit.faceIndex, this.coordinatesIn(hit, viewer.triangles, viewer.positions));
   }
 
-  // Faces of the cut surface are in the order of those of the mesh; where their corners start may differ.
+  // A press on a source begins before the view turns with it.
+  watchSources(element) {
+    let pressed = null;
+    const place = ({ clientX, clientY }) => {
+      const box = element.getBoundingClientRect();
+      return [clientX - box.left, clientY - box.top];
+    };
+    element.addEventListener('pointerdown', (event) => {
+      if (event.button !== 0 || !event.isPrimary || this.isFollowing) return;
+      const index = this.sourceAt(...place(event), grabPixels[event.pointerType] || grabPixels.mouse);
+      if (index < 0) return;
+      pressed = { index, at: [event.clientX, event.clientY] };
+      this.viewer.controls.enabled = false;
+      element.setPointerCapture(event.pointerId);
+    }, { capture: true });
+    element.addEventListener('pointermove', (event) => {
+      this.last = place(event);
+      const hasMoved = pressed && Math.hypot(event.clientX - pressed.at[0], event.clientY - pressed.at[1]) > clickPixels;
+      if (hasMoved && !this.isFollowing) this.startFollowing(pressed.index);
+      if (this.isFollowing) this.follow();
+    });
+    for (const type of ['pointerup', 'pointercancel'])
+      element.addEventListener(type, () => {
+        if (!pressed) return;
+        pressed = null;
+        this.viewer.controls.enabled = true;
+        this.endFollowing();
+      });
+    element.addEventListener('pointerleave', () => { this.last = null; });
+  }
+
+  startFollowing(index) {
+    if (this.isFollowing || !this.onFollow.start(index)) return;
+    this.isFollowing = true;
+    this.onHover(null);
+    this.viewer.model.element.classList.add('is-following');
+    this.follow();
+  }
+
+  follow() {
+    const { last } = this;
+    if (last) this.onFollow.move(() => this.onModel(...last));
+  }
+
+  endFollowing() {
+    if (!this.isFollowing) return;
+    this.isFollowing = false;
+    this.viewer.model.element.classList.remove('is-following');
+    this.onFollow.end();
+  }
+
+  // the index of the source that is seen there, or -1
+  sourceAt(x, y, reach) {
+    const hit = this.onModel(x, y);
+    if (!hit) return -1;
+    const place = new THREE.Vector3(...hit.place);
+    const off = this.viewer.sourceMarkers.map(({ visible, position }) => (visible ? position.distanceTo(place) : Infinity));
+    return off.findIndex((d) => d <= reach * hit.pixel && d === Math.min(...off));
+  }
+
+  // Where the corners of a face start in the cut surface and in the mesh may differ.
   onPlane(x, y) {
     const { viewer } = this;
     const { geometry } = viewer.flatPickable;
     const hit = this.cast(viewer.plane, viewer.flatPickable, x, y);
     if (!hit) return null;
-    const face = hit.faceIndex;
+    const face = viewer.cutFaces[hit.faceIndex];
     const coordinates = this.coordinatesIn(hit, viewer.cutTriangles, geometry.getAttribute('position').array);
-    const corners = [0, 1, 2].map((k) => viewer.origin[viewer.cutTriangles[3 * face + k]]);
+    const corners = [0, 1, 2].map((k) => viewer.origin[viewer.cutTriangles[3 * hit.faceIndex + k]]);
     const order = [0, 1, 2].map((k) => corners.indexOf(viewer.triangles[3 * face + k]));
     return coordinates && !order.includes(-1) ? this.location(face, order.map((k) => coordinates[k])) : null;
   }

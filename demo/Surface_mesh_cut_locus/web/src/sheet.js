@@ -1,5 +1,5 @@
 // The surface cut open and flattened, which follows the thresholds and the source.
-import { overlapOf, seamsOf } from './atlas.js';
+import { seamsOf } from './atlas.js';
 import { Cancelled } from './engine.js';
 import { describeAtlas } from './words.js';
 
@@ -36,10 +36,6 @@ export class Sheet {
   // Along the curve of mesh edges, for the thresholds as they are.
   async cut() {
     const begin = performance.now();
-    if (!this.app.hasOnePoint) {
-      this.drop();
-      throw new Error('The surface is flattened from one source: with several, it falls into as many sheets');
-    }
     let atlas;
     try {
       atlas = await this.compute();
@@ -56,25 +52,20 @@ export class Sheet {
   }
 
   async compute() {
+    if (this.app.state.border !== 'no')
+      throw new Error('The surface is cut open from points: let the border be no source');
     const { edgeCurve: curve, ...atlas } =
       await this.app.engine.run('cut', { parameters: this.app.parameters });
     this.app.curves.edgeCurve = curve;
-    atlas.overlap = this.overlapOf(atlas);
     atlas.step = JSON.stringify(this.app.step);
     return atlas;
   }
 
-  overlapOf(atlas) {
-    return overlapOf(atlas, this.app.viewer.renderer);
-  }
-
-  quality({ numbers, triangles, overlap }) {
-    return describeAtlas(numbers, triangles.length / 3, overlap);
+  quality({ numbers, triangles }) {
+    return describeAtlas(numbers, triangles.length / 3);
   }
 
   async current() {
-    if (!this.app.hasOnePoint)
-      throw new Error('The surface is cut open from one source: with several, it falls into as many sheets');
     return this.atlas && this.atlas.step === JSON.stringify(this.app.step) ? this.atlas : this.compute();
   }
 

@@ -16,7 +16,7 @@ const restMilliseconds = 140; // the shadows of hollows wait until the view rest
 const modelRadius = 1.02; // the mesh fills the unit ball
 
 export class Viewer {
-  constructor(canvas, views, { onPick, onHover, onChange, overlays = [] }) {
+  constructor(canvas, views, { onPick, onHover, onFollow, onChange, overlays = [] }) {
     this.canvas = canvas;
     this.onChange = onChange;
     this.placement = new Placement(this, overlays);
@@ -71,7 +71,7 @@ export class Viewer {
     this.plane.lines.add(...this.atlasSeams.objects);
 
     this.makeControls();
-    this.pointer = new Pointer(this, { onPick, onHover });
+    this.pointer = new Pointer(this, { onPick, onHover, onFollow });
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.resize();
     this.resetView();
@@ -435,8 +435,9 @@ export class Viewer {
     this.model.layer.hasOcclusion = false;
   }
 
-  // The surface cut open: vertex i is a copy of origin[i] and has the texture coordinates uv[2 i], uv[2 i + 1].
-  showCut({ origin, triangles, uv, seams, atlasSeams }) {
+  // The surface cut open: vertex i is a copy of origin[i] and has the texture coordinates
+  // uv[2 i], uv[2 i + 1]; its face i is faces[i].
+  showCut({ origin, triangles, faces, uv, seams, atlasSeams }) {
     const geometry = new THREE.BufferGeometry();
     geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
     for (const name of ['position', 'normal']) {
@@ -455,6 +456,7 @@ export class Viewer {
     this.flatPickable.geometry.setAttribute('position', new THREE.BufferAttribute(flat, 3));
     this.origin = origin;
     this.cutTriangles = triangles;
+    this.cutFaces = faces;
     if (!this.hasAtlas) this.fitPlane();
     this.setHasAtlas(true);
     this.setSurfaceGeometry(geometry);

@@ -92,17 +92,14 @@ export function numberRows({ curve, source, edgeLength, state, defaults }) {
 }
 
 // What the user should know of the quality of an atlas.
-export function describeAtlas([flipped, change, isRigid], faceCount, overlap) {
+export function describeAtlas([flipped, overlapping, overlap, change, isInjective, sheets], faceCount) {
   const parts = [];
-  if (overlap > 0) parts.push(`${number(100 * overlap, 2)} % of the sheet lies over another part of it`);
+  const share = overlap > 0 ? `, on ${number(100 * overlap, 2)} % of it` : '';
+  if (overlapping > 0) parts.push(`${count(overlapping)} of ${count(faceCount)} faces lie over others${share}`);
   if (flipped > 0) parts.push(`${count(flipped)} of ${count(faceCount)} faces are turned over`);
-  const isInjective = parts.length === 0;
   parts.push(`areas change by ${number(100 * change, 2)} %`);
-  if (!isRigid) parts.push('laid out by direction and distance, as a more rigid layout would fold');
   const text = `${parts.join('; ')}.`;
-  return {
-    isInjective,
-    text: isInjective ? `The sheet does not overlap; ${text}`
-      : `Not one to one: ${text} A source elsewhere may give a better sheet.`,
-  };
+  if (!isInjective) return { isInjective: false, text: `Not one to one: ${text} A source elsewhere may give a better sheet.` };
+  const what = sheets > 1 ? `${count(sheets)} sheets, one for each cell: none overlaps` : 'The sheet does not overlap';
+  return { isInjective: true, text: `${what}; ${text}` };
 }

@@ -7,7 +7,7 @@ const base = new URL('.', self.location.href);
 importScripts(new URL('cut_locus.js', base).href);
 
 const stageNames = ['preprocessing', 'distance', 'strength', 'tree', 'homology', 'filter',
-  'cutting', 'flattening'];
+  'flattening', 'cutting'];
 let stageTimes = {};
 let stageStart = 0;
 let lastShare = 0; // when it was told
@@ -89,13 +89,13 @@ const commands = {
     };
   },
 
-  solve(module, { solver, method, sources, border, curves, parameters }) {
+  solve(module, { solver, method, sources, border, curves, parameters, relativeError = 0 }) {
     stageTimes = {};
     const start = performance.now();
     call(module, 'prepare', ['string', 'string'], [solver, method]);
     module._clear_sources();
     for (const { face, coordinates } of sources) module._add_source(face, ...coordinates);
-    check(module, module._set_sources(border ? 1 : 0));
+    check(module, module._set_sources(border ? 1 : 0, relativeError));
     const milliseconds = performance.now() - start;
     const result = commands.curves(module, { curves, parameters });
     result.solveMilliseconds = milliseconds;

@@ -35,7 +35,7 @@ public:
       stiffness_(disk.triangles.size(), {{1., 1., 1.}})
   {
     place_border();
-    system_.reset(new Triangle_system<1>(disk.triangles, disk.points, is_held_));
+    system_.reset(new Triangle_system<1>(disk.triangles, is_held_));
   }
 
   const Planar_points& plane() const { return plane_; }

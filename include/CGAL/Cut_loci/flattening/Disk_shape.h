@@ -31,6 +31,7 @@ struct Disk_shape
   std::vector<std::array<double, 3>> lengths; // of the edges of `rest`, from corner i to the next
   std::vector<Index> border;                  // its vertices, counterclockwise
   std::vector<double> border_lengths;         // of the edges from them to the next
+  double least_length = 0.;                   // of the longest edges of faces in the plane
   std::size_t faces_without_shape = 0;        // thinner than `least_height`
 };
 
@@ -77,28 +78,34 @@ inline std::vector<Index> border_halfedges(const Indexed_triangle_mesh& mesh)
   return loop;
 }
 
+// From the points and the triangles.
+inline void find_rest_shapes(Disk_shape& disk)
+{
+  std::vector<std::array<double, 3>> lengths;
+  double sum = 0.;
+  for(const auto& t : disk.triangles)
+  {
+    lengths.emplace_back();
+    for(int i = 0; i < 3; ++i)
+      sum += lengths.back()[i] = norm(disk.points[t[(i + 1) % 3]] - disk.points[t[i]]);
+  }
+  disk.least_length = least_height * sum / (3. * static_cast<double>(lengths.size()));
+  for(const auto& length : lengths)
+  {
+    bool has_shape = false;
+    disk.rest.push_back(rest_shape(length, disk.least_length, has_shape));
+    disk.faces_without_shape += !has_shape;
+    const Planar_triangle& rest = disk.rest.back();
+    disk.lengths.push_back({{distance(rest[0], rest[1]), distance(rest[1], rest[2]), distance(rest[2], rest[0])}});
+  }
+}
+
 inline Disk_shape disk_shape(const Indexed_triangle_mesh& mesh)
 {
   Disk_shape disk;
   disk.points = mesh.points;
   disk.triangles = mesh.triangles;
-  std::vector<std::array<double, 3>> lengths;
-  double sum = 0.;
-  for(const auto& t : mesh.triangles)
-  {
-    lengths.emplace_back();
-    for(int i = 0; i < 3; ++i)
-      sum += lengths.back()[i] = norm(mesh.points[t[(i + 1) % 3]] - mesh.points[t[i]]);
-  }
-  const double least_length = least_height * sum / (3. * static_cast<double>(lengths.size()));
-  for(const auto& length : lengths)
-  {
-    bool has_shape = false;
-    disk.rest.push_back(rest_shape(length, least_length, has_shape));
-    disk.faces_without_shape += !has_shape;
-    const Planar_triangle& rest = disk.rest.back();
-    disk.lengths.push_back({{distance(rest[0], rest[1]), distance(rest[1], rest[2]), distance(rest[2], rest[0])}});
-  }
+  find_rest_shapes(disk);
   for(const Index h : border_halfedges(mesh))
   {
     disk.border.push_back(mesh.source(h));

@@ -40,6 +40,15 @@ public:
     start(disk);
   }
 
+  // from a layout with no flipped faces, whose size does not matter
+  Injective_layout(const Disk_shape& disk, const Planar_points& plane) : border_(disk.border)
+  {
+    for(std::size_t f = 0; f < disk.triangles.size(); ++f)
+      energy_.add_face(disk.triangles[f], disk.rest[f]);
+    plane_ = scaled(disk, plane);
+    value_ = mean_energy(plane_);
+  }
+
   const Planar_points& plane() const { return plane_; }
 
   // By the mean of the least, which is 1: infinite if there is no start, because numbers are too coarse for it.
@@ -63,6 +72,18 @@ private:
 
   double mean_energy(const Planar_points& plane) const { return energy_.energy(plane) / (4. * energy_.area()); }
 
+  // with the area that the disk has in space
+  Planar_points scaled(const Disk_shape& disk, Planar_points plane) const
+  {
+    double area = 0.;
+    for(const auto& t : disk.triangles)
+      area += 0.5 * twice_signed_area(plane[t[0]], plane[t[1]], plane[t[2]]);
+    const double scale = std::sqrt(energy_.area() / area);
+    for(Planar_point& p : plane)
+      p = {{scale * p[0], scale * p[1]}};
+    return plane;
+  }
+
   // The better one of two convex layouts, or of a few more if numbers are too coarse for both.
   void start(const Disk_shape& disk)
   {
@@ -75,13 +96,7 @@ private:
         convex.stiffen();
       if(!convex.relax())
         break;
-      Planar_points plane = convex.plane();
-      double area = 0.;
-      for(const auto& t : disk.triangles)
-        area += 0.5 * twice_signed_area(plane[t[0]], plane[t[1]], plane[t[2]]);
-      const double scale = std::sqrt(energy_.area() / area);
-      for(Planar_point& p : plane)
-        p = {{scale * p[0], scale * p[1]}};
+      const Planar_points plane = scaled(disk, convex.plane());
       const double value = mean_energy(plane);
       if(k > 0 && !(value < value_))
         continue;
@@ -115,13 +130,9 @@ private:
   // A Newton step of the disk and its scaffold; vertices from `first_held` on are held.
   bool descend(std::size_t first_held)
   {
-    std::vector<std::array<double, 3>> points;
-    points.reserve(plane_.size());
-    for(const Planar_point& p : plane_)
-      points.push_back({{p[0], p[1], 0.}});
     std::vector<bool> is_held(plane_.size(), false);
     std::fill(is_held.begin() + first_held, is_held.end(), true);
-    Triangle_system<2> system(energy_.corners(), points, is_held);
+    Triangle_system<2> system(energy_.corners(), is_held);
 
     Eigen::VectorXd force = Eigen::VectorXd::Zero(system.number_of_unknowns());
     Symmetric_dirichlet::Gradient gradient;

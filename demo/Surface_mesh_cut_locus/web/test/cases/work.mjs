@@ -1,5 +1,19 @@
 // Nothing that the user has done is lost: undo, the cut surface, other meshes, cancelling, the keyboard.
 import assert from 'node:assert/strict';
+import { describeAtlas } from '../../src/words.js';
+
+const followMilliseconds = 3000;
+
+// of the sheet, by its coordinates
+const flippedFaces = ({ app }) => {
+  const { uv, triangles } = app.atlas;
+  let result = 0;
+  for (let f = 0; f < triangles.length; f += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => [uv[2 * triangles[f + k]], uv[2 * triangles[f + k] + 1]]);
+    result += !((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0);
+  }
+  return result;
+};
 
 export const tests = {
   async 'sources and thresholds can be taken back and done again'(d) {
@@ -81,23 +95,78 @@ export const tests = {
 
   async 'the page says whether the sheet is one to one'(d) {
     const { page } = d;
-    // a square of two faces, and one that is folded
-    const overlapOf = (corner) => page.evaluate((p) => window.cutLocusPage.app.sheet.overlapOf(
-      { uv: Float32Array.from([-1, -1, 1, -1, 1, 1, ...p]), triangles: Uint32Array.from([0, 1, 2, 0, 2, 3]) }), corner);
-    assert.equal(await overlapOf([-1, 1]), 0);
-    const folded = await overlapOf([1, -0.5]);
-    assert.ok(folded > 0.7 && folded < 0.8, `${folded}`);
-    for (const [sample, isFit] of [['bumpy-sphere', true], ['genus-3', null]]) {
+    const folded = describeAtlas([3, 7, 0.125, 0.1, 0, 1], 1000);
+    assert.ok(!folded.isInjective);
+    assert.match(folded.text, /Not one to one: 7 of .* lie over others, on 13 %.*3 of .* turned over/);
+    for (const sample of ['bumpy-sphere', 'capsule', 'torus', 'genus-3']) {
       await d.open(`#sample=${sample}&faces=5000`);
       await page.click('#cut');
       await page.waitForFunction(() => window.cutLocusPage.app.atlas);
       await d.idle();
       const told = await page.innerText('#cut-info');
-      const { flips, overlap: share } = await d.app(({ app }) => ({ flips: app.atlas.numbers[0], overlap: app.atlas.overlap }));
-      const isInjective = flips === 0 && share === 0;
-      if (isFit !== null) assert.equal(isInjective, isFit, told);
-      assert.match(told, isInjective ? /does not overlap/ : /Not one to one/);
+      assert.match(told, /does not overlap/, sample);
+      assert.equal(await d.app(flippedFaces), 0, sample);
     }
+  },
+
+  async 'of several sources, the cells are laid side by side'(d) {
+    const { page } = d;
+    for (const keep of ['all', 'voronoi']) {
+      await d.open('#sample=torus&faces=5000');
+      await d.click(...await d.placeOnSurface(), { keys: ['Shift'] });
+      await page.selectOption('#keep', keep);
+      await d.settle();
+      await page.click('#cut');
+      await page.waitForFunction(() => window.cutLocusPage.app.atlas);
+      await d.idle();
+      assert.match(await page.innerText('#cut-info'), /2 sheets, one for each cell: none overlaps/);
+      assert.equal(await d.app(flippedFaces), 0);
+      // each face of the surface once
+      const { faces, all } = await d.app(({ app }) =>
+        ({ faces: new Set(app.atlas.faces).size, all: app.mesh.triangles.length / 3 }));
+      assert.equal(faces, all);
+    }
+    await d.picture('cells_side_by_side.png');
+  },
+
+  async 'a source that is pressed, or any while a key is held, follows the pointer'(d) {
+    const { page } = d;
+    const notes = [];
+    for (const [faces, wanted] of [[20000, 30], [100000, 10]]) {
+      await d.open(`#sample=torus&faces=${faces}`);
+      await page.selectOption('#view', 'source');
+      await d.settle();
+      const box = await page.locator('#model-view').boundingBox();
+      const at = await d.seenAt((await d.app(({ app }) => app.toView(app.source.points[0]))));
+      const place = (t) => [box.x + at[0] * box.width + 40 * Math.sin(t), box.y + at[1] * box.height + 40 * (1 - Math.cos(t))];
+      const view = await d.view();
+      const start = await d.result();
+      const rates = [], computing = [];
+      for (const isByKey of [false, true]) {
+        await page.mouse.move(...place(0));
+        await (isByKey ? page.keyboard.down('d') : page.mouse.down());
+        const before = await d.app(({ app }) => [app.follower.updates, performance.now()]);
+        const end = Date.now() + followMilliseconds;
+        for (let t = 0; Date.now() < end; t += 0.05) await page.mouse.move(...place(t));
+        const after = await d.app(({ app }) => [app.follower.updates, performance.now()]);
+        const marker = await d.app(({ app }) => app.source.points[0]);
+        assert.notDeepEqual(marker, start.point, 'the source does not follow');
+        await page.mouse.move(...place(1.5));
+        await (isByKey ? page.keyboard.up('d') : page.mouse.up());
+        await d.settle();
+        rates.push(1000 * (after[0] - before[0]) / (after[1] - before[1]));
+        computing.push(await d.app(({ app }) => app.times.follow));
+      }
+      assert.deepEqual(await d.view(), view, 'the view has moved');
+      // what is there at last is what a click there gives
+      const end = await d.result();
+      await page.mouse.click(...place(1.5));
+      await d.settle();
+      const clicked = await d.result();
+      assert.deepEqual([end.point, end.length, end.edges], [clicked.point, clicked.length, clicked.edges]);
+      notes.push(`${faces} faces: ${rates.map((r) => r.toFixed(1)).join(' and ')} per second, ${wanted} wanted; computing ${computing.map((c) => c.toFixed(0)).join(' and ')} ms`);
+    }
+    return notes.join('; ');
   },
 
   async 'thresholds go back to automatic with another mesh'(d) {
