@@ -57,9 +57,14 @@ struct Path_label
   }
 };
 
-/// the angle at which two paths meet in a point, given the vectors from there to their images
+/// the angle at which two paths meet in a point, given the vectors from there to their images; zero where one of them bends
+/// right there, up to rounding, as nothing tells its direction then
 inline double angle_between(double ax, double ay, double bx, double by)
 {
+  constexpr double rounding = 1e-9;
+  const double aa = ax * ax + ay * ay, bb = bx * bx + by * by;
+  if((std::min)(aa, bb) <= rounding * rounding * (std::max)(aa, bb))
+    return 0.;
   return upper_angle(ax * bx + ay * by, std::fabs(ax * by - ay * bx));
 }
 
