@@ -148,12 +148,26 @@ bool read_plain_OFF(const std::string& text, Polygon_soup& soup)
     if(!lines.next(line))
       return false;
     Words words(line);
-    if(!words.read(n) || n < 3 || n > line.size())
+    if(!words.read(n) || n < 3)
       return false;
-    polygon.resize(n);
-    for(std::size_t& v : polygon)
+    // A face may go on in the next lines; what follows its corners in the last one is a color, unless a corner is missing.
+    bool goes_on = false;
+    while(polygon.size() < n)
+    {
+      while(words.is_at_end())
+      {
+        if(!lines.next(line))
+          return false;
+        words = Words(line);
+        goes_on = true;
+      }
+      std::size_t v = 0;
       if(!words.read(v))
         return false;
+      polygon.push_back(v);
+    }
+    if(goes_on && !words.is_at_end())
+      return false;
   }
   return number_of_points > 0 && number_of_polygons > 0 && has_all_points(soup);
 }

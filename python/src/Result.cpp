@@ -97,7 +97,7 @@ py::tuple disk_of(const Result& result, const std::optional<std::string>& parame
     Flat_disk disk;
     cut_open(*result.mesh, result.cut_locus, disk);
     if(parameterization)
-      flatten(disk, *parameterization);
+      flatten(disk.mesh, disk.uv, *parameterization);
     for(const Mesh::Vertex_index v : disk.mesh.vertices())
     {
       append_point(points, disk.mesh.point(v));

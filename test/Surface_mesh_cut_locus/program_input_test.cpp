@@ -347,6 +347,10 @@ TEST_F(Input, Broken_files)
   write("a.xyz", "1 2 3\n");
   expect_failure(run_on("a.xyz"), "extension");
   expect_failure(run_on_text(""), "empty");
+  // a face over several lines, and one that lacks a corner
+  const std::string corners = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  EXPECT_EQ(run_on_text(corners + "3 0\n2\n1\n\n3 0 1 3\n3 1\n2 3\n3 2 0 3\n").status, 0);
+  expect_failure(run_on_text(corners + "3 0 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"), "cannot read");
   expect_failure(run_on_text("OFF\n3 1 0\n0 0 0\n1 0"), "cannot read");
   expect_failure(run_on_text("OFF\n0 0 0\n"), "no vertices");
   expect_failure(run_on_text("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"), "no faces");
