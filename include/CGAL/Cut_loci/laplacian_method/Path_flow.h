@@ -129,9 +129,9 @@ private:
     Entrance entrance;
   };
 
-  // Longer by less than a thousandth of the edge is no longer: that is far below what a curve of mesh edges is accurate
-  // to, and far above what thin faces make of rounding errors. More lets paths share a way that part soon after.
-  static constexpr double tolerance = 1e-3;
+  // Longer by less than a hundredth of the edge is no longer: that is far below what a curve of mesh edges is accurate
+  // to, and far above what thin faces make of rounding errors.
+  static constexpr double tolerance = 1e-2;
 
   bool is_near(Index r, const Step& step) const
   {
