@@ -169,9 +169,7 @@ public:
 
   /// how many corridors between branches are narrower than a face, so that a curve of mesh edges closes them, and is open
   /// beside them instead: shortest paths through these cross the curve, and what is behind them is reached by a detour.
-  /// It is 0 for a curve through the faces. With `Cut_loci::Method::LAPLACIAN` it is the number of mesh edges that the curve
-  /// stands for and that shortest paths cross which become longer by more than a mean edge, whichever curve; 0 if the
-  /// distances are not those of `Exact_geodesic_solver`, as then it is not known
+  /// It is 0 for a curve through the faces, and with `Cut_loci::Method::LAPLACIAN`, which does not know them
   std::size_t number_of_narrow_corridors() const { return number_of_narrow_corridors_; }
 
 private:

@@ -96,8 +96,7 @@ public:
 
   void grow_tree() override
   {
-    crossed_ = edges_crossed_by_descents(mesh_, connectivity_, distance_, source_, geodesics_, progress_.part(0., 0.5),
-                                         &closed_corridors_);
+    crossed_ = edges_crossed_by_descents(mesh_, connectivity_, distance_, source_, geodesics_, progress_.part(0., 0.5));
     spanning_tree_ = region_growing_tree(connectivity_, laplacian_, choose_root(),
                                          Source_element(connectivity_, source_), crossed_, progress_.part(0.5, 0.75));
     tree_ = spanning_tree_;
@@ -116,22 +115,12 @@ public:
   // once per threshold
   Indexed_cut_locus filter(const Branch_thresholds& thresholds) const override
   {
-    Indexed_cut_locus result = mesh_edge_graph(connectivity_, distance_, filter_(mesh_, thresholds));
-    const auto closes_corridor = [&](const Indexed_cut_locus::Edge& e)
-    {
-      return std::binary_search(closed_corridors_.begin(), closed_corridors_.end(),
-                                connectivity_.edge_of_halfedge[e.halfedge]);
-    };
-    result.number_of_narrow_corridors =
-      static_cast<Index>(std::count_if(result.edges.begin(), result.edges.end(), closes_corridor));
-    return result;
+    return mesh_edge_graph(connectivity_, distance_, filter_(mesh_, thresholds));
   }
 
   Indexed_cut_locus smoothed(const Indexed_cut_locus& cut_locus, const Smoothing_parameters& parameters) const override
   {
-    Indexed_cut_locus result = smoothed_cut_locus(mesh_, connectivity_, distance_, cut_locus, parameters, progress_);
-    result.number_of_narrow_corridors = cut_locus.number_of_narrow_corridors; // it passes where the edges do
-    return result;
+    return smoothed_cut_locus(mesh_, connectivity_, distance_, cut_locus, parameters, progress_);
   }
 
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
@@ -226,8 +215,7 @@ private:
   const Geodesic_results* geodesics_ = nullptr;
   Index farthest_ = null_index;
   std::vector<float> angle_, laplacian_;
-  std::vector<unsigned char> crossed_;  // edges, by descents of the distance
-  std::vector<Index> closed_corridors_; // edges, see `edges_crossed_by_descents()`
+  std::vector<unsigned char> crossed_; // edges, by descents of the distance
   Spanning_tree spanning_tree_;
   Spanning_tree tree_; // the same, thinned
   Branch_filter filter_;
