@@ -204,6 +204,52 @@ inline Mesh_data doubly_covered(const Mesh_data& m)
   return result;
 }
 
+/// how a flat face with many corners is triangulated: by diagonals from one of them, by a zigzag, from its center
+enum class Flat_face
+{
+  FAN,
+  ZIGZAG,
+  STAR
+};
+
+/// a cylinder of `n` flat sides, closed by two flat faces; the vertices of its rims come first, below and above
+inline Mesh_data closed_cylinder(std::size_t n, double height, Flat_face caps)
+{
+  Mesh_data m;
+  for(double z : {0., height})
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double angle = 2. * 3.14159265358979323846 * static_cast<double>(i) / static_cast<double>(n);
+      m.points.push_back({{std::cos(angle), std::sin(angle), z}});
+    }
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t j = (i + 1) % n;
+    m.triangles.push_back({{i, j, n + j}});
+    m.triangles.push_back({{i, n + j, n + i}});
+  }
+  for(bool is_above : {false, true})
+  {
+    const std::size_t first = is_above ? n : 0, center = m.points.size();
+    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) // counterclockwise from above
+    { m.triangles.push_back(is_above ? Triangle{{a, b, c}} : Triangle{{a, c, b}}); };
+    if(caps == Flat_face::STAR)
+      m.points.push_back({{0., 0., is_above ? height : 0.}});
+    for(std::size_t i = 0; i < n && caps == Flat_face::STAR; ++i)
+      add(center, first + i, first + (i + 1) % n);
+    for(std::size_t i = 1; i + 1 < n && caps == Flat_face::FAN; ++i)
+      add(first, first + i, first + i + 1);
+    for(std::size_t low = 0, high = n - 1; high - low > 1 && caps == Flat_face::ZIGZAG;)
+    {
+      const bool is_low_next = low + high == n - 1;
+      add(first + low, first + (is_low_next ? low + 1 : high - 1), first + high);
+      low += is_low_next ? 1 : 0;
+      high -= is_low_next ? 0 : 1;
+    }
+  }
+  return m;
+}
+
 } // namespace test_meshes
 
 #endif // CGAL_CUT_LOCI_TEST_POLYHEDRA_H

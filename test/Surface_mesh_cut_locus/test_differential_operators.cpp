@@ -4,6 +4,7 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
+#include "polyhedra.h"
 #include "test_meshes.h"
 
 #include <CGAL/Cut_loci/laplacian_method/Differential_operators.h>
@@ -334,6 +335,17 @@ TEST(Differential_operators, vertices_of_valence_three_have_gradients)
     ASSERT_EQ(connectivity.valence(v), 3u);
     EXPECT_LT(norm(operators.gradient_in_space(gradient, v) - gradient_on(sphere, data.points[v])), 4. * h * h);
     EXPECT_LT(std::abs(laplacian[v] - laplacian_on(sphere, data.points[v])), 8. * h);
+  }
+}
+
+// The fit of a vertex of the rim takes more than its neighbors, as these are too few, but not all of a fan.
+TEST(Differential_operators, of_a_fan_do_not_grow_with_its_square)
+{
+  for(const std::size_t n : {100, 1000})
+  {
+    const Indexed_triangle_mesh mesh = indexed(closed_cylinder(n, 3., Flat_face::FAN));
+    const Differential_operators operators(mesh, Mesh_connectivity(mesh));
+    EXPECT_LT(static_cast<std::size_t>(operators.laplacian.nonZeros()), 200 * n);
   }
 }
 

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Cut_loci {
@@ -77,7 +78,9 @@ private:
 
   struct Known
   {
-    Geodesic_window_list* windows = nullptr; // the shortest so far, in the frame of the halfedge of smaller index
+    // Windows in the frame of the halfedge of smaller index, in lists from long to short: joined in pairs of like size,
+    // so that none is looked at more than some ten times, as an edge of a fan is crossed once from each of the others.
+    std::vector<Geodesic_window_list*> lists;
     unsigned visits = 0;
   };
 
@@ -106,14 +109,12 @@ private:
   template <int columns>
   void drop(const Known& known, Geodesic_window_list& list, double length, bool is_mirrored) const
   {
-    if(known.windows == nullptr)
-      return;
     const double narrow = geodesic_narrow * length;
     std::size_t n = list.begin;
     for(std::size_t i = list.begin; i < list.end; ++i)
     {
       Geodesic_window w = in_frame(list.template get<columns>(i), length, is_mirrored);
-      clip(*known.windows, w, narrow);
+      clip(known, w, narrow);
       if(is_alive(w, narrow))
         list.template set<columns>(n++, in_frame(w, length, is_mirrored));
     }
@@ -121,22 +122,33 @@ private:
   }
 
   /// cuts off both ends of a window as far as their points are reached by paths that are not longer
+  static void clip(const Known& known, Geodesic_window& w, double narrow)
+  {
+    bool goes_on = true;
+    while(goes_on) // what one list leaves may be in another one
+    {
+      const double a = w.a, b = w.b;
+      for(std::size_t i = 0; i < known.lists.size() && is_alive(w, narrow); ++i)
+        clip(*known.lists[i], w, narrow);
+      goes_on = known.lists.size() > 1 && is_alive(w, narrow) && (w.a > a || w.b < b);
+    }
+  }
+
   static void clip(const Geodesic_window_list& known, Geodesic_window& w, double narrow)
   {
-    for(std::size_t i = known.begin; i < known.end && is_alive(w, narrow); ++i)
+    const double *begins = known.column(0), *ends = known.column(1);
+    for(std::size_t i = std::upper_bound(ends + known.begin, ends + known.end, w.a) - ends;
+        i < known.end && is_alive(w, narrow); ++i)
     {
       const Geodesic_window k = known.get<5>(i);
-      if(k.b <= w.a)
-        continue;
       if(k.a > w.a + narrow || !is_nowhere_longer(k, w, w.a, (std::min)(k.b, w.b)))
         break;
       w.a = (std::min)(k.b, w.b);
     }
-    for(std::size_t i = known.end; i-- > known.begin && is_alive(w, narrow);)
+    for(std::size_t i = std::lower_bound(begins + known.begin, begins + known.end, w.b) - begins;
+        i-- > known.begin && is_alive(w, narrow);)
     {
       const Geodesic_window k = known.get<5>(i);
-      if(k.a >= w.b)
-        continue;
       if(k.b < w.b - narrow || !is_nowhere_longer(k, w, (std::max)(k.a, w.a), w.b))
         break;
       w.b = (std::max)(k.a, w.a);
@@ -162,17 +174,25 @@ private:
     for(std::size_t i = 0; i < list.size(); ++i)
       fresh->append<5>(
         in_frame(list.template get<columns>(is_mirrored ? list.end - 1 - i : list.begin + i), length, is_mirrored));
-    if(known.windows == nullptr)
+    Geodesic_trimming<5>(*fresh, length, true)(fresh->begin);
+    while(!known.lists.empty() && known.lists.back()->size() <= 2 * fresh->size())
     {
-      Geodesic_trimming<5>(*fresh, length, true)(fresh->begin);
-      known.windows = fresh;
-      return;
+      fresh = joined(known.lists.back(), fresh, length);
+      known.lists.pop_back();
     }
-    Geodesic_window_list* envelope = pool_.allocate<5>(4 * std::size_t(fresh->size() + known.windows->size()));
-    Geodesic_envelope<5>()(*known.windows, *fresh, *envelope, length);
-    pool_.release(fresh);
-    pool_.release(known.windows);
-    known.windows = envelope;
+    known.lists.push_back(fresh);
+  }
+
+  /// the lower envelope of two lists, in place of them
+  Geodesic_window_list* joined(Geodesic_window_list* first, Geodesic_window_list* second, double length)
+  {
+    Geodesic_window_list* envelope = pool_.allocate<5>(4 * std::size_t(first->size() + second->size()));
+    Geodesic_envelope<5>()(*first, *second, *envelope, length);
+    Geodesic_window_list* result = pool_.allocate<5>(envelope->size());
+    result->append<5>(*envelope);
+    for(Geodesic_window_list* list : {first, second, envelope})
+      pool_.release(list);
+    return result;
   }
 
   const Geodesic_faces& faces_;

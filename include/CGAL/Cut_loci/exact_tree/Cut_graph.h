@@ -200,7 +200,7 @@ private:
   {
     const std::vector<Ridges::Face>& faces = ridges_.faces();
     std::vector<unsigned char> is_done;
-    std::vector<Index> parts;
+    std::vector<Index> parts, last_of_tree, previous;
     Progress::Counter told(progress, faces.empty() ? 0 : faces.back().end_node);
     for(Index r = 0; r < faces.size(); ++r)
     {
@@ -211,6 +211,16 @@ private:
       const Index n = face.number_of_crossings;
       ridges_.crossings_around(face.face, around_);
       const auto tree = [&](Index i) { return ridges_.node(face, i).tree; };
+      // of the crossings of the same tree, the one before, around the face
+      last_of_tree.resize(face.number_of_trees);
+      previous.resize(n);
+      for(Index i = 0; i < n; ++i)
+        last_of_tree[tree(i)] = i;
+      for(Index i = 0; i < n; ++i)
+      {
+        previous[i] = last_of_tree[tree(i)];
+        last_of_tree[tree(i)] = i;
+      }
       is_done.assign(n, 0);
       for(Index seed = 0; seed < n; ++seed)
       {
@@ -219,11 +229,7 @@ private:
         {
           is_done[part] = 1;
           parts.push_back(part);
-          const Index end = part + 1 < n ? part + 1 : 0;
-          part = end;
-          do
-            part = part > 0 ? part - 1 : n - 1;
-          while(tree(part) != tree(end));
+          part = previous[part + 1 < n ? part + 1 : 0];
         }
         for(std::size_t i = 0; i + 1 < parts.size(); ++i)
           if(!forest_.link(behind(around_[parts[i]]), behind(around_[parts[i + 1]])))

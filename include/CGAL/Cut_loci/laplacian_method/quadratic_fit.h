@@ -179,14 +179,21 @@ private:
     return {{{io, il, node(apex)}}, {{1. - t + s * rate_o, t + s * rate_l, s * rate_q}}};
   }
 
+  // The neighbors of the neighbors; of one in the middle of a fan those next to the vertex, as all of them would take
+  // time and memory that grow with the square of the fan.
   void add_second_ring(Index v)
   {
+    constexpr Index most = 8; // on either side: all of them where up to 17 edges meet
     for(Index entry = connectivity_.ring_begin[v]; entry < connectivity_.ring_begin[v + 1]; ++entry)
     {
-      const Index w = connectivity_.ring_vertex[entry];
-      for(Index e = connectivity_.ring_begin[w]; e < connectivity_.ring_begin[w + 1]; ++e)
-        if(connectivity_.ring_vertex[e] != v)
+      const Index w = connectivity_.ring_vertex[entry], at = connectivity_.ring_reverse[entry];
+      const Index begin = connectivity_.ring_begin[w], end = connectivity_.ring_begin[w + 1], n = end - begin;
+      for(Index e = begin; e < end; ++e)
+      {
+        const Index behind = e >= at ? e - at : e + n - at;
+        if(connectivity_.ring_vertex[e] != v && (std::min)(behind, n - behind) <= most)
           samples_.push_back({{{node(connectivity_.ring_vertex[e]), 0, 0}}, {{1., 0., 0.}}});
+      }
     }
   }
 
@@ -227,10 +234,15 @@ private:
     equations_.resize(5, n);
     for(Eigen::Index i = 0; i < n; ++i)
       equations_.col(i) = equation(samples_[i]);
+    // of the small factor: Eigen's pseudo-inverse of all would be a product with the identity of size n
+    const Eigen::Index rank = (std::min)(n, Eigen::Index(5));
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(equations_.transpose());
+    const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(n, rank);
+    const Eigen::MatrixXd r = qr.matrixQR().topRows(rank).triangularView<Eigen::Upper>();
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
     decomposition.setThreshold(1e-4); // a null direction stays zero instead of amplifying noise 10^4 times
-    decomposition.compute(equations_.transpose());
-    pinv_ = decomposition.pseudoInverse();
+    decomposition.compute(r);
+    pinv_ = decomposition.pseudoInverse() * q.transpose();
   }
 
   void set_row(Index v)

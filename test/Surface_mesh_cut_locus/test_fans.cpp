@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// Flat faces with many corners, as the ends of cylinders are, come as hundreds of slim triangles, each of which windows
+// from all around the rim cross. How they are triangulated is nothing to the surface.
+
+#include "built_mesh.h"
+#include "detour.h"
+#include "polyhedra.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_cut_locus.h>
+#include <CGAL/Surface_mesh_exact_geodesics.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace {
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Built = Built_mesh<Mesh>;
+using CGAL::Cut_loci::Method;
+using test_meshes::Flat_face;
+namespace params = CGAL::parameters;
+
+std::vector<std::unique_ptr<Built>> cylinders(std::size_t n)
+{
+  std::vector<std::unique_ptr<Built>> result;
+  for(Flat_face caps : {Flat_face::STAR, Flat_face::FAN, Flat_face::ZIGZAG})
+    result.emplace_back(new Built(test_meshes::closed_cylinder(n, 3., caps)));
+  return result;
+}
+
+TEST(Fans, distances_do_not_depend_on_how_flat_faces_are_triangulated)
+{
+  const std::size_t n = 400;
+  const auto built = cylinders(n);
+  for(const std::size_t source : {std::size_t(0), std::size_t(7), n + n / 3})
+  {
+    CGAL::Surface_mesh_exact_geodesics<Mesh> expected(built[0]->mesh);
+    expected.compute(built[0]->vertices[source]);
+    for(std::size_t i : {1, 2})
+    {
+      CGAL::Surface_mesh_exact_geodesics<Mesh> found(built[i]->mesh);
+      found.compute(built[i]->vertices[source]);
+      for(std::size_t v = 0; v < 2 * n; ++v)
+        EXPECT_NEAR(found.distance(built[i]->vertices[v]), expected.distance(built[0]->vertices[v]), 1e-10);
+    }
+  }
+}
+
+TEST(Fans, no_shortest_path_crosses_the_cut_locus)
+{
+  for(const auto& built : cylinders(150))
+    for(Method method : {Method::DIRECTION, Method::POLYHEDRAL, Method::LAPLACIAN})
+    {
+      CGAL::Surface_mesh_cut_locus<Mesh> solver(built->mesh, params::cut_locus_method(method));
+      solver.set_source(built->vertices[7]);
+      const curve_measures::Measures measures = curve_measures::measure(
+        built->mesh, solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
+      EXPECT_EQ(measures.topology_fault, "");
+      EXPECT_LT(measures.max, 1e-9);
+    }
+}
+
+} // namespace
