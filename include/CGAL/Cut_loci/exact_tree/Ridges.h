@@ -77,7 +77,11 @@ public:
     : mesh_(&mesh), connectivity_(&connectivity), geodesics_(&geodesics), changes_(&changes)
   {
     constexpr std::size_t block = 128; // faces, which take some milliseconds where they have hundreds of crossings
-    const std::size_t number = (mesh.number_of_faces() + block - 1) / block;
+    std::vector<Index> drawn;
+    for(Index f = 0; f < mesh.number_of_faces(); ++f)
+      if(changes.is_drawn(f))
+        drawn.push_back(f);
+    const std::size_t number = (drawn.size() + block - 1) / block;
     std::vector<Ridges> parts(number, empty_copy());
     for(std::size_t first = 0; first < number; first += threads.number_at_once())
     {
@@ -86,8 +90,7 @@ public:
                   [&](std::size_t i)
                   {
         const std::size_t begin = (first + i) * block;
-        parts[first + i].add_faces(static_cast<Index>(begin),
-                                   static_cast<Index>((std::min)(begin + block, std::size_t(mesh.number_of_faces()))));
+        parts[first + i].add_faces(drawn, begin, (std::min)(begin + block, drawn.size()));
       });
     }
     append(parts, progress.part(0.8, 1.));
@@ -148,17 +151,18 @@ private:
     return result;
   }
 
-  void add_faces(Index begin, Index end)
+  void add_faces(const std::vector<Index>& drawn, std::size_t begin, std::size_t end)
   {
     const std::vector<Vertex_labels::Change>& at_vertices = changes_->at_vertices();
     const auto is_before = [](const Vertex_labels::Change& c, Index h) { return c.halfedge < h; };
     std::size_t next_at_vertex = static_cast<std::size_t>(
-      std::lower_bound(at_vertices.begin(), at_vertices.end(), 3 * begin, is_before) - at_vertices.begin());
-    for(Index f = begin; f < end; ++f)
+      std::lower_bound(at_vertices.begin(), at_vertices.end(), 3 * drawn[begin], is_before) - at_vertices.begin());
+    for(std::size_t i = begin; i < end; ++i)
     {
+      const Index f = drawn[i];
       while(next_at_vertex < at_vertices.size() && at_vertices[next_at_vertex].halfedge < 3 * f)
         ++next_at_vertex;
-      if(changes_->is_drawn(f) && (has_crossings(f) || has_two_ends(f, next_at_vertex)))
+      if(has_crossings(f) || has_two_ends(f, next_at_vertex))
         add_face(f, next_at_vertex);
     }
   }
