@@ -273,7 +273,8 @@ inline void set_detour(const std::vector<double>& before, const std::vector<doub
   {
     detour[v] = (std::max)(0., (after[v] - before[v]) / unit); // below 0 by rounding only
     if(!std::isfinite(detour[v]))
-      throw CGAL::Cut_loci::Invalid_input("a distance on the mesh cut open is not a finite number");
+      throw CGAL::Cut_loci::Invalid_input(CGAL::Cut_loci::Cause::TOO_INACCURATE,
+                                          "a distance on the mesh cut open is not a finite number");
     sum += detour[v];
   }
   const auto worst = std::max_element(detour.begin(), detour.end());

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <string>
 
+using CGAL::Cut_loci::Cause;
 using CGAL::Cut_loci::Invalid_input;
 
 namespace {
@@ -28,21 +29,23 @@ std::string face_name(std::size_t f)
   {
     const std::uint32_t v = face[i], w = face[(i + 1) % 3];
     if(v == w)
-      throw Invalid_input(face_name(last) + " has vertex #" + std::to_string(v) + " twice");
+      throw Invalid_input(Cause::NO_TRIANGLE, face_name(last) + " has vertex #" + std::to_string(v) + " twice");
     const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Vertex_index(v), Mesh::Vertex_index(w));
     if(h != Mesh::null_halfedge() && !mesh.is_border(h))
-      throw Invalid_input(face_name(mesh.face(h)) + " and " + face_name(last) + " run along the edge from vertex #" +
-                          std::to_string(v) + " to vertex #" + std::to_string(w) +
-                          " in the same direction: the edge has more than two faces, or they are not oriented alike");
+      throw Invalid_input(Cause::NON_MANIFOLD,
+                          face_name(mesh.face(h)) + " and " + face_name(last) + " run along the edge from vertex #" +
+                            std::to_string(v) + " to vertex #" + std::to_string(w) +
+                            " in the same direction: the edge has more than two faces, or they are not oriented alike");
   }
-  throw Invalid_input("a vertex of " + face_name(last) + " is not manifold: its faces form several fans");
+  throw Invalid_input(Cause::NON_MANIFOLD,
+                      "a vertex of " + face_name(last) + " is not manifold: its faces form several fans");
 }
 
 void check_index(std::int64_t i, std::size_t size, const std::string& kind, const std::string& plural)
 {
   if(i < 0 || static_cast<std::uint64_t>(i) >= size)
-    throw Invalid_input("there is no " + kind + " #" + std::to_string(i) + ": the mesh has " + std::to_string(size) +
-                        " " + plural);
+    throw Invalid_input(Cause::INVALID_SOURCE, "there is no " + kind + " #" + std::to_string(i) + ": the mesh has " +
+                                                 std::to_string(size) + " " + plural);
 }
 
 Mesh::Vertex_index vertex_at(const Mesh& mesh, std::int64_t v)
@@ -106,9 +109,9 @@ std::vector<Source_curve> read_curves(const Mesh& mesh, const std::vector<Curve_
       const Mesh::Vertex_index v = vertex_at(mesh, ends[0]), w = vertex_at(mesh, ends[1]);
       const Mesh::Halfedge_index h = mesh.halfedge(v, w);
       if(h == Mesh::null_halfedge())
-        throw Invalid_input("source curve " + std::to_string(result.size() - 1) +
-                            ": the mesh has no edge from vertex #" + std::to_string(ends[0]) + " to vertex #" +
-                            std::to_string(ends[1]));
+        throw Invalid_input(Cause::INVALID_SOURCE, "source curve " + std::to_string(result.size() - 1) +
+                                                     ": the mesh has no edge from vertex #" + std::to_string(ends[0]) +
+                                                     " to vertex #" + std::to_string(ends[1]));
       result.back().push_back(mesh.edge(h));
     }
   }
@@ -128,13 +131,14 @@ std::vector<double> lengths_of_edges(const Mesh& mesh, const std::vector<double>
       double& length = result[mesh.edge(h)];
       const double here = of_faces[3 * f + i];
       if(!(here >= 0.) || !std::isfinite(here))
-        throw Invalid_input(face_name(f) + " has an edge whose length is " + std::to_string(here));
+        throw Invalid_input(Cause::INVALID_DISTANCE,
+                            face_name(f) + " has an edge whose length is " + std::to_string(here));
       if(length == unknown)
         length = here;
       else if(std::abs(length - here) > rounding * length)
-        throw Invalid_input(face_name(f) + " and " + face_name(mesh.face(mesh.opposite(h))) +
-                            " have different lengths for their edge: " + std::to_string(here) + " and " +
-                            std::to_string(length));
+        throw Invalid_input(Cause::INVALID_DISTANCE, face_name(f) + " and " + face_name(mesh.face(mesh.opposite(h))) +
+                                                       " have different lengths for their edge: " +
+                                                       std::to_string(here) + " and " + std::to_string(length));
     }
   }
   return result;

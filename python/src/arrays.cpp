@@ -14,6 +14,7 @@
 #include <string>
 
 namespace py = pybind11;
+using CGAL::Cut_loci::Cause;
 using CGAL::Cut_loci::Invalid_input;
 
 namespace {
@@ -29,7 +30,8 @@ std::string shape_of(const py::array& array)
 void check_rows_of_three(const py::array& array, const char* name)
 {
   if(array.ndim() != 2 || array.shape(1) != 3)
-    throw Invalid_input(std::string(name) + " must be an array of the shape (n, 3), and not " + shape_of(array));
+    throw Invalid_input(Cause::NO_TRIANGLE,
+                        std::string(name) + " must be an array of the shape (n, 3), and not " + shape_of(array));
 }
 
 std::string type_of(const py::array& array)
@@ -65,8 +67,8 @@ std::vector<std::array<std::uint32_t, 3>> read_faces(const py::array& array, std
     {
       const T v = f(i, k);
       if(static_cast<std::uint64_t>(v) >= number_of_vertices) // or negative
-        throw Invalid_input("face #" + std::to_string(i) + " has the vertex #" + std::to_string(v) + ": the mesh has " +
-                            std::to_string(number_of_vertices) + " vertices");
+        throw Invalid_input(Cause::NO_TRIANGLE, "face #" + std::to_string(i) + " has the vertex #" + std::to_string(v) +
+                                                  ": the mesh has " + std::to_string(number_of_vertices) + " vertices");
       result[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(v);
     }
   return result;
@@ -94,7 +96,8 @@ Arrays read_arrays(const py::array& vertices, const py::array& faces)
     throw py::type_error("the faces must be whole numbers, and not of the type " + type_of(faces));
   constexpr auto most = static_cast<py::ssize_t>(std::numeric_limits<std::uint32_t>::max() / 8);
   if(vertices.shape(0) > most || faces.shape(0) > most)
-    throw Invalid_input("a mesh has no more than " + std::to_string(most) + " vertices and faces");
+    throw Invalid_input(Cause::INVALID_PARAMETER,
+                        "a mesh has no more than " + std::to_string(most) + " vertices and faces");
 
   Arrays result;
   if(is_readable_as<double>(vertices))
@@ -121,15 +124,17 @@ Arrays read_arrays(const py::array& vertices, const py::array& faces)
 std::vector<double> read_vertex_values(const py::array& values, std::size_t number_of_vertices)
 {
   if(values.ndim() != 1 || static_cast<std::size_t>(values.shape(0)) != number_of_vertices)
-    throw Invalid_input("the distances must be an array of the shape (" + std::to_string(number_of_vertices) +
-                        ",), and not " + shape_of(values));
+    throw Invalid_input(Cause::INVALID_DISTANCE, "the distances must be an array of the shape (" +
+                                                   std::to_string(number_of_vertices) + ",), and not " +
+                                                   shape_of(values));
   return read_numbers(values, "distances");
 }
 
 std::vector<double> read_face_lengths(const py::array& values, std::size_t number_of_faces)
 {
   if(values.ndim() != 2 || static_cast<std::size_t>(values.shape(0)) != number_of_faces || values.shape(1) != 3)
-    throw Invalid_input("the edge lengths must be an array of the shape (" + std::to_string(number_of_faces) +
-                        ", 3), and not " + shape_of(values));
+    throw Invalid_input(Cause::INVALID_DISTANCE, "the edge lengths must be an array of the shape (" +
+                                                   std::to_string(number_of_faces) + ", 3), and not " +
+                                                   shape_of(values));
   return read_numbers(values, "edge lengths");
 }

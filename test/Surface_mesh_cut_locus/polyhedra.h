@@ -205,12 +205,7 @@ inline Mesh_data doubly_covered(const Mesh_data& m)
 }
 
 /// how a flat face with many corners is triangulated: by diagonals from one of them, by a zigzag, from its center
-enum class Flat_face
-{
-  FAN,
-  ZIGZAG,
-  STAR
-};
+enum class Flat_face { FAN, ZIGZAG, STAR };
 
 /// a cylinder of `n` flat sides, closed by two flat faces; the vertices of its rims come first, below and above
 inline Mesh_data closed_cylinder(std::size_t n, double height, Flat_face caps)
@@ -232,7 +227,9 @@ inline Mesh_data closed_cylinder(std::size_t n, double height, Flat_face caps)
   {
     const std::size_t first = is_above ? n : 0, center = m.points.size();
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) // counterclockwise from above
-    { m.triangles.push_back(is_above ? Triangle{{a, b, c}} : Triangle{{a, c, b}}); };
+    {
+      m.triangles.push_back(is_above ? Triangle{{a, b, c}} : Triangle{{a, c, b}});
+    };
     if(caps == Flat_face::STAR)
       m.points.push_back({{0., 0., is_above ? height : 0.}});
     for(std::size_t i = 0; i < n && caps == Flat_face::STAR; ++i)

@@ -47,7 +47,6 @@ class Invalid_input : public std::invalid_argument
 {
 public:
   Invalid_input(Cause cause, const std::string& message) : std::invalid_argument(message), cause_(cause) {}
-  explicit Invalid_input(const std::string& message) : Invalid_input(Cause::OTHER, message) {}
 
   /// what is wrong
   Cause cause() const { return cause_; }

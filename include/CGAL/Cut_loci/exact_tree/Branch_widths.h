@@ -39,8 +39,8 @@ public:
     : edges_(edges), measure_(measure), width_(width), degree_(number_of_nodes, 0), exclusive_or_(number_of_nodes, 0),
       is_done_(edges.size(), 0)
   {
-    constexpr std::size_t seldom =
-      8; // parts of rows: the two paths of each edge that is measured take a part of a millisecond
+    // parts of rows: the two paths of each edge that is measured take a part of a millisecond
+    constexpr std::size_t seldom = 8;
     std::size_t number = 0;
     for(Index e = 0; e < edges.size(); ++e)
       for(Index i : {edges[e].outer, edges[e].inner})

@@ -111,17 +111,24 @@ private:
     }
     if(!edges_.empty())
       root_ = edges_.back().inner;
+    add_core(is_peeled, ends);
+    std::reverse(edges_.begin(), edges_.end());
+    if(terminals > 0)
+      root_ = 0;
+  }
+
+  // what no leaf leads to: the cycles, and what joins them
+  template <typename Ends>
+  void add_core(const std::vector<unsigned char>& is_peeled, const Ends& ends)
+  {
     constexpr float always = (std::numeric_limits<float>::infinity)();
-    for(Index e = 0; e < m; ++e)
+    for(Index e = 0; e < is_peeled.size(); ++e)
       if(!is_peeled[e])
       {
         const auto nodes = ends(e);
         edges_.push_back({e, nodes[0], nodes[1], always});
         root_ = nodes[0];
       }
-    std::reverse(edges_.begin(), edges_.end());
-    if(terminals > 0)
-      root_ = 0;
   }
 
   Index root_ = null_index;
