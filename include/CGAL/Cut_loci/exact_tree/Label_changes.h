@@ -51,6 +51,20 @@ public:
   const Edge_crossing& operator[](std::size_t i) const { return crossings_[i]; }
   Index number_of_crossings() const { return static_cast<Index>(crossings_.size()); }
   Index first(Index e) const { return first_[e]; }
+  /// calls `function(c, is_reversed)` for the crossings of a halfedge, in its order
+  template <typename Function>
+  void for_each_crossing(Index h, const Function& function) const
+  {
+    const Index e = connectivity_->edge_of_halfedge[h];
+    const Index begin = first(e), end = first(e + 1);
+    if(connectivity_->halfedge_of_edge[e] == h)
+      for(Index c = begin; c < end; ++c)
+        function(c, false);
+    else
+      for(Index c = end; c-- > begin;)
+        function(c, true);
+  }
+
   /// whether the paths on its two sides come from different sources
   bool is_between_sources(std::size_t i) const
   {

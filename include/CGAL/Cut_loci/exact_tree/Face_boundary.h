@@ -1,0 +1,317 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_FACE_BOUNDARY_H
+#define CGAL_CUT_LOCI_EXACT_TREE_FACE_BOUNDARY_H
+
+#include <CGAL/Cut_loci/exact_tree/Edge_crossings.h>
+#include <CGAL/Cut_loci/exact_tree/Face_ridges.h>
+#include <CGAL/Cut_loci/exact_tree/Label_changes.h>
+#include <CGAL/Cut_loci/exact_tree/Path_label.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * reads where the label changes around a face, as `Face_ridges` needs it: as images in the plane of the face, which fit
+ * each other from one edge to the next.
+ */
+class Face_boundary
+{
+public:
+  /// where a change is: one of the two, or none at the boundary of a shadow
+  struct Place
+  {
+    Index crossing = null_index; // of an edge of the face
+    Index vertex = null_index;   // a branch ends there
+  };
+
+  Face_boundary(const Indexed_triangle_mesh& mesh, const Geodesic_results& geodesics, const Label_changes& changes)
+    : mesh_(&mesh), geodesics_(&geodesics), changes_(&changes)
+  {
+  }
+
+  /// @param next_at_vertex of `Label_changes::at_vertices()`, the first one that is not before the face
+  void read(Index f, std::size_t next_at_vertex)
+  {
+    face_ = f;
+    corners_ = layout(*geodesics_, f);
+    local_changes_.clear();
+    places_.clear();
+    const std::vector<Vertex_labels::Change>& at_vertices = changes_->at_vertices();
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      for(; next_at_vertex < at_vertices.size() && at_vertices[next_at_vertex].halfedge == h; ++next_at_vertex)
+        add_change_at_vertex(at_vertices[next_at_vertex]);
+      add_changes_on_edge(h);
+    }
+    if(geodesics_->is_approximate())
+      unite_families();
+    else
+      fit_labels_at_corners();
+  }
+
+  /// in the frame of the first halfedge of the face, as all that follows
+  const std::array<Plane_point, 3>& corners() const { return corners_; }
+  /// counterclockwise from the first corner
+  const std::vector<Face_ridges::Change>& changes() const { return local_changes_; }
+  /// those of the changes
+  const std::vector<Place>& places() const { return places_; }
+  /// of the changes, before those of a family become one; of exact distances there are none
+  const std::vector<std::array<Image, 2>>& own_images() const { return own_images_; }
+
+  /// all straight ways into the face
+  const std::vector<Face_ridges::Entry>& entries()
+  {
+    entries_.clear();
+    for(Index h = 3 * face_; h < 3 * face_ + 3; ++h)
+    {
+      const double length = geodesics_->faces().length(h);
+      double last = 0.;
+      Path_label label = Vertex_labels(*geodesics_).at_source(h); // of all of an edge without crossings
+      changes_->for_each_crossing(h,
+                                  [&](Index c, bool is_reversed)
+                                  {
+        const double t = is_reversed ? length - (*changes_)[c].t : (*changes_)[c].t;
+        add_entry(h, label_before(c, is_reversed), last, t);
+        last = t;
+        label = label_after(c, is_reversed);
+      });
+      add_entry(h, label, last, length);
+    }
+    add_entries_inside(face_);
+    return entries_;
+  }
+
+  /// the angle at which the paths from two images to a point part
+  double gap(const Image& a, const Image& b, const Plane_point& p) const
+  {
+    return Parting_angle(*geodesics_)(a.origin, a.direction_to(p, corners_), b.origin, b.direction_to(p, corners_),
+                                      angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y));
+  }
+
+  bool is_seam(const Image& a, const Image& b, const Plane_point& p) const
+  {
+    return geodesics_->is_seam(a.origin, b.origin, angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y));
+  }
+
+  /// the corners of a face in the frame of its first halfedge
+  static std::array<Plane_point, 3> layout(const Geodesic_results& geodesics, Index f)
+  {
+    return {{{0., 0.}, {geodesics.faces().length(3 * f), 0.}, geodesics.faces().apex(3 * f)}};
+  }
+
+private:
+  /// from the frame of `h` to that of the first halfedge of its face
+  Plane_point to_face(Index h, double x, double y) const
+  {
+    const Plane_point &p = corners_[h % 3], &q = corners_[(h + 1) % 3];
+    const double l = geodesics_->faces().length(h), c = (q.x - p.x) / l, s = (q.y - p.y) / l;
+    return {p.x + c * x - s * y, p.y + s * x + c * y};
+  }
+
+  /// the image of a label of `h`
+  Image image(Index h, const Path_label& label) const
+  {
+    Plane_point p = to_face(h, label.x, label.y);
+    fit_to_source(h, label, p);
+    const Index axis = h % 3 + (label.from_face ? 3 : 0);
+    const double direction = label.turn + label.rate * (label.from_face ? -0.5 : 0.5) * geodesic_pi;
+    return {p.x, p.y, label.sigma, label.origin, static_cast<unsigned char>(axis), direction, label.rate};
+  }
+
+  /// The image of one of several sources that is in the face is the source itself, from whichever edge it is seen.
+  void fit_to_source(Index h, const Path_label& label, Plane_point& p) const
+  {
+    Plane_point source;
+    if(geodesics_->number_of_sources() == 1 || !geodesics_->is_source(label.origin) ||
+       !geodesics_->source_in_frame(label.origin, 3 * (h / 3), source))
+      return;
+    const double rounding = 1e-9 * geodesics_->faces().length(h); // as for two images
+    if(std::fabs(p.x - source.x) + std::fabs(p.y - source.y) <= rounding)
+      p = source;
+  }
+
+  /// the same for a label right beside the begin of `h`, which may come from any side
+  Image image_at_vertex(Index h, const Path_label& label) const
+  {
+    Image result = image(h, label);
+    result.direction += label.direction(0.) - result.direction_to(corners_[h % 3], corners_);
+    return result;
+  }
+
+  void add_change_at_vertex(const Vertex_labels::Change& c)
+  {
+    const Index v = mesh_->source(c.halfedge);
+    const bool is_ray = c.is_shadow && !(geodesics_->is_line(c.before.origin) && geodesics_->is_line(c.after.origin));
+    local_changes_.push_back({corners_[c.halfedge % 3], null_index, image_at_vertex(c.halfedge, c.before),
+                              image_at_vertex(c.halfedge, c.after), is_ray, c.is_shadow});
+    Place place;
+    place.vertex = c.is_shadow ? null_index : v;
+    places_.push_back(place);
+  }
+
+  /*
+   * A path that passes several vertices on one line, as along an edge of the mesh, comes from the image of any of them.
+   * At a corner, where the labels of the edges end, it may have been given different ones: they become the same, that
+   * of the edge, or change there.
+   */
+  void fit_labels_at_corners()
+  {
+    for(std::size_t i = 0; i < local_changes_.size(); ++i)
+    {
+      const std::size_t next = i + 1 < local_changes_.size() ? i + 1 : 0;
+      Face_ridges::Change &a = local_changes_[i], &b = local_changes_[next];
+      if(is_same_image(a.after, b.before))
+        continue;
+      const Plane_point end = a.edge == null_index ? a.point : corners_[(a.edge + 1) % 3];
+      const Plane_point begin = b.edge == null_index ? b.point : corners_[b.edge];
+      // An edge of a curve has one label: that of the change at its corner.
+      const bool has_line_between = geodesics_->has_lines() && (a.edge == null_index) != (b.edge == null_index) &&
+                                    (end.x != begin.x || end.y != begin.y);
+      const bool is_corner = !has_line_between && (a.edge == null_index || b.edge == null_index);
+      const Plane_point p = (b.edge == null_index) != has_line_between ? begin : end;
+      if(a.edge == b.edge || !(gap(a.after, b.before, p) < 1e-7) || !are_on_one_line(a.after, b.before, p))
+        continue;
+      if(is_corner && b.edge == null_index)
+        b.before = a.after;
+      else if(is_corner)
+        a.after = b.before;
+      else
+      {
+        local_changes_.insert(local_changes_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                              {p, null_index, a.after, b.before, true, true});
+        places_.insert(places_.begin() + static_cast<std::ptrdiff_t>(i) + 1, Place());
+      }
+    }
+  }
+
+  /*
+   * Where windows have been merged, paths that belong together have different images on the edges of a face, and these fit
+   * each other up to the error of the distance. All of a family, between two changes and the next ones, get the image of
+   * its first part of the boundary.
+   */
+  void unite_families()
+  {
+    const std::size_t n = local_changes_.size();
+    own_images_.clear();
+    for(const Face_ridges::Change& c : local_changes_)
+      own_images_.push_back({{c.before, c.after}});
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t next = i + 1 < n ? i + 1 : 0;
+      const Plane_point p = local_changes_[i].point;
+      const Image own = local_changes_[i].after;
+      Image* const last = i > 0 ? &local_changes_[i - 1].after : nullptr;
+      for(std::size_t k = 0; k + 1 < i; ++k)
+      {
+        const Image& other = local_changes_[k].after;
+        if(!is_same_image(other, *last) && are_one_family(own, other, p) &&
+           (next != 0 || !is_same_image(other, local_changes_[0].after)))
+        {
+          local_changes_[i].after = other;
+          break;
+        }
+      }
+      local_changes_[next].before = local_changes_[i].after;
+    }
+  }
+
+  bool are_one_family(const Image& a, const Image& b, const Plane_point& p) const
+  {
+    return Edge_crossings::is_same_family(*geodesics_, angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y),
+                                          gap(a, b, p));
+  }
+
+  bool are_on_one_line(const Image& a, const Image& b, const Plane_point& p) const
+  {
+    return angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y) < 1e-7 || is_seam(a, b, p);
+  }
+
+  /// whether both paths come along one line; where the waves of a curve's edge and of its end touch, they do so over the
+  /// square root of the rounding
+  bool is_ray(const Edge_crossing& c) const
+  {
+    return c.angle < 1e-7 || (c.is_shadow && geodesics_->is_line(c.left.origin) != geodesics_->is_line(c.right.origin));
+  }
+
+  void add_changes_on_edge(Index h)
+  {
+    const double length = geodesics_->faces().length(h);
+    changes_->for_each_crossing(h,
+                                [&](Index c, bool is_reversed)
+                                {
+      const Edge_crossing& crossing = (*changes_)[c];
+      const double t = is_reversed ? length - crossing.t : crossing.t;
+      local_changes_.push_back({to_face(h, t, 0.), h % 3, image(h, label_before(c, is_reversed)),
+                                image(h, label_after(c, is_reversed)), is_ray(crossing), crossing.is_shadow,
+                                geodesics_->is_approximate() ? crossing.gap : 0.});
+      Place place;
+      place.crossing = crossing.is_shadow ? null_index : c;
+      places_.push_back(place);
+    });
+  }
+
+  /// the labels of a crossing as one goes around the face
+  Path_label label_before(Index c, bool is_reversed) const
+  {
+    const Edge_crossing& crossing = (*changes_)[c];
+    return is_reversed ? crossing.right.opposite(geodesics_->faces().length(crossing.halfedge)) : crossing.left;
+  }
+  Path_label label_after(Index c, bool is_reversed) const
+  {
+    const Edge_crossing& crossing = (*changes_)[c];
+    return is_reversed ? crossing.left.opposite(geodesics_->faces().length(crossing.halfedge)) : crossing.right;
+  }
+
+  void add_entry(Index h, const Path_label& label, double from, double to)
+  {
+    if(label.from_face && label.y > 0.)
+      return;
+    entries_.push_back({image(h, label), to_face(h, from, 0.), to_face(h, to, 0.)});
+  }
+
+  /// paths through a corner, and from a source in the face
+  void add_entries_inside(Index f)
+  {
+    for(Index i = 0; i < 3; ++i)
+    {
+      const Index v = mesh_->triangles[f][i], origin = geodesics_->origin_of_vertex(v);
+      const double d = geodesics_->distance(v);
+      entries_.push_back({{corners_[i].x, corners_[i].y, d, origin, 0, 0.}, corners_[i], corners_[i]});
+    }
+    for(Index i = 0; i < geodesics_->number_of_sources(); ++i)
+    {
+      Plane_point p;
+      if(geodesics_->source_in_frame(i, 3 * f, p))
+        entries_.push_back({{p.x, p.y, 0., i, 0, 0.}, p, p});
+    }
+  }
+
+  const Indexed_triangle_mesh* mesh_;
+  const Geodesic_results* geodesics_;
+  const Label_changes* changes_;
+  // of the face in work
+  Index face_ = null_index;
+  std::array<Plane_point, 3> corners_;
+  std::vector<Face_ridges::Change> local_changes_;
+  std::vector<Face_ridges::Entry> entries_;
+  std::vector<Place> places_;
+  std::vector<std::array<Image, 2>> own_images_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_FACE_BOUNDARY_H
