@@ -481,12 +481,19 @@ private:
   void connect(Index i, Index j)
   {
     Front &a = fronts_[i], &b = fronts_[j];
-    ridges.push_back({{a.node, b.node}, {a.before, a.after}, a.is_shadow && b.is_shadow});
+    ridges.push_back({{a.node, b.node}, {a.before, a.after}, is_shadow_between(a, b)});
     fronts_[a.previous].next = b.next;
     fronts_[b.next].previous = a.previous;
     a.is_alive = b.is_alive = false;
     first_ = b.next;
     size_ -= 2;
+  }
+
+  /// Where one path goes on from a vertex at which the other one bends, the boundary of the shadow is straight, and a
+  /// shadow up to its end: other pieces meet it there at a point that is known up to the square root of rounding only.
+  static bool is_shadow_between(const Front& a, const Front& b)
+  {
+    return a.before.origin != a.after.origin ? a.is_shadow || b.is_shadow : a.is_shadow && b.is_shadow;
   }
 
   struct Interval
