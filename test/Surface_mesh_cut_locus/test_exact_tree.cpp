@@ -280,6 +280,24 @@ TEST(Exact_tree, no_branch_leads_to_a_vertex_at_which_paths_bend)
   }
 }
 
+// A bisector may cross a face twice, and the one of a path and another one that bends is so narrow that three paths are
+// equally long on both of its sides.
+TEST(Exact_tree, branches_between_two_images_go_on_in_one_direction)
+{
+  const std::vector<std::pair<test_meshes::Mesh_data, std::vector<std::size_t>>> cases = {
+    {test_meshes::rough(test_meshes::torus(1., 0.4, 18, 12, 0.2, 52), 0.3, 52), {10, 82, 154}},
+    {test_meshes::rough(test_meshes::torus(1., 0.4, 18, 12, 0.2, 65), 0.3, 65), {70, 142, 214}},
+    {test_meshes::rough(test_meshes::torus(1., 0.4, 18, 12, 0.2, 72), 0.3, 72), {20, 92, 164}},
+    {test_meshes::bumpy_sphere(6, 0.3, 53), {0, 120, 240}}};
+  for(const auto& c : cases)
+  {
+    SCOPED_TRACE(testing::Message() << "sources " << c.second.front() << ", ...");
+    const curve_measures::Measures measures = measures_of(to_surface_mesh(c.first), c.second);
+    EXPECT_EQ(measures.topology_fault, "");
+    EXPECT_LT(measures.max, 1e-6);
+  }
+}
+
 TEST(Exact_tree, thresholds_cut_branches_from_their_tips)
 {
   for(const Named_mesh& m : meshes())
