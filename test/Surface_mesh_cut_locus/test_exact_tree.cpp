@@ -298,6 +298,18 @@ TEST(Exact_tree, branches_between_two_images_go_on_in_one_direction)
   }
 }
 
+// A branch starts nearly along an edge: rounding shows the paths of its other side at the end of the edge, too.
+TEST(Exact_tree, branches_leave_a_vertex_on_one_side_of_an_edge)
+{
+  const Mesh mesh = to_surface_mesh(test_meshes::rough(test_meshes::square_with_holes(2, 1), 0.2, 375));
+  for(const std::vector<std::size_t>& sources : {std::vector<std::size_t>{9, 27}, std::vector<std::size_t>{27, 9}})
+  {
+    const curve_measures::Measures measures = measures_of(mesh, sources);
+    EXPECT_EQ(measures.topology_fault, "");
+    EXPECT_LT(measures.max, 1e-6);
+  }
+}
+
 TEST(Exact_tree, thresholds_cut_branches_from_their_tips)
 {
   for(const Named_mesh& m : meshes())
