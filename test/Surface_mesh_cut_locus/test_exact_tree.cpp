@@ -253,6 +253,63 @@ TEST(Exact_tree, no_shortest_path_crosses_it)
   }
 }
 
+// of all of the cut locus of some vertices
+curve_measures::Measures measures_of(const Mesh& mesh, const std::vector<std::size_t>& sources)
+{
+  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+  std::vector<Mesh::Vertex_index> vertices;
+  for(std::size_t v : sources)
+    vertices.push_back(Mesh::Vertex_index(Mesh::size_type(v)));
+  solver.set_sources(vertices);
+  return curve_measures::measure(mesh, solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
+}
+
+// The boundary of a shadow, and the branches on its both sides, meet in a point that is known to fewer digits than others.
+TEST(Exact_tree, no_branch_leads_to_a_vertex_at_which_paths_bend)
+{
+  for(unsigned seed : {14u, 286u, 541u, 558u, 633u})
+  {
+    const Mesh mesh = to_surface_mesh(test_meshes::rough(test_meshes::square_with_holes(2, 1), 0.3, seed));
+    for(std::size_t source = 0; source < mesh.number_of_vertices(); ++source)
+    {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", source " << source);
+      const curve_measures::Measures measures = measures_of(mesh, {source});
+      EXPECT_EQ(measures.topology_fault, "");
+      EXPECT_LT(measures.max, 1e-6);
+    }
+  }
+}
+
+// A bisector may cross a face twice, and the one of a path and another one that bends is so narrow that three paths are
+// equally long on both of its sides.
+TEST(Exact_tree, branches_between_two_images_go_on_in_one_direction)
+{
+  const std::vector<std::pair<test_meshes::Mesh_data, std::vector<std::size_t>>> cases = {
+    {test_meshes::rough(test_meshes::torus(1., 0.4, 18, 12, 0.2, 52), 0.3, 52), {10, 82, 154}},
+    {test_meshes::rough(test_meshes::torus(1., 0.4, 18, 12, 0.2, 65), 0.3, 65), {70, 142, 214}},
+    {test_meshes::rough(test_meshes::torus(1., 0.4, 18, 12, 0.2, 72), 0.3, 72), {20, 92, 164}},
+    {test_meshes::bumpy_sphere(6, 0.3, 53), {0, 120, 240}}};
+  for(const auto& c : cases)
+  {
+    SCOPED_TRACE(testing::Message() << "sources " << c.second.front() << ", ...");
+    const curve_measures::Measures measures = measures_of(to_surface_mesh(c.first), c.second);
+    EXPECT_EQ(measures.topology_fault, "");
+    EXPECT_LT(measures.max, 1e-6);
+  }
+}
+
+// A branch starts nearly along an edge: rounding shows the paths of its other side at the end of the edge, too.
+TEST(Exact_tree, branches_leave_a_vertex_on_one_side_of_an_edge)
+{
+  const Mesh mesh = to_surface_mesh(test_meshes::rough(test_meshes::square_with_holes(2, 1), 0.2, 375));
+  for(const std::vector<std::size_t>& sources : {std::vector<std::size_t>{9, 27}, std::vector<std::size_t>{27, 9}})
+  {
+    const curve_measures::Measures measures = measures_of(mesh, sources);
+    EXPECT_EQ(measures.topology_fault, "");
+    EXPECT_LT(measures.max, 1e-6);
+  }
+}
+
 TEST(Exact_tree, thresholds_cut_branches_from_their_tips)
 {
   for(const Named_mesh& m : meshes())

@@ -146,11 +146,10 @@ private:
       pieces_.push_back({windows_.back().end, length_, vertex_labels_.at_target(h)});
     // Pieces shorter than this at an end are rounding: they belong to the vertex.
     const double at_begin = margin_at(faces_.source(h)), at_end = margin_at(faces_.target(h));
-    while(pieces_.size() > 1 &&
-          (pieces_[0].end < at_begin || is_shorter(pieces_[1].label, pieces_[0], 0., faces_.source(h))))
+    while(pieces_.size() > 1 && (pieces_[0].end < at_begin || is_shorter(pieces_[1], pieces_[0], 0., faces_.source(h))))
       pieces_.erase(pieces_.begin());
     while(pieces_.size() > 1 && (pieces_.back().begin > length_ - at_end ||
-                                 is_shorter(pieces_.end()[-2].label, pieces_.back(), length_, faces_.target(h))))
+                                 is_shorter(pieces_.end()[-2], pieces_.back(), length_, faces_.target(h))))
       pieces_.pop_back();
     pieces_.front().begin = 0.;
     pieces_.back().end = length_;
@@ -164,13 +163,20 @@ private:
   /// A branch may leave its vertex nearly along the edge: then rounding tells on which side of it, and windows that end
   /// a little beside the vertex leave a gap, in which the paths around its other side show.
   /// @return whether another label, that of a neighbor, is shorter on all of a piece at an end, and leads to the vertex
-  bool is_shorter(const Path_label& other, const Piece& piece, double end, Index v) const
+  bool is_shorter(const Piece& neighbor, const Piece& piece, double end, Index v) const
   {
+    const Path_label& other = neighbor.label;
     const double rounding = 1e-14 * (geodesics_.distance(v) + length_);
     if(piece.label.origin == geodesics_.origin_of_vertex(v) || // a shadow of the vertex
        std::fabs(other.distance(end) - geodesics_.distance(v)) > rounding)
       return false;
     // of two that mirror each other in the edge, both are shortest
+    if(other.sigma == piece.label.sigma)
+    {
+      // Their bisector is straight: what is shorter behind the piece, where that is more than rounding, is so on it.
+      const double beyond = end == 0. ? neighbor.end : neighbor.begin;
+      return other.distance(beyond) < piece.label.distance(beyond) - rounding;
+    }
     const double inner = 0.5 * (piece.begin + piece.end), far = end == 0. ? piece.end : piece.begin;
     return other.distance(inner) < piece.label.distance(inner) - rounding &&
            other.distance(far) < piece.label.distance(far) - rounding;

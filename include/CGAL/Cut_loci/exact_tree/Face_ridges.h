@@ -204,13 +204,13 @@ private:
     std::size_t n = 0;
     if(meeting.is_end && entries_ == nullptr)
     {
-      if(first.goes_up != second.goes_up || squared_distance(p, q) <= tolerance_ * tolerance_)
+      if(is_ahead(first, q) && (first.goes_up != second.goes_up || squared_distance(p, q) <= tolerance_ * tolerance_))
         meeting.key = (std::max)(first.level, second.level);
     }
     else if(meeting.is_end)
     {
       points[0] = between(p, q, first);
-      n = 1;
+      n = is_ahead(first, q);
     }
     else if((entries_ == nullptr && !may_meet(first, second)) || are_of_one_shadow(first, second))
       return;
@@ -223,7 +223,7 @@ private:
     else
       n = equidistant_points(q, light(second), first.before, first.after, points);
     for(std::size_t k = 0; k < n; ++k)
-      if(clamp(points[k]))
+      if(clamp(points[k]) && is_ahead(first, points[k]) && is_ahead(second, points[k]))
       {
         const double key =
           entries_ == nullptr ? level_of_meeting(first, second, points[k]) : way_to_meeting(first, second, points[k]);
@@ -373,10 +373,24 @@ private:
   }
 
   /// whether the paths of a front come closer as it goes on, so that it gets farther from both images
-  bool converge(const Front& f) const
+  bool converge(const Front& f) const { return advance(f, nodes[f.node]) > 0.; }
+
+  /// what grows along the bisector of the two images, in the direction of the front: the way from the line through
+  /// these, positive behind it, times their distance
+  static double advance(const Front& f, const Plane_point& p)
   {
-    const Plane_point& p = nodes[f.node];
-    return (p.x - f.before.x) * (p.y - f.after.y) - (p.y - f.before.y) * (p.x - f.after.x) > 0.;
+    return (p.x - f.before.x) * (p.y - f.after.y) - (p.y - f.before.y) * (p.x - f.after.x);
+  }
+
+  /// whether a front may get to a point of its bisector, which it may have passed before it came into the face
+  bool is_ahead(const Front& f, const Plane_point& x) const
+  {
+    if(f.is_ray)
+      return true;
+    const Plane_point before{f.before.x, f.before.y}, after{f.after.x, f.after.y};
+    const double rounding =
+      least_angle * distance(x, before) * distance(x, after) + tolerance_ * distance(before, after);
+    return advance(f, x) >= advance(f, nodes[f.node]) - rounding;
   }
 
   /// the boundary of a shadow gets away from the light
@@ -481,12 +495,19 @@ private:
   void connect(Index i, Index j)
   {
     Front &a = fronts_[i], &b = fronts_[j];
-    ridges.push_back({{a.node, b.node}, {a.before, a.after}, a.is_shadow && b.is_shadow});
+    ridges.push_back({{a.node, b.node}, {a.before, a.after}, is_shadow_between(a, b)});
     fronts_[a.previous].next = b.next;
     fronts_[b.next].previous = a.previous;
     a.is_alive = b.is_alive = false;
     first_ = b.next;
     size_ -= 2;
+  }
+
+  /// Where one path goes on from a vertex at which the other one bends, the boundary of the shadow is straight, and a
+  /// shadow up to its end: other pieces meet it there at a point that is known up to the square root of rounding only.
+  static bool is_shadow_between(const Front& a, const Front& b)
+  {
+    return a.before.origin != a.after.origin ? a.is_shadow || b.is_shadow : a.is_shadow && b.is_shadow;
   }
 
   struct Interval
