@@ -134,6 +134,7 @@ private:
   void number_intervals(const Progress& progress)
   {
     Index n = mesh_.number_of_vertices();
+    before_.assign(changes_.number_of_crossings(), null_index);
     behind_.assign(changes_.number_of_crossings(), null_index);
     for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
     {
@@ -144,6 +145,7 @@ private:
         {
           if(previous != null_index)
             behind_[previous] = n++;
+          before_[c] = previous != null_index ? behind_[previous] : mesh_.source(connectivity_.halfedge_of_edge[e]);
           previous = c;
         }
       if(previous != null_index)
@@ -152,20 +154,10 @@ private:
     forest_ = Source_forest(n);
   }
 
-  /// the primal node before a crossing
-  Index before(Index c) const
-  {
-    const Index h = changes_[c].halfedge, first = changes_.first(connectivity_.edge_of_halfedge[h]);
-    for(Index k = c; k-- > first;)
-      if(is_real(k))
-        return behind_[k];
-    return mesh_.source(h);
-  }
-
   /// the primal node behind a crossing, as one goes around a face
   Index behind(const Ridges::Crossing_on_face& c) const
   {
-    return c.is_reversed ? before(c.crossing) : behind_[c.crossing];
+    return c.is_reversed ? before_[c.crossing] : behind_[c.crossing];
   }
 
   /// one tree of the forest for each source
@@ -257,7 +249,7 @@ private:
       const Index element = links[i].first;
       if(links[i].second)
       {
-        if(!forest_.link(before(element), behind_[element]))
+        if(!forest_.link(before_[element], behind_[element]))
           add_crossing(element);
         continue;
       }
@@ -316,7 +308,7 @@ private:
   {
     const Index h = changes_[c].halfedge, o = mesh_.opposite[h];
     joints.push_back({Joint::CROSSING, c, {node_at(h / 3, c), o != null_index ? node_at(o / 3, c) : border_node(h)}});
-    set_sides(before(c), behind_[c]);
+    set_sides(before_[c], behind_[c]);
   }
 
   /// the nodes on both sides of the last joint
@@ -346,7 +338,7 @@ private:
   const Label_changes& changes_;
   const Ridges& ridges_;
   std::vector<Index> record_, first_extra_;
-  std::vector<Index> behind_; // the primal node behind each crossing
+  std::vector<Index> before_, behind_; // the primal nodes beside each crossing that is real
   Source_forest forest_{0};
   bool has_several_sources_;
   mutable std::vector<Ridges::Crossing_on_face> around_;

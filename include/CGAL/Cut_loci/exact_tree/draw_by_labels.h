@@ -13,8 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
-#include <utility>
+#include <queue>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -60,59 +60,88 @@ public:
 
   void operator()()
   {
-    std::vector<Part> parts(1);
-    for(Index i = 0; i < changes_.size(); ++i)
-      parts.front().push_back(i);
-    while(!parts.empty())
+    start();
+    while(!pairs_.empty())
     {
-      const Part part = std::move(parts.back());
-      parts.pop_back();
-      std::array<std::size_t, 2> ends;
-      if(part.size() < 2)
-        continue;
-      if(!find_nearest(part, ends))
-      {
-        draw_star(part);
-        continue;
-      }
-      add_piece(part[ends[0]], part[ends[1]]);
-      Part inside(part.begin() + offset(ends[0]) + 1, part.begin() + offset(ends[1]));
-      Part outside(part.begin(), part.begin() + offset(ends[0]));
-      outside.insert(outside.end(), part.begin() + offset(ends[1]) + 1, part.end());
-      parts.push_back(std::move(inside));
-      parts.push_back(std::move(outside));
+      const Pair pair = pairs_.top();
+      pairs_.pop();
+      if(part_[pair.first] == part_[pair.second] && part_[pair.first] != null_index)
+        join(pair.first, pair.second);
     }
+    std::vector<Part> parts(number_of_parts_);
+    for(Index i = 0; i < changes_.size(); ++i)
+      if(part_[i] != null_index)
+        parts[part_[i]].push_back(i);
+    for(const Part& part : parts)
+      if(part.size() > 1)
+        draw_star(part);
   }
 
 private:
   using Part = std::vector<Index>; // changes, in order
 
-  static std::ptrdiff_t offset(std::size_t i) { return static_cast<std::ptrdiff_t>(i); }
+  // of changes that undo each other, in their order
+  struct Pair
+  {
+    double squared_length;
+    Index first, second;
+
+    bool operator<(const Pair& other) const // the nearest is the top one
+    {
+      return std::tie(other.squared_length, other.first, other.second) < std::tie(squared_length, first, second);
+    }
+  };
 
   static double squared_distance(const Plane_point& a, const Plane_point& b)
   {
     return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
   }
 
-  /// of the changes that undo each other, the nearest two; returns whether there are any
-  bool find_nearest(const Part& part, std::array<std::size_t, 2>& ends) const
+  /// all changes in one part
+  void start()
   {
-    double least = std::numeric_limits<double>::infinity();
-    for(std::size_t i = 0; i < part.size(); ++i)
-      for(std::size_t k = i + 1; k < part.size(); ++k)
-      {
-        const Face_change &a = changes_[part[i]], &b = changes_[part[k]];
-        const double length = squared_distance(a.point, b.point);
-        // between neighbors there is one cell
-        const bool is_next = k == i + 1, is_previous = i == 0 && k + 1 == part.size();
-        if(length < least && (is_next || is_same_image(a.after, b.before)) &&
-           (is_previous || is_same_image(a.before, b.after)))
-        {
-          least = length;
-          ends = {{i, k}};
-        }
-      }
-    return least < std::numeric_limits<double>::infinity();
+    const Index n = static_cast<Index>(changes_.size());
+    part_.assign(n, 0);
+    number_of_parts_ = 1;
+    next_.resize(n);
+    for(Index i = 0; i < n; ++i)
+      next_[i] = i + 1 < n ? i + 1 : 0;
+    for(Index i = 0; i < n; ++i)
+      for(Index k = i + 1; k < n; ++k)
+        add_pair(i, k);
+  }
+
+  /// Between neighbors there is one cell.
+  void add_pair(Index i, Index k)
+  {
+    const Face_change &a = changes_[i], &b = changes_[k];
+    if((next_[i] == k || is_same_image(a.after, b.before)) && (next_[k] == i || is_same_image(a.before, b.after)))
+      pairs_.push({squared_distance(a.point, b.point), i, k});
+  }
+
+  /// by a piece, which leaves two parts; in each, the changes at its two ends are neighbors now
+  void join(Index a, Index b)
+  {
+    add_piece(a, b);
+    close(next_[a], b, number_of_parts_++);
+    close(next_[b], a, part_[a]);
+    part_[a] = part_[b] = null_index;
+  }
+
+  /// makes a part of its own of what is from `first` on, before `end`
+  void close(Index first, Index end, Index part)
+  {
+    if(first == end)
+      return;
+    Index last = first;
+    for(Index i = first; i != end; i = next_[i])
+    {
+      part_[i] = part;
+      last = i;
+    }
+    next_[last] = first;
+    if(first != last)
+      add_pair((std::min)(first, last), (std::max)(first, last));
   }
 
   void add_piece(Index a, Index b)
@@ -184,6 +213,9 @@ private:
   const std::vector<Face_change>& changes_;
   std::vector<Plane_point>& nodes_;
   std::vector<Face_ridge>& ridges_;
+  std::vector<Index> part_, next_; // of each change; null if a piece ends there
+  Index number_of_parts_ = 0;
+  std::priority_queue<Pair> pairs_;
 };
 
 /// adds what is in a face to its nodes, one for each change at first, and to its pieces
