@@ -38,8 +38,11 @@ public:
 std::size_t Bounded_polygon::maximum = (std::numeric_limits<std::size_t>::max)();
 
 // CGAL 5.5 leaves the colors that end a face in the stream, so the faces are read one by one.
-bool read_binary_OFF(std::istream& is, std::vector<Kernel::Point_3>& points, std::vector<Bounded_polygon>& polygons)
+bool read_binary_OFF(std::istream& is, std::vector<Kernel::Point_3>& points, std::vector<Bounded_polygon>& polygons,
+                     bool has_colors)
 {
+  points.clear();
+  polygons.clear();
   CGAL::File_scanner_OFF scanner(is);
   for(std::size_t i = 0; is && i < scanner.size_of_vertices(); ++i)
   {
@@ -56,10 +59,28 @@ bool read_binary_OFF(std::istream& is, std::vector<Kernel::Point_3>& points, std
     polygons.back().resize(n);
     for(std::size_t j = 0; is && j < n; ++j)
       scanner.scan_facet_vertex_index(polygons.back()[j], j + 1, i);
-    if(is)
+    if(is && has_colors)
       scanner.skip_to_next_facet(i);
   }
-  return !is.fail();
+  return !is.fail() && (has_colors || is.peek() == std::istream::traits_type::eof());
+}
+
+// In the format, the number of its colors ends each face, if only 0. OpenMesh and PMP leave it away.
+bool read_binary_OFF(std::istream& is, std::vector<Kernel::Point_3>& points, std::vector<Bounded_polygon>& polygons)
+{
+  CGAL::IO::set_binary_mode(is);
+  const std::istream::pos_type begin = is.tellg();
+  try
+  {
+    if(read_binary_OFF(is, points, polygons, true))
+      return true;
+  }
+  catch(const std::length_error&) // another number has been taken for that of the corners
+  {
+  }
+  is.clear();
+  is.seekg(begin);
+  return read_binary_OFF(is, points, polygons, false);
 }
 
 bool read_file(const std::string& filename, std::vector<Kernel::Point_3>& points,
@@ -75,13 +96,10 @@ bool read_file(const std::string& filename, std::vector<Kernel::Point_3>& points
     return CGAL::IO::read_polygon_soup(filename, points, polygons, CGAL::parameters::verbose(false));
   switch(off_layout(filename))
   {
-  case Off_layout::BINARY: {
-    CGAL::IO::set_binary_mode(is);
+  case Off_layout::BINARY:
     return read_binary_OFF(is, points, polygons);
-  }
   case Off_layout::BINARY_LITTLE_ENDIAN: {
     std::istringstream swapped(with_swapped_bytes(is));
-    CGAL::IO::set_binary_mode(swapped);
     return read_binary_OFF(swapped, points, polygons);
   }
   case Off_layout::TEXT_WITH_ATTRIBUTES: {
