@@ -16,7 +16,7 @@ namespace Cut_loci {
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// what is wrong with an input, for programs: `Invalid_input` says it in words, too
 enum class Cause {
-  OTHER,
+  OTHER,                     ///< none of these: for solvers of the user
   EMPTY_MESH,                ///< the mesh has no vertices, or no faces
   NO_TRIANGLE,               ///< a face has not three sides, or not three vertices
   INVALID_COORDINATE,        ///< a coordinate of a point is not finite

@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_FACE_RIDGES_H
 
 #include <CGAL/Cut_loci/exact_tree/Image_bisector.h>
+#include <CGAL/Cut_loci/exact_tree/Ridges_that_cross.h>
 #include <CGAL/Cut_loci/exact_tree/draw_by_labels.h>
 
 #include <algorithm>
@@ -60,9 +61,6 @@ public:
   {
     corners_ = corners;
     tolerance_ = tolerance;
-    rounding_ =
-      1e-8 * std::sqrt((std::max)({squared_distance(corners[0], corners[1]), squared_distance(corners[1], corners[2]),
-                                   squared_distance(corners[2], corners[0])}));
     is_doubtful = false;
     entries_ = nullptr;
     start(changes);
@@ -329,7 +327,7 @@ private:
     }
     if(size_ == 2)
       connect(first_, fronts_[first_].next);
-    return !has_cut_locus_left() && !ridges_cross();
+    return !has_cut_locus_left() && !ridges_cross_(corners_, nodes, ridges);
   }
 
   /// The boundary of a shadow that is narrower than the accuracy of the windows may have only one end.
@@ -438,51 +436,6 @@ private:
     return false;
   }
 
-  /// whether two pieces that are on the cut locus cross each other
-  bool ridges_cross()
-  {
-    if(ridges.size() < 2)
-      return false;
-    // the intervals that they take along the longest edge, by their begins
-    Index longest = 0;
-    for(Index i = 1; i < 3; ++i)
-      if(squared_distance(corners_[i], corners_[(i + 1) % 3]) >
-         squared_distance(corners_[longest], corners_[(longest + 1) % 3]))
-        longest = i;
-    const Plane_point &a = corners_[longest], &b = corners_[(longest + 1) % 3];
-    intervals_.clear();
-    for(Index i = 0; i < ridges.size(); ++i)
-      if(!ridges[i].is_shadow)
-      {
-        const Plane_point &p = nodes[ridges[i].nodes[0]], &q = nodes[ridges[i].nodes[1]];
-        const double s = p.x * (b.x - a.x) + p.y * (b.y - a.y), t = q.x * (b.x - a.x) + q.y * (b.y - a.y);
-        intervals_.push_back({(std::min)(s, t), (std::max)(s, t), i});
-      }
-    std::sort(intervals_.begin(), intervals_.end(),
-              [](const Interval& i, const Interval& j) { return i.begin < j.begin; });
-    for(std::size_t i = 0; i < intervals_.size(); ++i)
-      for(std::size_t j = i + 1; j < intervals_.size() && intervals_[j].begin < intervals_[i].end; ++j)
-        if(cross_each_other(ridges[intervals_[i].ridge], ridges[intervals_[j].ridge]))
-          return true;
-    return false;
-  }
-
-  bool cross_each_other(const Ridge& r, const Ridge& s) const
-  {
-    if(r.nodes[0] == s.nodes[0] || r.nodes[0] == s.nodes[1] || r.nodes[1] == s.nodes[0] || r.nodes[1] == s.nodes[1])
-      return false;
-    const Plane_point &a = nodes[r.nodes[0]], &b = nodes[r.nodes[1]], &c = nodes[s.nodes[0]], &d = nodes[s.nodes[1]];
-    return are_apart(a, b, c, d) && are_apart(c, d, a, b);
-  }
-
-  /// whether `c` and `d` are on different sides of the line through `a` and `b`; where four pieces meet, there are two
-  /// nodes in one point, and rounding alone puts one of them across
-  bool are_apart(const Plane_point& a, const Plane_point& b, const Plane_point& c, const Plane_point& d) const
-  {
-    const double at_c = cross(a, b, c), at_d = cross(a, b, d), least = (std::min)(std::fabs(at_c), std::fabs(at_d));
-    return at_c * at_d < 0. && least * least > rounding_ * rounding_ * squared_distance(a, b);
-  }
-
   Index add_node(const Plane_point& p)
   {
     nodes.push_back(p);
@@ -510,19 +463,13 @@ private:
     return a.before.origin != a.after.origin ? a.is_shadow || b.is_shadow : a.is_shadow && b.is_shadow;
   }
 
-  struct Interval
-  {
-    double begin, end;
-    Index ridge;
-  };
-
   std::array<Plane_point, 3> corners_;
   const std::vector<Entry>* entries_ = nullptr; // null as long as no meeting has to be compared with all paths
-  double tolerance_ = 0., rounding_ = 0.;
+  double tolerance_ = 0.;
   std::vector<Front> fronts_;     // those that are alive are linked to a ring
   Index first_ = 0, size_ = 0;    // one of the ring, and the number of them
   std::vector<Meeting> meetings_; // a heap
-  std::vector<Interval> intervals_;
+  Ridges_that_cross ridges_cross_;
 };
 
 } // namespace internal
