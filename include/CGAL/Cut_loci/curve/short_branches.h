@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_CURVE_SHORT_BRANCHES_H
 
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
@@ -43,35 +44,24 @@ public:
       const Index loop = border_loop(mesh, connectivity, graph.nodes[node]);
       return loop == null_index ? node : n + loop;
     };
-    std::vector<Index> degree(number_of_points, 0), exclusive_or(number_of_points, 0);
-    for(Index e = 0; e < graph.edges.size(); ++e)
-      for(Index p : {point_of(graph.edges[e].source), point_of(graph.edges[e].target)})
-      {
-        ++degree[p];
-        exclusive_or[p] ^= e; // with one edge left, this is the edge
-      }
+    const auto ends = [&](Index e) -> Edges_left::Nodes {
+      return {{point_of(graph.edges[e].source), point_of(graph.edges[e].target)}};
+    };
+    Edges_left left(number_of_points, graph.edges.size(), ends);
     for(Index p = n; p < number_of_points; ++p)
-      degree[p] += 2; // no leaves
+      left.keep(p);
     // Edges form cycles unless they can be peeled down to one point: then the root is that point.
     if(number_of_points == n && graph.edges.size() + 1 == n)
-      degree[root] += 2;
+      left.keep(root);
 
-    std::vector<Index> stack, twig_at(number_of_points, null_index);
-    for(Index p = 0; p < n; ++p)
-      if(degree[p] == 1)
-        stack.push_back(p);
-    while(!stack.empty())
-    {
-      const Index p = stack.back();
-      stack.pop_back();
-      const Index e = exclusive_or[p];
-      const Index a = point_of(graph.edges[e].source), b = point_of(graph.edges[e].target), q = a == p ? b : a;
+    std::vector<Index> twig_at(number_of_points, null_index);
+    left.peel(ends,
+              [&](Index e, Index p)
+              {
       twig_at[p] = static_cast<Index>(twigs_.size());
-      twigs_.push_back({e, p, q, null_index, length(mesh, graph, graph.edges[e])});
-      exclusive_or[q] ^= e;
-      if(--degree[q] == 1)
-        stack.push_back(q);
-    }
+      twigs_.push_back({e, p, Edges_left::other(ends(e), p), null_index, length(mesh, graph, graph.edges[e])});
+      return true;
+    });
     for(Twig& t : twigs_)
       t.parent = twig_at[t.inner];
   }

@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_GEODESICS_GEODESIC_SLIM_EDGES_H
 
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_window_lists.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_windows.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
 
@@ -78,9 +79,7 @@ private:
 
   struct Known
   {
-    // Windows in the frame of the halfedge of smaller index, in lists from long to short: joined in pairs of like size,
-    // so that none is looked at more than some ten times, as an edge of a fan is crossed once from each of the others.
-    std::vector<Geodesic_window_list*> lists;
+    Geodesic_window_lists windows; // in the frame of the halfedge of smaller index
     unsigned visits = 0;
   };
 
@@ -128,9 +127,10 @@ private:
     while(goes_on) // what one list leaves may be in another one
     {
       const double a = w.a, b = w.b;
-      for(std::size_t i = 0; i < known.lists.size() && is_alive(w, narrow); ++i)
-        clip(*known.lists[i], w, narrow);
-      goes_on = known.lists.size() > 1 && is_alive(w, narrow) && (w.a > a || w.b < b);
+      const std::vector<Geodesic_window_list*>& lists = known.windows.lists();
+      for(std::size_t i = 0; i < lists.size() && is_alive(w, narrow); ++i)
+        clip(*lists[i], w, narrow);
+      goes_on = lists.size() > 1 && is_alive(w, narrow) && (w.a > a || w.b < b);
     }
   }
 
@@ -175,12 +175,8 @@ private:
       fresh->append<5>(
         in_frame(list.template get<columns>(is_mirrored ? list.end - 1 - i : list.begin + i), length, is_mirrored));
     Geodesic_trimming<5>(*fresh, length, true)(fresh->begin);
-    while(!known.lists.empty() && known.lists.back()->size() <= 2 * fresh->size())
-    {
-      fresh = joined(known.lists.back(), fresh, length);
-      known.lists.pop_back();
-    }
-    known.lists.push_back(fresh);
+    known.windows.add(fresh, [&](Geodesic_window_list* first, Geodesic_window_list* second)
+                      { return joined(first, second, length); });
   }
 
   /// the lower envelope of two lists, in place of them

@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_EDGE_CROSSINGS_H
 
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_window_lists.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/exact_tree/Edge_envelope.h>
 #include <CGAL/Cut_loci/exact_tree/Path_label.h>
@@ -18,6 +19,7 @@
 #include <cstddef>
 #include <deque>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -166,32 +168,25 @@ private:
     waiting_.push_back({first, front_ + slack_ * size});
   }
 
-  /// Around a spike windows come to the same halfedge many times: the lists are joined in pairs of like size, so that no
-  /// window is looked at more than some ten times.
+  /// Around a spike windows come to the same halfedge many times.
   void add(Index h, Geodesic_window_list* list)
   {
-    std::vector<Geodesic_window_list*>& lists = more_[h];
-    while(!lists.empty() && lists.back()->size() <= 2 * list->size())
-    {
-      list = joined(lists.back(), list, faces_.length(h));
-      lists.pop_back();
-    }
-    lists.push_back(list);
+    more_[h].add(list, [&](Geodesic_window_list* first, Geodesic_window_list* second)
+                 { return joined(first, second, faces_.length(h)); });
   }
 
   /// all windows that have come to a halfedge, or null
   Geodesic_window_list* all(Index h)
   {
-    Geodesic_window_list* result = kept_[h];
-    kept_[h] = nullptr;
     const auto found = more_.find(h);
-    if(found == more_.end())
-      return result;
-    Geodesic_window_list* rest = nullptr;
-    for(; !found->second.empty(); found->second.pop_back())
-      rest = rest == nullptr ? found->second.back() : joined(found->second.back(), rest, faces_.length(h));
-    more_.erase(found);
-    return joined(result, rest, faces_.length(h));
+    if(found != more_.end())
+    {
+      const auto join = [&](Geodesic_window_list* first, Geodesic_window_list* second)
+      { return joined(first, second, faces_.length(h)); };
+      kept_[h] = join(kept_[h], found->second.release(join));
+      more_.erase(found);
+    }
+    return std::exchange(kept_[h], nullptr);
   }
 
   /// the lower envelope of two lists, in place of them
@@ -264,8 +259,8 @@ private:
   Edge_envelope envelope_;
   Parting_angle parting_angle_;
   double slack_, front_ = 0.;
-  std::vector<Geodesic_window_list*> kept_;                            // by halfedge: the first list
-  std::unordered_map<Index, std::vector<Geodesic_window_list*>> more_; // and others, from long to short
+  std::vector<Geodesic_window_list*> kept_;               // by halfedge: the first list
+  std::unordered_map<Index, Geodesic_window_lists> more_; // and others
   std::vector<unsigned char> state_;
   std::vector<Waiting> waiting_; // edges with windows, from `next_` on
   std::size_t next_ = 0, number_of_late_ = 0;

@@ -21,6 +21,7 @@
 #include <CGAL/Cut_loci/exact_tree/Strong_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
+#include <CGAL/Cut_loci/exact_tree/Tree_graph_builder.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/internal/Union_find.h>
@@ -130,7 +131,8 @@ public:
   void join()
   {
     const Cut_graph cut(mesh_, connectivity_, geodesics_, changes_, ridges_, source_vertices_, progress_.part(0., 0.5));
-    graph_.reset(new Tree_graph(mesh_, connectivity_, geodesics_, changes_, ridges_, cut, progress_.part(0.5, 0.9)));
+    Tree_graph_builder builder(mesh_, connectivity_, geodesics_, changes_, ridges_, cut, progress_.part(0.5, 0.9));
+    graph_.reset(new Tree_graph(builder.release()));
     if(!least_.is_none())
       graph_->drop_weak_branches(least_, progress_.part(0.9, 1.));
   }

@@ -15,6 +15,7 @@
 #include <CGAL/Cut_loci/exact_tree/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
+#include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Source_forest.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -189,38 +190,15 @@ private:
 
   void drop_weak_leaves(const Progress& progress)
   {
-    const Index loops = connectivity_.number_of_border_loops, n = loops + mesh_.number_of_vertices();
-    std::vector<Index> degree(n, 0), exclusive_or(n, 0);
-    const Progress counting = progress.part(0., 0.5), dropping = progress.part(0.5, 1.);
-    for(Index i = 0; i < candidates_.size(); ++i)
-    {
-      counting(i, candidates_.size());
-      for(Index v : ends(candidates_[i]))
-      {
-        ++degree[v];
-        exclusive_or[v] ^= i; // with one candidate left, this is the one
-      }
-    }
+    const Index loops = connectivity_.number_of_border_loops;
+    const auto nodes = [this](Index i) { return ends(candidates_[i]); };
+    Edges_left left(loops + mesh_.number_of_vertices(), candidates_.size(), nodes, progress.part(0., 0.5));
+    for(Index i = 0; i < loops; ++i)
+      left.keep(i);
     std::vector<unsigned char> is_dropped(candidates_.size(), 0);
-    for(Index seed = loops; seed < n; ++seed)
-    {
-      dropping(seed, n);
-      for(Index v = seed; degree[v] == 1 && v >= loops;)
-      {
-        const Index i = exclusive_or[v];
-        if(candidates_[i].stands_for != null_index)
-          break;
-        const std::array<Index, 2> both = ends(candidates_[i]);
-        const Index other = both[0] == v ? both[1] : both[0];
-        is_dropped[i] = 1;
-        degree[v] = 0;
-        --degree[other];
-        exclusive_or[other] ^= i;
-        if(other > seed)
-          break; // its turn comes
-        v = other;
-      }
-    }
+    left.peel(
+      nodes, [&](Index i, Index) { return (is_dropped[i] = candidates_[i].stands_for == null_index) != 0; },
+      progress.part(0.5, 1.));
     std::size_t size = 0;
     for(std::size_t i = 0; i < candidates_.size(); ++i)
       if(!is_dropped[i])

@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_STRONG_BRANCHES_H
 
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
+#include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
@@ -36,23 +37,16 @@ class Strong_branches
 public:
   Strong_branches(const Tree_graph& graph, Index number_of_loops, const Can_be& can_be, const Is_strong& is_strong,
                   const Progress& progress = {})
-    : graph_(graph), can_be_(can_be), is_strong_(is_strong), degree_(graph.nodes.size(), 0),
-      exclusive_or_(graph.nodes.size(), 0), is_kept_(graph.edges.size(), 1)
+    : graph_(graph), can_be_(can_be), is_strong_(is_strong),
+      left_(
+        graph.nodes.size(), graph.edges.size(), [&](Index e) { return graph.edges[e].nodes; }, progress.part(0., 0.3)),
+      is_kept_(graph.edges.size(), 1)
   {
-    const Progress counting = progress.part(0., 0.3), cutting = progress.part(0.3, 1.);
-    for(Index e = 0; e < graph.edges.size(); ++e)
-    {
-      counting(e, graph.edges.size());
-      for(Index i : graph.edges[e].nodes)
-      {
-        ++degree_[i];
-        exclusive_or_[i] ^= e; // with one edge left, this is the edge
-      }
-    }
+    const Progress cutting = progress.part(0.3, 1.);
     for(Index i = 0; i < number_of_loops; ++i)
-      degree_[i] += 2; // no leaf, and no inner node of a row
+      left_.keep(i); // and no inner node of a row
     for(Index i = 0; i < graph.nodes.size(); ++i)
-      if(degree_[i] == 1)
+      if(left_.is_leaf(i))
         leaves_.push_back(i);
     constexpr std::size_t seldom = 64; // rows: their edges have widths to be measured
     for(std::size_t number = 0; !leaves_.empty(); ++number)
@@ -61,7 +55,7 @@ public:
         cutting((std::min)(1., static_cast<double>(number) / static_cast<double>(graph.edges.size())));
       const Index leaf = leaves_.back();
       leaves_.pop_back();
-      if(degree_[leaf] == 1)
+      if(left_.is_leaf(leaf))
         cut_row(leaf);
     }
   }
@@ -79,12 +73,12 @@ private:
   void cut_row(Index leaf)
   {
     const Index end = find_row(leaf);
-    const bool has_two_leaves = degree_[end] == 1;
+    const bool has_two_leaves = left_.is_leaf(end);
     const std::size_t first = outermost_strong();
     remove(leaf, first);
     if(first == row_.size())
     {
-      if(degree_[end] == 1)
+      if(left_.is_leaf(end))
         leaves_.push_back(end);
       return;
     }
@@ -99,21 +93,15 @@ private:
   Index find_row(Index leaf)
   {
     row_.clear();
-    Index i = leaf, e = exclusive_or_[leaf];
+    Index i = leaf, e = left_.last(leaf);
     for(;;)
     {
       row_.push_back(e);
-      i = other_node(e, i);
-      if(degree_[i] != 2)
+      i = Edges_left::other(graph_.edges[e].nodes, i);
+      if(left_.degree(i) != 2)
         return i;
-      e ^= exclusive_or_[i];
+      e = left_.next(i, e);
     }
-  }
-
-  Index other_node(Index e, Index i) const
-  {
-    const auto& nodes = graph_.edges[e].nodes;
-    return nodes[0] == i ? nodes[1] : nodes[0];
   }
 
   /// takes the first edges of the row away, from a leaf on
@@ -121,14 +109,10 @@ private:
   {
     for(std::size_t k = 0; k < number; ++k)
     {
-      const Index e = row_[k], next = other_node(e, leaf);
-      is_kept_[e] = 0;
-      for(Index i : {leaf, next})
-      {
-        --degree_[i];
-        exclusive_or_[i] ^= e;
-      }
-      leaf = next;
+      const auto& nodes = graph_.edges[row_[k]].nodes;
+      is_kept_[row_[k]] = 0;
+      left_.remove(row_[k], nodes);
+      leaf = Edges_left::other(nodes, leaf);
     }
   }
 
@@ -172,8 +156,8 @@ private:
   const Tree_graph& graph_;
   const Can_be& can_be_;
   const Is_strong& is_strong_;
-  std::vector<Index> degree_, exclusive_or_; // of nodes
-  std::vector<unsigned char> is_kept_;       // by edge
+  Edges_left left_;
+  std::vector<unsigned char> is_kept_; // by edge
   std::vector<Index> leaves_;
   std::vector<Index> row_;         // in work, from the leaf on
   std::vector<std::size_t> known_; // positions in it, from the first that may be strong, of edges that are known

@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_TREE_BRANCHES_H
 #define CGAL_CUT_LOCI_EXACT_TREE_TREE_BRANCHES_H
 
+#include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
@@ -59,34 +60,18 @@ private:
   template <typename Ends, typename Strength>
   void peel(Index n, Index m, const Ends& ends, const Strength& strength, Index terminals, const Progress& progress)
   {
-    struct Incidence
-    {
-      Index degree = 0, exclusive_or = 0;
-      float strength = 0.f; // of the branches that have fallen off
-    };
-    std::vector<Incidence> incidence(n);
-    const Progress counting = progress.part(0., 0.3), peeling = progress.part(0.3, 1.);
-    for(Index e = 0; e < m; ++e)
-    {
-      counting(e, m);
-      for(Index i : ends(e))
-      {
-        ++incidence[i].degree;
-        incidence[i].exclusive_or ^= e; // with one edge left, this is the edge
-      }
-    }
+    Edges_left left(n, m, ends, progress.part(0., 0.3));
     for(Index i = 0; i < terminals; ++i)
-      incidence[i].degree += 2;
-
+      left.keep(i);
+    std::vector<float> fallen(n, 0.f); // the strength of the branches that have fallen off
+    const Progress peeling = progress.part(0.3, 1.);
     using Leaf = std::pair<float, Index>;
     std::priority_queue<Leaf, std::vector<Leaf>, std::greater<Leaf>> leaves;
-    const auto push = [&](Index i)
-    {
-      const float s = (std::max)(incidence[i].strength, static_cast<float>(strength(incidence[i].exclusive_or)));
-      leaves.push({s, i});
+    const auto push = [&](Index i) {
+      leaves.push({(std::max)(fallen[i], static_cast<float>(strength(left.last(i)))), i});
     };
     for(Index i = 0; i < n; ++i)
-      if(incidence[i].degree == 1)
+      if(left.is_leaf(i))
         push(i);
     std::vector<unsigned char> is_peeled(m, 0);
     while(!leaves.empty())
@@ -95,18 +80,16 @@ private:
       const Leaf leaf = leaves.top();
       leaves.pop();
       const Index i = leaf.second;
-      if(incidence[i].degree != 1)
+      if(!left.is_leaf(i))
         continue;
-      const Index e = incidence[i].exclusive_or;
+      const Index e = left.last(i);
       const auto nodes = ends(e);
-      const Index other = nodes[0] == i ? nodes[1] : nodes[0];
+      const Index other = Edges_left::other(nodes, i);
       is_peeled[e] = 1;
       edges_.push_back({e, i, other, leaf.first});
-      incidence[i].degree = 0;
-      Incidence& next = incidence[other];
-      next.strength = (std::max)(next.strength, leaf.first);
-      next.exclusive_or ^= e;
-      if(--next.degree == 1)
+      left.remove(e, nodes);
+      fallen[other] = (std::max)(fallen[other], leaf.first);
+      if(left.is_leaf(other))
         push(other);
     }
     if(!edges_.empty())

@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Image_bisector.h>
 #include <CGAL/Cut_loci/exact_tree/Polyline_crossings.h>
+#include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -216,23 +217,20 @@ private:
   /// the nodes at which just two pieces of the same face meet
   void join(const std::vector<Tree_branches::Edge>& kept)
   {
-    degree_.assign(tree_.graph().nodes.size(), 0);
-    exclusive_or_.assign(tree_.graph().nodes.size(), 0);
+    left_ = Edges_left(tree_.graph().nodes.size());
     for(const Tree_branches::Edge& b : kept)
       if(!is_drawn_[b.edge])
-        for(Index i : tree_.graph().edges[b.edge].nodes)
-        {
-          const Index k = representative(i);
-          ++degree_[k];
-          exclusive_or_[k] ^= b.edge; // with two edges, and one of them known, this tells the other
-        }
+      {
+        const auto& nodes = tree_.graph().edges[b.edge].nodes;
+        left_.add(b.edge, {{representative(nodes[0]), representative(nodes[1])}});
+      }
   }
 
   /// whether the curve only passes through a node, in the interior of a face
   bool is_passed(Index i) const
   {
     const Tree_graph::Node& n = tree_.graph().nodes[i];
-    return degree_[i] == 2 && vertex_[i] == null_index && n.halfedge == null_index && n.loop == null_index &&
+    return left_.degree(i) == 2 && vertex_[i] == null_index && n.halfedge == null_index && n.loop == null_index &&
            i != root_;
   }
 
@@ -255,7 +253,7 @@ private:
     Index edge = first, from = representative(tree_.graph().edges[first].nodes[0]);
     while(is_passed(from))
     {
-      edge ^= exclusive_or_[from];
+      edge = left_.next(from, edge);
       if(edge == first)
         break; // a cycle within the face, which is not possible up to rounding
       from = other_end(edge, from);
@@ -268,9 +266,9 @@ private:
         chain.widest = edge;
       steps_.push_back({edge, from});
       from = other_end(edge, from);
-      if(!is_passed(from) || is_drawn_[edge ^ exclusive_or_[from]])
+      if(!is_passed(from) || is_drawn_[left_.next(from, edge)])
         break;
-      edge ^= exclusive_or_[from];
+      edge = left_.next(from, edge);
     }
     chain.end = from;
     chain.end_step = steps_.size();
@@ -474,10 +472,10 @@ private:
   const Exact_geodesic_propagation& geodesics_;
   Exact_tree& tree_;
   Index root_ = null_index;
-  std::vector<Index> number_, merged_;       // of nodes
-  std::vector<Index> vertex_;                // at which a node is, or what has been merged into it
-  std::vector<Index> degree_, exclusive_or_; // of nodes
-  std::vector<unsigned char> is_drawn_;      // edges
+  std::vector<Index> number_, merged_;  // of nodes
+  std::vector<Index> vertex_;           // at which a node is, or what has been merged into it
+  Edges_left left_;                     // at nodes
+  std::vector<unsigned char> is_drawn_; // edges
   std::vector<Chain> chains_;
   std::vector<Step> steps_; // of all chains
   Polyline_crossings crossings_;

@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_WEAK_ISLANDS_H
 
 #include <CGAL/Cut_loci/Index.h>
+#include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Union_find.h>
 
@@ -57,30 +58,26 @@ std::vector<unsigned char> weak_islands(const Edges& edges, std::size_t number_o
       stays[islands.find(edges[e].nodes[0])] = 1;
   }
 
-  // leaves of the graph of islands and ways, again and again
-  std::vector<Index> degree(number_of_nodes, 0);
-  for(std::size_t e : ways)
-    for(Index i : edges[e].nodes)
-      ++degree[islands.find(i)];
-  for(bool is_new = true; is_new;)
-  {
-    is_new = false;
-    progress(0.6);
-    for(std::size_t e : ways)
+  // leaves of the graph of islands and ways
+  const auto ends = [&](Index k) -> Edges_left::Nodes {
+    return {{islands.find(edges[ways[k]].nodes[0]), islands.find(edges[ways[k]].nodes[1])}};
+  };
+  Edges_left left(number_of_nodes, ways.size(), ends);
+  for(Index i = 0; i < number_of_nodes; ++i)
+    if(stays[i])
+      left.keep(i);
+  left.peel(
+    ends,
+    [&](Index k, Index)
     {
-      const Index a = islands.find(edges[e].nodes[0]), b = islands.find(edges[e].nodes[1]);
-      if(result[e] || a == b || ((degree[a] != 1 || stays[a]) && (degree[b] != 1 || stays[b])))
-        continue;
-      result[e] = 1;
-      is_new = true;
-      --degree[a];
-      --degree[b];
-    }
-  }
+    result[ways[k]] = 1;
+    return true;
+    },
+    progress.part(0.6, 0.7));
   for(std::size_t e = 0; e < edges.size(); ++e)
   {
     rest(e, edges.size());
-    if(is_known(edges[e]) && !stays[islands.find(edges[e].nodes[0])] && degree[islands.find(edges[e].nodes[0])] == 0)
+    if(is_known(edges[e]) && left.degree(islands.find(edges[e].nodes[0])) == 0)
       result[e] = 1;
   }
   return result;
