@@ -137,8 +137,9 @@ TEST(Results_are_taken, where_they_cover_parts_of_edges_of_a_cube)
   expect_functions_on_all_sources(test_meshes::cube(2));
 }
 
-TEST(Results_are_taken, on_doubly_covered_triangles)
+std::vector<Mesh_data> doubly_covered_triangles()
 {
+  std::vector<Mesh_data> result;
   for(const std::array<double, 2>& top :
       {std::array<double, 2>{{0.5, 0.8}}, std::array<double, 2>{{0.5, std::sqrt(0.75)}},
        std::array<double, 2>{{0.1, 0.3}}, std::array<double, 2>{{1.7, 0.4}}})
@@ -146,8 +147,39 @@ TEST(Results_are_taken, on_doubly_covered_triangles)
     Mesh_data m;
     m.points = {{{0., 0., 0.}}, {{1., 0., 0.}}, {{top[0], top[1], 0.}}};
     m.triangles = {{{0, 1, 2}}, {{0, 2, 1}}};
-    expect_functions_on_all_sources(m);
+    result.push_back(m);
   }
+  return result;
+}
+
+TEST(Results_are_taken, on_doubly_covered_triangles)
+{
+  for(const Mesh_data& m : doubly_covered_triangles())
+    expect_functions_on_all_sources(m);
+}
+
+// From a corner, the two sheets are equally far from all sides that do not meet there: these are the cut locus.
+void expect_length_of_edges(const Mesh_data& data, std::size_t corner, double length)
+{
+  const Built built(data);
+  const auto edges =
+    CGAL::compute_cut_locus(built.mesh, built.vertices[corner],
+                            params::cut_locus_curve(Curve::MESH_EDGES).minimum_branch_gap(0.).minimum_branch_width(0.));
+  EXPECT_NEAR(CGAL::Cut_loci::compute_statistics(edges).length, length, 1e-12 * length) << corner;
+}
+
+TEST(Results_are_taken, as_edges_of_the_mesh_where_the_cut_locus_runs_along_them)
+{
+  for(const Mesh_data& m : doubly_covered_triangles())
+    for(std::size_t corner = 0; corner < 3; ++corner)
+    {
+      const auto &p = m.points[(corner + 1) % 3], &q = m.points[(corner + 2) % 3];
+      expect_length_of_edges(m, corner, std::hypot(q[0] - p[0], q[1] - p[1]));
+    }
+  for(std::size_t n : {2, 4, 6})
+    expect_length_of_edges(test_meshes::doubly_covered(test_meshes::square(n)), 0, 2.);
+  // from a vertex of an octahedron, the four edges at the opposite one
+  expect_length_of_edges(octahedron(), 0, 4. * std::sqrt(2.));
 }
 
 TEST(Results_are_taken, on_doubly_covered_squares)

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -27,8 +28,8 @@ namespace internal {
 /*!
  * divides the faces that a part of a `Tree_graph` runs through into cells, and tells which of them holds the centroid.
  *
- * A cell touches the boundary of its face in parts between two nodes of the graph. Part `i` starts at node `i`, in
- * counterclockwise order.
+ * A cell touches the boundary of its face in parts between two nodes of the graph, on edges or in corners. Part `i`
+ * starts at node `i`, in counterclockwise order.
  */
 class Face_cells
 {
@@ -72,8 +73,9 @@ public:
     for(Index g = 3 * f; g < 3 * f + 3; ++g)
     {
       const Index d = connectivity_.edge_of_halfedge[g], n = node_begin_[d + std::size_t(1)] - node_begin_[d];
-      before += g < h ? n : 0;
-      all += n;
+      const Index in_corner = has_node(f, g % 3);
+      before += g < h ? in_corner + n : g == h ? in_corner : 0;
+      all += in_corner + n;
     }
     if(all == 0)
       return true;
@@ -126,15 +128,28 @@ private:
     for(Index e : order) // by face, and in a face by index
       edges_[next[graph_.edges[e].face]++] = e;
     part_begin_.assign(mesh_.number_of_faces(), null_index);
+    corners_with_nodes_.assign(mesh_.number_of_faces(), 0);
   }
 
-  /// the nodes on the boundary of the face, counterclockwise
+  bool has_node(Index f, Index corner) const { return (corners_with_nodes_[f] >> corner & 1) != 0; }
+
+  /// the nodes on the boundary of the face, counterclockwise; in a corner the first one stands for all
   void walk_around(Index f)
   {
     around_.clear();
+    in_corner_ = {{null_index, null_index, null_index}};
+    for(Index i = edge_begin_[f]; i < edge_begin_[f + std::size_t(1)]; ++i)
+      for(Index k : graph_.edges[edges_[i]].nodes)
+        for(Index corner = 0; corner < 3; ++corner)
+          if(is_in_corner(k, f, corner) && in_corner_[corner] == null_index)
+            in_corner_[corner] = k;
     for(Index h = 3 * f; h < 3 * f + 3; ++h)
-
     {
+      if(in_corner_[h % 3] != null_index)
+      {
+        around_.push_back(in_corner_[h % 3]);
+        corners_with_nodes_[f] |= static_cast<unsigned char>(1 << h % 3);
+      }
       const Index e = connectivity_.edge_of_halfedge[h];
       const Index begin = node_begin_[e], end = node_begin_[e + std::size_t(1)];
       if(connectivity_.halfedge_of_edge[e] == h)
@@ -145,8 +160,17 @@ private:
     }
   }
 
+  bool is_in_corner(Index i, Index f, Index corner) const
+  {
+    const Tree_graph::Node& n = graph_.nodes[i];
+    return n.halfedge == null_index && n.vertex != null_index && n.vertex == mesh_.triangles[f][corner];
+  }
+
   Plane_point position(Index f, Index i) const
   {
+    for(Index corner = 0; corner < 3; ++corner)
+      if(in_corner_[corner] == i)
+        return corners_[corner];
     const Tree_graph::Node& n = graph_.nodes[i];
     if(n.face == f)
       return n.point;
@@ -207,30 +231,39 @@ private:
     {
       const Tree_graph::Edge& e = graph_.edges[edges_[i]];
       parent_[root(number(e.nodes[0]))] = root(number(e.nodes[1]));
+      for(Index k : e.nodes)
+        for(Index corner = 0; corner < 3; ++corner)
+          if(is_in_corner(k, f, corner))
+            parent_[root(number(k))] = root(number(in_corner_[corner]));
     }
     tree_.resize(around_.size());
     for(std::size_t i = 0; i < around_.size(); ++i)
       tree_[i] = root(number(around_[i]));
   }
 
-  /// the part with a point from which the straight way to the centroid crosses the graph least often
+  /// the part with a point from which the straight way to the centroid crosses the graph least often; where pieces end in
+  /// a corner that may be several, of which some have no length
   std::size_t part_seen(Index f)
   {
     const Plane_point c{(corners_[0].x + corners_[1].x + corners_[2].x) / 3.,
                         (corners_[0].y + corners_[1].y + corners_[2].y) / 3.};
     std::size_t best = 0, least = (std::numeric_limits<std::size_t>::max)();
+    double longest = 0.;
     for(std::size_t i = 0; i < around_.size(); ++i)
     {
-      const Plane_point p = middle_of_part(f, i);
+      const std::array<Plane_point, 2> part = start_of_part(f, i);
+      const Plane_point p{0.5 * (part[0].x + part[1].x), 0.5 * (part[0].y + part[1].y)};
+      const double length = std::hypot(part[1].x - part[0].x, part[1].y - part[0].y);
       std::size_t number = 0;
       for(Index k = edge_begin_[f]; k < edge_begin_[f + std::size_t(1)]; ++k)
       {
         const Tree_graph::Edge& e = graph_.edges[edges_[k]];
         number += cross_each_other(c, p, position(f, e.nodes[0]), position(f, e.nodes[1]));
       }
-      if(number < least)
+      if(number < least || (number == least && length > longest))
       {
         least = number;
+        longest = length;
         best = i;
       }
     }
@@ -244,19 +277,21 @@ private:
     return side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b);
   }
 
-  /// a point of part `i` of the boundary: halfway to the next node, or to the corner before it
-  Plane_point middle_of_part(Index f, std::size_t i) const
+  /// part `i` of the boundary up to the next node, or to the corner before it
+  std::array<Plane_point, 2> start_of_part(Index f, std::size_t i) const
   {
     const Index here = around_[i], next = around_[i + 1 < around_.size() ? i + 1 : 0];
     const Index h = halfedge_in(f, here), g = halfedge_in(f, next);
-    const Plane_point p = position(f, here);
     const bool is_same_edge = h == g && i + 1 < around_.size();
-    const Plane_point q = is_same_edge ? position(f, next) : corners_[(h + 1) % 3];
-    return {0.5 * (p.x + q.x), 0.5 * (p.y + q.y)};
+    return {{position(f, here), is_same_edge ? position(f, next) : corners_[(h + 1) % 3]}};
   }
 
+  /// that it is on, or starts at if it is in a corner
   Index halfedge_in(Index f, Index i) const
   {
+    for(Index corner = 0; corner < 3; ++corner)
+      if(in_corner_[corner] == i)
+        return 3 * f + corner;
     const Index h = graph_.nodes[i].halfedge;
     return h / 3 == f ? h : mesh_.opposite[h];
   }
@@ -267,10 +302,12 @@ private:
   const Tree_graph& graph_;
   std::vector<Index> node_begin_, nodes_, edge_begin_, edges_;
   std::vector<Index> part_begin_;
-  std::vector<bool> holds_; // by part of a face: whether it belongs to the cell of the centroid
+  std::vector<unsigned char> corners_with_nodes_; // by face, a bit each
+  std::vector<bool> holds_;                       // by part of a face: whether it belongs to the cell of the centroid
 
   // of the face in work
   std::array<Plane_point, 3> corners_;
+  std::array<Index, 3> in_corner_; // nodes
   std::vector<Index> around_, local_;
   std::vector<std::size_t> parent_, tree_;
   std::vector<unsigned char> is_done_;
