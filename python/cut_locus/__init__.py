@@ -8,7 +8,7 @@ Lengths are in the unit of the points, angles in radians. Arrays that are return
 first. A computation releases the GIL, so that threads with objects of their own run at the same time.
 """
 
-from ._core import InvalidInput
+from ._core import Cause, InvalidInput
 from ._cut_locus import CutLocus, Result, compute
 from ._cut_loci import compute_cut_loci
 from ._disk import Disk, cut_open
@@ -17,6 +17,7 @@ from ._geodesics import ExactGeodesics, Path, exact_geodesic_distances, shortest
 __version__ = "0.1.0"
 
 __all__ = [
+    "Cause",
     "CutLocus",
     "Disk",
     "ExactGeodesics",

@@ -12,13 +12,38 @@ _Path = Tuple[_Floats, _Ints, _Floats]
 
 solver_names: Tuple[str, ...]
 
-class InvalidInput(ValueError):
-    """The mesh, the source or a parameter cannot be used. The message names the cause and the element."""
-
 class _Enumeration:
     __members__: ClassVar[Dict[str, Any]]
     @property
     def name(self) -> str: ...
+
+class Cause(_Enumeration):
+    """What is wrong with an input: InvalidInput.cause."""
+
+    OTHER: ClassVar[Cause]
+    EMPTY_MESH: ClassVar[Cause]
+    NO_TRIANGLE: ClassVar[Cause]
+    INVALID_COORDINATE: ClassVar[Cause]
+    FACE_WITHOUT_AREA: ClassVar[Cause]
+    NON_MANIFOLD: ClassVar[Cause]
+    NO_SOURCE: ClassVar[Cause]
+    INVALID_SOURCE: ClassVar[Cause]
+    SAME_SOURCES: ClassVar[Cause]
+    SOURCES_APART: ClassVar[Cause]
+    NO_FACE_AT_SOURCE: ClassVar[Cause]
+    INVALID_DISTANCE: ClassVar[Cause]
+    INVALID_PARAMETER: ClassVar[Cause]
+    PARAMETER_OF_OTHER_METHOD: ClassVar[Cause]
+    INVALID_CUT_LOCUS: ClassVar[Cause]
+    NOT_CONVEX: ClassVar[Cause]
+    NO_DISK: ClassVar[Cause]
+    TOO_INACCURATE: ClassVar[Cause]
+
+class InvalidInput(ValueError):
+    """The mesh, the source or a parameter cannot be used. The message names the cause and the element; cause, a Cause,
+    is the same for programs."""
+
+    cause: Cause
 
 class Method(_Enumeration): ...
 class Curve(_Enumeration): ...

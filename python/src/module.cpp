@@ -19,6 +19,7 @@
 
 #include <cstdint>
 #include <exception>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -106,6 +107,34 @@ std::string in_python(std::string message)
   return message;
 }
 
+// The causes of `Invalid_input`, with their names in Python.
+void add_causes(py::module_& m)
+{
+  using loci::Cause;
+  py::enum_<Cause> causes(m, "Cause", "What is wrong with an input: InvalidInput.cause.");
+  causes.attr("__module__") = "cut_locus";
+  for(const auto& [name, cause] : std::initializer_list<std::pair<const char*, Cause>>{
+        {"OTHER", Cause::OTHER},
+        {"EMPTY_MESH", Cause::EMPTY_MESH},
+        {"NO_TRIANGLE", Cause::NO_TRIANGLE},
+        {"INVALID_COORDINATE", Cause::INVALID_COORDINATE},
+        {"FACE_WITHOUT_AREA", Cause::FACE_WITHOUT_AREA},
+        {"NON_MANIFOLD", Cause::NON_MANIFOLD},
+        {"NO_SOURCE", Cause::NO_SOURCE},
+        {"INVALID_SOURCE", Cause::INVALID_SOURCE},
+        {"SAME_SOURCES", Cause::SAME_SOURCES},
+        {"SOURCES_APART", Cause::SOURCES_APART},
+        {"NO_FACE_AT_SOURCE", Cause::NO_FACE_AT_SOURCE},
+        {"INVALID_DISTANCE", Cause::INVALID_DISTANCE},
+        {"INVALID_PARAMETER", Cause::INVALID_PARAMETER},
+        {"PARAMETER_OF_OTHER_METHOD", Cause::PARAMETER_OF_OTHER_METHOD},
+        {"INVALID_CUT_LOCUS", Cause::INVALID_CUT_LOCUS},
+        {"NOT_CONVEX", Cause::NOT_CONVEX},
+        {"NO_DISK", Cause::NO_DISK},
+        {"TOO_INACCURATE", Cause::TOO_INACCURATE}})
+    causes.value(name, cause);
+}
+
 } // namespace
 
 PYBIND11_MODULE(_core, m)
@@ -116,7 +145,10 @@ PYBIND11_MODULE(_core, m)
   static auto& invalid_input = *new py::exception<loci::Invalid_input>(m, "InvalidInput", PyExc_ValueError);
   invalid_input.attr("__module__") = "cut_locus";
   invalid_input.attr("__doc__") =
-    "The mesh, the source or a parameter can not be used. The message names the cause and the element.";
+    "The mesh, the source or a parameter can not be used. The message names the cause and the element; cause, a Cause, "
+    "is the same for programs.";
+  add_causes(m);
+  invalid_input.attr("cause") = py::cast(loci::Cause::INVALID_PARAMETER); // of those raised in Python
   py::register_exception_translator(
     [](std::exception_ptr p)
     {
@@ -127,7 +159,9 @@ PYBIND11_MODULE(_core, m)
     }
     catch(const loci::Invalid_input& error)
     {
-      invalid_input(in_python(error.what()).c_str());
+      const py::object raised = py::object(invalid_input)(in_python(error.what()));
+      raised.attr("cause") = py::cast(error.cause());
+      PyErr_SetObject(invalid_input.ptr(), raised.ptr());
     }
   });
 

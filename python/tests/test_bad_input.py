@@ -49,6 +49,31 @@ def test_meshes(name):
         cut_locus.exact_geodesic_distances(points, faces, 1)
 
 
+CAUSES = {
+    "not a number": cut_locus.Cause.INVALID_COORDINATE,
+    "vertex twice": cut_locus.Cause.NO_TRIANGLE,
+    "face twice": cut_locus.Cause.NON_MANIFOLD,
+    "no area": cut_locus.Cause.FACE_WITHOUT_AREA
+}
+
+
+@pytest.mark.parametrize("name", CAUSES)
+def test_causes_for_programs(name):
+    points, faces, _ = BAD_MESHES[name]
+    with pytest.raises(cut_locus.InvalidInput) as error:
+        cut_locus.compute(points, faces, 1)
+    assert error.value.cause == CAUSES[name]
+
+
+def test_causes_of_sources_and_parameters():
+    with pytest.raises(cut_locus.InvalidInput) as error:
+        cut_locus.compute(POINTS, FACES, 6)
+    assert error.value.cause == cut_locus.Cause.INVALID_SOURCE
+    with pytest.raises(cut_locus.InvalidInput) as error:
+        cut_locus.compute(POINTS, FACES, 0, solver="no solver")
+    assert error.value.cause == cut_locus.Cause.INVALID_PARAMETER
+
+
 def test_faces_without_area():
     points = with_value(POINTS, 0, POINTS[2])
     # an edge without length gets a millionth of the longest edge beside it
