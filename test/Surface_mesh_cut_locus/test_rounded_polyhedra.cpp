@@ -12,6 +12,9 @@
 #include "polyhedra.h"
 
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/exact_tree/Face_ridges.h>
+#include <CGAL/Cut_loci/exact_tree/Image_bisector.h>
+#include <CGAL/Cut_loci/exact_tree/Path_label.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
@@ -20,6 +23,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -130,6 +134,106 @@ TEST(Rounded_polyhedra, no_shortest_path_crosses_the_cut_locus)
       EXPECT_LT(measures.max, 0.01);
     }
   }
+}
+
+// -- in a face --------------------------------------------------------------------------------------------------------
+
+namespace lib = CGAL::Cut_loci::internal;
+using CGAL::Cut_loci::Index;
+using lib::Plane_point;
+
+// of an origin of that number
+lib::Image image(double x, double y, double sigma, Index origin)
+{
+  return {x, y, sigma, origin, 0, 0.};
+}
+
+// what is drawn in a face between the ends of its longest edge and a point
+lib::Face_ridges drawn(const Plane_point& apex, const std::vector<lib::Face_change>& changes)
+{
+  lib::Face_ridges result;
+  std::vector<lib::Face_ridges::Entry> entries;
+  const std::array<Plane_point, 3> corners = {{{0., 0.}, {1., 0.}, apex}};
+  result.draw(
+    corners, changes, 1e-8, [&]() -> const std::vector<lib::Face_ridges::Entry>& { return entries; },
+    [](const lib::Image& a, const lib::Image& b, const Plane_point&, bool is_ray)
+    { return is_ray && a.origin != b.origin; });
+  return result;
+}
+
+// where the line from `p` through `q` crosses the one from (1, 0) to `apex`
+Plane_point on_edge(const Plane_point& p, const Plane_point& q, const Plane_point& apex)
+{
+  const double ux = q.x - p.x, uy = q.y - p.y, vx = apex.x - 1., vy = apex.y;
+  const double t = ((1. - p.x) * vy + p.y * vx) / (ux * vy - uy * vx);
+  return {p.x + t * ux, p.y + t * uy};
+}
+
+TEST(Rounded_polyhedra, images_of_vertices_on_a_straight_edge_have_a_node)
+{
+  for(double tilt : {0., 1e-18, -1e-17, 1e-9})
+  {
+    const Plane_point node{2e-3, 1e-3};
+    std::vector<lib::Image> images;
+    for(double y : {5e-3, 6e-3, -6e-3})
+    {
+      const double x = tilt * y;
+      images.push_back(image(x, y, 0.05 - std::hypot(x - node.x, y - node.y), 0));
+    }
+    std::array<Plane_point, 2> found;
+    const std::size_t n = lib::equidistant_points(images[0], images[1], images[2], found);
+    double least = 1.;
+    for(std::size_t i = 0; i < n; ++i)
+      least = (std::min)(least, std::hypot(found[i].x - node.x, found[i].y - node.y));
+    EXPECT_LT(least, 1e-10) << tilt;
+  }
+}
+
+TEST(Rounded_polyhedra, a_branch_that_ends_a_little_beyond_a_face_ends_on_its_boundary)
+{
+  const Plane_point apex{0.5, 1e-3},
+    node{0.3, -1e-8}; // beyond the edge by more than rounding of a face that is so slim
+  const auto at = [&](double angle, Index origin)
+  { return image(node.x + 10. * std::cos(angle), node.y + 10. * std::sin(angle), 0., origin); };
+  const auto between = [&](double angle) { return Plane_point{node.x + std::cos(angle), node.y + std::sin(angle)}; };
+  const double step = 1e-3, middle = 0.1;
+  const lib::Image right = at(middle - step, 0), own = at(middle, 1), left = at(middle + step, 2);
+  const auto exit = [&](double angle) { return Plane_point{node.x - node.y / std::tan(angle), 0.}; };
+  const std::vector<lib::Face_change> changes = {
+    {exit(middle), 0, left, right, false, false},
+    {on_edge(node, between(middle - 0.5 * step), apex), 1, right, own, false, false},
+    {on_edge(node, between(middle + 0.5 * step), apex), 1, own, left, false, false}};
+  const lib::Face_ridges face = drawn(apex, changes);
+  EXPECT_FALSE(face.is_doubtful);
+  EXPECT_EQ(face.ridges.size(), 3u);
+}
+
+TEST(Rounded_polyhedra, shadows_without_a_window_keep_no_pieces_apart)
+{
+  // on each side of a piece, two images that are turned around a vertex, which is beside the face, and its shadow
+  const Plane_point apex{0.5, 0.5}, vertex{0.5, 0.6}, other{0.15, 0.25};
+  const double turn = 1e-6, beyond = 0.1 + 0.05 * 2. / 1.75, entry = 0.275 / 1.75 / (1. + 0.05 / 1.75);
+  const lib::Image a = image(0.5 - turn, 2., 0., 0), b = image(0.5 + turn, 2., 0., 0),
+                   shadow = image(vertex.x, vertex.y, 1.4, 1), c = image(0.1 - turn, 2., 0., 0),
+                   d = image(0.1 + turn, 2., 0., 0), other_shadow = image(other.x, other.y, std::hypot(0.05, 1.75), 2);
+  const std::vector<lib::Face_change> changes = {{{beyond, 0.}, 0, d, other_shadow, true, true},
+                                                 {{beyond + turn, 0.}, 0, other_shadow, c, true, true},
+                                                 {{0.3, 0.}, 0, c, b, false, false},
+                                                 {{0.5, 0.}, 0, b, shadow, true, true},
+                                                 {{0.5 + turn, 0.}, 0, shadow, a, true, true},
+                                                 {apex, 1, a, b, true, true},
+                                                 {{0.3, 0.3}, 2, b, c, false, false},
+                                                 {{entry, entry}, 2, c, d, true, true}};
+  EXPECT_FALSE(drawn(apex, changes).is_doubtful);
+}
+
+TEST(Rounded_polyhedra, paths_on_two_sides_of_a_shadow_get_apart)
+{
+  const lib::Path_label left{-0.1, -1., 0., 0., 0, false}, right{0.1, -1., 0., 0., 0, false};
+  EXPECT_TRUE(lib::get_apart(right, left, 0.));
+  EXPECT_FALSE(lib::get_apart(left, right, 0.));
+  EXPECT_TRUE(lib::get_apart(right.opposite(1.), left.opposite(1.), 1.) !=
+              lib::get_apart(left.opposite(1.), right.opposite(1.), 1.));
 }
 
 } // namespace

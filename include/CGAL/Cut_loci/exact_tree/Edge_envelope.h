@@ -33,6 +33,9 @@ public:
     Path_label label;  // in its frame
   };
 
+  /// Rays that bound a shadow are that inaccurate, as a share of the edge: narrower windows are left away.
+  static constexpr double least_width = 10. * geodesic_cover;
+
   explicit Edge_envelope(Exact_geodesic_propagation& geodesics)
     : geodesics_(geodesics), faces_(geodesics.faces()), vertex_labels_(geodesics)
   {
@@ -136,9 +139,9 @@ private:
     }
     if(windows_.front().begin > margin)
       pieces_.push_back({0., windows_.front().begin, vertex_labels_.at_source(h)});
-    // rays that bound a shadow are that inaccurate, and what shows in between is not there
+    // what shows in between is not there
     for(std::size_t i = 0; i < windows_.size(); ++i)
-      if((windows_[i].end - windows_[i].begin > 10. * margin && !is_leap(i)) || windows_.size() == 1)
+      if((windows_[i].end - windows_[i].begin > least_width * length_ && !is_leap(i)) || windows_.size() == 1)
         add(windows_[i]);
     if(pieces_.empty())
       add(windows_.front());

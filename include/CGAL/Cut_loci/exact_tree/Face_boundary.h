@@ -238,11 +238,12 @@ private:
     return angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y) < 1e-7 || is_seam(a, b, p);
   }
 
-  /// whether both paths come along one line; where the waves of a curve's edge and of its end touch, they do so over the
-  /// square root of the rounding
+  /// whether both paths come along one line, if not quite: where the waves of a curve's edge and of its end touch, they do
+  /// so over the square root of the rounding, and beside the vertex that casts a shadow both of its sides are one
   bool is_ray(const Edge_crossing& c) const
   {
-    return c.angle < 1e-7 || (c.is_shadow && geodesics_->is_line(c.left.origin) != geodesics_->is_line(c.right.origin));
+    const bool are_lines = geodesics_->is_line(c.left.origin) && geodesics_->is_line(c.right.origin);
+    return c.angle < Edge_crossings::least_angle || (c.is_shadow && !are_lines);
   }
 
   void add_changes_on_edge(Index h)

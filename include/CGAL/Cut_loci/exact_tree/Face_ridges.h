@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_FACE_RIDGES_H
 
 #include <CGAL/Cut_loci/exact_tree/Image_bisector.h>
+#include <CGAL/Cut_loci/exact_tree/Ridge_fronts.h>
 #include <CGAL/Cut_loci/exact_tree/Ridges_that_cross.h>
 #include <CGAL/Cut_loci/exact_tree/draw_by_labels.h>
 
@@ -33,7 +34,7 @@ namespace internal {
  * pieces at a node come from below. Then neighbors meet in the order of the distance, as wavefronts do, and no other
  * cell has to be looked at. Else the next to meet are those whose node no other path reaches earlier.
  */
-class Face_ridges
+class Face_ridges : private Ridge_fronts
 {
 public:
   using Change = Face_change;
@@ -79,42 +80,7 @@ public:
   }
 
 private:
-  static constexpr double least_angle = 1e-7; // below, directions are taken for the same
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
-
-  struct Front
-  {
-    Index node; // where it is now
-    Image before, after;
-    bool is_ray, is_shadow;
-    bool goes_up;         // whether the distance grows on its way
-    double level;         // the distance at the node
-    Index previous, next; // its neighbors
-    bool is_alive;
-    double strength = 0.;
-  };
-
-  /// of a front with the next one
-  struct Meeting
-  {
-    double key; // those of the least come first
-    Index first, second;
-    Plane_point point;
-    bool is_end; // the two are one piece
-
-    bool operator<(const Meeting& other) const { return key > other.key; }
-  };
-
-  static double cross(const Plane_point& a, const Plane_point& b, const Plane_point& c)
-  {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-  }
-
-  static double squared_distance(const Plane_point& a, const Plane_point& b)
-  {
-    return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
-  }
-  static double distance(const Plane_point& a, const Plane_point& b) { return std::sqrt(squared_distance(a, b)); }
 
   /// whether `p` is in the cone of an entry, up to rounding: what is beside it by a little is longer by the square of that
   static bool sees(const Entry& e, const Plane_point& p)
@@ -176,26 +142,12 @@ private:
     return true;
   }
 
-  /// the boundary of a shadow leads away from the image of what casts it
-  static Plane_point light(const Front& f)
-  {
-    const Image& image = f.before.sigma < f.after.sigma ? f.before : f.after;
-    return {image.x, image.y};
-  }
-
-  /// the vertex that casts the shadow, as an origin
-  static Index bend(const Front& f) { return f.before.sigma < f.after.sigma ? f.after.origin : f.before.origin; }
-
-  /// whether two fronts are both sides of one shadow
-  static bool are_of_one_shadow(const Front& first, const Front& second)
-  {
-    return first.is_ray && second.is_ray && bend(first) == bend(second);
-  }
-
   /// adds the meeting of two neighbors, if they meet
   void find_meeting(Index i, Index j)
   {
-    const Front &first = fronts_[i], &second = fronts_[j];
+    Front& first = fronts_[i];
+    const Front& second = fronts_[j];
+    first.meets_next = false;
     const Plane_point &p = nodes[first.node], &q = nodes[second.node];
     Meeting meeting{infinity, i, j, q, is_same_image(first.before, second.after)};
     std::array<Plane_point, 2> points;
@@ -221,7 +173,12 @@ private:
     else
       n = equidistant_points(q, light(second), first.before, first.after, points);
     for(std::size_t k = 0; k < n; ++k)
-      if(clamp(points[k]) && is_ahead(first, points[k]) && is_ahead(second, points[k]))
+    {
+      if(!clamp(points[k]))
+        continue;
+      stay_at_node(first, second, points[k]);
+      stay_at_node(second, first, points[k]);
+      if(is_ahead(first, points[k]) && is_ahead(second, points[k]))
       {
         const double key =
           entries_ == nullptr ? level_of_meeting(first, second, points[k]) : way_to_meeting(first, second, points[k]);
@@ -231,10 +188,21 @@ private:
           meeting.point = points[k];
         }
       }
+    }
     if(meeting.key == infinity)
       return;
-    meetings_.push_back(meeting);
-    std::push_heap(meetings_.begin(), meetings_.end());
+    first.meets_next = true;
+    first.meeting = meeting.point;
+    add(meeting);
+  }
+
+  /// Where several pieces meet nearly in a point, a front may have been put beyond a ray, by as little as both sides of
+  /// the ray are one path: then it meets the ray where it is.
+  void stay_at_node(const Front& ray, const Front& front, Plane_point& x) const
+  {
+    const Plane_point& node = nodes[front.node];
+    if(ray.is_ray && !is_ahead(front, x) && is_on_one_line(node, ray.before, ray.after))
+      x = node;
   }
 
   /// Without a saddle, one that goes down meets others only where these end it, except where rounding puts the meeting
@@ -260,56 +228,25 @@ private:
     return distance(x, nodes[first.node]) + distance(x, nodes[second.node]);
   }
 
-  /// a point of the piece between two fronts that end each other
-  static Plane_point between(const Plane_point& p, const Plane_point& q, const Front& f)
-  {
-    const Plane_point m{0.5 * (p.x + q.x), 0.5 * (p.y + q.y)};
-    if(f.is_ray || f.before.sigma == f.after.sigma)
-      return m;
-    std::array<Plane_point, 2> points;
-    const Plane_point beside{m.x - (q.y - p.y), m.y + (q.x - p.x)};
-    const std::size_t n = equidistant_points(m, beside, f.before, f.after, points);
-    Plane_point best = m;
-    double least = 0.5 * distance(p, q);
-    for(std::size_t k = 0; k < n; ++k)
-    {
-      const double away = distance(points[k], m);
-      if(away < least)
-      {
-        least = away;
-        best = points[k];
-      }
-    }
-    return best;
-  }
-
-  static std::size_t intersection(const Plane_point& p, const Plane_point& a, const Plane_point& q,
-                                  const Plane_point& b, std::array<Plane_point, 2>& points)
-  {
-    const double ux = a.x - p.x, uy = a.y - p.y, vx = b.x - q.x, vy = b.y - q.y;
-    const double determinant = ux * vy - uy * vx;
-    if(determinant == 0.)
-      return 0;
-    const double s = ((q.x - p.x) * vy - (q.y - p.y) * vx) / determinant;
-    points[0] = {p.x + s * ux, p.y + s * uy};
-    return 1;
-  }
-
   /// lets neighbors meet until there are none; returns whether that was possible without pieces that cross each other
   template <typename Are_one_path>
   bool join_all(const Are_one_path& are_one_path)
   {
     meetings_.clear();
-    if(size_ > 2)
-      for(Index i = 0; i < fronts_.size(); ++i)
-        find_meeting(i, fronts_[i].next);
-    while(size_ > 2 && !meetings_.empty())
+    find_all_meetings();
+    while(size_ > 2)
     {
+      if(meetings_.empty() && leave_shadows_away())
+        find_all_meetings();
+      if(meetings_.empty() && (size_ <= 2 || !meet_at_neighbors()))
+        break;
       std::pop_heap(meetings_.begin(), meetings_.end());
-      const Meeting m = meetings_.back();
+      Meeting m = meetings_.back();
       meetings_.pop_back();
       if(!fronts_[m.first].is_alive || !fronts_[m.second].is_alive)
         continue;
+      if(entries_ != nullptr)
+        prefer_nearer(m);
       const Index previous = fronts_[m.first].previous, next = fronts_[m.second].next;
       if(m.is_end)
       {
@@ -330,14 +267,71 @@ private:
     return !has_cut_locus_left() && !ridges_cross_(corners_, nodes, ridges);
   }
 
-  /// The boundary of a shadow that is narrower than the accuracy of the windows may have only one end.
-  bool has_cut_locus_left() const
+  void find_all_meetings()
   {
     Index i = first_;
+    for(Index k = 0; k < size_ && size_ > 2; ++k, i = fronts_[i].next)
+      find_meeting(i, fronts_[i].next);
+  }
+
+  /// Up to the tolerance, a front may meet both of its neighbors. It meets the nearer one first.
+  void prefer_nearer(Meeting& m)
+  {
+    const auto is_nearer = [&](Index i, Index k, Index front)
+    {
+      const Plane_point& node = nodes[fronts_[front].node];
+      return fronts_[i].meets_next &&
+             squared_distance(fronts_[i].meeting, node) < squared_distance(fronts_[k].meeting, node);
+    };
+    Index i = m.first;
+    for(Index k = 0; k < size_; ++k)
+    {
+      const Index previous = fronts_[i].previous, next = fronts_[i].next;
+      if(is_nearer(previous, i, i))
+        i = previous;
+      else if(is_nearer(next, i, next))
+        i = next;
+      else
+        break;
+    }
+    if(i == m.first)
+      return;
+    add(m); // it may still come
+    const Front &first = fronts_[i], &second = fronts_[first.next];
+    m = {m.key, i, first.next, first.meeting, is_same_image(first.before, second.after)};
+  }
+
+  void add(const Meeting& m)
+  {
+    meetings_.push_back(m);
+    std::push_heap(meetings_.begin(), meetings_.end());
+  }
+
+  /// A cell that is narrower than the accuracy of the windows where it leaves the face has none there: the pieces on its
+  /// two sides go on as one, and meet a little beyond the face. They may do so where that piece is. Returns whether some do.
+  bool meet_at_neighbors()
+  {
+    bool is_found = false;
+    Index i = first_;
     for(Index k = 0; k < size_; ++k, i = fronts_[i].next)
-      if(!fronts_[i].is_shadow)
-        return true;
-    return false;
+    {
+      const Front &first = fronts_[i], &second = fronts_[first.next];
+      if(is_same_image(first.before, second.after))
+        continue;
+      for(Index other : {first.previous, second.next})
+      {
+        const Plane_point& p = nodes[fronts_[other].node];
+        const double a = first.before.distance(p), b = first.after.distance(p), c = second.after.distance(p);
+        if((std::max)({a, b, c}) - (std::min)({a, b, c}) > tolerance_ || !is_ahead(first, p) || !is_ahead(second, p))
+          continue;
+        fronts_[i].meets_next = true;
+        fronts_[i].meeting = p;
+        add({distance(p, nodes[first.node]) + distance(p, nodes[second.node]), i, first.next, p, false});
+        is_found = true;
+        break;
+      }
+    }
+    return is_found;
   }
 
   template <typename Are_one_path>
@@ -363,22 +357,8 @@ private:
     return i;
   }
 
-  static bool is_on_one_line(const Plane_point& p, const Image& a, const Image& b)
-  {
-    const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y;
-    const double cross = ax * by - ay * bx, dot = ax * bx + ay * by;
-    return dot >= 0. && std::fabs(cross) <= least_angle * dot;
-  }
-
   /// whether the paths of a front come closer as it goes on, so that it gets farther from both images
   bool converge(const Front& f) const { return advance(f, nodes[f.node]) > 0.; }
-
-  /// what grows along the bisector of the two images, in the direction of the front: the way from the line through
-  /// these, positive behind it, times their distance
-  static double advance(const Front& f, const Plane_point& p)
-  {
-    return (p.x - f.before.x) * (p.y - f.after.y) - (p.y - f.before.y) * (p.x - f.after.x);
-  }
 
   /// whether a front may get to a point of its bisector, which it may have passed before it came into the face
   bool is_ahead(const Front& f, const Plane_point& x) const
@@ -456,18 +436,9 @@ private:
     size_ -= 2;
   }
 
-  /// Where one path goes on from a vertex at which the other one bends, the boundary of the shadow is straight, and a
-  /// shadow up to its end: other pieces meet it there at a point that is known up to the square root of rounding only.
-  static bool is_shadow_between(const Front& a, const Front& b)
-  {
-    return a.before.origin != a.after.origin ? a.is_shadow || b.is_shadow : a.is_shadow && b.is_shadow;
-  }
-
   std::array<Plane_point, 3> corners_;
   const std::vector<Entry>* entries_ = nullptr; // null as long as no meeting has to be compared with all paths
   double tolerance_ = 0.;
-  std::vector<Front> fronts_;     // those that are alive are linked to a ring
-  Index first_ = 0, size_ = 0;    // one of the ring, and the number of them
   std::vector<Meeting> meetings_; // a heap
   Ridges_that_cross ridges_cross_;
 };

@@ -52,30 +52,32 @@ inline bool is_same_image(const Image& a, const Image& b)
 inline std::size_t equidistant_points(const Image& a, const Image& b, const Image& c,
                                       std::array<Plane_point, 2>& points)
 {
-  // With `b` as the origin, and the distance rho from it as an unknown, two of the three equations are linear.
-  const double ax = a.x - b.x, ay = a.y - b.y, cx = c.x - b.x, cy = c.y - b.y;
-  const double as = a.sigma - b.sigma, cs = c.sigma - b.sigma;
-  const double determinant = ax * cy - ay * cx;
-  if(determinant == 0.)
+  // With `b` as the origin, and the distance rho from it as the third coordinate, two of the three equations are linear.
+  // Their line is computed from its direction: images that are on one line, as the vertices of a straight edge are, leave
+  // neither the point as a function of rho nor any other coordinate that could be taken for a parameter.
+  const double ax = a.x - b.x, ay = a.y - b.y, az = b.sigma - a.sigma;
+  const double cx = c.x - b.x, cy = c.y - b.y, cz = b.sigma - c.sigma;
+  const double ak = 0.5 * (ax * ax + ay * ay - az * az), ck = 0.5 * (cx * cx + cy * cy - cz * cz);
+  const double wx = ay * cz - az * cy, wy = az * cx - ax * cz, wz = ax * cy - ay * cx;
+  const double ww = wx * wx + wy * wy + wz * wz;
+  if(ww == 0.)
     return 0;
-  const double ak = 0.5 * (ax * ax + ay * ay - as * as), ck = 0.5 * (cx * cx + cy * cy - cs * cs);
-  const double ux = (ak * cy - ck * ay) / determinant, uy = (ck * ax - ak * cx) / determinant;
-  if(as == 0. && cs == 0.)
-  {
-    points[0] = {b.x + ux, b.y + uy};
-    return 1;
-  }
-  const double wx = (as * cy - cs * ay) / determinant, wy = (cs * ax - as * cx) / determinant;
-  // |u + rho w| = rho
-  const double k2 = wx * wx + wy * wy - 1., k1 = ux * wx + uy * wy, k0 = ux * ux + uy * uy;
+  // the point of the line nearest to the origin
+  const double ux = (ak * (cy * wz - cz * wy) + ck * (wy * az - wz * ay)) / ww;
+  const double uy = (ak * (cz * wx - cx * wz) + ck * (wz * ax - wx * az)) / ww;
+  const double uz = (ak * (cx * wy - cy * wx) + ck * (wx * ay - wy * ax)) / ww;
+  const double k2 = wx * wx + wy * wy - wz * wz, k1 = ux * wx + uy * wy - uz * wz, k0 = ux * ux + uy * uy - uz * uz;
   const double discriminant = k1 * k1 - k2 * k0;
   if(!(discriminant >= 0.))
     return 0;
   const double q = -(k1 + (k1 < 0. ? -1. : 1.) * std::sqrt(discriminant));
   std::size_t n = 0;
-  for(const double rho : {q / k2, k0 / q})
+  for(const double t : {q / k2, k0 / q})
+  {
+    const double rho = uz + t * wz;
     if(rho >= 0. && rho + b.sigma >= a.sigma && rho + b.sigma >= c.sigma && rho < 1e300)
-      points[n++] = {b.x + ux + rho * wx, b.y + uy + rho * wy};
+      points[n++] = {b.x + ux + t * wx, b.y + uy + t * wy};
+  }
   return n;
 }
 

@@ -74,6 +74,14 @@ inline double meeting_angle(const Path_label& a, const Path_label& b, double t)
   return angle_between(a.x - t, a.y, b.x - t, b.y);
 }
 
+/// whether the paths of two labels, of which `a` is before the point `t` and `b` behind it, get apart from each other there,
+/// from the same side of the edge: no two paths that are shortest up to where they meet do so
+inline bool get_apart(const Path_label& a, const Path_label& b, double t)
+{
+  const double cross = (t - a.x) * b.y - (t - b.x) * a.y;
+  return a.from_face == b.from_face && (a.from_face ? cross < 0. : cross > 0.);
+}
+
 /*!
  * measures the angle at which two shortest paths to the same point part: at their source or, if they go together for a
  * while, at the vertex at which they bend apart.
