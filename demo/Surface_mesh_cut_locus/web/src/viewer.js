@@ -148,6 +148,21 @@ export class Viewer {
     this.invalidateCurves();
   }
 
+  // Other values at the vertices.
+  invalidateValues() {
+    for (const pane of [this.model, this.plane]) pane.layer.isStale = true;
+    this.invalidateCurves();
+  }
+
+  // Until it ends, the values change all the time: frames take as little time as they can, if they take long.
+  setMoving(isMoving) {
+    for (const pane of this.hasAtlas ? [this.model, this.plane] : [this.model])
+      if (isMoving) pane.layer.hurry();
+      else pane.layer.settle();
+    for (const curve of this.curves) curve.setPlain(this.model.layer.isCoarse);
+    this.invalidateCurves();
+  }
+
   invalidateCurves() {
     if (this.isDirty) return;
     this.isDirty = true;
@@ -487,7 +502,7 @@ export class Viewer {
     const attribute = new Float32Array(3 * size);
     for (let i = 0; i < size; ++i) attribute.set(colors[this.origin ? this.origin[i] : i], 3 * i);
     geometry.setAttribute('cellColor', new THREE.BufferAttribute(attribute, 3));
-    this.invalidate();
+    this.invalidateValues();
   }
 
   // values at the vertices of the mesh, or null
@@ -500,12 +515,12 @@ export class Viewer {
       attribute[i] = Number.isFinite(value) ? value : -1;
     }
     geometry.setAttribute(name, new THREE.BufferAttribute(attribute, 1));
-    this.invalidate();
+    this.invalidateValues();
   }
 
   setUniforms(values) {
     const changes = [this.surface, this.atlas].map((surface) => surface.setUniforms(values));
-    if (changes.some(Boolean)) this.invalidate();
+    if (changes.some(Boolean)) this.invalidateValues();
   }
 
   setTransparency(transparency) {

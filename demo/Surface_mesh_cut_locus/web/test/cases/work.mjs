@@ -150,14 +150,20 @@ export const tests = {
         for (let t = 0; Date.now() < end; t += 0.05) await page.mouse.move(...place(t));
         const after = await d.app(({ app }) => [app.follower.updates, performance.now()]);
         const marker = await d.app(({ app }) => app.source.points[0]);
+        const isCoarse = await d.app(({ viewer }) => viewer.model.layer.isCoarse);
+        assert.equal(isCoarse, await d.app(({ viewer }) => viewer.model.layer.interval > 0));
         assert.notDeepEqual(marker, start.point, 'the source does not follow');
         await page.mouse.move(...place(1.5));
         await (isByKey ? page.keyboard.up('d') : page.mouse.up());
+        await page.waitForFunction(() => !window.cutLocusPage.app.follower.isActive);
         await d.settle();
         rates.push(1000 * (after[0] - before[0]) / (after[1] - before[1]));
         computing.push(await d.app(({ app }) => app.times.follow));
       }
       assert.deepEqual(await d.view(), view, 'the view has moved');
+      assert.deepEqual(await d.app(({ viewer: { model: { layer }, faceCurve } }) =>
+        [layer.isCoarse, layer.interval, layer.target.samples > 0, faceCurve.casing.visible]), [false, 0, true, true],
+      'the picture at rest is not the fine one');
       // what is there at last is what a click there gives
       const end = await d.result();
       await page.mouse.click(...place(1.5));
