@@ -29,7 +29,8 @@ void main() {
 
 const samples = 4;
 const slowMilliseconds = 25; // a surface that takes longer is drawn coarsely while its values change all the time
-const partOfTime = 1 / 3; // and does not take more of it
+const coarseTime = 1 / 2; // of that, at least
+const partOfTime = 1 / 3; // it does not take more of it
 
 function makeTarget(count) {
   const target = new THREE.WebGLRenderTarget(1, 1, { samples: count });
@@ -91,9 +92,10 @@ export class SurfaceLayer {
   // What is drawn changes from now on until `settle()`. Where that takes long, as without a graphics card, it is drawn
   // coarsely, and less often than what is above it.
   hurry() {
-    if (this.drawingTime() < slowMilliseconds) return;
+    const time = this.drawingTime();
+    if (time < slowMilliseconds) return;
     this.setCoarse(true);
-    this.interval = this.drawingTime() / partOfTime;
+    this.interval = coarseTime * time / partOfTime;
   }
 
   settle() {

@@ -1,6 +1,7 @@
 // Nothing that the user has done is lost: undo, the cut surface, other meshes, cancelling, the keyboard.
 import assert from 'node:assert/strict';
 import { describeAtlas } from '../../src/words.js';
+import { patience } from '../page_driver.mjs';
 
 const followMilliseconds = 3000;
 
@@ -181,6 +182,7 @@ export const tests = {
         const end = Date.now() + followMilliseconds;
         for (let t = 0; Date.now() < end; t += 0.05) await page.mouse.move(...place(t));
         const after = await d.app(({ app }) => [app.follower.updates, performance.now()]);
+        await page.waitForFunction((n) => window.cutLocusPage.app.follower.updates > n, before[0], { timeout: patience });
         const marker = await d.app(({ app }) => app.source.points[0]);
         const isCoarse = await d.app(({ viewer }) => viewer.model.layer.isCoarse);
         assert.equal(isCoarse, await d.app(({ viewer }) => viewer.model.layer.interval > 0));
