@@ -212,20 +212,21 @@ void Session::compute_gradient()
   gradient = fields().gradient(exact_distance_);
 }
 
-void Session::cut_open(const Thresholds& thresholds)
+void Session::cut_open(Curve_index index, const Thresholds& thresholds)
 {
-  if(!curves_.empty())
-    throw std::runtime_error("a surface is flattened from points; here the border is a source, too");
-  compute_curve(MESH_EDGES, thresholds);
+  compute_curve(index, thresholds);
+  const bool has_cells = !curves_.empty() || points_.size() > 1;
   if(thresholds.keeps == Kept_part::ALL)
   {
-    atlas = make_atlas(*mesh_, *results_[MESH_EDGES]);
+    atlas = make_atlas(*mesh_, *results_[index], has_cells);
     return;
   }
   // what is not shown is needed as well, to have disks
   Thresholds whole = thresholds;
   whole.keeps = Kept_part::ALL;
-  atlas = make_atlas(*mesh_, exact_cut_locus(*solver_, whole, CGAL::Cut_loci::Curve::MESH_EDGES));
+  using CGAL::Cut_loci::Curve;
+  const Curve kind = index == MESH_EDGES ? Curve::MESH_EDGES : Curve::THROUGH_FACES;
+  atlas = make_atlas(*mesh_, exact_cut_locus(*solver_, whole, kind), has_cells);
 }
 
 const Fields& Session::fields()

@@ -43,7 +43,8 @@ public:
   void compute_curve(Curve_index index, const Thresholds& thresholds);
   void compute_laplacian();
   void compute_gradient();
-  void cut_open(const Thresholds& thresholds);
+  // Along one of the curves; if the border is a source, only the one through the faces is there.
+  void cut_open(Curve_index index, const Thresholds& thresholds);
   void find_paths(const Location& end);
   std::string write_curve(Curve_index index, const std::string& format) const;
 

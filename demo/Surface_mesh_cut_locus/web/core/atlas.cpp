@@ -11,9 +11,10 @@
 
 #include <CGAL/Cut_loci/Default_visitor.h>
 #include <CGAL/Cut_loci/flatten_disk.h>
-#include <CGAL/cut_along_cut_locus.h>
+#include <CGAL/refine_along_cut_locus.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -22,6 +23,7 @@ namespace {
 
 using CGAL::Cut_loci::Index;
 using CGAL::Cut_loci::Layout_quality;
+using CGAL::Cut_loci::null_index;
 using CGAL::Cut_loci::Stage;
 using Charts = std::vector<std::unique_ptr<Chart>>;
 
@@ -41,16 +43,15 @@ Charts chart_of_one_source(const Mesh& mesh, const Cut_locus& cut_locus)
   Chart& chart = *result.front();
   auto vertex = chart.disk.add_property_map<Mesh::Vertex_index, Mesh::Vertex_index>("v:origin").first;
   auto face = chart.disk.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:origin").first;
-  CGAL::cut_along_cut_locus(mesh, cut_locus, chart.disk,
-                            CGAL::parameters::vertex_to_vertex_map(vertex).face_to_face_map(face));
+  CGAL::cut_along_curve(mesh, cut_locus, chart.disk,
+                        CGAL::parameters::vertex_to_vertex_map(vertex).face_to_face_map(face));
   for(const Mesh::Vertex_index v : chart.disk.vertices())
-    chart.vertices.push_back(static_cast<Index>(vertex[v]));
+    chart.vertices.push_back(vertex[v] == Mesh::null_vertex() ? null_index : static_cast<Index>(vertex[v]));
   for(const Mesh::Face_index f : chart.disk.faces())
     chart.faces.push_back(static_cast<Index>(face[f]));
   return result;
 }
 
-// As the cut locus runs along edges, no face of the mesh is split.
 Charts charts_of_cells(const Mesh& mesh, const Cut_locus& cut_locus)
 {
   const Cells cells = make_cells(mesh, cut_locus);
@@ -112,8 +113,34 @@ std::vector<double> flatten(const Charts& charts)
           double(all.is_injective),  double(charts.size())};
 }
 
+// Where a vertex of a chart is on the mesh. One that was added is in the face of which the faces at it are parts.
+void append_place(const Mesh& mesh, const Chart& chart, Mesh::Vertex_index v, Atlas& atlas)
+{
+  if(chart.vertices[v] != null_index)
+  {
+    atlas.parents.insert(atlas.parents.end(), 3, static_cast<std::uint32_t>(chart.vertices[v]));
+    atlas.weights.insert(atlas.weights.end(), {1.f, 0.f, 0.f});
+    return;
+  }
+  Mesh::Halfedge_index at = chart.disk.halfedge(v);
+  if(chart.disk.is_border(at))
+    at = chart.disk.opposite(chart.disk.next(at));
+  const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Face_index(chart.faces[chart.disk.face(at)]));
+  std::array<Mesh::Vertex_index, 3> corners = {{mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))}};
+  const auto vector = [&](std::size_t i) { return mesh.point(corners[i]) - mesh.point(corners[0]); };
+  const Kernel::Vector_3 p = chart.disk.point(v) - mesh.point(corners[0]), a = vector(1), b = vector(2);
+  const Kernel::Vector_3 normal = CGAL::cross_product(a, b);
+  const double area = normal.squared_length();
+  const double first = area > 0. ? CGAL::cross_product(p, b) * normal / area : 0.;
+  const double second = area > 0. ? CGAL::cross_product(a, p) * normal / area : 0.;
+  for(const Mesh::Vertex_index corner : corners)
+    atlas.parents.push_back(static_cast<std::uint32_t>(corner));
+  for(const double weight : {1. - first - second, first, second})
+    atlas.weights.push_back(static_cast<float>(weight));
+}
+
 // Moves and scales the charts, side by side, into the square [-1, 1] x [-1, 1].
-void append(const Charts& charts, Atlas& atlas)
+void append(const Mesh& mesh, const Charts& charts, Atlas& atlas)
 {
   const std::vector<UV> corners = corners_of(charts);
   UV high = {{0., 0.}};
@@ -124,10 +151,10 @@ void append(const Charts& charts, Atlas& atlas)
   for(std::size_t i = 0; i < charts.size(); ++i)
   {
     const Chart& chart = *charts[i];
-    const std::uint32_t first = static_cast<std::uint32_t>(atlas.origin.size());
+    const std::uint32_t first = static_cast<std::uint32_t>(atlas.uv.size() / 2);
     for(const Mesh::Vertex_index v : chart.disk.vertices())
     {
-      atlas.origin.push_back(chart.vertices[v]);
+      append_place(mesh, chart, v, atlas);
       for(int k = 0; k < 2; ++k)
         atlas.uv.push_back(static_cast<float>(scale * (corners[i][k] + chart.uv[v][k] - high[k] / 2.)));
     }
@@ -146,16 +173,15 @@ void append(const Charts& charts, Atlas& atlas)
 
 } // namespace
 
-Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus)
+Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, bool has_cells)
 {
   report_stage(cutting_stage, true);
-  const Charts charts =
-    cut_locus.number_of_sources() > 1 ? charts_of_cells(mesh, cut_locus) : chart_of_one_source(mesh, cut_locus);
+  const Charts charts = has_cells ? charts_of_cells(mesh, cut_locus) : chart_of_one_source(mesh, cut_locus);
   report_stage(cutting_stage, false);
   report_stage(static_cast<int>(Stage::FLATTENING), true);
   Atlas atlas;
   atlas.numbers = flatten(charts);
-  append(charts, atlas);
+  append(mesh, charts, atlas);
   report_stage(static_cast<int>(Stage::FLATTENING), false);
   return atlas;
 }

@@ -15,9 +15,12 @@
 // A surface cut open and laid out in the plane.
 struct Atlas
 {
-  std::vector<std::uint32_t> origin;    // for each vertex of the cut surface the one that it is a copy of
+  // for each vertex of the cut surface, where it is: three vertices of a face of the mesh, and their weights; of the copy
+  // of a vertex the first one has all
+  std::vector<std::uint32_t> parents;
+  std::vector<float> weights;
   std::vector<std::uint32_t> triangles; // of vertices of the cut surface
-  std::vector<std::uint32_t> faces;     // for each of them the face of the mesh
+  std::vector<std::uint32_t> faces;     // for each of them the face of the mesh that it is a part of
   std::vector<std::uint32_t> border;    // the ends of its border edges
   std::vector<float> uv;                // two coordinates for each vertex, in [-1, 1]
   // flipped faces, overlapping ones, the part of the sheets that they cover, the part of the area that is moved to other
@@ -25,8 +28,8 @@ struct Atlas
   std::vector<double> numbers;
 };
 
-// Cuts along a cut locus of mesh edges, and lays the disk flat injectively; of several sources the cells, side by side.
-// Tells the page how far it is.
-Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus);
+// Cuts along a cut locus, and lays the disk flat injectively; if `has_cells`, as with several sources and with curves, the
+// cells, side by side. Faces through which the cut locus runs are split. Tells the page how far it is.
+Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, bool has_cells);
 
 #endif // SURFACE_MESH_CUT_LOCUS_WEB_ATLAS_H

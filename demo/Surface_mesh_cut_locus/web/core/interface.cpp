@@ -113,7 +113,7 @@ Array array(int id)
   case 15:
     return {text.data(), text.size()};
   case 16:
-    return array(session.atlas.origin);
+    return array(session.atlas.parents);
   case 17:
     return array(session.atlas.triangles);
   case 18:
@@ -136,6 +136,8 @@ Array array(int id)
     return array(session.nearest_source);
   case 27:
     return array(session.atlas.faces);
+  case 28:
+    return array(session.atlas.weights);
   default:
     return {nullptr, 0};
   }
@@ -242,9 +244,9 @@ EMSCRIPTEN_KEEPALIVE int compute_curve(int index)
   return run([&] { session.compute_curve(static_cast<Session::Curve_index>(index), thresholds); });
 }
 
-EMSCRIPTEN_KEEPALIVE int cut_open()
+EMSCRIPTEN_KEEPALIVE int cut_open(int index)
 {
-  return run([&] { session.cut_open(thresholds); });
+  return run([&] { session.cut_open(static_cast<Session::Curve_index>(index), thresholds); });
 }
 
 EMSCRIPTEN_KEEPALIVE int compute_laplacian()

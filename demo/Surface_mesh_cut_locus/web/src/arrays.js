@@ -11,7 +11,8 @@ export const arrays = {
   faceCurve: { segments: [11, 'f32'], width: [12, 'f32'], gap: [13, 'f32'], numbers: [14, 'f64'] },
   text: [15, 'u8'],
   atlas: {
-    origin: [16, 'u32'],
+    parents: [16, 'u32'],
+    weights: [28, 'f32'],
     triangles: [17, 'u32'],
     faces: [27, 'u32'],
     border: [18, 'u32'],

@@ -3,9 +3,8 @@
 // surface is.
 import * as THREE from 'three';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
-import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
-import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import { branchColor } from './color_maps.js';
+import { lineGeometry } from './line_geometry.js';
 
 // the order sets how far in front of the surface it is, and what covers what
 function lines(geometry, order, options) {
@@ -15,15 +14,25 @@ function lines(geometry, order, options) {
     polygonOffsetUnits: -4 * order,
     ...options,
   });
-  const object = new LineSegments2(geometry, material);
+  const object = new THREE.Mesh(geometry, material);
   object.frustumCulled = false;
   object.renderOrder = order;
   return object;
 }
 
+// the colour of each segment at both of its ends
+function colorsAt(places) {
+  const result = new Float32Array(6 * places.length);
+  for (let i = 0; i < places.length; ++i) {
+    result.set(branchColor(places[i]), 6 * i);
+    result.copyWithin(6 * i + 3, 6 * i, 6 * i + 3);
+  }
+  return result;
+}
+
 export class CurveLines {
   constructor(width, order, { hasCasing = true } = {}) {
-    const geometry = new LineSegmentsGeometry();
+    const geometry = new THREE.BufferGeometry();
     this.visibleLines = lines(geometry, order, { linewidth: width });
     // below all of the curve
     this.casing = lines(geometry, order - 0.5, { linewidth: width + 2.2, depthWrite: false });
@@ -36,27 +45,14 @@ export class CurveLines {
     this.isEmpty = true;
     this.visible = true;
     this.showsHidden = false;
+    this.isPlain = false;
   }
 
   // `places`, if given, are those of the segments on the scale of colours, in [0, 1].
   set(segments, places = null) {
     this.visibleLines.geometry.dispose();
-    const geometry = new LineSegmentsGeometry();
     this.isEmpty = segments.length === 0;
-    if (!this.isEmpty) {
-      geometry.instanceCount = segments.length / 6;
-      const positions = new THREE.InstancedInterleavedBuffer(segments, 6, 1);
-      geometry.setAttribute('instanceStart', new THREE.InterleavedBufferAttribute(positions, 3, 0));
-      geometry.setAttribute('instanceEnd', new THREE.InterleavedBufferAttribute(positions, 3, 3));
-      if (places) {
-        const colors = new Float32Array(segments.length);
-        for (let i = 0; i < places.length; ++i) {
-          colors.set(branchColor(places[i]), 6 * i);
-          colors.copyWithin(6 * i + 3, 6 * i, 6 * i + 3);
-        }
-        geometry.setColors(colors);
-      }
-    }
+    const geometry = lineGeometry(segments, places && colorsAt(places));
     const hasColors = Boolean(places);
     const { material } = this.visibleLines;
     if (material.vertexColors !== hasColors) {
@@ -85,8 +81,14 @@ export class CurveLines {
     this.visible = visible;
     this.showsHidden = showsHidden;
     this.visibleLines.visible = visible && !this.isEmpty;
-    this.casing.visible = this.visibleLines.visible && this.hasCasing;
+    this.casing.visible = this.visibleLines.visible && this.hasCasing && !this.isPlain;
     this.hiddenLines.visible = showsHidden && this.visibleLines.visible;
+  }
+
+  // without a seam, which takes as long to draw as the curve
+  setPlain(isPlain) {
+    this.isPlain = isPlain;
+    this.show(this.visible, this.showsHidden);
   }
 
   setResolution(width, height) {

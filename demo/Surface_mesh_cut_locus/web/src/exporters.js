@@ -2,26 +2,32 @@
 // single precision or better.
 import * as THREE from 'three';
 import { GLTFExporter } from 'three/examples/jsm/exporters/GLTFExporter.js';
+import { valuesAt } from './atlas.js';
 
-// The surface as it is, or cut open: `vertices` are the numbers in the mesh of what is written.
+// The surface as it is.
 export function uncut({ positions, triangles, numbers }, distance) {
-  const vertices = Uint32Array.from({ length: positions.length / 3 }, (_, v) => v);
-  return { positions, numbers, vertices, triangles, uv: null, distance };
+  return { positions, numbers, triangles, uv: null, distance };
 }
 
-// Texture coordinates are in [0, 1].
-export function cutOpen({ positions, numbers }, { origin, triangles, uv }, distance) {
-  return { positions, numbers, vertices: origin, triangles, uv: Float32Array.from(uv, (x) => (1 + x) / 2), distance };
+// Cut open; texture coordinates are in [0, 1].
+export function cutOpen({ positions, numbers }, atlas, distance) {
+  const { triangles, uv } = atlas;
+  return {
+    positions: valuesAt(atlas, positions, 3),
+    numbers,
+    triangles,
+    uv: Float32Array.from(uv, (x) => (1 + x) / 2),
+    distance: valuesAt(atlas, distance),
+  };
 }
 
-const pointOf = ({ positions, numbers, vertices }, i) =>
-  [0, 1, 2].map((k) => numbers[k] + numbers[3] * positions[3 * vertices[i] + k]);
+const pointOf = ({ positions, numbers }, i) => [0, 1, 2].map((k) => numbers[k] + numbers[3] * positions[3 * i + k]);
 
 const digits = (x) => Number(x.toPrecision(9));
 
 export function toPly(surface) {
-  const { vertices, triangles, uv, distance } = surface;
-  const vertexCount = vertices.length, faceCount = triangles.length / 3;
+  const { triangles, uv, distance } = surface;
+  const vertexCount = distance.length, faceCount = triangles.length / 3;
   const header = new TextEncoder().encode(
     'ply\nformat binary_little_endian 1.0\n'
     + `element vertex ${vertexCount}\nproperty double x\nproperty double y\nproperty double z\nproperty float distance\n`
@@ -40,7 +46,7 @@ export function toPly(surface) {
       view.setFloat64(at, x, true);
       at += 8;
     }
-    put(distance[vertices[i]]);
+    put(distance[i]);
     if (uv) uv.subarray(2 * i, 2 * i + 2).forEach(put);
   }
   for (let f = 0; f < faceCount; ++f) {
@@ -53,10 +59,10 @@ export function toPly(surface) {
 
 // A record `v`, and a record `vt` if it is cut, for each vertex.
 export function toObj(surface) {
-  const { vertices, triangles, uv } = surface;
+  const { triangles, uv, distance } = surface;
   const lines = [];
-  for (let i = 0; i < vertices.length; ++i) lines.push(`v ${pointOf(surface, i).map(digits).join(' ')}`);
-  if (uv) for (let i = 0; i < vertices.length; ++i) lines.push(`vt ${uv[2 * i]} ${uv[2 * i + 1]}`);
+  for (let i = 0; i < distance.length; ++i) lines.push(`v ${pointOf(surface, i).map(digits).join(' ')}`);
+  if (uv) for (let i = 0; i < distance.length; ++i) lines.push(`vt ${uv[2 * i]} ${uv[2 * i + 1]}`);
   for (let f = 0; f < triangles.length; f += 3) {
     const corners = [0, 1, 2].map((k) => (uv ? `${triangles[f + k] + 1}/${triangles[f + k] + 1}` : triangles[f + k] + 1));
     lines.push(`f ${corners.join(' ')}`);
@@ -71,15 +77,15 @@ function dataArray(name, type, components, values) {
 }
 
 export function toVtp(surface) {
-  const { vertices, triangles, uv, distance } = surface;
+  const { triangles, uv, distance } = surface;
   const faceCount = triangles.length / 3;
-  const points = Array.from(vertices, (_, i) => pointOf(surface, i).map(digits).join(' '));
-  const distances = dataArray('distance', 'Float32', 1, Array.from(vertices, (v) => distance[v]));
+  const points = Array.from(distance, (_, i) => pointOf(surface, i).map(digits).join(' '));
+  const distances = dataArray('distance', 'Float32', 1, Array.from(distance));
   const texture = uv ? dataArray('texture', 'Float32', 2, Array.from(uv)) : '';
   return `<?xml version="1.0"?>
 <VTKFile type="PolyData" version="0.1" byte_order="LittleEndian">
 <PolyData>
-<Piece NumberOfPoints="${vertices.length}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="${faceCount}">
+<Piece NumberOfPoints="${distance.length}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="${faceCount}">
 <PointData Scalars="distance"${uv ? ' TCoords="texture"' : ''}>
 ${distances}
 ${texture}
@@ -99,12 +105,12 @@ ${dataArray('offsets', 'UInt32', 1, Array.from({ length: faceCount }, (_, f) => 
 
 // Binary glTF. Its texture coordinates have their origin at the top.
 export async function toGltf(surface) {
-  const { vertices, triangles, uv, distance } = surface;
+  const { triangles, uv, distance } = surface;
   const geometry = new THREE.BufferGeometry();
-  const positions = Float32Array.from({ length: 3 * vertices.length }, () => 0);
-  for (let i = 0; i < vertices.length; ++i) positions.set(pointOf(surface, i), 3 * i);
+  const positions = Float32Array.from({ length: 3 * distance.length }, () => 0);
+  for (let i = 0; i < distance.length; ++i) positions.set(pointOf(surface, i), 3 * i);
   geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
-  geometry.setAttribute('_distance', new THREE.BufferAttribute(Float32Array.from(vertices, (v) => distance[v]), 1));
+  geometry.setAttribute('_distance', new THREE.BufferAttribute(Float32Array.from(distance), 1));
   if (uv) geometry.setAttribute('uv', new THREE.BufferAttribute(uv.map((x, i) => (i % 2 === 0 ? x : 1 - x)), 2));
   geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
   const material = new THREE.MeshStandardMaterial({ color: 0xcccccc, side: THREE.DoubleSide });

@@ -11,7 +11,8 @@ export const kinds = {
   edgeCurve: { label: 'Cut locus along mesh edges', formats: curveFormats, note: 'Edges of the mesh only.' },
   surface: { label: 'Surface', formats: surfaceFormats, note: 'With the distance at each vertex (not in OBJ).' },
   cut: { label: 'Surface, cut open', formats: { ...surfaceFormats, svg: 'SVG, outline' },
-    note: 'With texture coordinates. It is cut for that, also if it is shown closed.' },
+    note: 'With texture coordinates. It is cut for that, also if it is shown closed; faces that the curve crosses are split, '
+      + 'unless only the one along mesh edges is shown.' },
   picture: { label: 'Picture', formats: { png: 'PNG' }, note: '' },
 };
 

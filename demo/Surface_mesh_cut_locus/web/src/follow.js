@@ -20,6 +20,7 @@ export class Follower {
     this.isActive = true;
     this.index = index ?? state.sources.length - 1;
     this.sources = null;
+    this.app.viewer.setMoving(true);
     return true;
   }
 
@@ -30,6 +31,7 @@ export class Follower {
     this.running ||= this.run().finally(() => { this.running = null; });
   }
 
+  // The worker computes while the page draws what it has computed last.
   async run() {
     while (this.locate) {
       const location = this.locate();
@@ -40,18 +42,25 @@ export class Follower {
       try {
         await this.app.previewSources(sources, relativeError);
         this.sources = sources;
-        ++this.updates;
+        this.countFrame();
       } catch (error) {
         if (error instanceof Cancelled) this.isActive = false;
         // otherwise there can be no source here, as beside another one: it stays where it was
       }
-      await new Promise(requestAnimationFrame);
     }
   }
 
+  // `updates` counts frames, not what has been computed
+  countFrame() {
+    this.frame ||= requestAnimationFrame(() => {
+      this.frame = null;
+      ++this.updates;
+    });
+  }
+
   async end() {
-    if (!this.isActive) return;
     await this.running;
+    this.app.viewer.setMoving(false);
     const { isActive, sources } = this;
     this.isActive = false;
     if (isActive && sources) await this.app.setSources(sources);

@@ -1,6 +1,7 @@
 // What the pointer is at: a click is a press and a release at about the same place, and where it rests one may read off
 // values. A source that is pressed follows the pointer until it is released, as all sources do while a key is held.
 import * as THREE from 'three';
+import { coordinatesInFace } from './atlas.js';
 
 const restMilliseconds = 50;
 const clickPixels = 4; // a click moves less
@@ -126,7 +127,7 @@ export class Pointer {
     return off.findIndex((d) => d <= reach * hit.pixel && d === Math.min(...off));
   }
 
-  // Where the corners of a face start in the cut surface and in the mesh may differ.
+  // A face of the cut surface may be a part of one of the mesh, and start at another corner.
   onPlane(x, y) {
     const { viewer } = this;
     const { geometry } = viewer.flatPickable;
@@ -134,9 +135,9 @@ export class Pointer {
     if (!hit) return null;
     const face = viewer.cutFaces[hit.faceIndex];
     const coordinates = this.coordinatesIn(hit, viewer.cutTriangles, geometry.getAttribute('position').array);
-    const corners = [0, 1, 2].map((k) => viewer.origin[viewer.cutTriangles[3 * hit.faceIndex + k]]);
-    const order = [0, 1, 2].map((k) => corners.indexOf(viewer.triangles[3 * face + k]));
-    return coordinates && !order.includes(-1) ? this.location(face, order.map((k) => coordinates[k])) : null;
+    const [part, corners] = [[viewer.cutTriangles, hit.faceIndex], [viewer.triangles, face]].map(([triangles, f]) =>
+      [0, 1, 2].map((k) => triangles[3 * f + k]));
+    return coordinates && this.location(face, coordinatesInFace(viewer.cut, part, coordinates, corners));
   }
 
   coordinatesIn({ faceIndex, point }, triangles, positions) {

@@ -1,4 +1,5 @@
 // The surface cut open and flattened, which follows the thresholds and the source.
+import { curveNames } from './arrays.js';
 import { seamsOf } from './atlas.js';
 import { Cancelled } from './engine.js';
 import { describeAtlas } from './words.js';
@@ -33,7 +34,20 @@ export class Sheet {
     this.cutTimer = setTimeout(() => this.app.attempt('Cutting the surface open…', () => this.cut()), restMilliseconds);
   }
 
-  // Along the curve of mesh edges, for the thresholds as they are.
+  // The curve that is shown: through the faces, which are split for that, unless only the one of mesh edges is.
+  get seam() {
+    const { state } = this.app;
+    const isOfEdges = state.show.edgeCurve && !state.show.faceCurve && state.border === 'no';
+    const index = isOfEdges ? 0 : 1;
+    return { index, name: curveNames[index] };
+  }
+
+  // what the sheet depends on
+  get step() {
+    return JSON.stringify([this.app.step, this.seam.index]);
+  }
+
+  // Along the curve that is shown, for the thresholds as they are.
   async cut() {
     const begin = performance.now();
     let atlas;
@@ -52,12 +66,10 @@ export class Sheet {
   }
 
   async compute() {
-    if (this.app.state.border !== 'no')
-      throw new Error('The surface is cut open from points: let the border be no source');
-    const { edgeCurve: curve, ...atlas } =
-      await this.app.engine.run('cut', { parameters: this.app.parameters });
-    this.app.curves.edgeCurve = curve;
-    atlas.step = JSON.stringify(this.app.step);
+    const { name, index } = this.seam;
+    const { curve, ...atlas } = await this.app.engine.run('cut', { parameters: this.app.parameters, curve: index });
+    this.app.curves[name] = curve;
+    atlas.step = this.step;
     return atlas;
   }
 
@@ -66,7 +78,7 @@ export class Sheet {
   }
 
   async current() {
-    return this.atlas && this.atlas.step === JSON.stringify(this.app.step) ? this.atlas : this.compute();
+    return this.atlas && this.atlas.step === this.step ? this.atlas : this.compute();
   }
 
   forget() {

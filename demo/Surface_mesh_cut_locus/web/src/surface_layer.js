@@ -27,12 +27,25 @@ void main() {
   gl_FragDepth = depth;
 }`;
 
+const samples = 4;
+const slowMilliseconds = 25; // a surface that takes longer is drawn coarsely while its values change all the time
+const coarseTime = 1 / 2; // of that, at least
+const partOfTime = 1 / 3; // it does not take more of it
+
+function makeTarget(count) {
+  const target = new THREE.WebGLRenderTarget(1, 1, { samples: count });
+  target.depthTexture = new THREE.DepthTexture(1, 1, THREE.UnsignedIntType);
+  return target;
+}
+
 export class SurfaceLayer {
   constructor(renderer, scene, camera) {
     Object.assign(this, { renderer, scene, camera });
     this.isValid = false;
-    this.target = new THREE.WebGLRenderTarget(1, 1, { samples: 4 });
-    this.target.depthTexture = new THREE.DepthTexture(1, 1, THREE.UnsignedIntType);
+    this.isStale = false; // only the values at the vertices are other ones
+    this.target = makeTarget(samples);
+    this.interval = 0; // milliseconds: stale pictures are drawn again after as many
+    this.isCoarse = false;
     this.material = new THREE.ShaderMaterial({
       vertexShader: copyVertexShader,
       fragmentShader: copyFragmentShader,
@@ -54,12 +67,53 @@ export class SurfaceLayer {
   }
 
   // in pixels of the device
-  setSize(width, height) {
+  setSize(wholeWidth, wholeHeight) {
+    const [width, height] = [wholeWidth, wholeHeight].map((x) => (this.isCoarse ? Math.ceil(x / 2) : x));
     if (this.target.width === width && this.target.height === height) return;
     this.target.setSize(width, height);
     if (this.pass) this.pass.setSize(Math.ceil(width / 2), Math.ceil(height / 2));
     this.isValid = false;
     this.hasOcclusion = false;
+  }
+
+  setCoarse(isCoarse) {
+    if (this.isCoarse === isCoarse) return;
+    const { width, height } = this.target;
+    this.isCoarse = isCoarse;
+    this.target.depthTexture.dispose();
+    this.target.dispose();
+    this.target = makeTarget(isCoarse ? 0 : samples);
+    this.material.uniforms.colors.value = this.target.texture;
+    this.material.uniforms.depths.value = this.target.depthTexture;
+    this.isValid = false;
+    if (isCoarse) this.setSize(width, height);
+  }
+
+  // What is drawn changes from now on until `settle()`. Where that takes long, as without a graphics card, it is drawn
+  // coarsely, and less often than what is above it.
+  hurry() {
+    const time = this.drawingTime();
+    if (time < slowMilliseconds) return;
+    this.setCoarse(true);
+    this.interval = coarseTime * time / partOfTime;
+  }
+
+  settle() {
+    this.setCoarse(false);
+    this.interval = 0;
+    this.isValid = false;
+  }
+
+  drawingTime() {
+    const { renderer } = this;
+    const gl = renderer.getContext();
+    const wait = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    wait();
+    const start = performance.now();
+    this.isValid = false;
+    this.update(0);
+    wait();
+    return performance.now() - start;
   }
 
   // How much light reaches hollows; half of the pixels along each axis do, as it changes slowly.
@@ -80,7 +134,11 @@ export class SurfaceLayer {
   // Draws what is not valid into the target.
   update(occlusionStrength) {
     const { renderer } = this;
+    const now = performance.now();
+    if (this.isStale && now >= (this.drawnAt || 0) + this.interval) this.isValid = false;
     if (!this.isValid) {
+      this.drawnAt = now;
+      this.isStale = false;
       renderer.setRenderTarget(this.target);
       renderer.clear();
       renderer.render(this.scene, this.camera);

@@ -3,6 +3,7 @@
 import * as THREE from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { ViewHelper } from 'three/examples/jsm/helpers/ViewHelper.js';
+import { valuesAt } from './atlas.js';
 import { CurveLines } from './curve_lines.js';
 import { DepthProbe } from './depth_probe.js';
 import { makeMarker, setMarkerColors, sizeMarker } from './markers.js';
@@ -145,6 +146,21 @@ export class Viewer {
   // A new frame is needed. Only `invalidateCurves` keeps the picture of the surface.
   invalidate() {
     for (const pane of [this.model, this.plane]) pane.layer.isValid = false;
+    this.invalidateCurves();
+  }
+
+  // Other values at the vertices.
+  invalidateValues() {
+    for (const pane of [this.model, this.plane]) pane.layer.isStale = true;
+    this.invalidateCurves();
+  }
+
+  // Until it ends, the values change all the time: frames take as little time as they can, if they take long.
+  setMoving(isMoving) {
+    for (const pane of this.hasAtlas ? [this.model, this.plane] : [this.model])
+      if (isMoving) pane.layer.hurry();
+      else pane.layer.settle();
+    for (const curve of this.curves) curve.setPlain(this.model.layer.isCoarse);
     this.invalidateCurves();
   }
 
@@ -420,7 +436,7 @@ export class Viewer {
     geometry.setIndex(this.pickable.geometry.index);
     geometry.setAttribute('position', this.pickable.geometry.getAttribute('position'));
     geometry.setAttribute('normal', this.pickable.geometry.getAttribute('normal'));
-    this.origin = null;
+    this.cut = null;
     this.setHasAtlas(false);
     this.setSurfaceGeometry(geometry);
     this.seams.set(new Float32Array(0));
@@ -435,26 +451,23 @@ export class Viewer {
     this.model.layer.hasOcclusion = false;
   }
 
-  // The surface cut open: vertex i is a copy of origin[i] and has the texture coordinates
-  // uv[2 i], uv[2 i + 1]; its face i is faces[i].
-  showCut({ origin, triangles, faces, uv, seams, atlasSeams }) {
+  // The surface cut open, as in `atlas.js`: vertex i has the texture coordinates uv[2 i], uv[2 i + 1]; face i is a part of
+  // faces[i] of the mesh.
+  showCut({ triangles, faces, uv, seams, atlasSeams, ...cut }) {
     const geometry = new THREE.BufferGeometry();
     geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
     for (const name of ['position', 'normal']) {
-      const from = this.pickable.geometry.getAttribute(name).array;
-      const copy = new Float32Array(3 * origin.length);
-      for (let i = 0; i < origin.length; ++i)
-        for (let k = 0; k < 3; ++k) copy[3 * i + k] = from[3 * origin[i] + k];
-      geometry.setAttribute(name, new THREE.BufferAttribute(copy, 3));
+      const values = valuesAt(cut, this.pickable.geometry.getAttribute(name).array, 3);
+      geometry.setAttribute(name, new THREE.BufferAttribute(values, 3));
     }
     geometry.setAttribute('uv', new THREE.BufferAttribute(uv, 2));
-    const flat = new Float32Array(3 * origin.length);
-    for (let i = 0; i < origin.length; ++i) flat.set([uv[2 * i], uv[2 * i + 1]], 3 * i);
+    const flat = new Float32Array(1.5 * uv.length);
+    for (let i = 0; i < uv.length / 2; ++i) flat.set([uv[2 * i], uv[2 * i + 1]], 3 * i);
     this.flatPickable.geometry.dispose();
     this.flatPickable.geometry = new THREE.BufferGeometry();
     this.flatPickable.geometry.setIndex(geometry.index);
     this.flatPickable.geometry.setAttribute('position', new THREE.BufferAttribute(flat, 3));
-    this.origin = origin;
+    this.cut = cut;
     this.cutTriangles = triangles;
     this.cutFaces = faces;
     if (!this.hasAtlas) this.fitPlane();
@@ -483,29 +496,26 @@ export class Viewer {
       geometry.deleteAttribute('cellColor');
       return;
     }
-    const size = geometry.getAttribute('position').count;
-    const attribute = new Float32Array(3 * size);
-    for (let i = 0; i < size; ++i) attribute.set(colors[this.origin ? this.origin[i] : i], 3 * i);
-    geometry.setAttribute('cellColor', new THREE.BufferAttribute(attribute, 3));
-    this.invalidate();
+    const attribute = new Float32Array(3 * colors.length);
+    colors.forEach((color, i) => attribute.set(color, 3 * i));
+    geometry.setAttribute('cellColor', new THREE.BufferAttribute(this.cut ? valuesAt(this.cut, attribute, 3) : attribute, 3));
+    this.invalidateValues();
   }
 
   // values at the vertices of the mesh, or null
   setAttribute(name, values) {
     const { geometry } = this.surface.opaque;
     const size = geometry.getAttribute('position').count;
-    const attribute = new Float32Array(size);
-    for (let i = 0; i < size; ++i) {
-      const value = values ? values[this.origin ? this.origin[i] : i] : -1;
-      attribute[i] = Number.isFinite(value) ? value : -1;
-    }
+    const given = values && this.cut ? valuesAt(this.cut, values) : values;
+    const attribute = new Float32Array(size).fill(-1);
+    for (let i = 0; i < size && given; ++i) if (Number.isFinite(given[i])) attribute[i] = given[i];
     geometry.setAttribute(name, new THREE.BufferAttribute(attribute, 1));
-    this.invalidate();
+    this.invalidateValues();
   }
 
   setUniforms(values) {
     const changes = [this.surface, this.atlas].map((surface) => surface.setUniforms(values));
-    if (changes.some(Boolean)) this.invalidate();
+    if (changes.some(Boolean)) this.invalidateValues();
   }
 
   setTransparency(transparency) {

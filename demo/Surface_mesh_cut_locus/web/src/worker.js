@@ -117,10 +117,10 @@ const commands = {
     return result;
   },
 
-  cut(module, { parameters }) {
+  cut(module, { parameters, curve }) {
     setThresholds(module, parameters);
-    check(module, module._cut_open());
-    return { ...arraysOf(module, arrays.atlas), edgeCurve: arraysOf(module, arrays.edgeCurve) };
+    check(module, module._cut_open(curve));
+    return { ...arraysOf(module, arrays.atlas), curve: arraysOf(module, arrays[curveNames[curve]]) };
   },
 
   laplacian(module) {

@@ -52,11 +52,11 @@ export const tests = {
 
   async 'surfaces are exported in all formats'(d) {
     await d.open('#sample=torus&faces=5000');
-    const { vertices, copies, faces } = await d.app(async ({ app }) => {
-      const { origin } = await app.sheet.current();
-      return { vertices: app.mesh.positions.length / 3, copies: origin.length, faces: app.mesh.triangles.length / 3 };
+    const { vertices, copies, faces, parts } = await d.app(async ({ app }) => {
+      const { uv, triangles } = await app.sheet.current();
+      return { vertices: app.mesh.positions.length / 3, copies: uv.length / 2, faces: app.mesh.triangles.length / 3, parts: triangles.length / 3 };
     });
-    assert.ok(copies > vertices);
+    assert.ok(copies > vertices && parts > faces);
     const ply = await d.exported('surface', 'ply');
     assert.match(ply.subarray(0, 400).toString('latin1'), new RegExp(`element vertex ${vertices}\n`));
     const header = ply.indexOf('end_header\n') + 11;
@@ -68,9 +68,9 @@ export const tests = {
     const { attributes, indices } = meshes[0].primitives[0];
     assert.equal(accessors[attributes.POSITION].count, copies);
     assert.equal(accessors[attributes.TEXCOORD_0].count, copies);
-    assert.equal(accessors[indices].count, 3 * faces);
+    assert.equal(accessors[indices].count, 3 * parts);
     const vtp = String(await d.exported('cut', 'vtp'));
-    assert.match(vtp, new RegExp(`NumberOfPoints="${copies}"[^]*NumberOfPolys="${faces}"[^]*TCoords="texture"`));
+    assert.match(vtp, new RegExp(`NumberOfPoints="${copies}"[^]*NumberOfPolys="${parts}"[^]*TCoords="texture"`));
     assert.match(String(await d.exported('cut', 'svg')), /^<svg [^]*d="M/);
   },
 

@@ -245,9 +245,6 @@ export const tests = {
     await page.keyboard.press('t');
     await page.waitForSelector('#message', { state: 'visible' });
     assert.match(await page.innerText('#message-text'), /points only/);
-    await page.click('#cut');
-    await d.settle();
-    assert.match(await page.innerText('#message-text'), /let the border be no source/);
     assert.ok(await page.isDisabled('#show-edgeCurve'));
     await page.selectOption('#export-what', 'edgeCurve');
     await page.click('#export');
@@ -261,6 +258,15 @@ export const tests = {
     await d.settle();
     assert.match(await page.innerText('#message-text'), /have a point in common: choose another/);
     assert.equal(await page.inputValue('#border'), 'only');
+    // each half of the tube, cut open, is a sheet
+    await page.click('#cut');
+    await page.waitForFunction(() => window.cutLocusPage.app.atlas);
+    await d.settle();
+    await d.noMessage();
+    assert.match(await page.innerText('#cut-info'), /2 sheets, one for each cell: none overlaps/);
+    await d.picture('border_sheets.png');
+    assert.ok((await d.exported('cut', 'obj')).length > 0);
+    await page.click('#cut');
     // a click adds a point; both can be taken back
     await d.click(...await d.placeOnSurface());
     assert.equal(await page.inputValue('#border'), 'also');

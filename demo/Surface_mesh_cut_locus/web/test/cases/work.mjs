@@ -1,6 +1,7 @@
 // Nothing that the user has done is lost: undo, the cut surface, other meshes, cancelling, the keyboard.
 import assert from 'node:assert/strict';
 import { describeAtlas } from '../../src/words.js';
+import { patience } from '../page_driver.mjs';
 
 const followMilliseconds = 3000;
 
@@ -66,21 +67,20 @@ export const tests = {
     // a click on the sheet sets the source where it is on the surface
     const { point } = await d.result();
     const box = await page.locator('#atlas-view').boundingBox();
-    const [face, x, y] = await d.app(({ app, viewer }) => {
+    const [at, x, y] = await d.app(({ app, viewer }) => {
       const { uv, triangles } = app.atlas;
       const middle = (f, k) => (uv[2 * triangles[f] + k] + uv[2 * triangles[f + 1] + k] + uv[2 * triangles[f + 2] + k]) / 3;
       const far = 3 * Math.floor(triangles.length / 6);
       const v = viewer.farthestMarker.position.clone().set(middle(far, 0), middle(far, 1), 0).project(viewer.plane.camera);
-      return [far / 3, (v.x + 1) / 2, (1 - v.y) / 2];
+      const places = viewer.surface.opaque.geometry.getAttribute('position').array;
+      const at = [0, 1, 2].map((c) => [0, 1, 2].reduce((sum, k) => sum + places[3 * triangles[far + k] + c] / 3, 0));
+      return [at, (v.x + 1) / 2, (1 - v.y) / 2];
     });
     await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
     await d.settle();
     assert.notDeepEqual((await d.result()).point, point);
-    const middle = await d.app(({ app, viewer }, f) => {
-      const corners = [0, 1, 2].map((k) => viewer.triangles[3 * f + k]);
-      const off = [0, 1, 2].map((k) => corners.reduce((sum, v) => sum + viewer.positions[3 * v + k] / 3, 0));
-      return Math.hypot(...app.toView(app.source.points[0]).map((c, k) => c - off[k])) * app.mesh.numbers[3] / app.mesh.edgeLength;
-    }, face);
+    const middle = await d.app(({ app }, place) => Math.hypot(...app.toView(app.source.points[0]).map((c, k) => c - place[k]))
+      * app.mesh.numbers[3] / app.mesh.edgeLength, at);
     assert.ok(middle < 1.5, `the source is ${middle} edges off`);
     await d.noMessage();
     assert.ok(await d.app(({ app }) => Boolean(app.atlas)), 'the sheet is gone');
@@ -91,6 +91,39 @@ export const tests = {
     assert.ok(await d.app(({ viewer }) => viewer.plane.camera.zoom) > 1.05);
     await page.click('#cut');
     assert.equal(await d.app(({ app }) => app.atlas), null);
+  },
+
+  async 'seams run where the curve does, and along edges of the mesh if that curve is shown'(d) {
+    const { page } = d;
+    // lengths of the seams, of which there are two sides, and of the curve; vertices that the mesh does not have
+    const measure = () => d.app(({ app, viewer }) => {
+      const seams = viewer.seams.visibleLines.geometry.getAttribute('instanceStart').array;
+      const ends = viewer.seams.visibleLines.geometry.getAttribute('instanceEnd').array;
+      let length = 0;
+      for (let i = 0; i < seams.length; i += 24) length += Math.hypot(...[0, 1, 2].map((k) => ends[i + k] - seams[i + k]));
+      const { weights } = app.atlas;
+      return { seams: length / 2 * app.mesh.numbers[3], curve: app.curve.numbers[4], added: weights.filter((w, i) => i % 3 === 0 && w !== 1).length };
+    });
+    const notes = [];
+    for (const sample of ['torus', 'genus-3']) {
+      await d.open(`#sample=${sample}&faces=5000`);
+      await page.click('#cut');
+      await page.waitForFunction(() => window.cutLocusPage.app.atlas);
+      await d.idle();
+      const straight = await measure();
+      assert.ok(Math.abs(straight.seams / straight.curve - 1) < 0.01, `seams ${straight.seams}, curve ${straight.curve}`);
+      assert.ok(straight.added > 0);
+      await d.picture(`seams_${sample}.png`);
+      await page.check('#show-edgeCurve');
+      await page.uncheck('#show-faceCurve');
+      await page.waitForFunction(() => window.cutLocusPage.app.atlas && window.cutLocusPage.app.atlas.weights.every((w) => w === 0 || w === 1));
+      await d.idle();
+      const zigzag = await measure();
+      assert.equal(zigzag.added, 0);
+      assert.ok(zigzag.seams > 1.05 * straight.seams, `${zigzag.seams} along edges, ${straight.seams} through faces`);
+      notes.push(`${sample}: ${(zigzag.seams / straight.seams).toFixed(2)} times as long along edges`);
+    }
+    return notes.join(', ');
   },
 
   async 'the page says whether the sheet is one to one'(d) {
@@ -149,15 +182,22 @@ export const tests = {
         const end = Date.now() + followMilliseconds;
         for (let t = 0; Date.now() < end; t += 0.05) await page.mouse.move(...place(t));
         const after = await d.app(({ app }) => [app.follower.updates, performance.now()]);
+        await page.waitForFunction((n) => window.cutLocusPage.app.follower.updates > n, before[0], { timeout: patience });
         const marker = await d.app(({ app }) => app.source.points[0]);
+        const isCoarse = await d.app(({ viewer }) => viewer.model.layer.isCoarse);
+        assert.equal(isCoarse, await d.app(({ viewer }) => viewer.model.layer.interval > 0));
         assert.notDeepEqual(marker, start.point, 'the source does not follow');
         await page.mouse.move(...place(1.5));
         await (isByKey ? page.keyboard.up('d') : page.mouse.up());
+        await page.waitForFunction(() => !window.cutLocusPage.app.follower.isActive);
         await d.settle();
         rates.push(1000 * (after[0] - before[0]) / (after[1] - before[1]));
         computing.push(await d.app(({ app }) => app.times.follow));
       }
       assert.deepEqual(await d.view(), view, 'the view has moved');
+      assert.deepEqual(await d.app(({ viewer: { model: { layer }, faceCurve } }) =>
+        [layer.isCoarse, layer.interval, layer.target.samples > 0, faceCurve.casing.visible]), [false, 0, true, true],
+      'the picture at rest is not the fine one');
       // what is there at last is what a click there gives
       const end = await d.result();
       await page.mouse.click(...place(1.5));

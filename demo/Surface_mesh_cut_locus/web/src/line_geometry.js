@@ -1,0 +1,46 @@
+// Wide lines for three.js's LineMaterial, with all vertices of each segment in the buffers: drawing in software, browsers
+// take as long for an instance as for hundreds of vertices.
+import * as THREE from 'three';
+
+// around a segment: the half of a round end, the two halves of the line, and the other end
+const corners = [[-1, 2], [1, 2], [-1, 1], [1, 1], [-1, 0], [1, 0], [-1, -1], [1, -1]];
+const texture = [-1, 2, 1, 2, -1, 1, 1, 1, -1, -1, 1, -1, -1, -2, 1, -2];
+const triangles = [0, 2, 1, 2, 3, 1, 2, 4, 3, 4, 5, 3, 4, 6, 5, 6, 7, 5];
+const positions = corners.flatMap(([x, y]) => [x, y, 0]);
+const size = corners.length;
+
+function repeated(pattern, count) {
+  const result = new Float32Array(pattern.length * count);
+  for (let i = 0; i < count; ++i) result.set(pattern, i * pattern.length);
+  return new THREE.BufferAttribute(result, pattern.length / size);
+}
+
+function indices(count) {
+  const result = new Uint32Array(triangles.length * count);
+  for (let i = 0; i < count; ++i)
+    for (let k = 0; k < triangles.length; ++k) result[triangles.length * i + k] = size * i + triangles[k];
+  return new THREE.BufferAttribute(result, 1);
+}
+
+// the first three of six numbers of each segment, or the other three, at all of its vertices
+function ofEnd(values, end, count) {
+  const result = new Float32Array(3 * size * count);
+  for (let i = 0; i < count; ++i)
+    for (let k = 0; k < size; ++k)
+      for (let c = 0; c < 3; ++c) result[3 * (size * i + k) + c] = values[6 * i + 3 * end + c];
+  return new THREE.BufferAttribute(result, 3);
+}
+
+// Six numbers for each segment: its ends, and, if given, the colours there.
+export function lineGeometry(segments, colors = null) {
+  const count = segments.length / 6;
+  const geometry = new THREE.BufferGeometry();
+  geometry.setIndex(indices(count));
+  geometry.setAttribute('position', repeated(positions, count));
+  geometry.setAttribute('uv', repeated(texture, count));
+  for (const [end, name] of ['Start', 'End'].entries()) {
+    geometry.setAttribute(`instance${name}`, ofEnd(segments, end, count));
+    if (colors) geometry.setAttribute(`instanceColor${name}`, ofEnd(colors, end, count));
+  }
+  return geometry;
+}
