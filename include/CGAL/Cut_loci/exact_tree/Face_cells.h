@@ -251,39 +251,60 @@ private:
     double longest = 0.;
     for(std::size_t i = 0; i < around_.size(); ++i)
     {
-      const std::array<Plane_point, 2> part = start_of_part(f, i);
-      const Plane_point p{0.5 * (part[0].x + part[1].x), 0.5 * (part[0].y + part[1].y)};
-      const double length = std::hypot(part[1].x - part[0].x, part[1].y - part[0].y);
+      const Segment part = longest_segment(f, i);
+      const Plane_point p{0.5 * (part.from.x + part.to.x), 0.5 * (part.from.y + part.to.y)};
       std::size_t number = 0;
       for(Index k = edge_begin_[f]; k < edge_begin_[f + std::size_t(1)]; ++k)
       {
         const Tree_graph::Edge& e = graph_.edges[edges_[k]];
-        number += cross_each_other(c, p, position(f, e.nodes[0]), position(f, e.nodes[1]));
+        number += separates(position(f, e.nodes[0]), position(f, e.nodes[1]), p, c);
       }
-      if(number < least || (number == least && length > longest))
+      if(number < least || (number == least && part.length() > longest))
       {
         least = number;
-        longest = length;
+        longest = part.length();
         best = i;
       }
     }
     return best;
   }
 
-  static bool cross_each_other(const Plane_point& a, const Plane_point& b, const Plane_point& c, const Plane_point& d)
+  /// whether the piece from `a` to `b` is between `p` and `c`; what runs along an edge is before the points of that
+  static bool separates(const Plane_point& a, const Plane_point& b, const Plane_point& p, const Plane_point& c)
   {
-    const auto side = [](const Plane_point& p, const Plane_point& q, const Plane_point& r)
-    { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x) > 0.; };
-    return side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b);
+    constexpr double rounding = 1e-9;
+    const auto area = [](const Plane_point& q, const Plane_point& r, const Plane_point& s)
+    { return (r.x - q.x) * (s.y - q.y) - (r.y - q.y) * (s.x - q.x); };
+    const double of_c = area(a, b, c), of_p = area(a, b, p);
+    const bool is_behind = of_c > 0. ? of_p <= rounding * of_c : of_p >= rounding * of_c;
+    return is_behind && (area(c, p, a) > 0.) != (area(c, p, b) > 0.);
   }
 
-  /// part `i` of the boundary up to the next node, or to the corner before it
-  std::array<Plane_point, 2> start_of_part(Index f, std::size_t i) const
+  struct Segment
   {
-    const Index here = around_[i], next = around_[i + 1 < around_.size() ? i + 1 : 0];
-    const Index h = halfedge_in(f, here), g = halfedge_in(f, next);
-    const bool is_same_edge = h == g && i + 1 < around_.size();
-    return {{position(f, here), is_same_edge ? position(f, next) : corners_[(h + 1) % 3]}};
+    Plane_point from, to;
+
+    double length() const { return std::hypot(to.x - from.x, to.y - from.y); }
+  };
+
+  /// of part `i` of the boundary, which goes from a node to the next one, around corners
+  Segment longest_segment(Index f, std::size_t i) const
+  {
+    const bool is_last = i + 1 == around_.size();
+    const Index here = around_[i], next = around_[is_last ? 0 : i + 1];
+    const Index first = halfedge_in(f, here) % 3, last = halfedge_in(f, next) % 3;
+    if(first == last && !is_last)
+      return {position(f, here), position(f, next)};
+    Segment result{position(f, here), corners_[(first + 1) % 3]};
+    const auto see = [&](const Segment& s)
+    {
+      if(s.length() > result.length())
+        result = s;
+    };
+    for(Index k = (first + 1) % 3; k != last; k = (k + 1) % 3)
+      see({corners_[k], corners_[(k + 1) % 3]});
+    see({corners_[last], position(f, next)});
+    return result;
   }
 
   /// that it is on, or starts at if it is in a corner
