@@ -12,12 +12,10 @@
 #include <CGAL/Cut_loci/internal/vertex_queue.h>
 #include <CGAL/Cut_loci/laplacian_method/Exact_descent.h>
 #include <CGAL/Cut_loci/laplacian_method/Path_flow.h>
-#include <CGAL/Cut_loci/laplacian_method/Path_forest.h>
 #include <CGAL/Cut_loci/laplacian_method/Steepest_descent.h>
 #include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
@@ -40,7 +38,7 @@ public:
   Descent_tracer(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                  const std::vector<double>& distance, const Indexed_source& source, const Geodesic_results* geodesics)
     : mesh_(mesh), connectivity_(connectivity), distance_(distance), descent_(mesh, connectivity, distance_),
-      flow_(mesh, connectivity, geodesics != nullptr), place_on_path_(mesh.number_of_halfedges(), null_index),
+      flow_(mesh, connectivity), place_on_path_(mesh.number_of_halfedges(), null_index),
       is_root_(mesh.number_of_faces(), 0), is_at_source_(mesh.number_of_vertices(), 0)
   {
     if(geodesics != nullptr)
@@ -65,7 +63,7 @@ public:
       if(!is_at_source_[order[i]])
         descend(order[i]);
     }
-    return Path_forest(mesh_, connectivity_, flow_)(root_crossings_, progress.part(0.7, 1.));
+    return flow_.forest(root_crossings_, progress.part(0.7, 1.));
   }
 
 private:
@@ -173,23 +171,22 @@ private:
       is_exact_ = false;
       arrives = trace(v);
     }
-    if(arrives)
-      flow_.add(v, path_, joined_);
+    if(arrives && !path_.empty())
+      flow_.add(path_);
   }
 
   // Sets the path from `v` to the source, or to an older path.
   bool trace(Index v)
   {
     path_.clear();
-    joined_ = null_index;
     const Start start = leave(v);
     if(start.face == null_index)
       return false;
     Index f = start.face, steps = 0;
     const bool arrives = is_root_[f] || (start.along != null_index ? arrive(f, start.way.vertex, steps)
                                                                    : cross_faces(f, start.way, start.is_exact, steps));
-    for(const Path_flow::Step& s : path_)
-      place_on_path_[s.halfedge] = null_index;
+    for(Index h : path_)
+      place_on_path_[h] = null_index;
     return arrives;
   }
 
@@ -225,34 +222,19 @@ private:
   }
 
   // Leaves `f` across its halfedge `h`; whether there is another face, and where. What leads in a circle is forgotten.
-  bool step(Index& f, const Path_flow::Step& s)
+  bool step(Index& f, Index h)
   {
-    const Index h = s.halfedge;
     if(mesh_.is_border_edge(h))
       return false;
     while(place_on_path_[h] < path_.size())
     {
-      place_on_path_[path_.back().halfedge] = null_index;
+      place_on_path_[path_.back()] = null_index;
       path_.pop_back();
     }
     place_on_path_[h] = static_cast<Index>(path_.size());
-    path_.push_back(s);
+    path_.push_back(h);
     f = mesh_.opposite[h] / 3;
     return true;
-  }
-
-  // A crossing of which no more is known than the distance there: as if a path started anew.
-  Path_flow::Step alone(Index h, double place) const
-  {
-    const double there = (1. - place) * distance_[mesh_.source(h)] + place * distance_[mesh_.target(h)];
-    return {h, place, {{(1. - place) * edge_length(mesh_, h), 0.}}, there};
-  }
-
-  // whether an older path does as well from here on
-  bool joins(const Path_flow::Step& here)
-  {
-    joined_ = flow_.find(here);
-    return joined_ != null_index;
   }
 
   // Goes on in face `f` towards the end of `way`; false if the source is out of reach.
@@ -265,12 +247,8 @@ private:
       if(mesh_.is_border_edge(h))
         return arrive(f, lower, steps); // along the border
       const Index o = mesh_.opposite[h];
-      const Path_flow::Step here =
-        is_exact ? Path_flow::Step{h, way.place, way.image, way.image_distance} : alone(h, way.place);
-      if(is_root_[o / 3])
-        return step(f, here);
-      if(joins(here))
-        return true;
+      if(is_root_[o / 3] || flow_.is_recorded(h))
+        return step(f, h);
       Exact_descent::Way next;
       if(is_exact)
         next = exact_->across(way);
@@ -278,7 +256,7 @@ private:
       if(!is_exact && !descend_across(o, way.place, next))
         return arrive(f, lower, steps); // the faces on both sides lead to the edge, which leads on
       if(next.vertex == null_index || (next.vertex != mesh_.source(h) && next.vertex != mesh_.target(h)))
-        step(f, here);
+        step(f, h);
       if(next.vertex != null_index)
         return arrive(f, next.vertex, steps);
       way = next;
@@ -368,10 +346,10 @@ private:
     {
       Index h;
       neighbor(f, w, best_way, h);
-      const Path_flow::Step here = alone(h, mesh_.source(h) == w ? 0. : 1.);
-      if(joins(here))
+      const bool is_recorded = flow_.is_recorded(h);
+      step(f, h);
+      if(is_recorded)
         return Turn::ARRIVED;
-      step(f, here);
     }
     return is_root_[f] ? Turn::ARRIVED : Turn::AT_GOAL;
   }
@@ -383,9 +361,7 @@ private:
   std::unique_ptr<const Exact_descent> exact_; // if shortest paths are known
   bool is_exact_ = false;                      // whether they are followed
   Path_flow flow_;
-  std::vector<Path_flow::Step> path_; // the present one
-  std::vector<Index> place_on_path_;  // of the halfedges that it crosses
-  Index joined_ = null_index;         // the record of an older one with which it goes on
+  std::vector<Index> path_, place_on_path_; // the halfedges that the present one crosses, and the inverse
   std::vector<Index> root_crossings_;
   std::vector<unsigned char> is_root_, is_at_source_; // faces and vertices
 };
@@ -403,9 +379,8 @@ private:
  * that crosses an edge as an older one did follows that one from there on.
  *
  * The faces and the edges that are crossed must form a forest, so that the other edges hold a tree of all vertices and 2g
- * edges more on a surface of genus g, each border loop being one node. Where paths pass something on both sides, not all
- * of them have room. Of shortest paths, those are given up that become least longer, all together, and of descents the
- * crossings by the fewest. Along the border, paths run in its faces. Time is O(n log n).
+ * edges more on a surface of genus g, each border loop being one node. Where paths pass something on both sides, the
+ * crossings by the fewest are given up. Along the border, paths run in its faces. Time is O(n log n).
  *
  * @param geodesics what the exact solver found with `distance`, or null
  *
