@@ -161,14 +161,6 @@ lib::Face_ridges drawn(const Plane_point& apex, const std::vector<lib::Face_chan
   return result;
 }
 
-// where the line from `p` through `q` crosses the one from (1, 0) to `apex`
-Plane_point on_edge(const Plane_point& p, const Plane_point& q, const Plane_point& apex)
-{
-  const double ux = q.x - p.x, uy = q.y - p.y, vx = apex.x - 1., vy = apex.y;
-  const double t = ((1. - p.x) * vy + p.y * vx) / (ux * vy - uy * vx);
-  return {p.x + t * ux, p.y + t * uy};
-}
-
 TEST(Rounded_polyhedra, images_of_vertices_on_a_straight_edge_have_a_node)
 {
   for(double tilt : {0., 1e-18, -1e-17, 1e-9})
@@ -187,25 +179,6 @@ TEST(Rounded_polyhedra, images_of_vertices_on_a_straight_edge_have_a_node)
       least = (std::min)(least, std::hypot(found[i].x - node.x, found[i].y - node.y));
     EXPECT_LT(least, 1e-10) << tilt;
   }
-}
-
-TEST(Rounded_polyhedra, a_branch_that_ends_a_little_beyond_a_face_ends_on_its_boundary)
-{
-  const Plane_point apex{0.5, 1e-3},
-    node{0.3, -1e-8}; // beyond the edge by more than rounding of a face that is so slim
-  const auto at = [&](double angle, Index origin)
-  { return image(node.x + 10. * std::cos(angle), node.y + 10. * std::sin(angle), 0., origin); };
-  const auto between = [&](double angle) { return Plane_point{node.x + std::cos(angle), node.y + std::sin(angle)}; };
-  const double step = 1e-3, middle = 0.1;
-  const lib::Image right = at(middle - step, 0), own = at(middle, 1), left = at(middle + step, 2);
-  const auto exit = [&](double angle) { return Plane_point{node.x - node.y / std::tan(angle), 0.}; };
-  const std::vector<lib::Face_change> changes = {
-    {exit(middle), 0, left, right, false, false},
-    {on_edge(node, between(middle - 0.5 * step), apex), 1, right, own, false, false},
-    {on_edge(node, between(middle + 0.5 * step), apex), 1, own, left, false, false}};
-  const lib::Face_ridges face = drawn(apex, changes);
-  EXPECT_FALSE(face.is_doubtful);
-  EXPECT_EQ(face.ridges.size(), 3u);
 }
 
 TEST(Rounded_polyhedra, shadows_without_a_window_keep_no_pieces_apart)

@@ -145,9 +145,7 @@ private:
   /// adds the meeting of two neighbors, if they meet
   void find_meeting(Index i, Index j)
   {
-    Front& first = fronts_[i];
-    const Front& second = fronts_[j];
-    first.meets_next = false;
+    const Front &first = fronts_[i], &second = fronts_[j];
     const Plane_point &p = nodes[first.node], &q = nodes[second.node];
     Meeting meeting{infinity, i, j, q, is_same_image(first.before, second.after)};
     std::array<Plane_point, 2> points;
@@ -191,9 +189,8 @@ private:
     }
     if(meeting.key == infinity)
       return;
-    first.meets_next = true;
-    first.meeting = meeting.point;
-    add(meeting);
+    meetings_.push_back(meeting);
+    std::push_heap(meetings_.begin(), meetings_.end());
   }
 
   /// Where several pieces meet nearly in a point, a front may have been put beyond a ray, by as little as both sides of
@@ -238,15 +235,13 @@ private:
     {
       if(meetings_.empty() && leave_shadows_away())
         find_all_meetings();
-      if(meetings_.empty() && (size_ <= 2 || !meet_at_neighbors()))
+      if(meetings_.empty())
         break;
       std::pop_heap(meetings_.begin(), meetings_.end());
-      Meeting m = meetings_.back();
+      const Meeting m = meetings_.back();
       meetings_.pop_back();
       if(!fronts_[m.first].is_alive || !fronts_[m.second].is_alive)
         continue;
-      if(entries_ != nullptr)
-        prefer_nearer(m);
       const Index previous = fronts_[m.first].previous, next = fronts_[m.second].next;
       if(m.is_end)
       {
@@ -272,66 +267,6 @@ private:
     Index i = first_;
     for(Index k = 0; k < size_ && size_ > 2; ++k, i = fronts_[i].next)
       find_meeting(i, fronts_[i].next);
-  }
-
-  /// Up to the tolerance, a front may meet both of its neighbors. It meets the nearer one first.
-  void prefer_nearer(Meeting& m)
-  {
-    const auto is_nearer = [&](Index i, Index k, Index front)
-    {
-      const Plane_point& node = nodes[fronts_[front].node];
-      return fronts_[i].meets_next &&
-             squared_distance(fronts_[i].meeting, node) < squared_distance(fronts_[k].meeting, node);
-    };
-    Index i = m.first;
-    for(Index k = 0; k < size_; ++k)
-    {
-      const Index previous = fronts_[i].previous, next = fronts_[i].next;
-      if(is_nearer(previous, i, i))
-        i = previous;
-      else if(is_nearer(next, i, next))
-        i = next;
-      else
-        break;
-    }
-    if(i == m.first)
-      return;
-    add(m); // it may still come
-    const Front &first = fronts_[i], &second = fronts_[first.next];
-    m = {m.key, i, first.next, first.meeting, is_same_image(first.before, second.after)};
-  }
-
-  void add(const Meeting& m)
-  {
-    meetings_.push_back(m);
-    std::push_heap(meetings_.begin(), meetings_.end());
-  }
-
-  /// A cell that is narrower than the accuracy of the windows where it leaves the face has none there: the pieces on its
-  /// two sides go on as one, and meet a little beyond the face. They may do so where that piece is. Returns whether some do.
-  bool meet_at_neighbors()
-  {
-    bool is_found = false;
-    Index i = first_;
-    for(Index k = 0; k < size_; ++k, i = fronts_[i].next)
-    {
-      const Front &first = fronts_[i], &second = fronts_[first.next];
-      if(is_same_image(first.before, second.after))
-        continue;
-      for(Index other : {first.previous, second.next})
-      {
-        const Plane_point& p = nodes[fronts_[other].node];
-        const double a = first.before.distance(p), b = first.after.distance(p), c = second.after.distance(p);
-        if((std::max)({a, b, c}) - (std::min)({a, b, c}) > tolerance_ || !is_ahead(first, p) || !is_ahead(second, p))
-          continue;
-        fronts_[i].meets_next = true;
-        fronts_[i].meeting = p;
-        add({distance(p, nodes[first.node]) + distance(p, nodes[second.node]), i, first.next, p, false});
-        is_found = true;
-        break;
-      }
-    }
-    return is_found;
   }
 
   template <typename Are_one_path>

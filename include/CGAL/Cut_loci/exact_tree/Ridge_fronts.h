@@ -37,8 +37,6 @@ protected:
     Index previous, next; // its neighbors
     bool is_alive;
     double strength = 0.;
-    bool meets_next = false; // and where
-    Plane_point meeting = {0., 0.};
   };
 
   /// of a front with the next one

@@ -37,10 +37,8 @@ public:
       find_touched(mesh, connectivity, sources[i], i);
     if(sources.size() == 1)
     {
-      // Inside a face or an edge, it leaves the choice to the centroids.
-      if(sources.front().vertex != null_index)
-        for(Index f : touched_.front())
-          owner_[f] = 0;
+      for(Index f : touched_.front())
+        owner_[f] = 0;
       return;
     }
     std::vector<Index> number(owner_.size(), 0);
