@@ -92,6 +92,33 @@ inline Mesh_data l_shape(int n)
   return voxel_surface({{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, n);
 }
 
+// Two bars of 5 x 1 x 1 cubes across each other: the four edges at which they meet bend paths.
+inline Mesh_data cross_shape(int n)
+{
+  std::set<Voxel> voxels;
+  for(int i = 0; i < 5; ++i)
+  {
+    voxels.insert({{i, 2, 0}});
+    voxels.insert({{2, i, 0}});
+  }
+  return voxel_surface(voxels, n);
+}
+
+// Faces that come in pairs, with a square in common, get the other diagonal of it, each pair by chance.
+inline Mesh_data with_diagonals_at_random(Mesh_data m, unsigned seed)
+{
+  std::mt19937 engine(seed);
+  for(std::size_t f = 0; f + 1 < m.triangles.size(); f += 2)
+    if(engine() % 2 == 0)
+    {
+      const Triangle &t = m.triangles[f], &u = m.triangles[f + 1];
+      const std::array<std::size_t, 4> q = {{t[0], t[1], t[2], u[2]}};
+      m.triangles[f] = {{q[1], q[2], q[3]}};
+      m.triangles[f + 1] = {{q[1], q[3], q[0]}};
+    }
+  return m;
+}
+
 // Flat, with `holes_x` times `holes_y` square holes: a closed surface whose genus is their number. 7 x 8 holes have
 // 1372 n^2 faces.
 inline Mesh_data plate_with_holes(int holes_x, int holes_y, int n)

@@ -301,6 +301,26 @@ TEST(Exact_tree_corridors, are_counted_where_a_curve_of_mesh_edges_closes_them)
   }
 }
 
+// From all vertices there are shortest paths through others, on one line: which of these they are said to come from may
+// be different on two edges of a face.
+TEST(Exact_tree_of_squares, is_right_whatever_their_diagonals)
+{
+  for(unsigned seed = 1; seed <= 20; ++seed)
+  {
+    const Mesh mesh = to_surface_mesh(test_meshes::with_diagonals_at_random(test_meshes::cross_shape(1), seed));
+    CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+    for(const auto v : mesh.vertices())
+    {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", from " + std::to_string(v));
+      solver.set_source(v);
+      const curve_measures::Measures measures =
+        curve_measures::measure(mesh, solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
+      EXPECT_EQ(measures.topology_fault, "");
+      EXPECT_LT(measures.max, 1e-6);
+    }
+  }
+}
+
 Mesh_data octahedron()
 {
   return {{{{1., 0., 0.}}, {{-1., 0., 0.}}, {{0., 1., 0.}}, {{0., -1., 0.}}, {{0., 0., 1.}}, {{0., 0., -1.}}},

@@ -170,30 +170,55 @@ private:
   {
     for(std::size_t i = 0; i < local_changes_.size(); ++i)
     {
-      const std::size_t next = i + 1 < local_changes_.size() ? i + 1 : 0;
-      Face_ridges::Change &a = local_changes_[i], &b = local_changes_[next];
-      if(is_same_image(a.after, b.before))
+      Face_ridges::Change &a = local_changes_[i], &b = local_changes_[i + 1 < local_changes_.size() ? i + 1 : 0];
+      if(a.edge == b.edge || is_same_image(a.after, b.before))
         continue;
-      const Plane_point end = a.edge == null_index ? a.point : corners_[(a.edge + 1) % 3];
-      const Plane_point begin = b.edge == null_index ? b.point : corners_[b.edge];
-      // An edge of a curve has one label: that of the change at its corner.
-      const bool has_line_between = geodesics_->has_lines() && (a.edge == null_index) != (b.edge == null_index) &&
-                                    (end.x != begin.x || end.y != begin.y);
-      const bool is_corner = !has_line_between && (a.edge == null_index || b.edge == null_index);
-      const Plane_point p = (b.edge == null_index) != has_line_between ? begin : end;
-      if(a.edge == b.edge || !(gap(a.after, b.before, p) < 1e-7) || !are_on_one_line(a.after, b.before, p))
+      const Index corner = corner_of_change(a, b);
+      if(corner == null_index)
         continue;
-      if(is_corner && b.edge == null_index)
+      if(is_at_corner(b, corner))
         b.before = a.after;
-      else if(is_corner)
+      else if(is_at_corner(a, corner))
         a.after = b.before;
       else
       {
-        local_changes_.insert(local_changes_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                              {p, null_index, a.after, b.before, true, true});
-        places_.insert(places_.begin() + static_cast<std::ptrdiff_t>(i) + 1, Place());
+        const auto next = static_cast<std::ptrdiff_t>(i) + 1;
+        local_changes_.insert(local_changes_.begin() + next,
+                              {corners_[corner], null_index, a.after, b.before, true, true});
+        places_.insert(places_.begin() + next, Place());
       }
     }
+  }
+
+  /// The corner from one change to the next at which the labels between them are on one line. A change at a vertex has
+  /// taken the label of an edge there; an edge of a curve has one label, so that this is right.
+  Index corner_of_change(const Face_ridges::Change& a, const Face_ridges::Change& b) const
+  {
+    const Index first = a.edge == null_index ? corner_at(a.point) : (a.edge + 1) % 3,
+                last = b.edge == null_index ? corner_at(b.point) : b.edge;
+    Index result = null_index;
+    for(Index k = first;; k = (k + 1) % 3)
+    {
+      const bool is_fixed = geodesics_->has_lines() && first != last && (is_at_corner(a, k) || is_at_corner(b, k));
+      if(!is_fixed && gap(a.after, b.before, corners_[k]) < 1e-7 && are_on_one_line(a.after, b.before, corners_[k]) &&
+         (result == null_index || is_at_corner(b, k)))
+        result = k;
+      if(k == last)
+        return result;
+    }
+  }
+
+  Index corner_at(const Plane_point& p) const
+  {
+    Index k = 0;
+    while(k < 2 && (corners_[k].x != p.x || corners_[k].y != p.y))
+      ++k;
+    return k;
+  }
+
+  bool is_at_corner(const Face_ridges::Change& c, Index k) const
+  {
+    return c.edge == null_index && corner_at(c.point) == k;
   }
 
   /*

@@ -62,11 +62,6 @@ inline std::size_t equidistant_points(const Image& a, const Image& b, const Imag
   const double ww = wx * wx + wy * wy + wz * wz;
   if(ww == 0.)
     return 0;
-  if(az == 0. && cz == 0.) // the center of a circle
-  {
-    points[0] = {b.x + (ak * cy - ck * ay) / wz, b.y + (ck * ax - ak * cx) / wz};
-    return 1;
-  }
   // the point of the line nearest to the origin
   const double ux = (ak * (cy * wz - cz * wy) + ck * (wy * az - wz * ay)) / ww;
   const double uy = (ak * (cz * wx - cx * wz) + ck * (wz * ax - wx * az)) / ww;
