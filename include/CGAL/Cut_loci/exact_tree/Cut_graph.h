@@ -34,7 +34,9 @@ namespace internal {
  * which link those parts of its boundary that they touch. This graph is embedded, and each of its faces holds one tree
  * of pieces, or is a face of the mesh without any, or a border loop that a disk closes. So, as for the edges of a mesh
  * \cgalCite{cgal:ew-gohhb-05}, what is dual to the links outside of a spanning tree joins all trees to a graph of 2g
- * cycles. The weight of a link is the angle at which paths meet there. The tree of least weight, up to a quarter of it,
+ * cycles. The weight of a link is the angle at which paths meet there, or at which they part at the source if that is
+ * larger: vertices closer to each other than windows are accurate may be reached on different ways, and the paths through
+ * both go on along one line. The tree of least weight, up to a quarter of it,
  * does without all links that cross the cut locus if that is possible; it is, where all crossings are known.
  *
  * With several sources the tree is a forest with one of them in each of its trees, and 2g - 1 more cycles than sources
@@ -282,7 +284,7 @@ private:
           is_crossed = true;
           links.push_back({c, true});
           const bool is_between_sources = has_several_sources_ && changes_.is_between_sources(c);
-          weight.push_back(is_between_sources ? last : static_cast<float>(changes_[c].angle));
+          weight.push_back(is_between_sources ? last : angle(changes_[c]));
         }
       if(!is_crossed)
       {
@@ -293,6 +295,11 @@ private:
         weight.push_back(is_between_sources ? last : changes_.bend(h));
       }
     }
+  }
+
+  static float angle(const Edge_crossing& c)
+  {
+    return static_cast<float>((std::min)((std::max)(c.angle, c.gap), geodesic_pi));
   }
 
   /// the node on the side of `h`, an edge without crossing

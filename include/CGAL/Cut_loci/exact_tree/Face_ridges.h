@@ -193,12 +193,13 @@ private:
     std::push_heap(meetings_.begin(), meetings_.end());
   }
 
-  /// Where several pieces meet nearly in a point, a front may have been put beyond a ray, by as little as both sides of
-  /// the ray are one path: then it meets the ray where it is.
+  /// Where several pieces meet nearly in a point, a front may have been put beyond a ray, by as little as the paths on both
+  /// sides of the ray are taken for equally long: then it meets the ray where it is.
   void stay_at_node(const Front& ray, const Front& front, Plane_point& x) const
   {
     const Plane_point& node = nodes[front.node];
-    if(ray.is_ray && !is_ahead(front, x) && is_on_one_line(node, ray.before, ray.after))
+    if(ray.is_ray && !is_ahead(front, x) &&
+       std::fabs(ray.before.distance(node) - ray.after.distance(node)) <= tolerance_)
       x = node;
   }
 
