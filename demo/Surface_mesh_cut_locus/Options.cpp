@@ -273,7 +273,7 @@ void check_options_of_method(const po::variables_map& given, const Options& opti
     throw Usage_error("--smooth is for --method laplacian: the method " + options.method_name +
                       " needs no smoothing, --curve faces gives its curve through the faces");
   if(options.method == Method::LAPLACIAN)
-    for(const char* option : {"min-branch-gap", "min-branch-width", "keep", "cells"})
+    for(const char* option : {"min-branch-gap", "min-branch-width"})
       refuse(option, "direction or polyhedral");
 }
 

@@ -295,6 +295,11 @@ public:
    *
    * A set of one source is treated as by `set_source()`.
    *
+   * `Cut_loci::Method::LAPLACIAN` takes points, with any distances: those of a solver that takes several sources, the
+   * least of one run for each with others, or a `vertex_distance_map` of those to the nearest source. Each source must have
+   * a face to itself. The cell of a vertex is that of the source where the steepest descent of the distance ends, or, with
+   * exact distances, its shortest path. Curves and the border are for the other two methods.
+   *
    * Curves along edges of the mesh, and the border, may be sources, too. They are numbered behind the points, and are
    * disks or rings in the complement: the surface without the sources shrinks to the cut locus. It is a curve through the
    * faces then, and parameters of `cut_locus()` for curves along edges of the mesh are refused.
@@ -311,6 +316,11 @@ public:
    *     \cgalParamDescription{as for `set_source()`}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{0}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{vertex_distance_map}
+   *     \cgalParamDescription{as for `set_source()`: the distance of each vertex to the nearest source}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with `vertex_descriptor` as key type and a number as
+   *                    value type}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{source_curves}
    *     \cgalParamDescription{sources that are curves: for each one the edges of the mesh that it is made of}
@@ -335,9 +345,9 @@ public:
    * \cgalNamedParamsEnd
    *
    * @throws Cut_loci::Invalid_input where `set_source()` throws it for one of the sources, and if there is none, if two
-   *         are at the same point or in different components, or if there are several and the method is
-   *         `Cut_loci::Method::LAPLACIAN`; for curves, also if one has no edges or is not connected, if there is a
-   *         `maximum_relative_error`, or if the mesh has no border that could be a source
+   *         are at the same point or in different components, or if the method is `Cut_loci::Method::LAPLACIAN` and one of
+   *         several has no face to itself; for curves, also if that is the method, if one has no edges or is not connected,
+   *         if there is a `maximum_relative_error`, or if the mesh has no border that could be a source
    */
   template <typename SourceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_sources(const SourceRange& sources, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -431,15 +441,15 @@ public:
    *                           of them, without the cut locus inside the cells}
    *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`false`}
-   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. Without the other part, the graph need not be connected,
-   *                     nor a cell a disk. Of one source, one vertex is left.}
+   *     \cgalParamExtra{Without the other part, the graph need not be connected, nor a cell a disk. Of one source, one
+   *                     vertex is left.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{medial}
    *     \cgalParamDescription{whether to keep only what is inside the cells of several sources, without the edges between two of
    *                           them}
    *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`false`}
-   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`, nor with `voronoi`.}
+   *     \cgalParamExtra{not with `voronoi`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{edge_is_constrained_map}
    *     \cgalParamDescription{a property map that is set to `true` for the edges of the mesh on the cut locus; the
@@ -477,6 +487,7 @@ public:
       Cut_loci::Smoothing_parameters smoothing;
       smoothing.number_of_iterations = static_cast<Index>(curve.iterations);
       found = curve.iterations == 0 ? mesh_edges : component_->laplacian->smoothed(mesh_edges, smoothing);
+      component_->laplacian->remove_other_parts(read_kept_parts(np), mesh_edges, found);
     }
     else
     {
@@ -575,8 +586,6 @@ private:
   {
     const Cut_loci::Method method = method_for(np);
     Cut_loci::internal::refuse_parameters_of_other_methods(method, np);
-    if(points.size() > 1)
-      Cut_loci::internal::refuse_several_sources(method);
     const double error = Cut_loci::internal::read_maximum_relative_error(np);
     refuse_lengths(read_->mesh.is_intrinsic, method);
     if(!curves.empty())
@@ -661,9 +670,8 @@ private:
   void set_distances(Component& component, Cut_loci::internal::Laplacian_method& solver, const VertexDistanceMap& map)
   {
     std::vector<double> distance;
-    const Cut_loci::Indexed_source& source = points_.front();
-    const Cut_loci::internal::Geodesic_results* geodesics = compute_distances(component, source, distance, map);
-    solver.set_distance(source, std::move(distance), geodesics);
+    const Cut_loci::internal::Geodesic_results* geodesics = compute_distances(component, distance, map);
+    solver.set_distance(points_, std::move(distance), geodesics);
   }
 
   // The package's own solver also finds the directions.
@@ -696,9 +704,7 @@ private:
   }
 
   // The paths that the solver found, or null.
-  const Cut_loci::internal::Geodesic_results* compute_distances(Component& component,
-                                                                const Cut_loci::Indexed_source& source,
-                                                                std::vector<double>& distance,
+  const Cut_loci::internal::Geodesic_results* compute_distances(Component& component, std::vector<double>& distance,
                                                                 internal_np::Param_not_found)
   {
     Solver_handle& solver = component.geodesic_solver;
@@ -708,14 +714,13 @@ private:
     if(!solver.set_maximum_relative_error(maximum_relative_error_) && maximum_relative_error_ > 0.)
       Cut_loci::internal::refuse_error();
     solver.report_to(progress);
-    solver.compute_distances(source, distance);
+    solver.compute_distances(points_, distance);
     check_distances(component, distance, "the geodesic solver returned");
     return solver.geodesics();
   }
 
   template <typename VertexDistanceMap>
-  const Cut_loci::internal::Geodesic_results* compute_distances(Component& component, const Cut_loci::Indexed_source&,
-                                                                std::vector<double>& distance,
+  const Cut_loci::internal::Geodesic_results* compute_distances(Component& component, std::vector<double>& distance,
                                                                 const VertexDistanceMap& map)
   {
     distance.resize(component.mesh->number_of_vertices());

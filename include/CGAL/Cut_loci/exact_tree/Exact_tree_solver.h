@@ -19,7 +19,7 @@
 #include <CGAL/Cut_loci/exact_tree/Mesh_edge_curve.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_curves.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
-#include <CGAL/Cut_loci/exact_tree/Source_faces.h>
+#include <CGAL/Cut_loci/surface/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
@@ -150,7 +150,8 @@ public:
       return curve_between_curves(thresholds, kept);
     const Source_faces at_sources(mesh_, connectivity_, sources_);
     if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
-      throw_source_without_face(at_sources.first_without_face());
+      Source_faces::throw_source_without_face(at_sources.first_without_face(),
+                                              "ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
     edges =
       Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, at_sources, lone_vertex(), all.part(0.8, 0.9))
         .graph;
@@ -370,14 +371,6 @@ private:
     for(std::size_t i = 0; i < 3; ++i)
       result.coordinates[i] = (1. - by) * result.coordinates[i] + by * part[i];
     return result;
-  }
-
-  [[noreturn]] void throw_source_without_face(Index i) const
-  {
-    throw Invalid_input(Cause::NO_FACE_AT_SOURCE,
-                        "source " + std::to_string(i) +
-                          " has no face to itself, as other sources lie on the same ones: no curve of mesh edges "
-                          "separates them; ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
   }
 
   bool is_source(Index v) const

@@ -12,7 +12,7 @@
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Face_cells.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
-#include <CGAL/Cut_loci/exact_tree/Source_faces.h>
+#include <CGAL/Cut_loci/surface/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
 #include <CGAL/Cut_loci/internal/Edges_left.h>

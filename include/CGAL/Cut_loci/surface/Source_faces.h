@@ -4,14 +4,16 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_EXACT_TREE_SOURCE_FACES_H
-#define CGAL_CUT_LOCI_EXACT_TREE_SOURCE_FACES_H
+#ifndef CGAL_CUT_LOCI_SURFACE_SOURCE_FACES_H
+#define CGAL_CUT_LOCI_SURFACE_SOURCE_FACES_H
 
+#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -69,6 +71,15 @@ public:
       if(face_[i] == null_index)
         return i;
     return null_index;
+  }
+
+  [[noreturn]] static void throw_source_without_face(Index i, const std::string& remedy)
+  {
+    throw Invalid_input(Cause::NO_FACE_AT_SOURCE,
+                        "source " + std::to_string(i) +
+                          " has no face to itself, as other sources lie on the same ones: no curve of mesh edges "
+                          "separates them; " +
+                          remedy);
   }
 
   std::size_t number_of_sources() const { return face_.size(); }
@@ -152,4 +163,4 @@ private:
 } // namespace Cut_loci
 } // namespace CGAL
 
-#endif // CGAL_CUT_LOCI_EXACT_TREE_SOURCE_FACES_H
+#endif // CGAL_CUT_LOCI_SURFACE_SOURCE_FACES_H
