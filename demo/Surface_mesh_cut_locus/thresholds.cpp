@@ -76,7 +76,7 @@ Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solve
   const double least_length = options.minimum_branch_length.value_or(0.);
   const auto part =
     CGAL::parameters::voronoi(options.kept == Kept_part::VORONOI).medial(options.kept == Kept_part::MEDIAL);
-  if(has_curves(options))
+  if(has_curves(options) && curve == Curve::THROUGH_FACES)
     return apply_exact_thresholds(options, solver, part);
   if(options.method != Method::LAPLACIAN)
     return apply_exact_thresholds(options, solver,

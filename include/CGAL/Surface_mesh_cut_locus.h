@@ -302,7 +302,9 @@ public:
    *
    * Curves along edges of the mesh, and the border, may be sources, too. They are numbered behind the points, and are
    * disks or rings in the complement: the surface without the sources shrinks to the cut locus. It is a curve through the
-   * faces then, and parameters of `cut_locus()` for curves along edges of the mesh are refused.
+   * faces then, unless `cut_locus_curve` asks for edges of the mesh; without that, parameters of `cut_locus()` for such
+   * curves are refused. Edges of the mesh stay off the curves: `cut_locus()` throws where all ways lead along them, as
+   * between two curves that are one face apart, and for a curve with a vertex on the border of which it is no part.
    *
    * @tparam SourceRange a model of `ConstRange` with `vertex_descriptor`, `Face_location` or, for both kinds in one set,
    *         `Source` as value type
@@ -426,7 +428,8 @@ public:
    *     \cgalParamDescription{whether the result is made of edges of the mesh or of segments through its faces}
    *     \cgalParamType{`Cut_loci::Curve`}
    *     \cgalParamDefault{`Cut_loci::Curve::MESH_EDGES`, unless there is a `number_of_iterations` above 0;
-   *                       `Cut_loci::Curve::THROUGH_FACES` with `Cut_loci::Method::POLYHEDRAL`}
+   *                       `Cut_loci::Curve::THROUGH_FACES` with `Cut_loci::Method::POLYHEDRAL` and if there are sources that
+   *                       are curves}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{number_of_iterations}
    *     \cgalParamDescription{the number of steps that move the curves from the edges of the mesh onto the cut locus,
@@ -461,9 +464,10 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * @throws Cut_loci::Invalid_input if there is no source, if a threshold is not a number or out of its range, or if
+   * @throws Cut_loci::Invalid_input if there is no source, if a threshold is not a number or out of its range, if
    *         a parameter is given that has no meaning for the method, such as a `gradient_angle_threshold` for
-   *         `Cut_loci::Method::DIRECTION`
+   *         `Cut_loci::Method::DIRECTION`, or if `cut_locus_curve` asks for edges of the mesh that leave no way between
+   *         the sources
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   Result cut_locus(const CGAL_NP_CLASS& np = parameters::default_values()) const
@@ -478,7 +482,9 @@ public:
 
     const Stage_scope scope(visitor_, Cut_loci::Stage::FILTER);
     report(*component_, Cut_loci::Stage::FILTER); // what has been left out may be computed
-    const Curve_parameters curve = read_curve(np, method_);
+    Curve_parameters curve = read_curve(np, method_);
+    if(!curves_.empty() && !is_given<CGAL_NP_CLASS, internal_np::cut_locus_curve_t>())
+      curve.curve = Cut_loci::Curve::THROUGH_FACES;
     Cut_loci::Indexed_cut_locus found, mesh_edges;
     if(method_ == Cut_loci::Method::LAPLACIAN)
     {

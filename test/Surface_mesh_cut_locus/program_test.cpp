@@ -646,6 +646,7 @@ TEST_F(Program, Curves_as_sources)
   expect_failure(run_on_torus("--quiet --source-border"), "no border");
   expect_failure(run_on_torus("--source-border --unfold " + quoted(path("a.svg"))), "--unfold takes one source");
   expect_failure(run_on_torus("--source-border --min-branch-edges 3"), "--min-branch-edges is for");
+  expect_failure(run_on_torus("--source-border --min-branch-edges 3 --curve faces"), "--min-branch-edges is for");
   expect_failure(run_on_torus("--sources " + quoted(path("nothing.txt"))), "cannot read");
   write("apart.txt", "1 200\n");
   expect_failure(run_on_torus("--quiet --source-edges " + quoted(path("apart.txt"))), "no edge between");

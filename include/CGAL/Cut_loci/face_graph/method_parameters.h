@@ -62,7 +62,8 @@ inline void refuse_curves(Method method, double error)
                         "sources that are curves need exact distances: leave maximum_relative_error away");
 }
 
-// The curve of mesh edges would have to leave a face on each side of each edge of a source.
+// Of sources that are curves, the cut locus runs through the faces unless edges are asked for, and no curve of edges is
+// found beside it.
 template <typename NamedParameters>
 void refuse_mesh_edges(const NamedParameters& np)
 {
@@ -70,12 +71,12 @@ void refuse_mesh_edges(const NamedParameters& np)
   {
     throw Invalid_input(Cause::INVALID_PARAMETER,
                         "the parameter " + name +
-                          " is for a cut locus made of edges of the mesh, which sources that are "
-                          "curves do not have: leave it away");
+                          " is for a cut locus made of edges of the mesh, and that of sources that are curves runs "
+                          "through the faces: leave it away, or pass cut_locus_curve(Cut_loci::Curve::MESH_EDGES)");
   };
   if(parameters::choose_parameter(parameters::get_parameter(np, internal_np::cut_locus_curve), Curve::THROUGH_FACES) ==
      Curve::MESH_EDGES)
-    refuse("cut_locus_curve(Cut_loci::Curve::MESH_EDGES)");
+    return;
   if(is_given<NamedParameters, internal_np::minimum_branch_edges_t>())
     refuse("minimum_branch_edges");
   if(is_given<NamedParameters, internal_np::minimum_branch_length_t>())
