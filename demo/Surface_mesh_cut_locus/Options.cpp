@@ -161,7 +161,8 @@ po::options_description visible_options()
     "sources", po::value<std::string>()->value_name("FILE"), "the vertices whose numbers are in this file")(
     "source-edges", po::value<std::string>()->value_name("FILE"),
     "curves along edges of the mesh: each line of the file has the numbers of the vertices along some edges, and all "
-    "edges that are connected are one source; with the methods direction and polyhedral, as the next one")(
+    "edges that are connected are one source; with the methods direction and polyhedral, as the next one. The curve "
+    "runs through the faces unless there is a --curve edges")(
     "source-border", po::bool_switch(),
     "each border loop: of a flat mesh, its medial axis. Points, curves and the border may be mixed")(
     "keep", po::value<std::string>()->value_name("all|voronoi|medial"),
@@ -273,7 +274,7 @@ void check_options_of_method(const po::variables_map& given, const Options& opti
     throw Usage_error("--smooth is for --method laplacian: the method " + options.method_name +
                       " needs no smoothing, --curve faces gives its curve through the faces");
   if(options.method == Method::LAPLACIAN)
-    for(const char* option : {"min-branch-gap", "min-branch-width", "keep", "cells"})
+    for(const char* option : {"min-branch-gap", "min-branch-width"})
       refuse(option, "direction or polyhedral");
 }
 
@@ -411,11 +412,11 @@ Options parse_command_line(int argc, char* argv[])
   if(given.count("source-edges"))
     options.source_edges = read_numbers(text("source-edges"), "--source-edges");
   options.source_border = given["source-border"].as<bool>();
-  for(const char* name : {"edges", "min-branch-edges", "min-branch-length"})
-    if(has_curves(options) && given.count(name))
+  for(const char* name : {"min-branch-edges", "min-branch-length"})
+    if(has_curves(options) && given.count(name) && (!given.count("curve") || text("curve") != "edges"))
       throw Usage_error("--" + std::string(name) +
-                        " is for a cut locus along edges of the mesh, which sources that are "
-                        "curves do not have");
+                        " is for a cut locus along edges of the mesh, which sources that are curves have with "
+                        "--curve edges only");
   if((options.sources.size() > 1 || has_curves(options)) && given.count("unfold"))
     throw Usage_error("--unfold takes one source, a point");
   options.solver = text("solver");

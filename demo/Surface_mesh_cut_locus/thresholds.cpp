@@ -76,7 +76,7 @@ Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solve
   const double least_length = options.minimum_branch_length.value_or(0.);
   const auto part =
     CGAL::parameters::voronoi(options.kept == Kept_part::VORONOI).medial(options.kept == Kept_part::MEDIAL);
-  if(has_curves(options))
+  if(has_curves(options) && curve == Curve::THROUGH_FACES)
     return apply_exact_thresholds(options, solver, part);
   if(options.method != Method::LAPLACIAN)
     return apply_exact_thresholds(options, solver,
@@ -85,7 +85,7 @@ Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solve
                                     .cut_locus_curve(curve));
   const std::size_t smoothing = curve == Curve::MESH_EDGES ? 0 : options.smoothing.value_or(enough_smoothing);
   return solver.cut_locus(
-    CGAL::parameters::gradient_angle_threshold(options.angle.value_or(solver.gradient_angle_threshold()))
+    part.gradient_angle_threshold(options.angle.value_or(solver.gradient_angle_threshold()))
       .laplacian_threshold(options.laplacian.value_or(-std::numeric_limits<double>::infinity()))
       .filter_policy(options.grow.value_or(false) ? Filter_policy::GROWING : Filter_policy::PRUNING)
       .minimum_branch_edges(options.minimum_branch_edges.value_or(solver.default_minimum_branch_edges()))

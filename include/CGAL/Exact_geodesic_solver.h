@@ -43,10 +43,19 @@ public:
 
   void compute_distances(const Cut_loci::Indexed_source& source, std::vector<double>& distances)
   {
+    compute_distances(std::vector<Cut_loci::Indexed_source>(1, source), distances);
+  }
+
+  /// computes the distances to the nearest of several sources, in one run
+  void compute_distances(const std::vector<Cut_loci::Indexed_source>& sources, std::vector<double>& distances)
+  {
     Cut_loci::internal::Exact_geodesic_options options;
     options.maximum_relative_error = maximum_relative_error_;
     options.progress = progress_;
-    propagation_->run({source.location}, options);
+    std::vector<Cut_loci::Indexed_location> locations;
+    for(const Cut_loci::Indexed_source& source : sources)
+      locations.push_back(source.location);
+    propagation_->run(locations, options);
     distances = propagation_->distances();
   }
 

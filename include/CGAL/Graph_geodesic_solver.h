@@ -47,6 +47,12 @@ public:
 
   void compute_distances(const Cut_loci::Indexed_source& source, std::vector<double>& distances)
   {
+    compute_distances(std::vector<Cut_loci::Indexed_source>(1, source), distances);
+  }
+
+  /// computes the distances to the nearest of several sources, in one run
+  void compute_distances(const std::vector<Cut_loci::Indexed_source>& sources, std::vector<double>& distances)
+  {
     distances.assign(mesh_->number_of_vertices(), (std::numeric_limits<double>::infinity)());
     queue_.clear();
     const auto reach = [&](Index v, double distance)
@@ -57,10 +63,11 @@ public:
       queue_.push(static_cast<float>(distance), v);
     };
     const double scale = graph_->unit;
-    if(source.vertex != Cut_loci::null_index)
-      reach(source.vertex, 0.);
-    else
-      reach_from(source.location, [&](Index v, double distance) { reach(v, distance / scale); });
+    for(const Cut_loci::Indexed_source& source : sources)
+      if(source.vertex != Cut_loci::null_index)
+        reach(source.vertex, 0.);
+      else
+        reach_from(source.location, [&](Index v, double distance) { reach(v, distance / scale); });
 
     // An item whose vertex has come closer since it was pushed is left in the queue and skipped; one that has come
     // closer by less than the precision of the keys is taken again. The distances are the only solution of Bellman's

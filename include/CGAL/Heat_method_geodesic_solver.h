@@ -8,13 +8,14 @@
 #define CGAL_HEAT_METHOD_GEODESIC_SOLVER_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/face_graph/intrinsic_flips.h>
 #include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/insert_vertex.h>
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 
+#include <algorithm>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -51,16 +52,25 @@ public:
 
   void compute_distances(const Cut_loci::Indexed_source& source, std::vector<double>& distances)
   {
-    if(source.vertex == Cut_loci::null_index)
+    compute_distances(std::vector<Cut_loci::Indexed_source>(1, source), distances);
+  }
+
+  /// computes the distances to the nearest of several sources, in one run
+  void compute_distances(const std::vector<Cut_loci::Indexed_source>& sources, std::vector<double>& distances)
+  {
+    std::vector<Cut_loci::Index> vertices;
+    for(const Cut_loci::Indexed_source& source : sources)
+      vertices.push_back(source.vertex);
+    if(std::find(vertices.begin(), vertices.end(), Cut_loci::null_index) != vertices.end())
     {
-      const Cut_loci::Indexed_triangle_mesh refined = Cut_loci::internal::insert_vertex(*input_, source.location);
-      Factored(refined).compute(input_->number_of_vertices(), distances);
+      const Cut_loci::internal::Mesh_with_sources refined(*input_, sources);
+      Factored(refined.mesh()).compute(refined.vertices(), distances);
       distances.resize(input_->number_of_vertices());
       return;
     }
     if(!factored_)
       factored_ = std::make_shared<Factored>(*input_);
-    factored_->compute(source.vertex, distances);
+    factored_->compute(vertices, distances);
   }
 
 private:
@@ -88,11 +98,12 @@ private:
       return mesh;
     }
 
-    void compute(Cut_loci::Index source, std::vector<double>& distances)
+    void compute(const std::vector<Cut_loci::Index>& sources, std::vector<double>& distances)
     {
       using Vertex = Mesh::Vertex_index;
       heat_method.clear_sources();
-      heat_method.add_source(Vertex(source));
+      for(Cut_loci::Index source : sources)
+        heat_method.add_source(Vertex(source));
       Mesh::Property_map<Vertex, double> distance = mesh.add_property_map<Vertex, double>("v:heat_distance", 0.).first;
       heat_method.estimate_geodesic_distances(distance);
       distances.resize(mesh.number_of_vertices());

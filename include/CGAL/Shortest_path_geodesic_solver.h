@@ -7,13 +7,15 @@
 #ifndef CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
 #define CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
 
+#include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/insert_vertex.h>
 
 #include <CGAL/Surface_mesh_shortest_path.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -43,18 +45,21 @@ public:
 
   void compute_distances(const Cut_loci::Indexed_source& source, std::vector<double>& distances)
   {
-    if(is_on_border_edge(source))
-    {
-      // CGAL 5.5 takes the mirror image of a source on a border edge: there it becomes a vertex of its own.
-      const Mesh refined =
-        Cut_loci::internal::surface_mesh_copy(Cut_loci::internal::insert_vertex(*input_, source.location));
-      Cut_loci::Indexed_source inserted = source;
-      inserted.vertex = input_->number_of_vertices();
-      compute_distances(refined, inserted, distances);
-      distances.resize(input_->number_of_vertices());
-      return;
-    }
-    compute_distances(*mesh_, source, distances);
+    compute_distances(std::vector<Cut_loci::Indexed_source>(1, source), distances);
+  }
+
+  /// computes the distances to the nearest of several sources, in one run
+  void compute_distances(const std::vector<Cut_loci::Indexed_source>& sources, std::vector<double>& distances)
+  {
+    if(std::none_of(sources.begin(), sources.end(), is_on_edge))
+      return compute_distances(*mesh_, sources, distances);
+    // CGAL 5.5 takes the mirror image of a source on an edge, on the border as inside: there it becomes a vertex of its own.
+    const Cut_loci::internal::Mesh_with_sources refined(*input_, sources);
+    std::vector<Cut_loci::Indexed_source> inserted = sources;
+    for(std::size_t i = 0; i < sources.size(); ++i)
+      inserted[i].vertex = refined.vertices()[i];
+    compute_distances(Cut_loci::internal::surface_mesh_copy(refined.mesh()), inserted, distances);
+    distances.resize(input_->number_of_vertices());
   }
 
 private:
@@ -62,26 +67,24 @@ private:
   using Traits = CGAL::Surface_mesh_shortest_path_traits<Cut_loci::internal::Geodesic_kernel, Mesh>;
   using Shortest_path = CGAL::Surface_mesh_shortest_path<Traits>;
 
-  bool is_on_border_edge(const Cut_loci::Indexed_source& source) const
+  static bool is_on_edge(const Cut_loci::Indexed_source& source)
   {
-    for(Cut_loci::Index i = 0; i < 3; ++i)
-      if(source.vertex == Cut_loci::null_index && source.location.coordinates[(i + 2) % 3] == 0. &&
-         input_->is_border_edge(3 * source.location.face + i))
-        return true;
-    return false;
+    const std::array<double, 3>& c = source.location.coordinates;
+    return source.vertex == Cut_loci::null_index && std::find(c.begin(), c.end(), 0.) != c.end();
   }
 
-  static void compute_distances(const Mesh& mesh, const Cut_loci::Indexed_source& source,
+  static void compute_distances(const Mesh& mesh, const std::vector<Cut_loci::Indexed_source>& sources,
                                 std::vector<double>& distances)
   {
     Shortest_path solver(mesh);
-    if(source.vertex != Cut_loci::null_index)
-      solver.add_source_point(Mesh::Vertex_index(source.vertex));
-    else
-    {
-      const std::array<double, 3>& c = source.location.coordinates;
-      solver.add_source_point(Mesh::Face_index(source.location.face), {{c[0], c[1], c[2]}});
-    }
+    for(const Cut_loci::Indexed_source& source : sources)
+      if(source.vertex != Cut_loci::null_index)
+        solver.add_source_point(Mesh::Vertex_index(source.vertex));
+      else
+      {
+        const std::array<double, 3>& c = source.location.coordinates;
+        solver.add_source_point(Mesh::Face_index(source.location.face), {{c[0], c[1], c[2]}});
+      }
     solver.build_sequence_tree();
     distances.resize(mesh.number_of_vertices());
     for(Mesh::Vertex_index v : mesh.vertices())

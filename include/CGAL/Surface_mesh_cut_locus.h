@@ -295,9 +295,16 @@ public:
    *
    * A set of one source is treated as by `set_source()`.
    *
+   * `Cut_loci::Method::LAPLACIAN` takes points, with any distances: those of a solver that takes several sources, the
+   * least of one run for each with others, or a `vertex_distance_map` of those to the nearest source. Each source must have
+   * a face to itself. The cell of a vertex is that of the source where the steepest descent of the distance ends, or, with
+   * exact distances, its shortest path. Curves and the border are for the other two methods.
+   *
    * Curves along edges of the mesh, and the border, may be sources, too. They are numbered behind the points, and are
    * disks or rings in the complement: the surface without the sources shrinks to the cut locus. It is a curve through the
-   * faces then, and parameters of `cut_locus()` for curves along edges of the mesh are refused.
+   * faces then, unless `cut_locus_curve` asks for edges of the mesh; without that, parameters of `cut_locus()` for such
+   * curves are refused. Edges of the mesh stay off the curves: `cut_locus()` throws where all ways lead along them, as
+   * between two curves that are one face apart, and for a curve with a vertex on the border of which it is no part.
    *
    * @tparam SourceRange a model of `ConstRange` with `vertex_descriptor`, `Face_location` or, for both kinds in one set,
    *         `Source` as value type
@@ -311,6 +318,11 @@ public:
    *     \cgalParamDescription{as for `set_source()`}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{0}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{vertex_distance_map}
+   *     \cgalParamDescription{as for `set_source()`: the distance of each vertex to the nearest source}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with `vertex_descriptor` as key type and a number as
+   *                    value type}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{source_curves}
    *     \cgalParamDescription{sources that are curves: for each one the edges of the mesh that it is made of}
@@ -335,9 +347,9 @@ public:
    * \cgalNamedParamsEnd
    *
    * @throws Cut_loci::Invalid_input where `set_source()` throws it for one of the sources, and if there is none, if two
-   *         are at the same point or in different components, or if there are several and the method is
-   *         `Cut_loci::Method::LAPLACIAN`; for curves, also if one has no edges or is not connected, if there is a
-   *         `maximum_relative_error`, or if the mesh has no border that could be a source
+   *         are at the same point or in different components, or if the method is `Cut_loci::Method::LAPLACIAN` and one of
+   *         several has no face to itself; for curves, also if that is the method, if one has no edges or is not connected,
+   *         if there is a `maximum_relative_error`, or if the mesh has no border that could be a source
    */
   template <typename SourceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_sources(const SourceRange& sources, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -416,7 +428,8 @@ public:
    *     \cgalParamDescription{whether the result is made of edges of the mesh or of segments through its faces}
    *     \cgalParamType{`Cut_loci::Curve`}
    *     \cgalParamDefault{`Cut_loci::Curve::MESH_EDGES`, unless there is a `number_of_iterations` above 0;
-   *                       `Cut_loci::Curve::THROUGH_FACES` with `Cut_loci::Method::POLYHEDRAL`}
+   *                       `Cut_loci::Curve::THROUGH_FACES` with `Cut_loci::Method::POLYHEDRAL` and if there are sources that
+   *                       are curves}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{number_of_iterations}
    *     \cgalParamDescription{the number of steps that move the curves from the edges of the mesh onto the cut locus,
@@ -431,15 +444,15 @@ public:
    *                           of them, without the cut locus inside the cells}
    *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`false`}
-   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. Without the other part, the graph need not be connected,
-   *                     nor a cell a disk. Of one source, one vertex is left.}
+   *     \cgalParamExtra{Without the other part, the graph need not be connected, nor a cell a disk. Of one source, one
+   *                     vertex is left.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{medial}
    *     \cgalParamDescription{whether to keep only what is inside the cells of several sources, without the edges between two of
    *                           them}
    *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`false`}
-   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`, nor with `voronoi`.}
+   *     \cgalParamExtra{not with `voronoi`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{edge_is_constrained_map}
    *     \cgalParamDescription{a property map that is set to `true` for the edges of the mesh on the cut locus; the
@@ -451,9 +464,10 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * @throws Cut_loci::Invalid_input if there is no source, if a threshold is not a number or out of its range, or if
+   * @throws Cut_loci::Invalid_input if there is no source, if a threshold is not a number or out of its range, if
    *         a parameter is given that has no meaning for the method, such as a `gradient_angle_threshold` for
-   *         `Cut_loci::Method::DIRECTION`
+   *         `Cut_loci::Method::DIRECTION`, or if `cut_locus_curve` asks for edges of the mesh that leave no way between
+   *         the sources
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   Result cut_locus(const CGAL_NP_CLASS& np = parameters::default_values()) const
@@ -468,7 +482,9 @@ public:
 
     const Stage_scope scope(visitor_, Cut_loci::Stage::FILTER);
     report(*component_, Cut_loci::Stage::FILTER); // what has been left out may be computed
-    const Curve_parameters curve = read_curve(np, method_);
+    Curve_parameters curve = read_curve(np, method_);
+    if(!curves_.empty() && !is_given<CGAL_NP_CLASS, internal_np::cut_locus_curve_t>())
+      curve.curve = Cut_loci::Curve::THROUGH_FACES;
     Cut_loci::Indexed_cut_locus found, mesh_edges;
     if(method_ == Cut_loci::Method::LAPLACIAN)
     {
@@ -477,6 +493,7 @@ public:
       Cut_loci::Smoothing_parameters smoothing;
       smoothing.number_of_iterations = static_cast<Index>(curve.iterations);
       found = curve.iterations == 0 ? mesh_edges : component_->laplacian->smoothed(mesh_edges, smoothing);
+      component_->laplacian->remove_other_parts(read_kept_parts(np), mesh_edges, found);
     }
     else
     {
@@ -575,8 +592,6 @@ private:
   {
     const Cut_loci::Method method = method_for(np);
     Cut_loci::internal::refuse_parameters_of_other_methods(method, np);
-    if(points.size() > 1)
-      Cut_loci::internal::refuse_several_sources(method);
     const double error = Cut_loci::internal::read_maximum_relative_error(np);
     refuse_lengths(read_->mesh.is_intrinsic, method);
     if(!curves.empty())
@@ -661,9 +676,8 @@ private:
   void set_distances(Component& component, Cut_loci::internal::Laplacian_method& solver, const VertexDistanceMap& map)
   {
     std::vector<double> distance;
-    const Cut_loci::Indexed_source& source = points_.front();
-    const Cut_loci::internal::Geodesic_results* geodesics = compute_distances(component, source, distance, map);
-    solver.set_distance(source, std::move(distance), geodesics);
+    const Cut_loci::internal::Geodesic_results* geodesics = compute_distances(component, distance, map);
+    solver.set_distance(points_, std::move(distance), geodesics);
   }
 
   // The package's own solver also finds the directions.
@@ -696,9 +710,7 @@ private:
   }
 
   // The paths that the solver found, or null.
-  const Cut_loci::internal::Geodesic_results* compute_distances(Component& component,
-                                                                const Cut_loci::Indexed_source& source,
-                                                                std::vector<double>& distance,
+  const Cut_loci::internal::Geodesic_results* compute_distances(Component& component, std::vector<double>& distance,
                                                                 internal_np::Param_not_found)
   {
     Solver_handle& solver = component.geodesic_solver;
@@ -708,14 +720,13 @@ private:
     if(!solver.set_maximum_relative_error(maximum_relative_error_) && maximum_relative_error_ > 0.)
       Cut_loci::internal::refuse_error();
     solver.report_to(progress);
-    solver.compute_distances(source, distance);
+    solver.compute_distances(points_, distance);
     check_distances(component, distance, "the geodesic solver returned");
     return solver.geodesics();
   }
 
   template <typename VertexDistanceMap>
-  const Cut_loci::internal::Geodesic_results* compute_distances(Component& component, const Cut_loci::Indexed_source&,
-                                                                std::vector<double>& distance,
+  const Cut_loci::internal::Geodesic_results* compute_distances(Component& component, std::vector<double>& distance,
                                                                 const VertexDistanceMap& map)
   {
     distance.resize(component.mesh->number_of_vertices());

@@ -43,7 +43,8 @@ struct Is_range<T, std::void_t<decltype(std::declval<const T&>().begin()), declt
  * once.
  *
  * The method is chosen by the distances, unless `cut_locus_method` is given: `Cut_loci::Method::DIRECTION` with the
- * default solver, `Cut_loci::Method::LAPLACIAN` with others and with a `vertex_distance_map`. A threshold of the method
+ * default solver, `Cut_loci::Method::LAPLACIAN` with others and with a `vertex_distance_map`. All of them take one point or
+ * several; curves and the border are sources for the first and for `Cut_loci::Method::POLYHEDRAL`. A threshold of the method
  * that is not in force is refused.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`

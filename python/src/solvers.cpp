@@ -73,10 +73,6 @@ void refuse_thresholds_of_other_methods(Method method, const Thresholds& t)
     refuse_parameters_of_other_methods(method, np::minimum_branch_width(0.));
   if(t.minimum_branch_gap)
     refuse_parameters_of_other_methods(method, np::minimum_branch_gap(0.));
-  if(t.voronoi)
-    refuse_parameters_of_other_methods(method, np::voronoi(true));
-  if(t.medial)
-    refuse_parameters_of_other_methods(method, np::medial(true));
   if(t.gradient_angle_threshold)
     refuse_parameters_of_other_methods(method, np::gradient_angle_threshold(0.));
   if(t.laplacian_threshold)
@@ -116,7 +112,9 @@ Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& t)
       .laplacian_threshold(t.laplacian_threshold.value_or(-std::numeric_limits<double>::infinity()))
       .filter_policy(t.filter_policy.value_or(Filter_policy::PRUNING))
       .minimum_branch_edges(t.minimum_branch_edges.value_or(static_cast<long>(Solver::default_minimum_branch_edges())))
-      .minimum_branch_length(t.minimum_branch_length.value_or(0.));
+      .minimum_branch_length(t.minimum_branch_length.value_or(0.))
+      .voronoi(t.voronoi.value_or(false))
+      .medial(t.medial.value_or(false));
   const Curve curve = t.curve.value_or(Curve::MESH_EDGES);
   if(t.curve && t.number_of_iterations)
     return solver.cut_locus(given.number_of_iterations(*t.number_of_iterations).cut_locus_curve(curve));

@@ -151,7 +151,7 @@ def test_sources_in_different_components():
     ({"laplacian_operator": "cotangent"}, "laplacian_operator has no meaning"),
     ({"method": "laplacian", "minimum_branch_width": 0.1}, 'no meaning for the method "laplacian"'),
     ({"method": "laplacian", "minimum_branch_gap": 0.1}, "minimum_branch_gap has no meaning"),
-    ({"method": "laplacian", "voronoi": True}, "voronoi has no meaning"),
+    ({"method": "laplacian", "voronoi": True, "medial": True}, "exclude each other"),
     ({"method": "laplacian", "curve": "edges", "number_of_iterations": 2}, "contradict each other"),
     ({"method": "laplacian", "number_of_iterations": -1}, "must not be negative"),
     ({"solver": "heat", "method": "direction"}, "needs the paths"),
@@ -169,9 +169,9 @@ def test_parameters(parameters, cause):
     assert "::" not in str(error.value)  # in the words of Python
 
 
-def test_several_sources_with_laplacian():
-    with pytest.raises(cut_locus.InvalidInput, match='method "laplacian" takes one source'):
-        cut_locus.compute(POINTS, FACES, [0, 1], method="laplacian")
+def test_curves_with_laplacian():
+    with pytest.raises(cut_locus.InvalidInput, match='method "laplacian" takes sources that are points'):
+        cut_locus.compute(POINTS, FACES, None, source_curves=[[0, 1]], method="laplacian")
 
 
 def test_unknown_parameters():

@@ -569,6 +569,24 @@ TEST_F(Program, Atlas_of_several_sources)
     }
 }
 
+TEST_F(Program, Several_sources_with_other_distances)
+{
+  for(const char* solver : {"exact", "cgal-exact", "heat", "graph"})
+    for(const char* curve : {"edges", "faces"})
+    {
+      const Outcome outcome = run_on_torus(std::string("--quiet --source 3 --source 200 --method laplacian --check ") +
+                                           "--curve " + curve + " --solver " + solver + " --cells " +
+                                           quoted(path("cells.ply")) + " --report " + quoted(path("check.json")));
+      EXPECT_EQ(outcome.status, 0) << outcome.messages;
+      const auto report = nlohmann::json::parse(read_file(path("check.json")));
+      EXPECT_EQ(report.at("topology"), "right") << solver;
+      EXPECT_EQ(report.at("cycles"), 3) << solver;
+      EXPECT_LT(report.at("detour_max").get<double>(), 2.) << solver;
+    }
+  EXPECT_EQ(run_on_torus("--quiet --source 3 --source 200 --method laplacian --keep voronoi").status, 0);
+  expect_failure(run_on_torus("--quiet --source-border --method laplacian"), "no border");
+}
+
 TEST_F(Program, Check_of_several_sources)
 {
   for(const char* curve : {"edges", "faces"})
@@ -628,6 +646,7 @@ TEST_F(Program, Curves_as_sources)
   expect_failure(run_on_torus("--quiet --source-border"), "no border");
   expect_failure(run_on_torus("--source-border --unfold " + quoted(path("a.svg"))), "--unfold takes one source");
   expect_failure(run_on_torus("--source-border --min-branch-edges 3"), "--min-branch-edges is for");
+  expect_failure(run_on_torus("--source-border --min-branch-edges 3 --curve faces"), "--min-branch-edges is for");
   expect_failure(run_on_torus("--sources " + quoted(path("nothing.txt"))), "cannot read");
   write("apart.txt", "1 200\n");
   expect_failure(run_on_torus("--quiet --source-edges " + quoted(path("apart.txt"))), "no edge between");
@@ -724,7 +743,6 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--source 1 --source 2 --unfold " + quoted(path("a.svg"))), "--unfold takes one source");
   expect_failure(run_on_torus("--source 1 --source 2 --check --keep voronoi"), "--check is about all");
   expect_failure(run_on_torus("--keep some"), "--keep takes all, voronoi or medial");
-  expect_failure(run_on_torus("--method laplacian --keep all"), "--keep is for --method direction or polyhedral");
   expect_failure(run_on_torus("--cells " + quoted(path("a.off"))), "must be .ply, .vtp or .obj");
   expect_failure(run_on_torus("--quiet --source 1 --source 1"), "sources 0 and 1 are at the same point");
   expect_failure(run_on_torus("--source-point 1,2"), "three numbers");

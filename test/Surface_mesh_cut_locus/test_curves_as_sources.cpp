@@ -5,6 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "built_mesh.h"
+#include "detour.h"
 #include "polyhedra.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -644,6 +645,213 @@ TEST(Curves_as_sources, and_points_mix_with_the_points_first)
   }
 }
 
+// -- edges of the mesh -------------------------------------------------------------------------------------------------
+
+// `parameters` of `cut_locus()`; false if there are corridors that no curve of mesh edges passes, which is said
+template <typename NamedParameters>
+bool has_mesh_edges(const Built& built, const Solver& solver, const std::vector<Edges>& curves,
+                    const NamedParameters& parameters, const std::string& what)
+{
+  try
+  {
+    const Result result = solver.cut_locus(parameters.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+    expect_topology(built, curves, result, what);
+    std::set<Mesh::Vertex_index> on_sources;
+    for(const Edges& curve : curves)
+      for(const Mesh::Edge_index e : curve)
+        on_sources.insert({built.mesh.vertex(e, 0), built.mesh.vertex(e, 1)});
+    for(const auto e : CGAL::make_range(edges(result.graph())))
+      EXPECT_NE(result.graph()[e].mesh_halfedge, Mesh::null_halfedge()) << what;
+    for(const auto v : CGAL::make_range(vertices(result.graph())))
+      EXPECT_EQ(on_sources.count(result.graph()[v].mesh_vertex), 0u) << what;
+    return true;
+  }
+  catch(const Invalid_input& error)
+  {
+    EXPECT_EQ(error.cause(), Cause::NO_FACE_AT_SOURCE) << what;
+    EXPECT_NE(std::string(error.what()).find("Curve::THROUGH_FACES"), std::string::npos) << error.what();
+    return false;
+  }
+}
+
+bool has_mesh_edges(const Built& built, const Vertices& points, const std::vector<Edges>& curves, Method method,
+                    const std::string& what)
+{
+  Solver solver(built.mesh, params::cut_locus_method(method));
+  solver.set_sources(points, params::source_curves(curves));
+  const bool result = has_mesh_edges(built, solver, curves, params::voronoi(false), what);
+  EXPECT_EQ(has_mesh_edges(built, solver, curves, params::minimum_branch_edges(3), what + ", long branches"), result);
+  return result;
+}
+
+TEST(Mesh_edges_beside_curves, leave_what_shrinks_to_the_curve)
+{
+  const std::vector<Mesh_data> surfaces = {ellipsoid(1., 0.8, 0.6, 10, 0.2, 1),
+                                           torus(1., 0.4, 28, 14, 0.2, 2),
+                                           perforated_plate(2, 1, 4, 3),
+                                           perforated_plate(3, 1, 4, 4),
+                                           square(14, 0.2, 6),
+                                           cylinder(2., 24, 12, 0.2, 7)};
+  std::size_t number_of_refused = 0, number = 0;
+  for(std::size_t i = 0; i < surfaces.size(); ++i)
+  {
+    const Built built(surfaces[i]);
+    for(const std::size_t k : {1, 2, 5})
+      for(unsigned seed = 0; seed < 3; ++seed)
+        for(const Method method : methods)
+        {
+          const std::vector<Edges> curves = random_curves(built, k, 5, unsigned(10 * i + k + 100 * seed));
+          const std::string what =
+            "surface " + std::to_string(i) + ", " + std::to_string(k) + " curves, " + name_of(method);
+          ++number;
+          number_of_refused += !has_mesh_edges(built, {}, curves, method, what);
+        }
+  }
+  EXPECT_LE(number_of_refused, number / 4) << "where a curve coils up, there are corridors without a vertex";
+}
+
+TEST(Mesh_edges_beside_curves, may_be_beside_loops_and_the_border)
+{
+  const std::size_t nu = 28, nw = 14;
+  const Built built(torus(1., 0.4, nu, nw)), ball(sphere_with_circle(24, 12));
+  std::vector<std::size_t> around, along;
+  for(std::size_t w = 0; w <= nw; ++w)
+    around.push_back(w % nw);
+  for(std::size_t u = 0; u <= nu; ++u)
+    along.push_back((u % nu) * nw);
+  Edges cross = path(built, around);
+  for(const Mesh::Edge_index e : path(built, along))
+    cross.push_back(e);
+  for(const Method method : methods)
+  {
+    for(const std::vector<Edges>& curves :
+        {std::vector<Edges>{path(built, around)}, std::vector<Edges>{path(built, along)}, std::vector<Edges>{cross}})
+      EXPECT_TRUE(has_mesh_edges(built, {}, curves, method, name_of(method)));
+    const std::vector<Edges> loops = {path(ball, circle(24, 3, 0, 24)), path(ball, circle(24, 8, 0, 24))};
+    EXPECT_TRUE(has_mesh_edges(ball, {}, loops, method, name_of(method)));
+    for(const Mesh_data& data :
+        {square(7, 0.2, 1), cylinder(1., 14, 5, 0.1, 4), annulus(0.5, 1.5, 24, 6), square_with_holes(2, 4),
+         punctured(torus(1., 0.4, 30, 16, 0.1, 2), {{{1.4, 0., 0.}}, {{-1., 0., 0.4}}}, 0.25)})
+    {
+      const Built with_border(data);
+      EXPECT_TRUE(has_mesh_edges(with_border, {}, border_loops(with_border), method, name_of(method)));
+    }
+    const Built plate(square(12, 0.2, 4));
+    EXPECT_TRUE(has_mesh_edges(plate, {plate.vertices[nearest_vertex(plate.data, {{0.5, 0.5, 0.}})]},
+                               border_loops(plate), method, "point"));
+  }
+}
+
+curve_measures::Measures measured(const Built& built, const std::vector<Edges>& curves, const Result& result)
+{
+  std::vector<double> exact;
+  const curve_measures::Measures m = curve_measures::measure(built.mesh, result, exact, curves);
+  EXPECT_EQ(m.topology_fault, "");
+  EXPECT_EQ(m.measuring_failed, "");
+  return m;
+}
+
+const auto mesh_edges = params::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES);
+
+TEST(Mesh_edges_beside_curves, follow_the_medial_axis_of_a_rectangle)
+{
+  for(const std::size_t n : {9, 16, 32})
+    for(const double width : {1., 2.})
+      for(const Method method : methods)
+      {
+        const Built built(rectangle(width, n, 0.2, 3));
+        const Result result =
+          CGAL::compute_cut_locus(built.mesh, Vertices(), mesh_edges.source_border(true).cut_locus_method(method));
+        EXPECT_LT(measured(built, border_loops(built), result).max, 0.05) << n << ' ' << width;
+        EXPECT_EQ(result.number_of_narrow_corridors(), 0u);
+        EXPECT_GT(num_edges(result.graph()), 0u);
+        for(const auto v : CGAL::make_range(vertices(result.graph())))
+        {
+          const Point p = to_point(result.graph()[v].point);
+          std::array<double, 4> d = {{p[0], width - p[0], p[1], 1. - p[1]}};
+          std::sort(d.begin(), d.end());
+          // the axis passes the faces at the vertex: so two sides are as near, up to twice the way to it
+          EXPECT_LT(d[1] - d[0], 2. * width / double(n)) << n << ' ' << width;
+        }
+      }
+}
+
+TEST(Mesh_edges_beside_curves, are_the_centers_of_a_circle_on_a_sphere)
+{
+  for(const std::size_t n : {16, 32})
+  {
+    const Built built(sphere_with_circle(2 * n, n));
+    const std::vector<Edges> curves = {path(built, circle(2 * n, n / 4, 0, 2 * n))};
+    const Result result = CGAL::compute_cut_locus(built.mesh, Vertices(), mesh_edges.source_curves(curves));
+    EXPECT_EQ(num_edges(result.graph()), 0u);
+    ASSERT_EQ(num_vertices(result.graph()), 2u);
+    for(const auto v : CGAL::make_range(vertices(result.graph())))
+      EXPECT_EQ(std::fabs(result.graph()[v].point.z()), 1.) << "a pole";
+    expect_topology(built, curves, result, "circle");
+    EXPECT_LT(measured(built, curves, result).max, 1e-6);
+  }
+}
+
+// All of an arc of the equator is at the same distance from the poles, and its ends are from the meridian opposite to its
+// middle, which the cut locus is.
+TEST(Mesh_edges_beside_curves, follow_a_meridian_opposite_to_an_arc_on_a_sphere)
+{
+  for(const std::size_t n : {16, 32})
+  {
+    const Built built(sphere_with_circle(2 * n, n));
+    const std::vector<Edges> curves = {path(built, circle(2 * n, n / 2, 0, n / 2))};
+    const Result result = CGAL::compute_cut_locus(built.mesh, Vertices(), mesh_edges.source_curves(curves));
+    EXPECT_EQ(num_edges(result.graph()), n) << "from pole to pole";
+    const Point from = built.data.points[circle(2 * n, n / 2, 0, 0)[0]];
+    const double middle = std::atan2(from[1], from[0]) + 0.25 * pi;
+    for(const auto v : CGAL::make_range(vertices(result.graph())))
+    {
+      const Point p = to_point(result.graph()[v].point);
+      EXPECT_LT(std::fabs(p[0] * std::sin(middle) - p[1] * std::cos(middle)), pi / double(n)) << n;
+      EXPECT_LT(p[0] * std::cos(middle) + p[1] * std::sin(middle), 1e-9) << n;
+    }
+    expect_topology(built, curves, result, "arc");
+    EXPECT_LT(measured(built, curves, result).max, 1e-6);
+  }
+}
+
+TEST(Mesh_edges_beside_curves, have_the_parts_that_are_asked_for)
+{
+  const Built built(square_with_holes(2, 6));
+  Solver solver(built.mesh);
+  solver.set_sources(Vertices(), params::source_border(true));
+  const Result all = solver.cut_locus(mesh_edges), voronoi = solver.cut_locus(mesh_edges.voronoi(true)),
+               medial = solver.cut_locus(mesh_edges.medial(true));
+  EXPECT_GT(num_edges(voronoi.graph()), 0u);
+  EXPECT_EQ(num_edges(voronoi.graph()) + num_edges(medial.graph()), num_edges(all.graph()));
+  for(const auto e : CGAL::make_range(edges(voronoi.graph())))
+    EXPECT_NE(voronoi.graph()[e].sources[0], voronoi.graph()[e].sources[1]);
+  std::map<Mesh::Edge_index, bool> marks;
+  solver.cut_locus(mesh_edges.edge_is_constrained_map(boost::make_assoc_property_map(marks)));
+  EXPECT_EQ(marks.size(), num_edges(all.graph()));
+}
+
+TEST(Mesh_edges_beside_curves, are_refused_where_there_is_no_way)
+{
+  // two lines one face apart all around a cylinder
+  const std::size_t nu = 14;
+  const Built built(cylinder(1., nu, 5, 0., 0));
+  std::vector<Edges> lines;
+  for(const std::size_t k : {2, 3})
+  {
+    std::vector<std::size_t> along;
+    for(std::size_t u = 0; u <= nu; ++u)
+      along.push_back(k * nu + u % nu);
+    lines.push_back(path(built, along));
+  }
+  EXPECT_FALSE(has_mesh_edges(built, {}, lines, Method::DIRECTION, "lines"));
+  // a curve from the border on
+  std::vector<std::size_t> along;
+  for(std::size_t k = 0; k <= 3; ++k)
+    along.push_back(k * nu);
+  EXPECT_FALSE(has_mesh_edges(built, {}, {path(built, along)}, Method::DIRECTION, "from the border"));
+}
+
 // -- the interface -----------------------------------------------------------------------------------------------------
 
 template <typename Function>
@@ -685,8 +893,7 @@ TEST(Curves_as_sources, that_can_not_be_used_are_refused)
     { solver.set_sources(Vertices(), params::source_curves(std::vector<Edges>{first}).maximum_relative_error(0.01)); },
     Cause::INVALID_PARAMETER, "exact distances");
   solver.set_sources(Vertices(), params::source_curves(std::vector<Edges>{first}));
-  expect_refusal([&] { solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)); },
-                 Cause::INVALID_PARAMETER, "MESH_EDGES");
+  EXPECT_NO_THROW(solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES).minimum_branch_edges(3)));
   expect_refusal([&] { solver.cut_locus(params::minimum_branch_edges(3)); }, Cause::INVALID_PARAMETER,
                  "minimum_branch_edges");
 }

@@ -35,7 +35,8 @@ void expect_room(const Mesh& mesh, const std::vector<double>& distance, const In
                  const internal::Geodesic_results* geodesics = nullptr)
 {
   const Mesh_connectivity connectivity(mesh);
-  const std::vector<unsigned char> crossed = edges_crossed_by_descents(mesh, connectivity, distance, source, geodesics);
+  const Source_roots roots(mesh, connectivity, {source});
+  const std::vector<unsigned char> crossed = edges_crossed_by_descents(mesh, connectivity, distance, roots, geodesics);
   curve_measures::Union_find faces(mesh.number_of_faces());
   for(Index e = 0; e < crossed.size(); ++e)
     if(crossed[e])
@@ -49,11 +50,10 @@ void expect_room(const Mesh& mesh, const std::vector<double>& distance, const In
   std::mt19937 engine(1);
   for(float& k : key)
     k = static_cast<float>(engine() / 4294967296.);
-  const Source_element element(connectivity, source);
   Index root = 0;
   while(root == source.vertex)
     ++root;
-  const Spanning_tree tree = region_growing_tree(connectivity, key, root, element, crossed);
+  const Spanning_tree tree = region_growing_tree(connectivity, key, root, roots.elements(), crossed);
   EXPECT_EQ(tree.order.size(), mesh.number_of_vertices());
   for(Index v : tree.order)
     if(v != tree.root)
@@ -61,7 +61,7 @@ void expect_room(const Mesh& mesh, const std::vector<double>& distance, const In
       const Index e = connectivity.ring_edge(tree.parent_entry[v]);
       EXPECT_FALSE(crossed[e]);
     }
-  const std::vector<Index> generators = homology_generators(mesh, connectivity, tree, distance, source, crossed);
+  const std::vector<Index> generators = homology_generators(mesh, connectivity, tree, distance, roots, crossed);
   EXPECT_EQ(generators.size(), 2u * connectivity.genus(mesh));
   for(Index h : generators)
     EXPECT_FALSE(crossed[connectivity.edge_of_halfedge[h]]);

@@ -4,16 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "built_mesh.h"
-#include "curve_topology.h"
-#include "polyhedra.h"
+#include "several_sources_cases.h"
 
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
-#include <CGAL/Heat_method_geodesic_solver.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_exact_geodesics.h>
-#include <CGAL/compute_cut_locus.h>
 #include <CGAL/cut_along_cut_locus.h>
 
 #include <gtest/gtest.h>
@@ -34,137 +26,9 @@
 
 namespace {
 
-using namespace test_meshes;
-using CGAL::Cut_loci::Curve;
-using CGAL::Cut_loci::Index;
-using CGAL::Cut_loci::Indexed_cut_locus;
-using CGAL::Cut_loci::Invalid_input;
-using CGAL::Cut_loci::Method;
-using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point_3>;
-using Built = Built_mesh<Mesh>;
-using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
-using Result = Solver::Result;
-using Location = Solver::Face_location;
-using Source = Solver::Source;
-namespace params = CGAL::parameters;
+using namespace several_sources;
 
 constexpr Method methods[] = {Method::DIRECTION, Method::POLYHEDRAL};
-
-// The curve in the dense indices in which the topology is checked.
-Indexed_cut_locus indexed_curve(const Result& result, const CGAL::Cut_loci::internal::Read_triangle_mesh<Mesh>& read)
-{
-  Indexed_cut_locus curve;
-  const auto& graph = result.graph();
-  for(const auto v : CGAL::make_range(vertices(graph)))
-  {
-    Indexed_cut_locus::Node node;
-    node.location = {get(read.index_of_face, graph[v].location.first), graph[v].location.second};
-    curve.nodes.push_back(node);
-  }
-  for(const auto e : CGAL::make_range(edges(graph)))
-    curve.edges.push_back({Index(source(e, graph)), Index(target(e, graph))});
-  return curve;
-}
-
-std::string fault_through_faces(const Built& built, const Result& result)
-{
-  const auto read = CGAL::Cut_loci::internal::read_triangle_mesh(built.mesh, get(CGAL::vertex_point, built.mesh));
-  const Indexed_cut_locus curve = indexed_curve(result, read);
-  return curve_measures::internal::Curve_topology(read.mesh, curve).fault(result.number_of_sources());
-}
-
-// the number of the disk that each face is in
-std::vector<std::size_t> disks_of_faces(const Built& built, const Result& result)
-{
-  const auto& graph = result.graph();
-  std::set<Mesh::Edge_index> is_cut;
-  for(const auto e : CGAL::make_range(edges(graph)))
-    is_cut.insert(built.mesh.edge(graph[e].mesh_halfedge));
-  topology_checker::Union_find faces(built.mesh.number_of_faces());
-  for(const Mesh::Edge_index e : built.mesh.edges())
-    if(!built.mesh.is_border(e) && is_cut.count(e) == 0)
-      faces.unite(built.mesh.face(built.mesh.halfedge(e, 0)), built.mesh.face(built.mesh.halfedge(e, 1)));
-  std::vector<std::size_t> part;
-  for(std::size_t f = 0; f < built.mesh.number_of_faces(); ++f)
-    part.push_back(faces.find(f));
-  return part;
-}
-
-// each source touches a disk of its own
-std::string fault_of_cells(const Built& built, const Result& result)
-{
-  const std::vector<std::size_t> disk = disks_of_faces(built, result);
-  std::map<std::size_t, std::set<std::size_t>> at_disk;
-  for(std::size_t i = 0; i < result.number_of_sources(); ++i)
-  {
-    const Location& at = result.source(i).location;
-    at_disk[disk[at.first]].insert(i);
-    Mesh::Halfedge_index h = built.mesh.halfedge(at.first);
-    for(std::size_t k = 0; k < 3; ++k, h = built.mesh.next(h))
-    {
-      if(at.second[k] == 1.)
-        for(const Mesh::Face_index f : built.mesh.faces_around_target(built.mesh.opposite(h)))
-          if(f != Mesh::null_face())
-            at_disk[disk[f]].insert(i);
-      if(at.second[(k + 2) % 3] == 0. && !built.mesh.is_border(built.mesh.opposite(h)))
-        at_disk[disk[built.mesh.face(built.mesh.opposite(h))]].insert(i);
-    }
-  }
-  return at_disk.size() == result.number_of_sources() ? "" : "some disks hold no source";
-}
-
-std::string fault_of_mesh_edges(const Built& built, const Result& result)
-{
-  const topology_checker::Surface surface(built.data.triangles, 0);
-  const std::string fault = topology_checker::fault(surface, cut_of(built, result), result.number_of_sources());
-  return fault.empty() ? fault_of_cells(built, result) : fault;
-}
-
-double diagonal(const Built& built)
-{
-  Point low = built.data.points[0], high = low;
-  for(const Point& p : built.data.points)
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      low[i] = (std::min)(low[i], p[i]);
-      high[i] = (std::max)(high[i], p[i]);
-    }
-  return norm(high - low);
-}
-
-// The distances from each source alone, to the vertices and the nodes of a curve.
-struct Distances
-{
-  std::vector<std::vector<double>> to_vertex, to_node;
-
-  Distances(const Built& built, const std::vector<Source>& sources, const Result& result)
-  {
-    CGAL::Surface_mesh_exact_geodesics<Mesh> exact(built.mesh);
-    for(const auto v : CGAL::make_range(vertices(result.graph())))
-      exact.add_query(result.graph()[v].location);
-    for(const Source& s : sources)
-    {
-      exact.clear_sources();
-      std::visit([&](const auto& point) { exact.add_source(point); }, s);
-      exact.compute();
-      to_vertex.emplace_back();
-      for(const Mesh::Vertex_index v : built.vertices)
-        to_vertex.back().push_back(exact.distance(v));
-      to_node.emplace_back();
-      for(std::size_t i = 0; i < num_vertices(result.graph()); ++i)
-        to_node.back().push_back(exact.query_distance(i));
-    }
-  }
-
-  static double least(const std::vector<std::vector<double>>& to, std::size_t i)
-  {
-    double result = to[0][i];
-    for(const auto& d : to)
-      result = (std::min)(result, d[i]);
-    return result;
-  }
-};
 
 // distances, cells and labels against runs with one source each
 void expect_voronoi_diagram(const Built& built, const std::vector<Source>& sources, const Result& result,
@@ -192,51 +56,6 @@ void expect_voronoi_diagram(const Built& built, const std::vector<Source>& sourc
         ASSERT_LE(excess, mean_edge_length(built.data)) << what;
       }
   EXPECT_LE(number_of_inexact, 4 * num_edges(graph) / 30) << what << ", of " << 4 * num_edges(graph) << " labels";
-}
-
-// Distinct vertices, points of edges and points in faces.
-std::vector<Source> random_sources(const Built& built, std::size_t k, unsigned seed)
-{
-  std::mt19937 engine(seed);
-  std::vector<Source> result;
-  std::set<std::size_t> taken;
-  while(result.size() < k)
-  {
-    const std::size_t kind = engine() % 3, f = engine() % built.faces.size();
-    const double a = 0.05 + 0.2 * (1. + random_unit(engine)), b = 0.05 + 0.2 * (1. + random_unit(engine));
-    if(kind == 0)
-    {
-      const std::size_t v = engine() % built.vertices.size();
-      if(taken.insert(v).second)
-        result.push_back(built.vertices[v]);
-    }
-    else
-      result.push_back(Location(built.faces[f], kind == 1 ? std::array<double, 3>{{1. - a - b, a, b}}
-                                                          : std::array<double, 3>{{a, 0., 1. - a}}));
-  }
-  return result;
-}
-
-struct Named_mesh
-{
-  std::string name;
-  Mesh_data data;
-};
-
-std::vector<Named_mesh> meshes()
-{
-  return {{"sphere", jittered_sphere(6, 0.2, 1)},
-          {"convex", random_convex_polyhedron(60, 1)},
-          {"cuboid", cuboid({{3., 1., 0.4}}, 2)},
-          {"bumpy sphere", bumpy_sphere(7, 0.5, 3)},
-          {"torus", torus(1., 0.4, 20, 10, 0.2, 4)},
-          {"regular torus", torus(1., 0.4, 16, 8)},
-          {"genus 2", perforated_plate(2, 1, 2, 5)},
-          {"genus 3", perforated_plate(3, 1, 2, 6)},
-          {"square", square(7, 0.2, 1)},
-          {"cylinder", cylinder(1., 14, 5, 0.1, 4)},
-          {"square with holes", square_with_holes(2, 2)},
-          {"torus with holes", punctured(torus(1., 0.4, 30, 16, 0.1, 2), {{{1.4, 0., 0.}}, {{-1., 0., 0.4}}}, 0.25)}};
 }
 
 // Two sources may lie on too few faces for a curve of mesh edges. That is said, and there is no other reason to refuse.
@@ -693,22 +512,6 @@ TEST(Several_sources, that_can_not_be_used_are_refused_by_their_numbers)
               [&] {
     CGAL::compute_cut_locus(built.mesh, std::vector<Source>{on(h, 0.3), on(h, 0.5), on(h, 0.7)});
   }).find("has no face to itself"),
-            std::string::npos);
-}
-
-TEST(Several_sources, need_the_exact_solver)
-{
-  const Built built(sphere(4));
-  const std::vector<Mesh::Vertex_index> sources = {built.vertices[0], built.vertices[9]};
-  EXPECT_NE(message_of(
-              [&] {
-    CGAL::compute_cut_locus(built.mesh, sources, params::cut_locus_method(Method::LAPLACIAN));
-  }).find("takes one source"),
-            std::string::npos);
-  EXPECT_NE(message_of(
-              [&] {
-    CGAL::compute_cut_locus(built.mesh, sources, params::geodesic_solver(CGAL::Heat_method_geodesic_solver()));
-  }).find("takes one source"),
             std::string::npos);
 }
 

@@ -176,10 +176,10 @@ struct Trees
 Trees grow(const Fixture& f, const std::vector<float>& key, Index root, const Source_element& source = Source_element())
 {
   Trees t;
-  t.full = region_growing_tree(f.connectivity, key, root, source);
+  t.full = region_growing_tree(f.connectivity, key, root, {source});
   t.thinned = t.full;
   thin(t.thinned, f.connectivity, key);
-  t.extended = region_growing_tree(f.connectivity, random_keys(key.size(), 1000), root, source);
+  t.extended = region_growing_tree(f.connectivity, random_keys(key.size(), 1000), root, {source});
   return t;
 }
 
@@ -344,7 +344,8 @@ TEST(Homology_generators, are_two_per_handle_and_cut_the_surface_into_a_disk_tog
         const Indexed_source at = source_at(f, source);
         const Trees trees =
           grow(f, random_keys(data.points.size(), seed), farthest(distance), Source_element(f.connectivity, at));
-        const std::vector<Index> generators = homology_generators(f.mesh, f.connectivity, trees.extended, distance, at);
+        const std::vector<Index> generators = homology_generators(f.mesh, f.connectivity, trees.extended, distance,
+                                                                  Source_roots(f.mesh, f.connectivity, {at}));
         EXPECT_EQ(long(generators.size()), 2 * surface.genus());
         EXPECT_EQ(long(f.connectivity.genus(f.mesh)), surface.genus());
         EXPECT_EQ(f.connectivity.number_of_border_loops, surface.number_of_loops);
@@ -458,7 +459,8 @@ struct Filter_case
     const std::vector<double> distance = distances(data, seed % n);
     const Indexed_source source = source_at(f, seed % n);
     trees = grow(f, random_keys(n, seed), farthest(distance), Source_element(f.connectivity, source));
-    generators = homology_generators(f.mesh, f.connectivity, trees.extended, distance, source);
+    generators = homology_generators(f.mesh, f.connectivity, trees.extended, distance,
+                                     Source_roots(f.mesh, f.connectivity, {source}));
     angle = random_keys(n, seed + 100);
     for(float& a : angle)
       a = std::abs(a) * float(pi);

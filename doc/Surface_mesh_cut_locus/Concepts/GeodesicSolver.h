@@ -46,6 +46,15 @@ public:
   void compute_distances(const CGAL::Cut_loci::Indexed_source& source, std::vector<double>& distances);
 
   /*!
+   * computes the geodesic distance from the nearest of several sources to each vertex of the mesh. This function is
+   * optional: without it, the distances to each source are computed one after another.
+   *
+   * @param sources two or more different points of the mesh
+   * @param distances as above
+   */
+  void compute_distances(const std::vector<CGAL::Cut_loci::Indexed_source>& sources, std::vector<double>& distances);
+
+  /*!
    * returns the default of the parameter `gradient_angle_threshold` of `CGAL::Surface_mesh_cut_locus::cut_locus()` for
    * distances of this solver, in radians. This function is optional.
    */

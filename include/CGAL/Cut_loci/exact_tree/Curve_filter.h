@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/curve/curve_correspondence.h>
+#include <CGAL/Cut_loci/curve/kept_parts.h>
 #include <CGAL/Cut_loci/curve/short_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
@@ -59,47 +60,21 @@ public:
     set_origins(mesh_, connectivity_, edges, curve.face, curve.graph);
   }
 
-  // returns the new number of each edge, or null
-  std::vector<Index> remove_other_parts(Indexed_cut_locus& graph) const
+  void remove_other_parts(Indexed_cut_locus& graph) const
   {
-    std::vector<Index> number;
-    if(thresholds_.has_all_parts())
-      return number;
-    std::vector<unsigned char> is_removed;
-    Index size = 0;
-    for(Indexed_cut_locus::Edge& e : graph.edges)
-    {
-      is_removed.push_back(is_of_other_part(e));
-      number.push_back(is_removed.back() ? null_index : size++);
-      e.origin = number.back();
-    }
-    remove_edges(mesh_, connectivity_, graph, is_removed);
-    return number;
+    internal::remove_other_parts(mesh_, connectivity_, thresholds_, graph);
   }
 
   // from both curves, of which the second one refers to the first
   void remove_other_parts(Indexed_cut_locus& edges, Indexed_cut_locus& curve) const
   {
-    std::vector<Index> origin;
-    for(const Indexed_cut_locus::Edge& e : curve.edges)
-      if(!is_of_other_part(e))
-        origin.push_back(e.origin);
-    const std::vector<Index> number = remove_other_parts(edges);
-    remove_other_parts(curve);
-    for(std::size_t i = 0; i < curve.edges.size(); ++i)
-      curve.edges[i].origin = origin[i] != null_index ? number[origin[i]] : null_index;
+    internal::remove_other_parts(mesh_, connectivity_, thresholds_, edges, curve);
   }
 
 private:
   std::vector<unsigned char> short_ones(const Indexed_cut_locus& edges) const
   {
     return short_branches(mesh_, connectivity_, edges, thresholds_.minimum_edges, thresholds_.minimum_length);
-  }
-
-  // whether an edge is in none of the parts that are asked for
-  bool is_of_other_part(const Indexed_cut_locus::Edge& e) const
-  {
-    return e.sources[0] == e.sources[1] ? thresholds_.is_voronoi : thresholds_.is_medial;
   }
 
   const Indexed_triangle_mesh& mesh_;

@@ -16,10 +16,11 @@
 #include <CGAL/Cut_loci/exact_tree/Default_branch_strength.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
+#include <CGAL/Cut_loci/exact_tree/Mesh_beside_curves.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_edge_curve.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_curves.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
-#include <CGAL/Cut_loci/exact_tree/Source_faces.h>
+#include <CGAL/Cut_loci/surface/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
@@ -147,13 +148,15 @@ public:
     see_all_of(kept, thresholds, all.part(0.5, 0.7));
     tree_->measure_widths(kept, all.part(0.7, 0.8));
     if(has_curves())
-      return curve_between_curves(thresholds, kept);
+      return curve == Curve::MESH_EDGES ? edges = mesh_edges_between_curves(thresholds, kept)
+                                        : curve_between_curves(thresholds, kept);
     const Source_faces at_sources(mesh_, connectivity_, sources_);
     if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
-      throw_source_without_face(at_sources.first_without_face());
-    edges =
-      Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, at_sources, lone_vertex(), all.part(0.8, 0.9))
-        .graph;
+      Source_faces::throw_source_without_face(at_sources.first_without_face(),
+                                              "ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
+    edges = Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, at_sources, geodesics().distances(), {},
+                            lone_vertex(), all.part(0.8, 0.9))
+              .graph;
     const Curve_filter filter(mesh_, connectivity_, thresholds);
     const bool drops_branches = thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.;
     if(curve == Curve::MESH_EDGES)
@@ -209,7 +212,34 @@ private:
 
   bool has_curves() const { return divided_ != nullptr && divided_->with_curves; }
 
-  // A curve through the faces. The one of mesh edges would have to leave a face on each side of each edge of a source.
+  Indexed_cut_locus mesh_edges_between_curves(const Exact_tree_thresholds& thresholds,
+                                              const std::vector<Tree_branches::Edge>& kept)
+  {
+    const Mesh_beside_curves beside(mesh_, sources_, curves_);
+    const Source_faces at_sources(beside.mesh(), beside.connectivity(), sources_, beside.source_of_loop());
+    if(at_sources.first_without_face() != null_index)
+      Source_faces::throw_source_without_face(at_sources.name(at_sources.first_without_face()),
+                                              Mesh_beside_curves::remedy());
+    const std::vector<double> distance = beside.distances(distance_);
+    Indexed_cut_locus result =
+      std::move(Mesh_edge_curve(beside.mesh(), beside.connectivity(), divided_.get(), *tree_, kept, at_sources,
+                                distance, beside.source_of_loop(), null_index)
+                  .graph);
+    const Curve_filter filter(beside.mesh(), beside.connectivity(), thresholds);
+    if(!result.edges.empty() && (thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.))
+      filter.remove_short_branches(result);
+    if(result.edges.empty())
+      result.nodes.clear();
+    std::vector<Index> face;
+    for(const Indexed_cut_locus::Edge& e : result.edges)
+      face.push_back(e.halfedge / 3);
+    add_lone_nodes(beside.mesh(), beside.connectivity(), distance, face, result);
+    filter.remove_other_parts(result);
+    beside.close(result);
+    return result;
+  }
+
+  // A curve through the faces.
   Indexed_cut_locus curve_between_curves(const Exact_tree_thresholds& thresholds,
                                          const std::vector<Tree_branches::Edge>& kept)
   {
@@ -370,14 +400,6 @@ private:
     for(std::size_t i = 0; i < 3; ++i)
       result.coordinates[i] = (1. - by) * result.coordinates[i] + by * part[i];
     return result;
-  }
-
-  [[noreturn]] void throw_source_without_face(Index i) const
-  {
-    throw Invalid_input(Cause::NO_FACE_AT_SOURCE,
-                        "source " + std::to_string(i) +
-                          " has no face to itself, as other sources lie on the same ones: no curve of mesh edges "
-                          "separates them; ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
   }
 
   bool is_source(Index v) const

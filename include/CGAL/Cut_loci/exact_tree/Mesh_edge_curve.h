@@ -11,15 +11,17 @@
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Face_cells.h>
+#include <CGAL/Cut_loci/exact_tree/Mesh_beside_curves.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
-#include <CGAL/Cut_loci/exact_tree/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
 #include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Source_forest.h>
+#include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/Source_faces.h>
 
 #include <algorithm>
 #include <array>
@@ -44,6 +46,10 @@ namespace internal {
  * curve.
  *
  * With several sources the tree is a forest, with one tree for each source that has a face to itself.
+ *
+ * Sources that are curves are loops on the border of the mesh, which is cut open along them. The curve stays off them.
+ * Where it could only go on along a vertex of theirs, as the corridor beside it has no vertex inside, it ends: what is
+ * behind is left out, unless it has a cycle.
  */
 class Mesh_edge_curve
 {
@@ -52,16 +58,25 @@ public:
 
   /// @param kept the edges of the tree that the curve stands for
   /// @param divided the mesh that the tree is on, if it is another one
-  /// @param lone the vertex that is left if nothing else is
+  /// @param distance of the vertices
+  /// @param source_of_loop of each border loop; empty if none is a source
+  /// @param lone the vertex that is left if nothing else is, or null for none
   Mesh_edge_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                   const Mesh_with_sources* divided, Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept,
-                  const Source_faces& sources, Index lone, const Progress& progress = {})
-    : mesh_(mesh), connectivity_(connectivity), divided_(divided), geodesics_(tree.geodesics()), tree_(tree)
+                  const Source_faces& sources, const std::vector<double>& distance,
+                  const std::vector<Index>& source_of_loop, Index lone, const Progress& progress = {})
+    : mesh_(mesh), connectivity_(connectivity), divided_(divided), distance_(distance), source_of_loop_(source_of_loop),
+      tree_(tree)
   {
-    const Face_cells cells(tree.mesh(), tree.connectivity(), geodesics_.faces(), tree.graph(), kept,
+    const Face_cells cells(tree.mesh(), tree.connectivity(), tree.geodesics().faces(), tree.graph(), kept,
                            progress.part(0., 0.2));
     grow_tree(cells, sources, progress.part(0.2, 0.8));
     drop_weak_leaves(progress.part(0.8, 1.));
+    if(!source_of_loop.empty())
+    {
+      leave_source_loops();
+      drop_weak_leaves(Progress());
+    }
     draw(lone);
   }
 
@@ -79,14 +94,17 @@ private:
     forest_ = Source_forest(mesh_.number_of_faces());
     for(Index i = 0; i < sources.number_of_sources(); ++i)
       if(sources.face(i) != null_index)
-        forest_.plant(sources.face(i), i);
+        forest_.plant(sources.face(i), sources.name(i));
     // The faces at the source belong to its cell, wherever their centroids are.
     const Progress at_sources = progress.part(0., 0.2), linking = progress.part(0.2, 1.);
     for(Index h = 0; h < mesh_.number_of_halfedges(); ++h)
     {
       at_sources(h, mesh_.number_of_halfedges());
-      if(sources.is_inside(mesh_, h))
-        forest_.link(h / 3, mesh_.opposite[h] / 3);
+      if(!sources.is_inside(mesh_, h))
+        continue;
+      // The faces around a loop form a ring; what is behind a corridor one face wide has one of its own.
+      if(!forest_.link(h / 3, mesh_.opposite[h] / 3) && h < mesh_.opposite[h] && sources.is_loop(sources.owner(h / 3)))
+        candidates_.push_back({connectivity_.edge_of_halfedge[h], null_index, 0.});
     }
     // edges between cells that touch come first, in any order, then the others by the distance of their middle
     std::vector<Candidate> barred;
@@ -105,7 +123,7 @@ private:
     const auto way = [&](const Candidate& c)
     {
       const Index h = connectivity_.halfedge_of_edge[c.edge];
-      return geodesics_.distance(mesh_.source(h)) + geodesics_.distance(mesh_.target(h));
+      return distance_[mesh_.source(h)] + distance_[mesh_.target(h)];
     };
     // and between sources only where there is no other way
     const auto is_between = [](const Candidate& c) { return c.gap == (std::numeric_limits<double>::infinity)(); };
@@ -194,16 +212,100 @@ private:
     const auto nodes = [this](Index i) { return ends(candidates_[i]); };
     Edges_left left(loops + mesh_.number_of_vertices(), candidates_.size(), nodes, progress.part(0., 0.5));
     for(Index i = 0; i < loops; ++i)
-      left.keep(i);
+      if(!is_source_loop(i))
+        left.keep(i);
     std::vector<unsigned char> is_dropped(candidates_.size(), 0);
     left.peel(
-      nodes, [&](Index i, Index) { return (is_dropped[i] = candidates_[i].stands_for == null_index) != 0; },
+      nodes,
+      [&](Index i, Index leaf)
+      { return (is_dropped[i] = candidates_[i].stands_for == null_index || is_source_loop(leaf)) != 0; },
       progress.part(0.5, 1.));
+    drop(is_dropped);
+  }
+
+  void drop(const std::vector<unsigned char>& is_dropped)
+  {
     std::size_t size = 0;
     for(std::size_t i = 0; i < candidates_.size(); ++i)
       if(!is_dropped[i])
         candidates_[size++] = candidates_[i];
     candidates_.resize(size);
+  }
+
+  /// whether a node is a loop that is a source
+  bool is_source_loop(Index node) const { return node < source_of_loop_.size() && source_of_loop_[node] != null_index; }
+
+  /*
+   * With each loop as one point, the graph is what it has to be. Parts that hang together at such a point alone are
+   * separated by corridors that the curve can not pass. One of them stays, which is the one with cycles or a part of the
+   * border, if there is any.
+   */
+  void leave_source_loops()
+  {
+    struct Part
+    {
+      Index nodes = 0, edges = 0;
+      bool has_border = false;
+      bool has_to_stay() const { return edges >= nodes || has_border; }
+    };
+    const Index n = connectivity_.number_of_border_loops + mesh_.number_of_vertices();
+    Union_find parts(n), groups(n);
+    std::vector<Part> part(n);
+    const auto is_at_source = [&](const Candidate& c)
+    { return is_source_loop(ends(c)[0]) || is_source_loop(ends(c)[1]); };
+    for(const Candidate& c : candidates_)
+      if(!is_at_source(c))
+      {
+        parts.unite(ends(c)[0], ends(c)[1]);
+        groups.unite(ends(c)[0], ends(c)[1]);
+      }
+    bool meets_source = false;
+    for(const Candidate& c : candidates_)
+      if(is_at_source(c))
+      {
+        meets_source = true;
+        if(!groups.unite(ends(c)[0], ends(c)[1]))
+          throw_no_way();
+      }
+    if(!meets_source)
+      return;
+    for(Index i = 0; i < n; ++i)
+    {
+      ++part[parts.find(i)].nodes;
+      part[parts.find(i)].has_border |= i < connectivity_.number_of_border_loops && !is_source_loop(i);
+    }
+    for(const Candidate& c : candidates_)
+      if(!is_at_source(c))
+        ++part[parts.find(ends(c)[0])].edges;
+    std::vector<Index> best(n, null_index); // of each group, the part that stays
+    for(Index i = 0; i < n; ++i)
+    {
+      if(parts.find(i) != i || is_source_loop(i))
+        continue;
+      Index& other = best[groups.find(i)];
+      if(other != null_index && part[other].has_to_stay() && part[i].has_to_stay())
+        throw_no_way();
+      if(other == null_index || (part[i].has_to_stay() && !part[other].has_to_stay()) ||
+         (part[i].has_to_stay() == part[other].has_to_stay() && part[i].edges > part[other].edges))
+        other = i;
+    }
+    std::vector<unsigned char> is_dropped;
+    for(const Candidate& c : candidates_)
+    {
+      is_dropped.push_back(is_at_source(c) || best[groups.find(ends(c)[0])] != parts.find(ends(c)[0]));
+      graph.number_of_narrow_corridors += is_at_source(c);
+    }
+    drop(is_dropped);
+  }
+
+  [[noreturn]] static void throw_no_way()
+  {
+    throw Invalid_input(
+      Cause::NO_FACE_AT_SOURCE,
+      std::string(
+        "there is a corridor beside a source, or between two, without a vertex inside: no curve of mesh edges passes "
+        "it, and the mesh has to be refined there; or ") +
+        Mesh_beside_curves::remedy());
   }
 
   /// the edges from the inside out, and the root first
@@ -254,13 +356,13 @@ private:
       edge.width = c.stands_for != null_index ? tree_.shown_width(c.stands_for) : 0.f;
       edge.sources = {{(std::min)(c.sources[0], c.sources[1]), (std::max)(c.sources[0], c.sources[1])}};
       if(is_between_sources(b.edge))
-        edge.width = static_cast<float>(2. * (std::max)(geodesics_.distance(outer), geodesics_.distance(inner)));
+        edge.width = static_cast<float>(2. * (std::max)(distance_[outer], distance_[inner]));
       if(is_between_sources(b.edge) || edge.strength == (std::numeric_limits<float>::infinity)())
         edge.strength = gap_between_sources;
       graph.edges.push_back(edge);
     }
-    if(graph.edges.empty())
-      graph.nodes.assign(1, {location_of_vertex(connectivity_, lone), lone, geodesics_.distance(lone)});
+    if(graph.edges.empty() && lone != null_index)
+      graph.nodes.assign(1, {location_of_vertex(connectivity_, lone), lone, distance_[lone]});
   }
 
   bool is_between_sources(Index i) const { return candidates_[i].sources[0] != candidates_[i].sources[1]; }
@@ -272,7 +374,7 @@ private:
     if(i == null_index)
     {
       i = static_cast<Index>(graph.nodes.size());
-      graph.nodes.push_back({location_of_vertex(connectivity_, v), v, geodesics_.distance(v)});
+      graph.nodes.push_back({location_of_vertex(connectivity_, v), v, distance_[v]});
     }
     return i;
   }
@@ -280,7 +382,8 @@ private:
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   const Mesh_with_sources* divided_;
-  const Geodesic_results& geodesics_; // of that mesh, whose first vertices are those of this one
+  const std::vector<double>& distance_;
+  const std::vector<Index>& source_of_loop_;
   Exact_tree& tree_;
   Source_forest forest_{0}; // of faces
   std::vector<Candidate> candidates_;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/curve/kept_parts.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/named_parameters.h>
@@ -49,28 +50,20 @@ inline void refuse_parameter(const std::string& name, Method method, const std::
                         "cut_locus_method(Cut_loci::Method::LAPLACIAN)");
 }
 
-inline void refuse_several_sources(Method method)
-{
-  if(method == Method::LAPLACIAN)
-    throw Invalid_input(Cause::PARAMETER_OF_OTHER_METHOD,
-                        "the method " + std::string(name_of(method)) +
-                          " takes one source: several need the paths of the package's own exact solver, with "
-                          "Cut_loci::Method::DIRECTION or Cut_loci::Method::POLYHEDRAL");
-}
-
 inline void refuse_curves(Method method, double error)
 {
   if(method == Method::LAPLACIAN)
     throw Invalid_input(Cause::PARAMETER_OF_OTHER_METHOD,
                         "the method " + std::string(name_of(method)) +
-                          " takes one source, a point: curves need the paths of the package's own exact solver, with "
-                          "Cut_loci::Method::DIRECTION or Cut_loci::Method::POLYHEDRAL");
+                          " takes sources that are points: curves need the paths of the package's own exact solver, "
+                          "with Cut_loci::Method::DIRECTION or Cut_loci::Method::POLYHEDRAL");
   if(error > 0.)
     throw Invalid_input(Cause::INVALID_PARAMETER,
                         "sources that are curves need exact distances: leave maximum_relative_error away");
 }
 
-// The curve of mesh edges would have to leave a face on each side of each edge of a source.
+// Of sources that are curves, the cut locus runs through the faces unless edges are asked for, and no curve of edges is
+// found beside it.
 template <typename NamedParameters>
 void refuse_mesh_edges(const NamedParameters& np)
 {
@@ -78,12 +71,12 @@ void refuse_mesh_edges(const NamedParameters& np)
   {
     throw Invalid_input(Cause::INVALID_PARAMETER,
                         "the parameter " + name +
-                          " is for a cut locus made of edges of the mesh, which sources that are "
-                          "curves do not have: leave it away");
+                          " is for a cut locus made of edges of the mesh, and that of sources that are curves runs "
+                          "through the faces: leave it away, or pass cut_locus_curve(Cut_loci::Curve::MESH_EDGES)");
   };
   if(parameters::choose_parameter(parameters::get_parameter(np, internal_np::cut_locus_curve), Curve::THROUGH_FACES) ==
      Curve::MESH_EDGES)
-    refuse("cut_locus_curve(Cut_loci::Curve::MESH_EDGES)");
+    return;
   if(is_given<NamedParameters, internal_np::minimum_branch_edges_t>())
     refuse("minimum_branch_edges");
   if(is_given<NamedParameters, internal_np::minimum_branch_length_t>())
@@ -122,10 +115,6 @@ void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
     refuse_unless(!is_laplacian, "minimum_branch_gap", use_paths);
   if(is_given<NamedParameters, np::minimum_branch_width_t>())
     refuse_unless(!is_laplacian, "minimum_branch_width", use_paths);
-  if(is_given<NamedParameters, np::voronoi_t>())
-    refuse_unless(!is_laplacian, "voronoi", use_paths);
-  if(is_given<NamedParameters, np::medial_t>())
-    refuse_unless(!is_laplacian, "medial", use_paths);
 }
 
 template <typename Number>
@@ -171,6 +160,21 @@ Branch_thresholds read_branch_thresholds(const NamedParameters& np, double defau
   return result;
 }
 
+// Of several sources, for all methods.
+template <typename NamedParameters>
+Kept_parts read_kept_parts(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Kept_parts result;
+  result.is_voronoi = choose_parameter(get_parameter(np, internal_np::voronoi), false);
+  result.is_medial = choose_parameter(get_parameter(np, internal_np::medial), false);
+  if(result.is_voronoi && result.is_medial)
+    throw Invalid_input(Cause::INVALID_PARAMETER,
+                        "the parameters voronoi and medial exclude each other: without both, the result has all edges");
+  return result;
+}
+
 // The width is in units of `diagonal`, but for that of `by_default`, a length. Who asks for one of both gets all that
 // passes it.
 template <typename NamedParameters>
@@ -194,11 +198,7 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
     throw Invalid_input(Cause::INVALID_PARAMETER,
                         "the minimum width of a branch must be a number that is not negative");
   read_least_branch(np, 0, diagonal, result);
-  result.is_voronoi = choose_parameter(get_parameter(np, internal_np::voronoi), false);
-  result.is_medial = choose_parameter(get_parameter(np, internal_np::medial), false);
-  if(result.is_voronoi && result.is_medial)
-    throw Invalid_input(Cause::INVALID_PARAMETER,
-                        "the parameters voronoi and medial exclude each other: without both, the result has all edges");
+  static_cast<Kept_parts&>(result) = read_kept_parts(np);
   return result;
 }
 

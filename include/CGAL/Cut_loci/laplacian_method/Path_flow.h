@@ -8,7 +8,8 @@
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_PATH_FLOW_H
 
 #include <CGAL/Cut_loci/internal/Progress.h>
-#include <CGAL/Cut_loci/internal/Union_find.h>
+#include <CGAL/Cut_loci/internal/Source_forest.h>
+#include <CGAL/Cut_loci/laplacian_method/Source_roots.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
@@ -51,9 +52,10 @@ public:
     }
   }
 
-  // Edges across which the faces form a forest: first those of the halfedges `roots`, then those that most paths cross.
-  // Where paths go around something on both sides, not all their crossings have room in a forest.
-  std::vector<unsigned char> forest(const std::vector<Index>& roots, const Progress& progress)
+  // Edges across which the faces form a forest: first those at the sources, then those that most paths cross. Where paths
+  // go around something on both sides, not all their crossings have room in a forest. Of several sources, none is in the
+  // tree of another one.
+  std::vector<unsigned char> forest(const Source_roots& roots, const Progress& progress)
   {
     for(std::size_t i = order_.size(); i-- > 0;) // the youngest path first, and each from its start
       if(next_[order_[i]] != null_index)
@@ -62,13 +64,15 @@ public:
     const std::vector<Index> edges = edges_by_number_of_paths();
     progress(0.5);
     std::vector<unsigned char> result(connectivity_.number_of_edges(), 0);
-    Union_find parts(mesh_.number_of_faces());
+    Source_forest parts(mesh_.number_of_faces());
+    for(Index i = 0; i < roots.number_of_sources() && roots.number_of_sources() > 1; ++i)
+      parts.plant(roots.face(i), i);
     const auto add = [&](Index h)
     {
-      if(parts.unite(h / 3, mesh_.opposite[h] / 3))
+      if(parts.link(h / 3, mesh_.opposite[h] / 3))
         result[connectivity_.edge_of_halfedge[h]] = 1;
     };
-    std::for_each(roots.begin(), roots.end(), add);
+    std::for_each(roots.crossings().begin(), roots.crossings().end(), add);
     const Progress rest = progress.part(0.5, 1.);
     for(std::size_t i = 0; i < edges.size(); ++i)
     {

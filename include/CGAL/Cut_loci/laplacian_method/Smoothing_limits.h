@@ -43,17 +43,21 @@ public:
   };
 
   Smoothing_limits(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                   const std::vector<double>& distance, const Indexed_cut_locus& input, const Curve_network& network)
-    : mesh_(mesh), connectivity_(connectivity), input_(input), network_(network), geodesics_(mesh, connectivity),
-      sides_(mesh, connectivity, distance, input, network), descent_(mesh, connectivity, distance)
+                   const std::vector<double>& distance, const Indexed_cut_locus& input, const Curve_network& network,
+                   const std::vector<Index>& source_of_face)
+    : mesh_(mesh), connectivity_(connectivity), input_(input), network_(network), source_of_face_(source_of_face),
+      geodesics_(mesh, connectivity), sides_(mesh, connectivity, distance, input, network),
+      descent_(mesh, connectivity, distance)
   {
     for(Index node = 0; node < input.nodes.size(); ++node)
       forbidden_.push_back(sides_.faces(node));
   }
 
-  // in the faces around its own vertex, and not between that and the path that arrives there
+  // in the faces around its own vertex, not between that and the path that arrives there, and in none of a source
   bool may_be_at(Index node, const Indexed_location& x) const
   {
+    if(is_at_source(x, x))
+      return false;
     bool result = false;
     const std::vector<Index>& forbidden = forbidden_[node];
     geodesics_.for_each_common_face(x, x,
@@ -72,6 +76,9 @@ public:
     std::vector<Index> result = crossing_edges(geodesics_, graph);
     add_touching_edges(graph, result);
     add_slipped_edges(graph, spans, location, result);
+    for(Index e = 0; e < graph.edges.size() && !source_of_face_.empty(); ++e)
+      if(is_at_source(graph.nodes[graph.edges[e].source].location, graph.nodes[graph.edges[e].target].location))
+        result.push_back(e);
     add_edges_across_paths(graph, result);
     return result;
   }
@@ -83,6 +90,23 @@ private:
   {
     Index face, edge;
   };
+
+  // whether a segment is inside the faces of a source, and not on their boundary
+  bool is_at_source(const Indexed_location& a, const Indexed_location& b) const
+  {
+    if(source_of_face_.empty())
+      return false;
+    bool is_first = true, result = false;
+    Index source = null_index;
+    geodesics_.for_each_common_face(a, b,
+                                    [&](Index f)
+                                    {
+      result = source_of_face_[f] != null_index && (is_first || (result && source_of_face_[f] == source));
+      source = source_of_face_[f];
+      is_first = false;
+    });
+    return result;
+  }
 
   Index vertex_of_node(Index node) const { return input_.nodes[node].vertex; }
 
@@ -279,6 +303,7 @@ private:
   const Mesh_connectivity& connectivity_;
   const Indexed_cut_locus& input_;
   const Curve_network& network_;
+  const std::vector<Index>& source_of_face_; // the source at a face, or null; empty if they are not known
   Local_geodesics geodesics_;
   Sides_of_arrival sides_;
   Steepest_descent descent_;

@@ -13,14 +13,16 @@
 #include <CGAL/Cut_loci/laplacian_method/Exact_descent.h>
 #include <CGAL/Cut_loci/laplacian_method/Path_flow.h>
 #include <CGAL/Cut_loci/laplacian_method/Steepest_descent.h>
-#include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
+#include <CGAL/Cut_loci/laplacian_method/Source_roots.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <vector>
@@ -29,21 +31,30 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-// Follows the ways down from every vertex to the source: the shortest paths where these are known, or else the steepest
+// Follows the ways down from every vertex to a source: the shortest paths where these are known, or else the steepest
 // descent of the distance, linear in each face.
 class Descent_tracer
 {
 public:
   // `geodesics` may be null
   Descent_tracer(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                 const std::vector<double>& distance, const Indexed_source& source, const Geodesic_results* geodesics)
-    : mesh_(mesh), connectivity_(connectivity), distance_(distance), descent_(mesh, connectivity, distance_),
-      flow_(mesh, connectivity), place_on_path_(mesh.number_of_halfedges(), null_index),
-      is_root_(mesh.number_of_faces(), 0), is_at_source_(mesh.number_of_vertices(), 0)
+                 const std::vector<double>& distance, const Source_roots& roots, const Geodesic_results* geodesics)
+    : mesh_(mesh), connectivity_(connectivity), roots_(roots), distance_(distance),
+      descent_(mesh, connectivity, distance_), flow_(mesh, connectivity),
+      place_on_path_(mesh.number_of_halfedges(), null_index), is_at_source_(mesh.number_of_vertices(), 0)
   {
     if(geodesics != nullptr)
       exact_.reset(new Exact_descent(mesh, connectivity, *geodesics));
-    claim_source(source);
+    for(Index f = 0; f < mesh.number_of_faces(); ++f)
+      if(is_root(f))
+        for(Index v : mesh.triangles[f])
+          is_at_source_[v] = 1;
+    if(roots.number_of_sources() > 1)
+    {
+      source_of_path_.assign(mesh.number_of_halfedges(), null_index);
+      nearest_.assign(mesh.number_of_vertices(), null_index);
+      name_vertices_at_sources();
+    }
     fill_pits();
   }
 
@@ -63,8 +74,12 @@ public:
       if(!is_at_source_[order[i]])
         descend(order[i]);
     }
-    return flow_.forest(root_crossings_, progress.part(0.7, 1.));
+    name_other_vertices(order);
+    return flow_.forest(roots_, progress.part(0.7, 1.));
   }
+
+  // of several sources, the one where the way from each vertex ends
+  std::vector<Index>& nearest_sources() { return nearest_; }
 
 private:
   using Outflow = Steepest_descent::Outflow;
@@ -80,42 +95,40 @@ private:
     bool is_exact = false;
   };
 
-  // The source's faces are the root: those around a vertex, the two of an edge.
-  void claim_source(const Indexed_source& source)
+  bool is_root(Index f) const { return roots_.owner(f) != null_index; }
+
+  // No way is followed from there: the nearest of the sources in the faces around.
+  void name_vertices_at_sources()
   {
-    const Source_element element(connectivity_, source);
-    if(element.vertex == null_index)
-    {
-      claim_root(source.location.face);
-      if(element.edge == null_index)
-        return;
-      const Index h = connectivity_.halfedge_of_edge[element.edge];
-      if(mesh_.is_border_edge(h))
-        return;
-      const Index inside = h / 3 == source.location.face ? h : mesh_.opposite[h], o = mesh_.opposite[inside];
-      claim_root(o / 3);
-      root_crossings_.push_back(o);
-      return;
-    }
-    is_at_source_[element.vertex] = 1;
-    // The tree takes the source by the first edge in its ring (see `region_growing_tree()`): no path crosses that one.
-    for(Index k = connectivity_.ring_begin[element.vertex]; k < connectivity_.ring_begin[element.vertex + 1]; ++k)
-    {
-      const Index h = connectivity_.ring_halfedge[k];
-      is_at_source_[connectivity_.ring_vertex[k]] = 1;
-      if(mesh_.source(h) != element.vertex)
-        continue; // the last edge at a border
-      is_root_[h / 3] = 1;
-      if(k > connectivity_.ring_begin[element.vertex])
-        root_crossings_.push_back(h);
-    }
+    std::vector<double> least(mesh_.number_of_vertices(), (std::numeric_limits<double>::infinity)());
+    for(Index f = 0; f < mesh_.number_of_faces(); ++f)
+      if(is_root(f))
+      {
+        const Indexed_source& source = roots_.sources()[roots_.owner(f)];
+        const Vector at = position(mesh_, source.location);
+        for(Index v : mesh_.triangles[f])
+          if(const double d = norm(mesh_.points[v] - at); d < least[v])
+          {
+            least[v] = d;
+            nearest_[v] = roots_.owner(f);
+          }
+      }
   }
 
-  void claim_root(Index f)
+  // Those whose way does not arrive have the source of a neighbor further down.
+  void name_other_vertices(const std::vector<Index>& from_farthest)
   {
-    is_root_[f] = 1;
-    for(Index v : mesh_.triangles[f])
-      is_at_source_[v] = 1;
+    for(std::size_t i = from_farthest.size(); i-- > 0 && !nearest_.empty();)
+    {
+      const Index v = from_farthest[i];
+      double least = nearest_[v] == null_index ? distance_[v] : 0.; // nothing is below that
+      for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
+        if(const Index w = connectivity_.ring_vertex[k]; distance_[w] < least)
+        {
+          least = distance_[w];
+          nearest_[v] = nearest_[w];
+        }
+    }
   }
 
   // Where the distance has minima of its own, as that of an approximate solver may, it is raised until it flows over.
@@ -171,8 +184,21 @@ private:
       is_exact_ = false;
       arrives = trace(v);
     }
-    if(arrives && !path_.empty())
+    if(!arrives)
+      return;
+    if(!nearest_.empty())
+      name_source(v);
+    if(!path_.empty())
       flow_.add(path_);
+  }
+
+  // that of an older path if this one ends there, or of the face where it ends
+  void name_source(Index v)
+  {
+    const Index met = path_.empty() || !flow_.is_recorded(path_.back()) ? null_index : source_of_path_[path_.back()];
+    nearest_[v] = met != null_index ? met : roots_.owner(end_);
+    for(Index h : path_)
+      source_of_path_[h] = nearest_[v];
   }
 
   // Sets the path from `v` to the source, or to an older path.
@@ -183,10 +209,11 @@ private:
     if(start.face == null_index)
       return false;
     Index f = start.face, steps = 0;
-    const bool arrives = is_root_[f] || (start.along != null_index ? arrive(f, start.way.vertex, steps)
-                                                                   : cross_faces(f, start.way, start.is_exact, steps));
+    const bool arrives = is_root(f) || (start.along != null_index ? arrive(f, start.way.vertex, steps)
+                                                                  : cross_faces(f, start.way, start.is_exact, steps));
     for(Index h : path_)
       place_on_path_[h] = null_index;
+    end_ = f;
     return arrives;
   }
 
@@ -238,7 +265,7 @@ private:
   }
 
   // Goes on in face `f` towards the end of `way`; false if the source is out of reach.
-  bool cross_faces(Index f, Exact_descent::Way way, bool is_exact, Index& steps)
+  bool cross_faces(Index& f, Exact_descent::Way way, bool is_exact, Index& steps)
   {
     while(++steps < mesh_.number_of_halfedges())
     {
@@ -247,7 +274,7 @@ private:
       if(mesh_.is_border_edge(h))
         return arrive(f, lower, steps); // along the border
       const Index o = mesh_.opposite[h];
-      if(is_root_[o / 3] || flow_.is_recorded(h))
+      if(is_root(o / 3) || flow_.is_recorded(h))
         return step(f, h);
       Exact_descent::Way next;
       if(is_exact)
@@ -279,7 +306,7 @@ private:
   }
 
   // Goes on from vertex `w`, a corner of `f`, around it to where its own way down starts.
-  bool arrive(Index f, Index w, Index& steps)
+  bool arrive(Index& f, Index w, Index& steps)
   {
     while(++steps < mesh_.number_of_halfedges())
     {
@@ -320,7 +347,7 @@ private:
   template <typename Is_goal>
   Turn turn(Index& f, Index w, const Is_goal& is_goal)
   {
-    if(is_root_[f])
+    if(is_root(f))
       return Turn::ARRIVED;
     if(is_goal(f))
       return Turn::AT_GOAL;
@@ -333,7 +360,7 @@ private:
       {
         g = neighbor(g, w, way, h);
         ++n;
-      } while(g != null_index && g != f && !is_goal(g) && !is_root_[g]);
+      } while(g != null_index && g != f && !is_goal(g) && !is_root(g));
       if(g != null_index && g != f && n < best_steps)
       {
         best_steps = n;
@@ -351,19 +378,21 @@ private:
       if(is_recorded)
         return Turn::ARRIVED;
     }
-    return is_root_[f] ? Turn::ARRIVED : Turn::AT_GOAL;
+    return is_root(f) ? Turn::ARRIVED : Turn::AT_GOAL;
   }
 
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
+  const Source_roots& roots_;
   std::vector<double> distance_; // without pits
   Steepest_descent descent_;
   std::unique_ptr<const Exact_descent> exact_; // if shortest paths are known
   bool is_exact_ = false;                      // whether they are followed
   Path_flow flow_;
-  std::vector<Index> path_, place_on_path_; // the halfedges that the present one crosses, and the inverse
-  std::vector<Index> root_crossings_;
-  std::vector<unsigned char> is_root_, is_at_source_; // faces and vertices
+  std::vector<Index> path_, place_on_path_;     // the halfedges that the present one crosses, and the inverse
+  Index end_ = null_index;                      // the face where it ends
+  std::vector<unsigned char> is_at_source_;     // vertices
+  std::vector<Index> source_of_path_, nearest_; // of several: by halfedges of recorded paths, and by vertex
 };
 
 } // namespace internal
@@ -371,7 +400,7 @@ private:
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * follows the way down from each vertex to the source, and tells for each edge whether such a path crosses it. No
+ * follows the way down from each vertex to the sources, and tells for each edge whether such a path crosses it. No
  * shortest path crosses the cut locus: so the cut locus is looked for among the other edges.
  *
  * The paths are the shortest ones if an exact solver has found them. Else they are the steepest descents of the distance,
@@ -380,20 +409,26 @@ private:
  *
  * The faces and the edges that are crossed must form a forest, so that the other edges hold a tree of all vertices and 2g
  * edges more on a surface of genus g, each border loop being one node. Where paths pass something on both sides, the
- * crossings by the fewest are given up. Along the border, paths run in its faces. Time is O(n log n).
+ * crossings by the fewest are given up. Of several sources, no tree of that forest has more than one. Along the border,
+ * paths run in its faces. Time is O(n log n).
  *
  * @param geodesics what the exact solver found with `distance`, or null
+ * @param nearest_sources if not null, becomes the number of the source where the path from each vertex ends; empty if
+ *        there is one source
  *
  * @return 1 for each edge of `connectivity` that is crossed, 0 for the others
  */
-inline std::vector<unsigned char> edges_crossed_by_descents(const Indexed_triangle_mesh& mesh,
-                                                            const Mesh_connectivity& connectivity,
-                                                            const std::vector<double>& distance,
-                                                            const Indexed_source& source,
-                                                            const internal::Geodesic_results* geodesics = nullptr,
-                                                            const internal::Progress& progress = {})
+inline std::vector<unsigned char>
+edges_crossed_by_descents(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                          const std::vector<double>& distance, const Source_roots& roots,
+                          const internal::Geodesic_results* geodesics = nullptr,
+                          const internal::Progress& progress = {}, std::vector<Index>* nearest_sources = nullptr)
 {
-  return internal::Descent_tracer(mesh, connectivity, distance, source, geodesics)(progress);
+  internal::Descent_tracer tracer(mesh, connectivity, distance, roots, geodesics);
+  std::vector<unsigned char> result = tracer(progress);
+  if(nearest_sources != nullptr)
+    nearest_sources->swap(tracer.nearest_sources());
+  return result;
 }
 
 } // namespace Cut_loci

@@ -93,23 +93,33 @@ void add_border_loop(Spanning_tree& tree, const Mesh_connectivity& connectivity,
   }
 }
 
-// whether the edge of `entry`, in the ring of `v`, is at the source
-inline bool is_at_source(const Mesh_connectivity& connectivity, Index entry, Index v, const Source_element& source)
-{
-  return v == source.vertex || connectivity.ring_vertex[entry] == source.vertex ||
-         connectivity.ring_edge(entry) == source.edge;
-}
-
-// Adds the vertex across `entry` and its border loop if it is on one, but across no edge at the source.
+// Adds the vertex across `entry` and its border loop if it is on one.
 template <typename Function>
 void add_with_border_loop(Spanning_tree& tree, const Mesh_connectivity& connectivity, Index entry, Index v,
-                          const Source_element& source, const Function& reached)
+                          const Function& reached)
 {
   const Index w = connectivity.ring_vertex[entry];
-  if(is_at_source(connectivity, entry, v, source))
-    return;
   if(add_vertex(tree, connectivity, entry, v, reached) && connectivity.is_border(w))
     add_border_loop(tree, connectivity, w, reached);
+}
+
+// The edges that the tree does not take, but along the border: those that are crossed, and those at the sources.
+inline std::vector<unsigned char> closed_edges(const Mesh_connectivity& connectivity,
+                                               const std::vector<unsigned char>& crossed,
+                                               const std::vector<Source_element>& sources)
+{
+  std::vector<unsigned char> result = crossed;
+  result.resize(connectivity.number_of_edges(), 0);
+  for(const Source_element& source : sources)
+  {
+    if(source.edge != null_index)
+      result[source.edge] = 1;
+    if(source.vertex != null_index)
+      for(Index entry = connectivity.ring_begin[source.vertex]; entry < connectivity.ring_begin[source.vertex + 1];
+          ++entry)
+        result[connectivity.ring_edge(entry)] = 1;
+  }
+  return result;
 }
 
 // Adds the source as a leaf, at the first neighbor in its ring, when all other vertices are in the tree.
@@ -142,16 +152,18 @@ inline Spanning_tree rooted_tree(const Mesh_connectivity& connectivity, Index ro
  *
  * floods the mesh by ordered region growing: of all vertices next to the tree, the one of lowest `key` joins its
  * neighborhood first. With the Laplacian of the distance as key, the tree follows the valleys that mark the cut locus.
- * Ties are broken by index. The root is not the source. O(n log n).
+ * Ties are broken by index. The root is none of the sources. O(n log n).
  *
+ * @param sources what is not on the cut locus, of each source
  * @param crossed the edges that are not taken, as `edges_crossed_by_descents()` gives them; none if it is empty
  */
 template <typename Key>
 Spanning_tree region_growing_tree(const Mesh_connectivity& connectivity, const Key& key, Index root,
-                                  const Source_element& source = Source_element(),
+                                  const std::vector<Source_element>& sources = {},
                                   const std::vector<unsigned char>& crossed = {},
                                   const internal::Progress& progress = {})
 {
+  const std::vector<unsigned char> is_closed = internal::closed_edges(connectivity, crossed, sources);
   Spanning_tree tree = internal::rooted_tree(connectivity, root);
   internal::Vertex_queue queue;
   const auto push = [&](Index v) { queue.push({key[v], v}); };
@@ -165,10 +177,11 @@ Spanning_tree region_growing_tree(const Mesh_connectivity& connectivity, const K
     const Index v = queue.top().vertex;
     queue.pop();
     for(Index entry = connectivity.ring_begin[v]; entry < connectivity.ring_begin[v + 1]; ++entry)
-      if(crossed.empty() || !crossed[connectivity.ring_edge(entry)])
-        internal::add_with_border_loop(tree, connectivity, entry, v, source, push);
+      if(!is_closed[connectivity.ring_edge(entry)])
+        internal::add_with_border_loop(tree, connectivity, entry, v, push);
   }
-  internal::add_source(tree, connectivity, source);
+  for(const Source_element& source : sources)
+    internal::add_source(tree, connectivity, source);
   return tree;
 }
 

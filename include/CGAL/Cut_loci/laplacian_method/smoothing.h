@@ -34,9 +34,10 @@ class Cut_locus_smoother
 {
 public:
   Cut_locus_smoother(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                     const std::vector<double>& distance, const Indexed_cut_locus& input)
+                     const std::vector<double>& distance, const Indexed_cut_locus& input,
+                     const std::vector<Index>& source_of_face)
     : mesh_(mesh), connectivity_(connectivity), distance_(distance), input_(input), network_(mesh, connectivity, input),
-      sides_(mesh, connectivity, distance), limits_(mesh, connectivity, distance, input, network_)
+      sides_(mesh, connectivity, distance), limits_(mesh, connectivity, distance, input, network_, source_of_face)
   {
     for(const Indexed_cut_locus::Node& node : input.nodes)
     {
@@ -338,7 +339,7 @@ private:
         {
           const Index next = k + 1 < path.size() ? add(path[k]) : add_node(chain.nodes[to]);
           const Indexed_cut_locus::Edge& origin = input_.edges[chain.edges[from + k * (to - from) / path.size()]];
-          result.edges.push_back({last, next, null_index, origin.strength, origin.origin});
+          result.edges.push_back({last, next, null_index, origin.strength, origin.origin, 0.f, origin.sources});
           spans_.push_back({static_cast<Index>(c), from, to});
           last = next;
         }
@@ -408,15 +409,18 @@ private:
  *
  * @param distance the distance of each vertex to the source
  * @param cut_locus a graph of mesh edges
+ * @param source_of_face the source whose faces each one belongs to, which the curve does not enter, or `null_index`; or
+ *        empty
  *
  * The time is linear in the size of the mesh, for tables, and in the size of `cut_locus`, for everything else.
  */
 inline Indexed_cut_locus smoothed_cut_locus(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                                             const std::vector<double>& distance, const Indexed_cut_locus& cut_locus,
                                             const Smoothing_parameters& parameters = Smoothing_parameters(),
-                                            const internal::Progress& progress = {})
+                                            const internal::Progress& progress = {},
+                                            const std::vector<Index>& source_of_face = {})
 {
-  return internal::Cut_locus_smoother(mesh, connectivity, distance, cut_locus)(parameters, progress);
+  return internal::Cut_locus_smoother(mesh, connectivity, distance, cut_locus, source_of_face)(parameters, progress);
 }
 
 } // namespace Cut_loci

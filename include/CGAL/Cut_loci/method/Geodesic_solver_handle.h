@@ -12,6 +12,8 @@
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
+#include <cmath>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -58,9 +60,10 @@ public:
     return result;
   }
 
-  void compute_distances(const Indexed_source& source, std::vector<double>& distances)
+  // to the nearest source
+  void compute_distances(const std::vector<Indexed_source>& sources, std::vector<double>& distances)
   {
-    model_->compute_distances(source, distances);
+    has_all_paths_ = model_->compute_distances(sources, distances);
   }
 
   // of the distances that follow; returns whether the solver knows such an error
@@ -72,7 +75,7 @@ public:
   // what the package's exact solver found in the last call, or null; where windows have been merged there are no paths
   const Geodesic_results* geodesics() const
   {
-    const Geodesic_results* result = model_->geodesics();
+    const Geodesic_results* result = has_all_paths_ ? model_->geodesics() : nullptr;
     return result != nullptr && result->is_approximate() ? nullptr : result;
   }
 
@@ -82,7 +85,7 @@ private:
     virtual ~Concept() = default;
     virtual std::unique_ptr<Concept> copy() const = 0;
     virtual void set_mesh(const Indexed_triangle_mesh& mesh) = 0;
-    virtual void compute_distances(const Indexed_source& source, std::vector<double>& distances) = 0;
+    virtual bool compute_distances(const std::vector<Indexed_source>& sources, std::vector<double>& distances) = 0;
     virtual bool set_maximum_relative_error(double error) = 0;
     virtual void report_to(const Progress& progress) = 0;
     virtual const Geodesic_results* geodesics() const = 0;
@@ -94,15 +97,44 @@ private:
     explicit Model(const Solver& s) : solver(s) {}
     std::unique_ptr<Concept> copy() const override { return std::unique_ptr<Concept>(new Model(solver)); }
     void set_mesh(const Indexed_triangle_mesh& mesh) override { solver.set_mesh(mesh); }
-    void compute_distances(const Indexed_source& source, std::vector<double>& distances) override
+    bool compute_distances(const std::vector<Indexed_source>& sources, std::vector<double>& distances) override
     {
-      solver.compute_distances(source, distances);
+      if(sources.size() > 1)
+        return compute_own_distances(solver, sources, distances, 0);
+      solver.compute_distances(sources.front(), distances);
+      return true;
     }
     bool set_maximum_relative_error(double error) override { return set_own_error(solver, error, 0); }
     void report_to(const Progress& progress) override { set_own_progress(solver, progress, 0); }
     const Geodesic_results* geodesics() const override { return own_geodesics(solver, 0); }
     Solver solver;
   };
+
+  // Returns whether one run was for all sources.
+  template <typename Solver>
+  static auto compute_own_distances(Solver& solver, const std::vector<Indexed_source>& sources,
+                                    std::vector<double>& distances, int)
+    -> decltype(solver.compute_distances(sources, distances), bool()) // if it takes several
+  {
+    solver.compute_distances(sources, distances);
+    return true;
+  }
+  template <typename Solver>
+  static bool compute_own_distances(Solver& solver, const std::vector<Indexed_source>& sources,
+                                    std::vector<double>& distances, long)
+  {
+    std::vector<double> to_one;
+    for(std::size_t i = 0; i < sources.size(); ++i)
+    {
+      solver.compute_distances(sources[i], to_one);
+      if(i == 0 || to_one.size() != distances.size()) // the latter is an error, which is seen by the last size
+        distances = to_one;
+      for(std::size_t v = 0; v < to_one.size(); ++v)
+        if(to_one[v] < distances[v] || std::isnan(to_one[v]))
+          distances[v] = to_one[v];
+    }
+    return false;
+  }
 
   template <typename Solver>
   static auto own_threshold(int) -> decltype(double(Solver::gradient_angle_threshold())) // if it has that
@@ -162,6 +194,7 @@ private:
   }
 
   std::unique_ptr<Concept> model_;
+  bool has_all_paths_ = true; // one run was for all sources
   double gradient_angle_threshold_ = 0.;
   Method method_ = Method::LAPLACIAN;
 };

@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_METHOD_METHOD_THRESHOLDS_H
 #define CGAL_CUT_LOCI_METHOD_METHOD_THRESHOLDS_H
 
+#include <CGAL/Cut_loci/curve/kept_parts.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
@@ -84,14 +85,10 @@ struct Branch_strength
   }
 };
 
-struct Exact_tree_thresholds : Branch_strength
+struct Exact_tree_thresholds : Branch_strength, Kept_parts
 {
   Index minimum_edges = 0;    // branches of fewer edges of the mesh are removed
   double minimum_length = 0.; // branches that are shorter are removed
-  bool is_voronoi = false;    // all that is not between two sources is removed, or
-  bool is_medial = false;     // all that is
-
-  bool has_all_parts() const { return !is_voronoi && !is_medial; }
 };
 
 } // namespace internal

@@ -4,14 +4,16 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_EXACT_TREE_SOURCE_FACES_H
-#define CGAL_CUT_LOCI_EXACT_TREE_SOURCE_FACES_H
+#ifndef CGAL_CUT_LOCI_SURFACE_SOURCE_FACES_H
+#define CGAL_CUT_LOCI_SURFACE_SOURCE_FACES_H
 
+#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -24,18 +26,25 @@ namespace internal {
  *
  * Those that touch one source alone belong to that. Of several sources, each gets one of the faces that it touches to
  * itself, if there are enough of them: a matching, by augmenting paths.
+ *
+ * A border loop may be a source, too, or one side of it. They come after the points.
  */
 class Source_faces
 {
 public:
   Source_faces(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-               const std::vector<Indexed_source>& sources)
+               const std::vector<Indexed_source>& points, const std::vector<Index>& source_of_loop = {})
     : owner_(mesh.number_of_faces(), null_index), source_at_vertex_(mesh.number_of_vertices(), null_index),
-      touched_(sources.size()), face_(sources.size(), null_index)
+      number_of_points_(static_cast<Index>(points.size())), touched_(points.size())
   {
-    for(Index i = 0; i < sources.size(); ++i)
-      find_touched(mesh, connectivity, sources[i], i);
-    if(sources.size() == 1)
+    for(Index i = 0; i < points.size(); ++i)
+    {
+      names_.push_back(i);
+      find_touched(mesh, connectivity, points[i], i);
+    }
+    find_touched_by_loops(mesh, connectivity, source_of_loop);
+    face_.assign(touched_.size(), null_index);
+    if(touched_.size() == 1)
     {
       for(Index f : touched_.front())
         owner_[f] = 0;
@@ -50,14 +59,17 @@ public:
 
   /// the source to which a face belongs, or null
   Index owner(Index f) const { return owner_[f]; }
+  bool is_loop(Index i) const { return i >= number_of_points_; }
+  /// the number under which a source is known: a curve may have several loops
+  Index name(Index i) const { return names_[i]; }
 
-  /// whether the source at an end of a halfedge, or on it, has the faces on both sides
+  /// whether the source at one end of a halfedge, or on it, has the faces on both sides
   bool is_inside(const Indexed_triangle_mesh& mesh, Index h) const
   {
     const Index o = mesh.opposite[h], owner = owner_[h / 3];
     if(owner == null_index || o == null_index || owner_[o / 3] != owner)
       return false;
-    return source_at_vertex_[mesh.source(h)] == owner || source_at_vertex_[mesh.target(h)] == owner ||
+    return (source_at_vertex_[mesh.source(h)] == owner) != (source_at_vertex_[mesh.target(h)] == owner) ||
            std::find(edges_.begin(), edges_.end(), h) != edges_.end() ||
            std::find(edges_.begin(), edges_.end(), o) != edges_.end();
   }
@@ -69,6 +81,15 @@ public:
       if(face_[i] == null_index)
         return i;
     return null_index;
+  }
+
+  [[noreturn]] static void throw_source_without_face(Index i, const std::string& remedy)
+  {
+    throw Invalid_input(Cause::NO_FACE_AT_SOURCE,
+                        "source " + std::to_string(i) +
+                          " has no face to itself, as other sources lie on the same ones: no curve of mesh edges "
+                          "separates them; " +
+                          remedy);
   }
 
   std::size_t number_of_sources() const { return face_.size(); }
@@ -97,6 +118,29 @@ private:
         faces.push_back(mesh.opposite[h] / 3);
         edges_.push_back(h);
       }
+  }
+
+  void find_touched_by_loops(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                             const std::vector<Index>& source_of_loop)
+  {
+    std::vector<Index> number(source_of_loop.size(), null_index);
+    for(Index loop = 0; loop < source_of_loop.size(); ++loop)
+      if(source_of_loop[loop] != null_index)
+      {
+        number[loop] = static_cast<Index>(touched_.size());
+        touched_.emplace_back();
+        names_.push_back(source_of_loop[loop]);
+      }
+    for(Index h = 0; h < mesh.number_of_halfedges() && touched_.size() > number_of_points_; ++h)
+    {
+      const Index v = mesh.source(h);
+      const Index i = connectivity.is_border(v) ? number[connectivity.border_loop[v]] : null_index;
+      if(i == null_index)
+        continue;
+      source_at_vertex_[v] = i;
+      if(touched_[i].empty() || touched_[i].back() != h / 3)
+        touched_[i].push_back(h / 3);
+    }
   }
 
   /// those with the fewest choices first, which is most of the work
@@ -142,6 +186,8 @@ private:
 
   std::vector<Index> owner_; // by face
   std::vector<Index> source_at_vertex_;
+  Index number_of_points_;
+  std::vector<Index> names_;
   std::vector<std::vector<Index>> touched_; // the faces at each source
   std::vector<Index> edges_;                // with a source on them
   std::vector<Index> face_;
@@ -152,4 +198,4 @@ private:
 } // namespace Cut_loci
 } // namespace CGAL
 
-#endif // CGAL_CUT_LOCI_EXACT_TREE_SOURCE_FACES_H
+#endif // CGAL_CUT_LOCI_SURFACE_SOURCE_FACES_H

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_CURVE_KEPT_PARTS_H
+#define CGAL_CUT_LOCI_CURVE_KEPT_PARTS_H
+
+#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/curve/short_branches.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// Which parts of the cut locus of several sources are asked for.
+struct Kept_parts
+{
+  bool is_voronoi = false; // all that is not between two sources is removed, or
+  bool is_medial = false;  // all that is
+
+  bool has_all_parts() const { return !is_voronoi && !is_medial; }
+  // whether an edge is in none of the parts that are asked for
+  bool excludes(const Indexed_cut_locus::Edge& e) const
+  {
+    return e.sources[0] == e.sources[1] ? is_voronoi : is_medial;
+  }
+};
+
+// Removes what is not asked for; returns the new number of each edge, or null, which is its origin then. It returns
+// nothing if all parts are asked for.
+inline std::vector<Index> remove_other_parts(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                                             const Kept_parts& parts, Indexed_cut_locus& graph)
+{
+  std::vector<Index> number;
+  if(parts.has_all_parts())
+    return number;
+  std::vector<unsigned char> is_removed;
+  Index size = 0;
+  for(Indexed_cut_locus::Edge& e : graph.edges)
+  {
+    is_removed.push_back(parts.excludes(e));
+    number.push_back(is_removed.back() ? null_index : size++);
+    e.origin = number.back();
+  }
+  remove_edges(mesh, connectivity, graph, is_removed);
+  return number;
+}
+
+// from both curves, of which the second one refers to the first
+inline void remove_other_parts(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                               const Kept_parts& parts, Indexed_cut_locus& edges, Indexed_cut_locus& curve)
+{
+  if(parts.has_all_parts())
+    return;
+  std::vector<Index> origin;
+  for(const Indexed_cut_locus::Edge& e : curve.edges)
+    if(!parts.excludes(e))
+      origin.push_back(e.origin);
+  const std::vector<Index> number = remove_other_parts(mesh, connectivity, parts, edges);
+  remove_other_parts(mesh, connectivity, parts, curve);
+  for(std::size_t i = 0; i < curve.edges.size(); ++i)
+    curve.edges[i].origin = origin[i] != null_index ? number[origin[i]] : null_index;
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_CURVE_KEPT_PARTS_H

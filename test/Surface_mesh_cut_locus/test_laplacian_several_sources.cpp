@@ -1,0 +1,456 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// The method LAPLACIAN with sets of points: any distances, and one disk for each source.
+
+#include "detour.h"
+#include "several_sources_cases.h"
+
+#include <CGAL/Graph_geodesic_solver.h>
+#include <CGAL/Heat_method_geodesic_solver.h>
+#include <CGAL/Shortest_path_geodesic_solver.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace {
+
+using namespace several_sources;
+
+const auto laplacian = params::cut_locus_method(Method::LAPLACIAN);
+
+// cells and labels of the edges fit each other, and what is between two sources is one closed part of the graph
+void expect_labels(const Built& built, const Result& result, const std::string& what)
+{
+  const auto& graph = result.graph();
+  const std::vector<std::size_t> disk = disks_of_faces(built, result);
+  std::map<std::size_t, std::set<std::size_t>> sources_of_disk;
+  for(const auto e : CGAL::make_range(edges(graph)))
+  {
+    ASSERT_LE(graph[e].sources[0], graph[e].sources[1]) << what;
+    ASSERT_LT(graph[e].sources[1], result.number_of_sources()) << what;
+    const Mesh::Halfedge_index h = graph[e].mesh_halfedge;
+    if(built.mesh.is_border(built.mesh.edge(h)))
+      continue;
+    const std::size_t a = disk[built.mesh.face(h)], b = disk[built.mesh.face(built.mesh.opposite(h))];
+    EXPECT_EQ(a == b, graph[e].sources[0] == graph[e].sources[1]) << what;
+    if(a == b)
+      sources_of_disk[a].insert(graph[e].sources[0]);
+  }
+  for(const auto& d : sources_of_disk)
+    EXPECT_EQ(d.second.size(), 1u) << what;
+}
+
+void expect_all(const Built& built, const Solver& solver, const std::string& what)
+{
+  for(const double angle : {0., 0.7, 3.2})
+  {
+    const auto np = params::gradient_angle_threshold(angle);
+    const Result edges = solver.cut_locus(np);
+    ASSERT_EQ(fault_of_mesh_edges(built, edges), "") << what << ", angle " << angle;
+    expect_labels(built, edges, what);
+  }
+  EXPECT_EQ(fault_through_faces(built, solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES))), "") << what;
+}
+
+// `set` is called with the object and the sources; some sets may have too few faces
+template <typename Set>
+bool is_set(const Set& set, const std::string& what)
+{
+  try
+  {
+    set();
+    return true;
+  }
+  catch(const Invalid_input& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("has no face to itself"), std::string::npos) << what << error.what();
+    return false;
+  }
+}
+
+// each triangle becomes four
+Mesh_data divided(const Mesh_data& data)
+{
+  Mesh_data result = data;
+  result.triangles.clear();
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> middle;
+  for(const auto& t : data.triangles)
+  {
+    std::array<std::size_t, 3> m;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const std::size_t a = t[i], b = t[(i + 1) % 3];
+      const auto found = middle.insert({{(std::min)(a, b), (std::max)(a, b)}, result.points.size()});
+      if(found.second)
+        result.points.push_back(0.5 * (data.points[a] + data.points[b]));
+      m[i] = found.first->second;
+    }
+    for(std::size_t i = 0; i < 3; ++i)
+      result.triangles.push_back({{t[i], m[i], m[(i + 2) % 3]}});
+    result.triangles.push_back({{m[0], m[1], m[2]}});
+  }
+  return result;
+}
+
+// random ones that share few faces: most sets of them leave a face to each
+std::vector<Source> separate_sources(const Built& built, std::size_t k, unsigned seed)
+{
+  std::vector<Source> result;
+  std::set<Mesh::Face_index> taken;
+  for(const Source& source : random_sources(built, (std::min)(3 * k, built.vertices.size()), seed))
+    if(result.size() < k &&
+       (std::holds_alternative<Mesh::Vertex_index>(source) || taken.insert(std::get<Location>(source).first).second))
+      result.push_back(source);
+  return result;
+}
+
+template <typename GeodesicSolver>
+void expect_disks_of_solver(const GeodesicSolver& geodesics, const std::string& name)
+{
+  std::size_t number_of_refused = 0;
+  std::vector<Named_mesh> all = meshes();
+  for(Named_mesh& m : all)
+    while(m.data.points.size() < 300) // or a hundred sources are too many
+      m.data = divided(m.data);
+  for(const Named_mesh& m : all)
+  {
+    const Built built(m.data);
+    unsigned seed = 0;
+    for(const std::size_t k : {1, 2, 5, 100})
+    {
+      Solver solver(built.mesh, laplacian.geodesic_solver(geodesics));
+      const std::string what = m.name + ", " + name + ", " + std::to_string(k) + " sources";
+      const std::vector<Source> sources = separate_sources(built, k, ++seed);
+      EXPECT_EQ(sources.size(), k) << what;
+      if(is_set([&] { solver.set_sources(sources); }, what))
+        expect_all(built, solver, what);
+      else
+        ++number_of_refused;
+    }
+  }
+  EXPECT_LE(number_of_refused, 2u) << "where 100 sources are more than a third of the vertices";
+}
+
+TEST(Laplacian_several_sources, have_one_disk_each_with_exact_distances)
+{
+  expect_disks_of_solver(CGAL::Exact_geodesic_solver(), "exact");
+}
+
+TEST(Laplacian_several_sources, have_one_disk_each_with_the_heat_method)
+{
+  expect_disks_of_solver(CGAL::Heat_method_geodesic_solver<>(), "heat");
+}
+
+TEST(Laplacian_several_sources, have_one_disk_each_with_a_graph)
+{
+  expect_disks_of_solver(CGAL::Graph_geodesic_solver(), "graph");
+}
+
+// as anybody may write it: for one source only
+struct Plain_solver
+{
+  CGAL::Exact_geodesic_solver exact;
+  void set_mesh(const CGAL::Cut_loci::Indexed_triangle_mesh& mesh) { exact.set_mesh(mesh); }
+  void compute_distances(const CGAL::Cut_loci::Indexed_source& source, std::vector<double>& distances)
+  {
+    exact.compute_distances(source, distances);
+  }
+};
+
+TEST(Laplacian_several_sources, have_one_disk_each_with_a_solver_for_one)
+{
+  expect_disks_of_solver(Plain_solver(), "one after another");
+}
+
+TEST(Laplacian_several_sources, have_one_disk_each_whatever_the_distances)
+{
+  for(const Named_mesh& m : meshes())
+  {
+    const Built built(m.data);
+    for(unsigned seed = 0; seed < 4; ++seed)
+    {
+      std::mt19937 engine(seed);
+      std::map<Mesh::Vertex_index, double> distance;
+      for(const Mesh::Vertex_index v : built.vertices)
+        distance[v] = seed == 0 ? 1. : 1. + random_unit(engine);
+      Solver solver(built.mesh, laplacian);
+      const std::vector<Source> sources = random_sources(built, 7, seed);
+      const auto np = params::vertex_distance_map(boost::make_assoc_property_map(distance));
+      if(is_set([&] { solver.set_sources(sources, np); }, m.name))
+        expect_all(built, solver, m.name + ", random distances");
+    }
+  }
+}
+
+// -- places where rules could end --------------------------------------------------------------------------------------
+
+TEST(Laplacian_several_sources, may_be_as_close_as_the_mesh_has_faces)
+{
+  for(const Named_mesh& m : meshes())
+  {
+    const Built built(m.data);
+    const auto& t = m.data.triangles[m.data.triangles.size() / 2];
+    const Mesh::Face_index f = built.faces[m.data.triangles.size() / 2];
+    const std::vector<std::pair<std::string, std::vector<Source>>> cases = {
+      {"adjacent vertices", {built.vertices[t[0]], built.vertices[t[1]]}},
+      {"the vertices of a face", {built.vertices[t[0]], built.vertices[t[1]], built.vertices[t[2]]}},
+      {"two points of an edge", {Location(f, {{0.3, 0.7, 0.}}), Location(f, {{0.6, 0.4, 0.}})}},
+      {"a point of a face and its vertices",
+       {Location(f, {{0.3, 0.3, 0.4}}), built.vertices[t[0]], built.vertices[t[1]], built.vertices[t[2]]}},
+      {"an edge and its ends",
+       {built.vertices[t[0]], built.vertices[t[1]], built.vertices[t[2]], Location(f, {{0.5, 0.5, 0.}}),
+        Location(f, {{0., 0.5, 0.5}})}}};
+    for(const auto& c : cases)
+    {
+      Solver solver(built.mesh, laplacian);
+      if(is_set([&] { solver.set_sources(c.second); }, m.name + ", " + c.first))
+        expect_all(built, solver, m.name + ", " + c.first);
+    }
+  }
+}
+
+TEST(Laplacian_several_sources, may_be_all_vertices)
+{
+  for(const Mesh_data& data : {icosahedron(), cube(2), square(4), sphere(4)})
+  {
+    const Built built(data);
+    Solver solver(built.mesh, laplacian);
+    solver.set_sources(std::vector<Source>(built.vertices.begin(), built.vertices.end()));
+    expect_all(built, solver, "all vertices");
+  }
+}
+
+TEST(Laplacian_several_sources, may_be_on_the_border)
+{
+  for(const Named_mesh& m : meshes())
+  {
+    const Built built(m.data);
+    std::vector<Source> sources;
+    for(const Mesh::Vertex_index v : built.vertices)
+      if(built.mesh.is_border(v) && sources.size() < 6)
+        sources.push_back(v);
+    if(sources.empty())
+      continue;
+    Solver solver(built.mesh, laplacian);
+    solver.set_sources(sources);
+    expect_all(built, solver, m.name + ", on the border");
+  }
+}
+
+// -- distances and cells -----------------------------------------------------------------------------------------------
+
+TEST(Laplacian_several_sources, have_the_cells_that_single_sources_say)
+{
+  for(const Named_mesh& m : meshes())
+  {
+    const Built built(m.data);
+    const std::vector<Source> sources = random_sources(built, 8, 3);
+    const Result result = CGAL::compute_cut_locus(built.mesh, sources, laplacian);
+    const Distances d(built, sources, result);
+    const double exact = 1e-9 * diagonal(built);
+    for(std::size_t v = 0; v < built.vertices.size(); ++v)
+    {
+      ASSERT_NEAR(result.distance(built.vertices[v]), Distances::least(d.to_vertex, v), exact) << m.name;
+      ASSERT_NEAR(d.to_vertex[result.nearest_source(built.vertices[v]).value()][v], Distances::least(d.to_vertex, v),
+                  exact)
+        << m.name;
+    }
+  }
+}
+
+// by how much the source that a vertex is given is farther away than the nearest one at most, in edges
+template <typename GeodesicSolver>
+double worst_cell(const Built& built, const std::vector<Source>& sources, const GeodesicSolver& geodesics)
+{
+  const Result result = CGAL::compute_cut_locus(built.mesh, sources, laplacian.geodesic_solver(geodesics));
+  const Distances d(built, sources, result);
+  double worst = 0.;
+  for(std::size_t v = 0; v < built.vertices.size(); ++v)
+    worst = (std::max)(worst, d.to_vertex[result.nearest_source(built.vertices[v]).value()][v] -
+                                Distances::least(d.to_vertex, v));
+  return worst / mean_edge_length(built.data);
+}
+
+TEST(Laplacian_several_sources, have_cells_by_the_descent_of_other_distances)
+{
+  for(const Mesh_data& data : {jittered_sphere(16, 0.2, 1), torus(1., 0.4, 48, 24, 0.2, 4)})
+  {
+    const Built built(data);
+    const std::vector<Source> sources = random_sources(built, 8, 3);
+    EXPECT_LT(worst_cell(built, sources, CGAL::Exact_geodesic_solver()), 1e-9);
+    // linear interpolation, or a distance that is smoothed, moves the border of a cell by part of an edge
+    EXPECT_LT(worst_cell(built, sources, Plain_solver()), 1.);
+    EXPECT_LT(worst_cell(built, sources, CGAL::Heat_method_geodesic_solver<>()), 1.);
+    EXPECT_LT(worst_cell(built, sources, CGAL::Graph_geodesic_solver()), 1.);
+  }
+}
+
+// of vertices, points in faces, and points of edges, inside and on the border
+TEST(Laplacian_several_sources, have_distances_to_the_nearest_with_each_solver)
+{
+  const Built built(torus(1., 0.4, 24, 12, 0.2, 4));
+  const std::vector<Source> sources = random_sources(built, 12, 2);
+  const auto distances = [&](const auto& geodesics)
+  {
+    const Result result = CGAL::compute_cut_locus(built.mesh, sources, laplacian.geodesic_solver(geodesics));
+    std::vector<double> all;
+    for(const Mesh::Vertex_index v : built.vertices)
+      all.push_back(result.distance(v));
+    return all;
+  };
+  const std::vector<double> exact = distances(CGAL::Exact_geodesic_solver());
+  const auto most = [&](const std::vector<double>& d)
+  {
+    double worst = 0.;
+    for(std::size_t v = 0; v < d.size(); ++v)
+      worst = (std::max)(worst, std::fabs(d[v] - exact[v]));
+    return worst / mean_edge_length(built.data);
+  };
+  EXPECT_LT(most(distances(Plain_solver())), 1e-9);
+  EXPECT_LT(most(distances(CGAL::Shortest_path_geodesic_solver())), 1e-6);
+  EXPECT_LT(most(distances(CGAL::Graph_geodesic_solver())), 1.);
+  EXPECT_LT(most(distances(CGAL::Heat_method_geodesic_solver<>())), 2.);
+}
+
+// Cutting along the curve makes hardly any way longer: what DIRECTION, which knows the paths, makes of the same sources is
+// the measure.
+TEST(Laplacian_several_sources, lengthen_ways_as_little_as_with_the_default_method)
+{
+  for(const Mesh_data& data : {jittered_sphere(16, 0.2, 1), torus(1., 0.4, 48, 24, 0.2, 4), bumpy_sphere(16, 0.5, 3),
+                               divided(perforated_plate(2, 1, 2, 5))})
+    for(const std::size_t k : {1, 5, 20})
+    {
+      const Built built(data);
+      const std::vector<Source> sources = separate_sources(built, k, 3);
+      std::vector<double> exact;
+      const auto measured = [&](const Result& result) { return curve_measures::measure(built.mesh, result, exact); };
+      const auto direction = measured(CGAL::compute_cut_locus(built.mesh, sources)),
+                 edges = measured(CGAL::compute_cut_locus(built.mesh, sources, laplacian)),
+                 faces = measured(
+                   CGAL::compute_cut_locus(built.mesh, sources, laplacian.cut_locus_curve(Curve::THROUGH_FACES))),
+                 heat = measured(CGAL::compute_cut_locus(
+                   built.mesh, sources, laplacian.geodesic_solver(CGAL::Heat_method_geodesic_solver<>())));
+      for(const auto& m : {direction, edges, faces, heat})
+      {
+        EXPECT_EQ(m.topology_fault, "") << k;
+        EXPECT_EQ(m.measuring_failed, "") << k;
+      }
+      EXPECT_LE(edges.mean, (std::max)(direction.mean, 1e-4)) << k;
+      EXPECT_LT(edges.max, 0.5) << k;
+      EXPECT_LT(faces.max, 1.) << k;
+      EXPECT_LT(heat.max, 2.) << k << ", where one source has 1.2";
+    }
+}
+
+// -- the interface -----------------------------------------------------------------------------------------------------
+
+bool is_same(const Result& a, const Result& b)
+{
+  const auto &g = a.graph(), &h = b.graph();
+  if(num_vertices(g) != num_vertices(h) || num_edges(g) != num_edges(h))
+    return false;
+  for(std::size_t v = 0; v < num_vertices(g); ++v)
+    if(g[v].point != h[v].point || g[v].distance != h[v].distance)
+      return false;
+  const auto of_a = edges(g), of_b = edges(h);
+  return std::equal(of_a.first, of_a.second, of_b.first,
+                    [&](const auto& e, const auto& f)
+                    {
+    return source(e, g) == source(f, h) && target(e, g) == target(f, h) && g[e].strength == h[f].strength &&
+           g[e].sources == h[f].sources && g[e].mesh_halfedge == h[f].mesh_halfedge;
+  });
+}
+
+TEST(Laplacian_several_sources, one_of_them_is_a_source_as_ever)
+{
+  for(const Named_mesh& m : meshes())
+  {
+    const Built built(m.data);
+    const Location location(built.faces[40], {{0.2, 0.3, 0.5}});
+    for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
+    {
+      const auto np = laplacian.cut_locus_curve(curve);
+      EXPECT_TRUE(is_same(CGAL::compute_cut_locus(built.mesh, location, np),
+                          CGAL::compute_cut_locus(built.mesh, std::vector<Location>{location}, np)));
+      EXPECT_TRUE(is_same(CGAL::compute_cut_locus(built.mesh, built.vertices[9], np),
+                          CGAL::compute_cut_locus(built.mesh, std::vector<Mesh::Vertex_index>{built.vertices[9]}, np)));
+    }
+  }
+}
+
+TEST(Laplacian_several_sources, leave_the_parts_that_are_asked_for)
+{
+  const Built built(torus(1., 0.4, 24, 12, 0.2, 4));
+  const std::vector<Source> sources = random_sources(built, 3, 1);
+  for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
+  {
+    Solver solver(built.mesh, laplacian);
+    solver.set_sources(sources);
+    const auto np = params::cut_locus_curve(curve);
+    const Result all = solver.cut_locus(np), voronoi = solver.cut_locus(np.voronoi(true)),
+                 medial = solver.cut_locus(np.medial(true));
+    EXPECT_EQ(num_edges(voronoi.graph()) + num_edges(medial.graph()), num_edges(all.graph()));
+    EXPECT_GT(num_edges(voronoi.graph()), 0u);
+    EXPECT_GT(num_edges(medial.graph()), 0u);
+    for(const auto e : CGAL::make_range(edges(voronoi.graph())))
+    {
+      EXPECT_NE(voronoi.graph()[e].sources[0], voronoi.graph()[e].sources[1]);
+      EXPECT_NEAR(voronoi.graph()[e].strength, 2. * pi, 1e-6);
+    }
+    for(const auto e : CGAL::make_range(edges(medial.graph())))
+      EXPECT_EQ(medial.graph()[e].sources[0], medial.graph()[e].sources[1]);
+    for(const auto v : CGAL::make_range(vertices(voronoi.graph())))
+      EXPECT_GT(out_degree(v, voronoi.graph()), 1u) << "on a closed surface it has no ends";
+    const Result mesh_edges = solver.cut_locus(params::voronoi(true));
+    for(const auto e : CGAL::make_range(edges(voronoi.graph())))
+      EXPECT_LT(voronoi.graph()[e].origin, num_edges(mesh_edges.graph()));
+    EXPECT_THROW(solver.cut_locus(np.voronoi(true).medial(true)), Invalid_input);
+  }
+  const Result none = CGAL::compute_cut_locus(built.mesh, built.vertices[0], laplacian.voronoi(true));
+  EXPECT_EQ(num_edges(none.graph()), 0u);
+  EXPECT_EQ(num_vertices(none.graph()), 1u);
+}
+
+TEST(Laplacian_several_sources, no_threshold_removes_what_is_between_two)
+{
+  const Built built(bumpy_sphere(10, 0.5, 3));
+  Solver solver(built.mesh, laplacian);
+  solver.set_sources(random_sources(built, 6, 3));
+  const std::size_t all = num_edges(solver.cut_locus(params::voronoi(true)).graph());
+  const Result strong = solver.cut_locus(params::gradient_angle_threshold(10.).minimum_branch_edges(1000));
+  EXPECT_EQ(num_edges(strong.graph()), all) << "on a sphere nothing else has to stay";
+}
+
+TEST(Laplacian_several_sources, without_a_face_to_themselves_are_refused)
+{
+  const Built built(sphere(4));
+  const Mesh::Face_index f = built.faces[5];
+  const std::vector<Location> both = {Location(f, {{0.3, 0.3, 0.4}}), Location(f, {{0.4, 0.3, 0.3}})};
+  try
+  {
+    CGAL::compute_cut_locus(built.mesh, both, laplacian);
+    FAIL() << "nothing was thrown";
+  }
+  catch(const Invalid_input& error)
+  {
+    EXPECT_EQ(error.cause(), CGAL::Cut_loci::Cause::NO_FACE_AT_SOURCE);
+    EXPECT_NE(std::string(error.what()).find("Method::DIRECTION"), std::string::npos) << error.what();
+  }
+}
+
+} // namespace
