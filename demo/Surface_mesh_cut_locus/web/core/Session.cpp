@@ -167,6 +167,13 @@ void Session::compute_curve(Curve_index index, const Thresholds& thresholds)
   curve.numbers = statistics_of(cut_locus);
 }
 
+double Session::default_width() const
+{
+  if(!has_sources_)
+    throw std::runtime_error("there is no source yet");
+  return method_name_ == "laplacian" ? 0. : solver_->minimum_branch_width();
+}
+
 // What all curves for a source have in common.
 void Session::read_source(const Cut_locus& cut_locus)
 {

@@ -41,6 +41,8 @@ public:
   // Distances may be longer by `relative_error`, where solver and method can make use of that.
   void set_sources(const std::vector<Location>& points, bool with_border, double relative_error);
   void compute_curve(Curve_index index, const Thresholds& thresholds);
+  const Cut_locus& result(Curve_index index) const { return *results_[index]; } // the last one
+  double default_width() const; // the branches that the mesh resolves, as a part of the diagonal
   void compute_laplacian();
   void compute_gradient();
   // Along one of the curves; if the border is a source, only the one through the faces is there.

@@ -9,6 +9,7 @@
 
 #include "../../Input_mesh.h"
 #include "Session.h"
+#include "Simplified_mesh.h"
 #include "report_stage.h"
 #include "samples.h"
 
@@ -16,9 +17,14 @@
 
 #include <emscripten.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
+#include <memory>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +32,16 @@
 namespace {
 
 Session session;
+// of a worker that computes previews: its session has the simplified mesh
+std::unique_ptr<Simplified_mesh> simplified;
+struct Preview
+{
+  std::vector<float> positions; // of the whole mesh, as are these
+  std::vector<std::uint32_t> triangles, component;
+  double unit = 1.; // that of the whole mesh
+  std::vector<float> segments, distance;
+  std::vector<std::uint32_t> nearest_source;
+} preview;
 Thresholds thresholds;
 std::vector<Location> sources;
 std::string error, text;
@@ -138,6 +154,18 @@ Array array(int id)
     return array(session.atlas.faces);
   case 28:
     return array(session.atlas.weights);
+  case 29:
+    return array(preview.positions);
+  case 30:
+    return array(preview.triangles);
+  case 31:
+    return array(preview.component);
+  case 32:
+    return array(preview.segments);
+  case 33:
+    return array(preview.distance);
+  case 34:
+    return array(preview.nearest_source);
   default:
     return {nullptr, 0};
   }
@@ -262,6 +290,79 @@ EMSCRIPTEN_KEEPALIVE int compute_gradient()
 EMSCRIPTEN_KEEPALIVE int write_curve(int index, const char* format)
 {
   return run([&] { text = session.write_curve(static_cast<Session::Curve_index>(index), format); });
+}
+
+// Room for the mesh of another worker, in the unit ball, to be written to arrays.
+EMSCRIPTEN_KEEPALIVE int resize_mesh(std::size_t positions, std::size_t triangles, std::size_t component)
+{
+  return run(
+    [&]
+    {
+    preview.positions.resize(positions);
+    preview.triangles.resize(triangles);
+    preview.component.resize(component);
+  });
+}
+
+EMSCRIPTEN_KEEPALIVE int take_mesh(double unit)
+{
+  return run(
+    [&]
+    {
+    simplified.reset();
+    preview.unit = unit;
+    simplified = std::make_unique<Simplified_mesh>(std::move(preview.positions), std::move(preview.triangles),
+                                                   std::move(preview.component));
+  });
+}
+
+EMSCRIPTEN_KEEPALIVE int simplify(std::size_t faces)
+{
+  return run(
+    [&]
+    {
+    if(!simplified)
+      throw std::runtime_error("there is no mesh to simplify");
+    simplified->simplify(faces);
+    session.load(simplified->mesh(), simplified->components());
+  });
+}
+
+EMSCRIPTEN_KEEPALIVE std::size_t number_of_simplified_faces()
+{
+  return simplified ? simplified->mesh().number_of_faces() : 0;
+}
+
+// at a place of the whole mesh
+EMSCRIPTEN_KEEPALIVE int add_preview_source(unsigned int face, double b0, double b1, double b2)
+{
+  return run([&] { sources.push_back(simplified->locate(face, location(face, b0, b1, b2).second)); });
+}
+
+// On the whole mesh. Branches that the simplified one does not resolve are left out.
+EMSCRIPTEN_KEEPALIVE int compute_preview_curve(int index)
+{
+  return run(
+    [&]
+    {
+    Thresholds resolved = thresholds;
+    resolved.width = (std::max)(thresholds.width, session.default_width());
+    const auto curve = static_cast<Session::Curve_index>(index);
+    session.compute_curve(curve, resolved);
+    preview.segments = simplified->project(session.result(curve));
+  });
+}
+
+EMSCRIPTEN_KEEPALIVE int compute_preview_distances()
+{
+  return run(
+    [&]
+    {
+    preview.distance = simplified->interpolate(session.distance);
+    for(float& d : preview.distance)
+      d *= static_cast<float>(preview.unit);
+    preview.nearest_source = simplified->transfer(session.nearest_source);
+  });
 }
 
 } // extern "C"

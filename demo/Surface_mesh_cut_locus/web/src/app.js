@@ -9,6 +9,7 @@ import { History } from './history.js';
 import { legendItems } from './legend_items.js';
 import { explain, objectionTo } from './messages.js';
 import { PathTool } from './path_tool.js';
+import { Preview } from './preview.js';
 import { describeValues, Readout } from './readout.js';
 import { farthestFace, fileStart, samples, startCoordinates } from './samples.js';
 import { Sheet } from './sheet.js';
@@ -44,6 +45,7 @@ export class App {
     this.sheet = new Sheet(this);
     this.follower = new Follower(this);
     this.pathTool = new PathTool(this);
+    this.preview = new Preview(this);
     this.mesh = null;
     this.curves = {};
     this.isSolved = false; // the worker has the solver and the sources of the state
@@ -151,6 +153,7 @@ export class App {
       this.state.look.up = 'auto';
     }
     this.history.clear();
+    this.preview.forget();
     this.mesh.edgeLength = numbers[3] * meanEdgeLength(positions, triangles);
     this.mesh.up = this.state.sample ? 'z' : guessUp(positions, triangles);
     this.sheet.forget();
@@ -183,7 +186,7 @@ export class App {
   }
 
   // If that fails, all stays as it was.
-  async setSources(sources, border = this.state.border) {
+  async setSources(sources, border = this.state.border, replacesStep = false) {
     const { state } = this;
     if (sources.length > 1 && state.method === 'laplacian') {
       this.panel.showMessage('This method takes one source: choose “the smooth shape” or “the polyhedron itself” for several.');
@@ -193,7 +196,7 @@ export class App {
     const wasSolved = this.isSolved;
     Object.assign(state, { sources, border });
     this.panel.setState(state);
-    if (await this.solve() || !wasSolved || this.isSolved) return;
+    if (await this.solve(replacesStep) || !wasSolved || this.isSolved) return;
     Object.assign(state, before);
     this.panel.setState(state);
     await this.solveNow().catch(() => {});
@@ -212,14 +215,14 @@ export class App {
     });
   }
 
-  async solve() {
+  async solve(replacesStep = false) {
     if (!this.mesh) return false;
     if (this.engine.isBusy) this.engine.cancel();
     this.isSolved = false;
-    return this.attempt('Computing…', () => this.solveNow());
+    return this.attempt('Computing…', () => this.solveNow(replacesStep));
   }
 
-  async solveNow() {
+  async solveNow(replacesStep = false) {
     const begin = performance.now();
     const { solver, method, sources, border, parameters } = this.state;
     const points = border === 'only' ? [] : sources;
@@ -245,14 +248,19 @@ export class App {
       smoothing: null,
       cut: null,
     });
-    this.remember();
+    this.remember(replacesStep);
     await this.appearance.showFields();
     if (this.state.isCut) await this.sheet.cut();
     this.report();
+    this.preview.schedule(result.solveMilliseconds + result.milliseconds);
   }
 
-  // Sources that move: what is drawn follows, and nothing else.
+  // Sources that move: what is drawn follows, and nothing else. Returns whether all else is as it was.
   async previewSources(sources, relativeError) {
+    if (this.preview.isReady) {
+      await this.drawPreview(sources);
+      return true;
+    }
     this.isSolved = false;
     const { solver, method, border } = this.state;
     const parameters = { ...this.parameters, smoothing: 0 };
@@ -267,6 +275,25 @@ export class App {
     this.curves = {};
     this.takeCurves(result, parameters);
     this.viewer.invalidateCurves();
+    return false;
+  }
+
+  // Distances are wanted only where they are shown, and when the surface is going to be drawn again.
+  async drawPreview(sources) {
+    const { show, look } = this.state;
+    const isShown = show.isolines || show.disk || ['distance', 'cells'].includes(look.color);
+    const result = await this.preview.compute(sources, isShown && this.viewer.isSurfaceDue);
+    this.times.follow = result.milliseconds;
+    const points = sources.map(({ face, coordinates }) => this.viewer.placeOf(face, coordinates));
+    this.viewer.setUniforms({ coloring: look.color === 'laplacian' ? 'plain' : look.color });
+    if (result.distance) {
+      this.viewer.setDistance(result.distance);
+      const radius = result.numbers[5] * this.mesh.numbers[3]; // from that of the unit ball
+      this.viewer.setUniforms({ showDisk: show.disk && Number.isFinite(radius), radius });
+      if (look.color === 'cells' && sources.length > 1) this.viewer.setCells(Array.from(result.nearestSource, cellColor));
+    }
+    this.viewer.showPreview(result.segments, points, show.hidden);
+    this.panel.setPreview(this.preview.faces);
   }
 
   takeSources({ sourceNumbers, borderSegments, nearestSource }) {
@@ -292,18 +319,21 @@ export class App {
     return copy({ sources, border, solver, method, parameters });
   }
 
-  remember() {
+  remember(replacesLast = false) {
     clearTimeout(this.rememberTimer);
-    this.history.push(this.step);
+    this.history.push(this.step, replacesLast);
     this.panel.setHistory(this.history);
   }
 
-  undo() {
+  // A source that is still being moved is one step.
+  async undo() {
+    await this.follower.end();
     this.remember();
     return this.restore(this.history.undo());
   }
 
-  redo() {
+  async redo() {
+    await this.follower.end();
     return this.restore(this.history.redo());
   }
 
@@ -414,6 +444,8 @@ export class App {
     this.drawn = { ...parameters };
     for (const name of ['edgeCurve', 'faceCurve']) if (result[name]) this.curves[name] = result[name];
     this.shownCurve = result.faceCurve ? 'faceCurve' : 'edgeCurve';
+    this.viewer.hidePreview();
+    this.panel.setPreview(0);
     this.appearance.drawCurves();
   }
 
@@ -491,6 +523,7 @@ export class App {
       this.panel.showMessage('There is nothing to export yet: open a mesh first.');
       return;
     }
+    await this.follower.end(); // previews are not exported
     await this.attempt('Writing…', async () => {
       if (!this.isSolved) await this.solveNow();
       await exportAs(this, kind, format, picture);

@@ -24,6 +24,9 @@ export const arrays = {
   paths: { points: [23, 'f32'], numbers: [24, 'f64'] },
   borderSegments: [25, 'f32'],
   nearestSource: [26, 'u32'],
+  given: { positions: [29, 'f32'], triangles: [30, 'u32'], component: [31, 'u32'] }, // the mesh of another worker
+  preview: { segments: [32, 'f32'] },
+  previewValues: { distance: [33, 'f32'], nearestSource: [34, 'u32'] },
 };
 
 export const curveNames = ['edgeCurve', 'faceCurve'];

@@ -4,7 +4,7 @@
 import * as THREE from 'three';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { branchColor } from './color_maps.js';
-import { lineGeometry } from './line_geometry.js';
+import { lineGeometry, refill } from './line_geometry.js';
 
 // the order sets how far in front of the surface it is, and what covers what
 function lines(geometry, order, options) {
@@ -31,7 +31,8 @@ function colorsAt(places) {
 }
 
 export class CurveLines {
-  constructor(width, order, { hasCasing = true } = {}) {
+  constructor(width, order, { hasCasing = true, isReused = false } = {}) {
+    this.isReused = isReused; // its buffers are: it changes all the time
     const geometry = new THREE.BufferGeometry();
     this.visibleLines = lines(geometry, order, { linewidth: width });
     // below all of the curve
@@ -50,9 +51,13 @@ export class CurveLines {
 
   // `places`, if given, are those of the segments on the scale of colours, in [0, 1].
   set(segments, places = null) {
-    this.visibleLines.geometry.dispose();
     this.isEmpty = segments.length === 0;
-    const geometry = lineGeometry(segments, places && colorsAt(places));
+    if (this.isReused && refill(this.visibleLines.geometry, segments)) {
+      this.show(this.visible, this.showsHidden);
+      return;
+    }
+    this.visibleLines.geometry.dispose();
+    const geometry = lineGeometry(segments, places && colorsAt(places), this.isReused);
     const hasColors = Boolean(places);
     const { material } = this.visibleLines;
     if (material.vertexColors !== hasColors) {

@@ -34,7 +34,7 @@ export class Engine {
       return;
     }
     if (fatal) this.restart();
-    entry.reject(Object.assign(new Error(fatal ? `out of memory or broken (${error})` : error), { cause }));
+    entry.reject(Object.assign(new Error(fatal ? `out of memory or broken (${error})` : error), { cause, fatal }));
   }
 
   failAll(error) {

@@ -1,10 +1,11 @@
-// The source follows the pointer while a key or a button is held: with a bounded error while it moves, exactly when it
-// stops.
+// The source follows the pointer while a key or a button is held: by previews while it moves, on a simplified mesh if there
+// is one, otherwise with a bounded error; exactly when it rests or is let go.
 import { Cancelled } from './engine.js';
 import { rounded } from './state.js';
 
 // of distances: as the manual has it for a source that moves
 const relativeError = 1e-3;
+const restMilliseconds = 150; // a pointer that has not moved for so long rests
 
 export class Follower {
   constructor(app) {
@@ -19,7 +20,8 @@ export class Follower {
     if (this.isActive || !this.app.isSolved || !state.sources || state.border === 'only') return false;
     this.isActive = true;
     this.index = index ?? state.sources.length - 1;
-    this.sources = null;
+    this.sources = null; // of the last preview, if nothing exact has replaced it
+    this.hasStep = false; // in the history
     this.app.viewer.setMoving(true);
     return true;
   }
@@ -27,6 +29,7 @@ export class Follower {
   // `locate` gives the place of the surface, or null; while the worker computes, only the last one is remembered.
   move(locate) {
     if (!this.isActive) return;
+    clearTimeout(this.restTimer);
     this.locate = locate;
     this.running ||= this.run().finally(() => { this.running = null; });
   }
@@ -39,15 +42,28 @@ export class Follower {
       if (!location) continue;
       const source = { face: location.face, coordinates: location.coordinates.map(rounded) };
       const sources = this.app.state.sources.map((s, i) => (i === this.index ? source : s));
+      if (!this.app.preview.isReady) await this.exact; // which takes the same worker
       try {
-        await this.app.previewSources(sources, relativeError);
+        this.leavesRest = await this.app.previewSources(sources, relativeError);
         this.sources = sources;
         this.countFrame();
       } catch (error) {
-        if (error instanceof Cancelled) this.isActive = false;
+        if (error instanceof Cancelled) this.stop();
         // otherwise there can be no source here, as beside another one: it stays where it was
       }
     }
+    // flattening takes too long to begin at each rest
+    if (this.leavesRest && this.sources && this.isActive && !this.app.state.isCut)
+      this.restTimer = setTimeout(() => { this.exact ||= this.replace().finally(() => { this.exact = null; }); }, restMilliseconds);
+  }
+
+  // The exact curve comes in the place of the preview. All rests on the way are one step to take back.
+  async replace() {
+    const { sources, hasStep } = this;
+    if (!sources) return;
+    this.sources = null;
+    this.hasStep = true;
+    await this.app.setSources(sources, this.app.state.border, hasStep);
   }
 
   // `updates` counts frames, not what has been computed
@@ -58,12 +74,20 @@ export class Follower {
     });
   }
 
-  async end() {
-    await this.running;
-    this.app.viewer.setMoving(false);
-    const { isActive, sources } = this;
+  stop() {
+    clearTimeout(this.restTimer);
     this.isActive = false;
-    if (isActive && sources) await this.app.setSources(sources);
-    else if (isActive && !this.app.isSolved) await this.app.solve();
+    this.app.viewer.setMoving(false);
+  }
+
+  async end() {
+    if (!this.isActive) return;
+    clearTimeout(this.restTimer);
+    await this.running;
+    await this.exact;
+    if (!this.isActive) return; // ended twice
+    this.stop();
+    if (this.sources) await this.replace();
+    else if (!this.app.isSolved) await this.app.solve();
   }
 }

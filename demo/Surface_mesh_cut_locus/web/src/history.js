@@ -12,11 +12,12 @@ export class History {
     this.at = -1;
   }
 
-  // Remembers a state, unless it is that of the last step. What had been taken back is forgotten.
-  push(state) {
+  // Remembers a state, unless it is that of the last step. What had been taken back is forgotten;
+  // so is the last step, if this one `replacesLast`.
+  push(state, replacesLast = false) {
     const text = JSON.stringify(state);
     if (this.steps[this.at] === text) return;
-    this.steps.length = this.at + 1;
+    this.steps.length = this.at + (replacesLast ? 0 : 1);
     this.steps.push(text);
     if (this.steps.length > longest) this.steps.shift();
     this.at = this.steps.length - 1;

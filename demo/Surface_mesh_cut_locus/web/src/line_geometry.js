@@ -23,17 +23,18 @@ function indices(count) {
 }
 
 // the first three of six numbers of each segment, or the other three, at all of its vertices
-function ofEnd(values, end, count) {
-  const result = new Float32Array(3 * size * count);
-  for (let i = 0; i < count; ++i)
+function fill(result, values, end) {
+  for (let i = 0; i < values.length / 6; ++i)
     for (let k = 0; k < size; ++k)
       for (let c = 0; c < 3; ++c) result[3 * (size * i + k) + c] = values[6 * i + 3 * end + c];
-  return new THREE.BufferAttribute(result, 3);
+  return result;
 }
 
-// Six numbers for each segment: its ends, and, if given, the colours there.
-export function lineGeometry(segments, colors = null) {
-  const count = segments.length / 6;
+const ofEnd = (values, end, count) => new THREE.BufferAttribute(fill(new Float32Array(3 * size * count), values, end), 3);
+
+// Six numbers for each segment: its ends, and, if given, the colours there. There may be room for more of them.
+export function lineGeometry(segments, colors = null, hasRoom = false) {
+  const count = (hasRoom ? 2 : 1) * segments.length / 6;
   const geometry = new THREE.BufferGeometry();
   geometry.setIndex(indices(count));
   geometry.setAttribute('position', repeated(positions, count));
@@ -42,5 +43,20 @@ export function lineGeometry(segments, colors = null) {
     geometry.setAttribute(`instance${name}`, ofEnd(segments, end, count));
     if (colors) geometry.setAttribute(`instanceColor${name}`, ofEnd(colors, end, count));
   }
+  geometry.setDrawRange(0, triangles.length * segments.length / 6);
   return geometry;
+}
+
+// Other segments, without colours, if there is room for them. Only these are sent to the graphics card.
+export function refill(geometry, segments) {
+  const starts = geometry.getAttribute('instanceStart');
+  if (!starts || starts.count * 6 < size * segments.length) return false;
+  for (const [end, attribute] of [starts, geometry.getAttribute('instanceEnd')].entries()) {
+    fill(attribute.array, segments, end);
+    attribute.clearUpdateRanges();
+    attribute.addUpdateRange(0, size * segments.length / 2);
+    attribute.needsUpdate = true;
+  }
+  geometry.setDrawRange(0, triangles.length * segments.length / 6);
+  return true;
 }

@@ -222,6 +222,15 @@ export class Panel {
     fillLegend(element('legend'), items);
   }
 
+  // of how many faces the mesh is on which what is drawn has been computed, or 0: it is the result
+  setPreview(faces) {
+    if (this.previewFaces === faces) return;
+    this.previewFaces = faces;
+    element('preview-note').hidden = faces === 0;
+    element('preview-note').textContent = `Preview, on ${count(faces)} faces: the cut locus comes when the source rests.`;
+    element('result').classList.toggle('is-preview', faces > 0);
+  }
+
   setResult(result) {
     const { times, state } = result;
     element('result').hidden = false;

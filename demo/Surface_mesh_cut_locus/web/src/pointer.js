@@ -11,6 +11,7 @@ export class Pointer {
   constructor(viewer, { onPick, onHover, onFollow }) {
     Object.assign(this, { viewer, onPick, onHover, onFollow });
     this.ray = new THREE.Raycaster();
+    this.ray.firstHitOnly = true;
     this.watch(viewer.model, (x, y) => this.onModel(x, y));
     this.watch(viewer.plane, (x, y) => this.onPlane(x, y));
     this.watchSources(viewer.model.element);
@@ -54,8 +55,9 @@ export class Pointer {
     if (!viewer.positions) return null;
     viewer.setAspect(pane, width / height);
     pane.camera.updateMatrixWorld();
+    viewer.prepareToPick(object);
     this.ray.setFromCamera(new THREE.Vector2(2 * x / width - 1, 1 - 2 * y / height), pane.camera);
-    const [hit] = this.ray.intersectObject(object);
+    const [hit] = this.ray.intersectObject(object, false);
     return hit || null;
   }
 
@@ -101,6 +103,7 @@ export class Pointer {
   startFollowing(index) {
     if (this.isFollowing || !this.onFollow.start(index)) return;
     this.isFollowing = true;
+    clearTimeout(this.timer);
     this.onHover(null);
     this.viewer.model.element.classList.add('is-following');
     this.follow();

@@ -131,13 +131,17 @@ export class SurfaceLayer {
     this.hasOcclusion = true;
   }
 
+  // whether the next frame draws other values at the vertices
+  get isDue() {
+    return performance.now() >= (this.drawnAt || 0) + this.interval;
+  }
+
   // Draws what is not valid into the target.
   update(occlusionStrength) {
     const { renderer } = this;
-    const now = performance.now();
-    if (this.isStale && now >= (this.drawnAt || 0) + this.interval) this.isValid = false;
+    if (this.isStale && this.isDue) this.isValid = false;
     if (!this.isValid) {
-      this.drawnAt = now;
+      this.drawnAt = performance.now();
       this.isStale = false;
       renderer.setRenderTarget(this.target);
       renderer.clear();

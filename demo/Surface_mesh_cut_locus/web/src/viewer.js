@@ -7,6 +7,7 @@ import { valuesAt } from './atlas.js';
 import { CurveLines } from './curve_lines.js';
 import { DepthProbe } from './depth_probe.js';
 import { makeMarker, setMarkerColors, sizeMarker } from './markers.js';
+import { acceleratedRaycast, MeshBVH } from 'three-mesh-bvh';
 import { Placement, viewAngle } from './placement.js';
 import { Pointer } from './pointer.js';
 import { Surface } from './surface.js';
@@ -14,6 +15,7 @@ import { SurfaceLayer } from './surface_layer.js';
 import { bestDirection, direction, isSide, sideDirection, upVector } from './views.js';
 
 const restMilliseconds = 140; // the shadows of hollows wait until the view rests
+const previewFading = 0.4; // into the background
 const modelRadius = 1.02; // the mesh fills the unit ball
 
 export class Viewer {
@@ -43,6 +45,8 @@ export class Viewer {
     this.surface = new Surface();
     this.pickable = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
     this.flatPickable = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
+    this.pickable.raycast = acceleratedRaycast;
+    this.flatPickable.raycast = acceleratedRaycast;
     this.wireframe = new THREE.LineSegments(new THREE.BufferGeometry(),
       new THREE.LineBasicMaterial({ transparent: true, opacity: 0.25 }));
     this.wireframe.visible = false;
@@ -54,7 +58,8 @@ export class Viewer {
     this.seams = new CurveLines(1.4, 1, { hasCasing: false });
     this.paths = new CurveLines(3, 6);
     this.sourceLines = new CurveLines(4.5, 5);
-    this.curves = [this.edgeCurve, this.faceCurve, this.seams, this.paths, this.sourceLines];
+    this.previewCurve = new CurveLines(3, 4, { hasCasing: false, isReused: true });
+    this.curves = [this.edgeCurve, this.faceCurve, this.previewCurve, this.seams, this.paths, this.sourceLines];
     this.arrows = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
     this.arrows.visible = false;
     this.sourceMarkers = [];
@@ -121,6 +126,7 @@ export class Viewer {
     this.surface.setUniforms({ plain: new THREE.Vector3(...colors.surface) });
     this.atlas.setUniforms({ plain: new THREE.Vector3(...colors.surface) });
     this.faceCurve.setColors(colors.curve, colors.hidden, colors.casing);
+    this.previewCurve.setColors(new THREE.Color(colors.curve).lerp(new THREE.Color(colors.back), previewFading), colors.hidden, colors.casing);
     this.edgeCurve.setColors(colors.edges, new THREE.Color(colors.edges).lerp(new THREE.Color(colors.back), 0.6), colors.casing);
     this.seams.setColors(colors.edges, colors.back, colors.casing);
     this.paths.setColors(colors.path, new THREE.Color(colors.path).lerp(new THREE.Color(colors.back), 0.5), colors.casing);
@@ -313,6 +319,11 @@ export class Viewer {
     this.moved(this.plane);
   }
 
+  // A tree of its faces, made when it is first asked for a place.
+  prepareToPick({ geometry }) {
+    geometry.boundsTree ||= new MeshBVH(geometry, { indirect: true });
+  }
+
   // one of the sides, `best` or `source`
   look(name, segments, sources, isClosed) {
     const points = sources.map((p) => new THREE.Vector3(...p));
@@ -403,6 +414,7 @@ export class Viewer {
     this.pickable.geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
     this.pickable.geometry.computeVertexNormals();
     this.pickable.geometry.computeBoundingSphere();
+    this.hidePreview();
     this.distance = null;
     this.laplacian = null;
     this.cells = null;
@@ -478,6 +490,32 @@ export class Viewer {
     this.invalidate();
   }
 
+  // While a source moves: the curve on a simplified mesh, in the place of all curves.
+  showPreview(segments, points, showsHidden) {
+    if (!this.isPreview) for (const curve of [this.edgeCurve, this.faceCurve, this.paths]) curve.show(false);
+    if (!this.isPreview) for (const marker of [this.farthestMarker, this.nearestMarker, this.endMarker]) this.setMarker(marker, null);
+    this.isPreview = true;
+    this.arrows.visible = false;
+    this.previewCurve.set(segments);
+    this.previewCurve.show(true, showsHidden);
+    this.setSources(points);
+  }
+
+  hidePreview() {
+    this.isPreview = false;
+    this.previewCurve.show(false);
+  }
+
+  // whether the next frame would draw the surface with other values
+  get isSurfaceDue() {
+    return [this.model, ...(this.hasAtlas ? [this.plane] : [])].some(({ layer }) => layer.isDue);
+  }
+
+  placeOf(face, coordinates) {
+    const { positions: p, triangles: t } = this;
+    return [0, 1, 2].map((i) => coordinates.reduce((sum, b, k) => sum + b * p[3 * t[3 * face + k] + i], 0));
+  }
+
   setDistance(values) {
     this.distance = values;
     this.setAttribute('geodesicDistance', values);
@@ -498,8 +536,19 @@ export class Viewer {
     }
     const attribute = new Float32Array(3 * colors.length);
     colors.forEach((color, i) => attribute.set(color, 3 * i));
-    geometry.setAttribute('cellColor', new THREE.BufferAttribute(this.cut ? valuesAt(this.cut, attribute, 3) : attribute, 3));
+    this.attributeFor('cellColor', geometry.getAttribute('position').count, 3)
+      .set(this.cut ? valuesAt(this.cut, attribute, 3) : attribute);
     this.invalidateValues();
+  }
+
+  // The values of an attribute of the surface, to be written. There is one buffer as long as there is the surface.
+  attributeFor(name, count, itemSize) {
+    const { geometry } = this.surface.opaque;
+    if (!geometry.getAttribute(name))
+      geometry.setAttribute(name, new THREE.BufferAttribute(new Float32Array(count * itemSize), itemSize).setUsage(THREE.DynamicDrawUsage));
+    const attribute = geometry.getAttribute(name);
+    attribute.needsUpdate = true;
+    return attribute.array;
   }
 
   // values at the vertices of the mesh, or null
@@ -507,9 +556,8 @@ export class Viewer {
     const { geometry } = this.surface.opaque;
     const size = geometry.getAttribute('position').count;
     const given = values && this.cut ? valuesAt(this.cut, values) : values;
-    const attribute = new Float32Array(size).fill(-1);
-    for (let i = 0; i < size && given; ++i) if (Number.isFinite(given[i])) attribute[i] = given[i];
-    geometry.setAttribute(name, new THREE.BufferAttribute(attribute, 1));
+    const attribute = this.attributeFor(name, size, 1);
+    for (let i = 0; i < size; ++i) attribute[i] = given && Number.isFinite(given[i]) ? given[i] : -1;
     this.invalidateValues();
   }
 

@@ -33,7 +33,7 @@ const emptyNotes = {
     + 'wide as Detail asks for. Move Detail toward “more branches” to see.',
 };
 
-const coarse = 300; // faces; fewer show the polyhedron rather than a smooth shape
+export const coarse = 300; // faces; fewer show the polyhedron rather than a smooth shape
 
 // What makes the result doubtful, and what to do about it.
 export function doubts({ curve, source, faceCount, state, defaults }) {

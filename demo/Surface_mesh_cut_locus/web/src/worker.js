@@ -105,6 +105,41 @@ const commands = {
     return result;
   },
 
+  // The mesh of another worker, to be simplified.
+  takeMesh(module, { unit, ...given }) {
+    const { positions, triangles, component } = given;
+    check(module, module._resize_mesh(positions.length, triangles.length, component.length));
+    for (const [name, [number, type]] of Object.entries(arrays.given))
+      new typedArrays[type](module.HEAPU8.buffer, module._array_data(number), given[name].length).set(given[name]);
+    check(module, module._take_mesh(unit));
+    return {};
+  },
+
+  simplify(module, { faces }) {
+    check(module, module._simplify(faces));
+    return { faces: module._number_of_simplified_faces() };
+  },
+
+  // On the simplified mesh, and drawn on the whole one.
+  preview(module, { solver, method, sources, border, curve, parameters, relativeError, wantsValues }) {
+    const start = performance.now();
+    call(module, 'prepare', ['string', 'string'], [solver, method]);
+    module._clear_sources();
+    for (const { face, coordinates } of sources) check(module, module._add_preview_source(face, ...coordinates));
+    check(module, module._set_sources(border ? 1 : 0, relativeError));
+    setThresholds(module, parameters);
+    check(module, module._compute_preview_curve(curve));
+    const result = arraysOf(module, arrays.preview);
+    result.numbers = arrayOf(module, arrays[curveNames[curve]].numbers);
+    result.sourceNumbers = arrayOf(module, arrays.sourceNumbers);
+    if (wantsValues) {
+      check(module, module._compute_preview_distances());
+      Object.assign(result, arraysOf(module, arrays.previewValues));
+    }
+    result.milliseconds = performance.now() - start;
+    return result;
+  },
+
   curves(module, { curves, parameters }) {
     const start = performance.now();
     const result = {};

@@ -23,6 +23,12 @@ export class Driver {
     await this.idle();
   }
 
+  // the simplified mesh on which sources move is there
+  async previewIsReady() {
+    await this.page.waitForFunction(() => window.cutLocusPage.app.preview.isSettled, null, { timeout: patience });
+    assert.ok(await this.app(({ app }) => app.preview.isReady), 'there is no simplified mesh');
+  }
+
   result() {
     return this.page.evaluate(() => {
       const { app } = window.cutLocusPage;

@@ -16,6 +16,58 @@ const flippedFaces = ({ app }) => {
   return result;
 };
 
+// the preview as it is drawn, and how far it is off the surface, in radii of the mesh
+const drawnPreview = ({ app, viewer }) => {
+  const { previewCurve, faceCurve, edgeCurve, pickable } = viewer;
+  const visible = Object.fromEntries(Object.entries({ previewCurve, faceCurve, edgeCurve }).map(([name, c]) => [name, c.visibleLines.visible]));
+  const { geometry } = previewCurve.visibleLines;
+  const [starts, ends] = ['instanceStart', 'instanceEnd'].map((name) => geometry.getAttribute(name).array);
+  const segments = [];
+  for (let i = 0; i < 24 * geometry.drawRange.count / 18; i += 24) segments.push(...starts.slice(i, i + 3), ...ends.slice(i, i + 3));
+  let away = 0;
+  const point = viewer.farthestMarker.position.clone();
+  for (let i = 0; i < segments.length; i += 3)
+    away = Math.max(away, pickable.geometry.boundsTree.closestPointToPoint(point.fromArray(segments, i)).distance);
+  return { visible, segments, away, faces: app.preview.faces };
+};
+
+// The surface without the faces around two of its vertices, as an OFF file.
+const withHoles = ({ viewer: { positions, triangles } }) => {
+  const gone = [0, Math.floor(positions.length / 6)];
+  const faces = [];
+  for (let f = 0; f < triangles.length; f += 3) {
+    const face = Array.from(triangles.slice(f, f + 3));
+    if (!face.some((v) => gone.includes(v))) faces.push(`3 ${face.join(' ')}`);
+  }
+  const points = [];
+  for (let i = 0; i < positions.length; i += 3) points.push(positions.slice(i, i + 3).join(' '));
+  return ['OFF', `${points.length} ${faces.length} 0`, ...points, ...faces].join('\n');
+};
+
+// How far the preview for the sources as they are is off the curve, and how long edges of the simplified mesh are.
+const compareWithPreview = async ({ app, viewer }) => {
+  const { segments } = await app.preview.compute(app.state.sources, false);
+  const exact = app.curves.faceCurve.segments;
+  const distance = (p) => {
+    let least = Infinity;
+    for (let i = 0; i < exact.length; i += 6) {
+      const u = [0, 1, 2].map((k) => exact[i + 3 + k] - exact[i + k]), w = [0, 1, 2].map((k) => p[k] - exact[i + k]);
+      const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+      const t = Math.min(Math.max(dot(u, w) / (dot(u, u) || 1), 0), 1);
+      least = Math.min(least, Math.hypot(...w.map((x, k) => x - t * u[k])));
+    }
+    return least;
+  };
+  let sum = 0, length = 0;
+  for (let i = 0; i < segments.length; i += 6) {
+    const [a, b] = [0, 3].map((k) => Array.from(segments.slice(i + k, i + k + 3)));
+    const long = Math.hypot(...a.map((x, k) => x - b[k]));
+    sum += long * distance(a.map((x, k) => (x + b[k]) / 2));
+    length += long;
+  }
+  return { mean: sum / length, edge: app.mesh.edgeLength / app.mesh.numbers[3] * Math.sqrt(viewer.triangles.length / 3 / app.preview.faces) };
+};
+
 export const tests = {
   async 'sources and thresholds can be taken back and done again'(d) {
     const { page } = d;
@@ -173,20 +225,21 @@ export const tests = {
       const at = await d.seenAt((await d.app(({ app }) => app.toView(app.source.points[0]))));
       const place = (t) => [box.x + at[0] * box.width + 40 * Math.sin(t), box.y + at[1] * box.height + 40 * (1 - Math.cos(t))];
       const view = await d.view();
-      const start = await d.result();
+      const marker = () => d.app(({ viewer }) => viewer.sourceMarkers[0].position.toArray());
+      await d.previewIsReady();
       const rates = [], computing = [];
       for (const isByKey of [false, true]) {
         await page.mouse.move(...place(0));
         await (isByKey ? page.keyboard.down('d') : page.mouse.down());
+        const start = await marker();
         const before = await d.app(({ app }) => [app.follower.updates, performance.now()]);
         const end = Date.now() + followMilliseconds;
         for (let t = 0; Date.now() < end; t += 0.05) await page.mouse.move(...place(t));
         const after = await d.app(({ app }) => [app.follower.updates, performance.now()]);
         await page.waitForFunction((n) => window.cutLocusPage.app.follower.updates > n, before[0], { timeout: patience });
-        const marker = await d.app(({ app }) => app.source.points[0]);
         const isCoarse = await d.app(({ viewer }) => viewer.model.layer.isCoarse);
         assert.equal(isCoarse, await d.app(({ viewer }) => viewer.model.layer.interval > 0));
-        assert.notDeepEqual(marker, start.point, 'the source does not follow');
+        assert.notDeepEqual(await marker(), start, 'the source does not follow');
         await page.mouse.move(...place(1.5));
         await (isByKey ? page.keyboard.up('d') : page.mouse.up());
         await page.waitForFunction(() => !window.cutLocusPage.app.follower.isActive);
@@ -207,6 +260,120 @@ export const tests = {
       notes.push(`${faces} faces: ${rates.map((r) => r.toFixed(1)).join(' and ')} per second, ${wanted} wanted; computing ${computing.map((c) => c.toFixed(0)).join(' and ')} ms`);
     }
     return notes.join('; ');
+  },
+
+  async 'a source that moves has previews, which the exact curve replaces; only that is exported and taken back'(d) {
+    const { page } = d;
+    const notes = [];
+    for (const sample of ['genus-3', 'bumpy-sphere']) {
+      await d.open(`#sample=${sample}&faces=20000`);
+      await page.selectOption('#view', 'source');
+      await d.settle();
+      await d.previewIsReady();
+      const start = await d.result();
+      const first = await d.exported('faceCurve', 'obj');
+      const box = await page.locator('#model-view').boundingBox();
+      const at = await d.seenAt(await d.app(({ app }) => app.toView(app.source.points[0])));
+      const place = (k) => [box.x + at[0] * box.width + 4 * k, box.y + at[1] * box.height + 3 * k];
+      // no rest: what is exact must not come while this looks at the preview
+      await d.app(({ app }) => { app.follower.replace = async () => {}; });
+      await page.mouse.move(...place(0));
+      await page.keyboard.down('d');
+      for (let k = 1; k < 8; ++k) await page.mouse.move(...place(k));
+      await page.waitForFunction(() => window.cutLocusPage.viewer.isPreview && !window.cutLocusPage.app.follower.running);
+      assert.match(await page.innerText('#preview-note'), /Preview, on [\d,]+ faces/);
+      assert.ok(!await page.locator('#result-note').isVisible());
+      const drawn = await d.app(drawnPreview);
+      assert.deepEqual(drawn.visible, { previewCurve: true, faceCurve: false, edgeCurve: false });
+      assert.ok(drawn.segments.length > 0 && drawn.faces > 0 && drawn.faces < 20000);
+      assert.ok(drawn.away < 1e-6, `the preview is off the surface by ${drawn.away}`);
+      // nothing of the page but the picture is that of the preview
+      const during = await d.result();
+      assert.deepEqual([during.point, during.length, during.edges], [start.point, start.length, start.edges]);
+      await d.picture(`preview_${sample}.png`);
+
+      // at rest, with the key still held
+      await d.app(({ app }) => { delete app.follower.replace; });
+      await page.mouse.move(...place(8));
+      await page.waitForFunction(() => !window.cutLocusPage.viewer.isPreview && window.cutLocusPage.app.isSolved, null, { timeout: patience });
+      await d.idle();
+      assert.ok(await d.app(({ app }) => app.follower.isActive));
+      assert.ok(!await page.locator('#preview-note').isVisible());
+      const rested = await d.result();
+      assert.notDeepEqual(rested.point, start.point);
+      const rows = await d.app(compareWithPreview);
+      assert.ok(rows.mean < rows.edge, `the preview is off by ${rows.mean} in the mean, the simplified mesh has edges of ${rows.edge}`);
+
+      // an export ends the move: what is written is what a click there gives
+      for (let k = 8; k < 14; ++k) await page.mouse.move(...place(k));
+      await page.waitForFunction(() => window.cutLocusPage.viewer.isPreview);
+      const exported = await d.exported('faceCurve', 'obj');
+      assert.ok(!await d.app(({ app, viewer }) => viewer.isPreview || app.follower.isActive));
+      await page.keyboard.up('d');
+      await d.settle();
+      await page.mouse.click(...place(13));
+      await d.settle();
+      assert.ok(exported.equals(await d.exported('faceCurve', 'obj')), 'the export is not that of the exact curve');
+      assert.ok(!exported.equals(first));
+      // the rest and the end of the move are one step
+      await page.click('#undo');
+      await d.settle();
+      const undone = await d.result();
+      assert.deepEqual([undone.point, undone.length, undone.edges], [start.point, start.length, start.edges]);
+      assert.ok(first.equals(await d.exported('faceCurve', 'obj')));
+      assert.ok(await page.isDisabled('#undo'));
+      notes.push(`${sample}: on ${drawn.faces} faces, off by ${(100 * rows.mean).toFixed(2)} % of the radius in the mean, ${(100 * rows.edge).toFixed(1)} % are its edges`);
+    }
+    return notes.join('; ');
+  },
+
+  async 'a simplified mesh has the topology of the whole one, and a mesh that cannot have one has no previews'(d) {
+    for (const [sample, genus, loops] of [['genus-3', 3, 0], ['torus', 1, 0], ['torus with holes', 1, 2]]) {
+      await d.open(`#sample=${sample.split(' ')[0]}&faces=5000`);
+      if (loops > 0) await d.openFile('holes.off', await d.app(withHoles));
+      const { before, after, cycles, found, source } = await d.app(async ({ app }) => {
+        const engine = new app.engine.constructor(() => {}, () => {});
+        const { positions, triangles, component, numbers } = app.mesh;
+        await engine.run('takeMesh', { positions, triangles, component, unit: numbers[3] });
+        const parameters = { ...app.parameters, width: null };
+        const { faces } = await engine.run('simplify', { faces: 200 });
+        const preview = await engine.run('preview', {
+          solver: 'exact', method: 'direction', sources: app.state.sources, border: false, curve: 1, parameters, relativeError: 0, wantsValues: true,
+        });
+        engine.worker.terminate();
+        return { before: triangles.length / 3, after: faces, cycles: preview.numbers[1], found: preview.sourceNumbers.slice(4, 6), source: app.source };
+      });
+      assert.ok(after <= 200 && after < before, `${after} faces`);
+      assert.deepEqual([source.genus, source.borderLoops], [genus, loops]);
+      assert.deepEqual(Object.values(found), [loops, genus], sample);
+      if (loops === 0) assert.equal(cycles, 2 * genus, sample);
+    }
+    // a tetrahedron is the smallest mesh of its topology
+    const message = await d.app(async ({ app }) => {
+      const engine = new app.engine.constructor(() => {}, () => {});
+      const positions = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
+      const triangles = new Uint32Array([0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2]);
+      await engine.run('takeMesh', { positions, triangles, component: new Uint32Array(0), unit: 1 });
+      const text = await engine.run('simplify', { faces: 2 }).then(() => null, (error) => error.message);
+      engine.worker.terminate();
+      return text;
+    });
+    assert.match(message, /cannot be simplified/);
+    // where there are no previews, sources move on the whole mesh
+    await d.open('#sample=torus&faces=20000');
+    await d.previewIsReady();
+    await d.app(({ app }) => { app.preview.faces = 0; });
+    const at = await d.placeOnSurface();
+    const box = await d.page.locator('#model-view').boundingBox();
+    const point = () => d.app(({ app }) => app.source.points[0]);
+    const start = await point();
+    await d.page.mouse.move(box.x + at[0] * box.width, box.y + at[1] * box.height);
+    await d.page.keyboard.down('d');
+    await d.page.waitForFunction((p) => window.cutLocusPage.app.source.points[0][0] !== p, start[0]);
+    assert.ok(!await d.app(({ viewer }) => viewer.isPreview));
+    await d.page.keyboard.up('d');
+    await d.settle();
+    assert.ok(await d.app(({ app }) => app.isSolved));
   },
 
   async 'thresholds go back to automatic with another mesh'(d) {
