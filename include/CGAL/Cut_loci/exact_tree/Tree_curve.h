@@ -347,7 +347,7 @@ private:
     for(std::size_t i = c.first_step; i < c.end_step; ++i)
     {
       if(c.tolerance < (std::numeric_limits<double>::infinity)())
-        add_points_between(steps_[i], c.tolerance);
+        add_points_between(steps_[i].edge, steps_[i].from, c.tolerance);
       add_point(other_end(steps_[i].edge, steps_[i].from), steps_[i].edge);
     }
     is_left_.assign(points_.size(), c.tolerance < (std::numeric_limits<double>::infinity)() ? 0 : 1);
@@ -371,18 +371,21 @@ private:
     return position(i, f);
   }
 
-  /// between the places at which the nodes are drawn: those of nodes joined to others are not quite the piece's ends
-  void add_points_between(const Step& step, double tolerance)
+  void add_points_between(Index edge, Index from, double tolerance)
   {
-    const Tree_graph::Edge& e = tree_.graph().edges[step.edge];
+    const Tree_graph::Edge& e = tree_.graph().edges[edge];
     if(e.piece == null_index)
       return;
     const Ridges::Piece& piece = tree_.ridges().piece(e.piece);
     if(!piece.is_bisector)
       return;
     samples_.clear();
-    sample_bisector(piece.images[0], piece.images[1], points_.back().point,
-                    place(other_end(step.edge, step.from), e.face), tolerance, samples_);
+    sample_bisector(piece.images[0], piece.images[1], tree_.ridges().piece_end(e.piece, 0),
+                    tree_.ridges().piece_end(e.piece, 1), tolerance, samples_);
+    const Plane_point p = position(own_end(from, edge), e.face), q = tree_.ridges().piece_end(e.piece, 0),
+                      r = tree_.ridges().piece_end(e.piece, 1);
+    if(std::hypot(p.x - q.x, p.y - q.y) > std::hypot(p.x - r.x, p.y - r.y))
+      std::reverse(samples_.begin(), samples_.end());
     for(const Plane_point& s : samples_)
       points_.push_back({s, piece.images[0].distance(s)});
   }
