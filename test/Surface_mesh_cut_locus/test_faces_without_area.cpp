@@ -8,11 +8,15 @@
 // it has without, up to the bound that the documentation states.
 
 #include "built_mesh.h"
+#include "curve_topology.h"
 #include "polyhedra.h"
 
+#include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
+#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/mollified_lengths.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_cut_locus.h>
 #include <CGAL/compute_cut_locus.h>
 #include <CGAL/cut_along_cut_locus.h>
 #include <CGAL/exact_geodesic_distances.h>
@@ -147,6 +151,29 @@ TEST(Faces_without_area, leave_the_cut_locus_where_it_is)
     // what is wide in one is in the other, where a little less is asked for
     EXPECT_LT(distance(curve(clean, 0.12), curve(flat, 0.1)), 1e-4);
     EXPECT_LT(distance(curve(flat, 0.12), curve(clean, 0.1)), 1e-4);
+  }
+}
+
+// Shortest paths lead on different ways to two vertices at the same point, and go on from both along one line.
+TEST(Faces_without_area, at_which_paths_meet_leave_a_disk)
+{
+  namespace lib = CGAL::Cut_loci::internal;
+  const Mesh_data clean = test_meshes::l_shape(1);
+  for(std::size_t i = 0; i < 3 * clean.triangles.size(); ++i)
+  {
+    Mesh_data data = clean;
+    add_needles(data, i / 3, i % 3);
+    const Built built(data);
+    const auto read = lib::read_triangle_mesh(built.mesh, get(CGAL::vertex_point, built.mesh));
+    CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, params::cut_locus_method(Method::POLYHEDRAL));
+    for(const auto v : built.mesh.vertices())
+    {
+      solver.set_source(v);
+      const auto curve = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+      const auto on = lib::on_component(read.mesh, lib::curve_on_mesh(read, built.mesh, curve));
+      EXPECT_EQ(curve_measures::internal::Curve_topology(on.component.mesh, on.curve.graph).fault(), "")
+        << "needles at corner " << i % 3 << " of face " << i / 3 << ", from " << v;
+    }
   }
 }
 
