@@ -268,7 +268,7 @@ class CutLocus:
         source_curves : sequence of (k,) or (k, 2) whole numbers, optional
             Curves along edges of the mesh, which are sources too, numbered behind the points: of each one the vertices
             along it, or the pairs of vertices that its edges join. Each is connected, and no two have a vertex in
-            common. The cut locus runs through the faces then, and parameters for curves along edges are refused.
+            common. The cut locus runs through the faces then, unless `curve` asks for edges of the mesh.
         source_border : bool
             Whether each border loop is a source, behind all others: of a flat region, that gives its medial axis.
         distances : (n,) real numbers, optional

@@ -171,7 +171,7 @@ def test_parameters(parameters, cause):
 
 def test_curves_with_laplacian():
     with pytest.raises(cut_locus.InvalidInput, match='method "laplacian" takes sources that are points'):
-        cut_locus.compute(POINTS, FACES, None, source_curves=[[0, 1]], method="laplacian")
+        cut_locus.compute(POINTS, FACES, None, source_curves=[[0, 2]], method="laplacian")
 
 
 def test_unknown_parameters():
