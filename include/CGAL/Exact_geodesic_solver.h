@@ -53,6 +53,7 @@ public:
     options.maximum_relative_error = maximum_relative_error_;
     options.progress = progress_;
     std::vector<Cut_loci::Indexed_location> locations;
+    locations.reserve(sources.size());
     for(const Cut_loci::Indexed_source& source : sources)
       locations.push_back(source.location);
     propagation_->run(locations, options);

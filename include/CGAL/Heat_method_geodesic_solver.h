@@ -59,6 +59,7 @@ public:
   void compute_distances(const std::vector<Cut_loci::Indexed_source>& sources, std::vector<double>& distances)
   {
     std::vector<Cut_loci::Index> vertices;
+    vertices.reserve(sources.size());
     for(const Cut_loci::Indexed_source& source : sources)
       vertices.push_back(source.vertex);
     if(std::find(vertices.begin(), vertices.end(), Cut_loci::null_index) != vertices.end())
