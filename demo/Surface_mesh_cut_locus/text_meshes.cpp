@@ -194,7 +194,7 @@ bool read_plain_OBJ(const std::string& text, Polygon_soup& soup)
         return false;
     }
   }
-  return !soup.points.empty() && !soup.polygons.empty() && has_all_points(soup);
+  return !soup.points.empty() && has_all_points(soup); // without faces, what is read has said so
 }
 
 #else // a library that reads no floating point numbers this way

@@ -13,10 +13,11 @@
 #include <CGAL/Cut_loci/face_graph/Cut_locus_builder.h>
 #include <CGAL/Cut_loci/face_graph/Surface_component.h>
 #include <CGAL/Cut_loci/face_graph/Visitor_handle.h>
+#include <CGAL/Cut_loci/face_graph/check_distances.h>
 #include <CGAL/Cut_loci/face_graph/concurrency.h>
 #include <CGAL/Cut_loci/face_graph/method_parameters.h>
-#include <CGAL/Cut_loci/face_graph/read_edge_lengths.h>
 #include <CGAL/Cut_loci/face_graph/read_curves.h>
+#include <CGAL/Cut_loci/face_graph/read_edge_lengths.h>
 #include <CGAL/Cut_loci/face_graph/read_source.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
@@ -33,7 +34,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
@@ -259,9 +259,9 @@ public:
    *
    * @throws Cut_loci::Invalid_input if the source is null, isolated or not in the mesh, if a face of its component
    *         has no area that the method needs, if a vertex of its component is not manifold, if a distance is not a
-   *         finite number, if a parameter is given that has no meaning for the method, or if there is a `maximum_relative_error` that is out of
-   *         its range, or not zero where the distances are not those of `Exact_geodesic_solver` or the method is
-   *         `Cut_loci::Method::POLYHEDRAL`
+   *         finite number, if a parameter is given that has no meaning for the method, or if there is a
+   *         `maximum_relative_error` that is out of its range, or not zero where the distances are not those of
+   *         `Exact_geodesic_solver` or the method is `Cut_loci::Method::POLYHEDRAL`
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_source(vertex_descriptor v, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -270,7 +270,11 @@ public:
   }
 
   /*!
-   * does the same for a source at any point of the mesh. Coordinates are normalized to sum up to one.
+   * does the same for a source at any point of the mesh.
+   *
+   * @param location the face in which the source lies, or one of those at its edge or vertex, and its barycentric
+   *        coordinates there, which are normalized to sum up to one
+   * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" as for a source at a vertex
    *
    * @throws Cut_loci::Invalid_input also if the face is null or not in the mesh, or if the coordinates are not
    *         finite, are negative or sum up to zero
@@ -686,7 +690,7 @@ private:
     if(has_own_solver_)
       Cut_loci::internal::refuse_distances(method_);
     solver.compute_distance(points_, curves_);
-    check_distances(component, solver.distance(), "the geodesic solver returned");
+    Cut_loci::internal::check_distances(solver.distance(), component, read_->positions, "the geodesic solver returned");
   }
 
   template <typename VertexDistanceMap>
@@ -721,7 +725,7 @@ private:
       Cut_loci::internal::refuse_error();
     solver.report_to(progress);
     solver.compute_distances(points_, distance);
-    check_distances(component, distance, "the geodesic solver returned");
+    Cut_loci::internal::check_distances(distance, component, read_->positions, "the geodesic solver returned");
     return solver.geodesics();
   }
 
@@ -732,37 +736,9 @@ private:
     distance.resize(component.mesh->number_of_vertices());
     for(Index v = 0; v < distance.size(); ++v)
       distance[v] = to_double(get(internal_np::get_reference(map), read_->vertices[component.vertex(v)])) / read_->unit;
-    check_distances(component, distance, "the vertex distance map holds");
-    check_range(component, distance);
+    Cut_loci::internal::check_distances(distance, component, read_->positions, "the vertex distance map holds");
+    Cut_loci::internal::check_range(distance, component, read_->positions);
     return nullptr;
-  }
-
-  void check_distances(const Component& component, const std::vector<double>& distance, const std::string& who) const
-  {
-    if(distance.size() != component.mesh->number_of_vertices())
-      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_DISTANCE,
-                                    who + " " + std::to_string(distance.size()) + " distances for " +
-                                      std::to_string(component.mesh->number_of_vertices()) + " vertices");
-    for(Index v = 0; v < distance.size(); ++v)
-      if(!std::isfinite(distance[v]))
-        throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_DISTANCE,
-                                      who + " a distance that is not a finite number for " +
-                                        Cut_loci::internal::vertex_name(read_->positions[component.vertex(v)]));
-  }
-
-  // No shortest path is longer than one of edges, which passes each of them once at most. What is longer may also be too
-  // large to compute with.
-  void check_range(const Component& component, const std::vector<double>& distance) const
-  {
-    const double longest = component.sum_of_edge_lengths();
-    for(Index v = 0; v < distance.size(); ++v)
-      if(distance[v] < 0. || distance[v] > longest)
-        throw Cut_loci::Invalid_input(
-          Cut_loci::Cause::INVALID_DISTANCE,
-          "the vertex distance map holds a distance that is " +
-            std::string(distance[v] < 0. ? "negative" : "longer than all edges together") + " for " +
-            Cut_loci::internal::vertex_name(read_->positions[component.vertex(v)]) +
-            ": it must hold the geodesic distances to the source, in the unit of the points");
   }
 
   void mark_edges(const Cut_loci::Indexed_cut_locus&, internal_np::Param_not_found) const {}

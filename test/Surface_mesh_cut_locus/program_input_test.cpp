@@ -355,6 +355,8 @@ TEST_F(Input, Broken_files)
   expect_failure(run_on_text("OFF\n3 1 0\n0 0 0\n1 0"), "cannot read");
   expect_failure(run_on_text("OFF\n0 0 0\n"), "no vertices");
   expect_failure(run_on_text("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"), "no faces");
+  write("points.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");
+  expect_failure(run_on("points.obj"), "no faces");
   expect_failure(run_on_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"), "cannot read");
   expect_failure(run_on_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n"), "damaged");
   expect_failure(run_on_text("OFF\n2000000000 1 0\n0 0 0\n"), "2000000000 vertices, more than its");

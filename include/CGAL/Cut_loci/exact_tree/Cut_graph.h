@@ -36,8 +36,8 @@ namespace internal {
  * \cgalCite{cgal:ew-gohhb-05}, what is dual to the links outside of a spanning tree joins all trees to a graph of 2g
  * cycles. The weight of a link is the angle at which paths meet there, or at which they part at the source if that is
  * larger: vertices closer to each other than windows are accurate may be reached on different ways, and the paths through
- * both go on along one line. The tree of least weight, up to a quarter of it,
- * does without all links that cross the cut locus if that is possible; it is, where all crossings are known.
+ * both go on along one line. The tree of least weight, up to a quarter of it, does without all links that cross the cut
+ * locus if that is possible; it is, where all crossings are known.
  *
  * With several sources the tree is a forest with one of them in each of its trees, and 2g - 1 more cycles than sources
  * are left. Links between points with different nearest sources come last. Where sources are edges on the border, these are

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_FACE_GRAPH_CHECK_DISTANCES_H
+#define CGAL_CUT_LOCI_FACE_GRAPH_CHECK_DISTANCES_H
+
+#include <CGAL/Cut_loci/Index.h>
+#include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/face_graph/Surface_component.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/// Throws if these are not finite distances, one for each vertex of a component of a mesh. `positions` are
+/// those of its vertices in the range of all, for the message, and `who` tells where the distances come from.
+inline void check_distances(const std::vector<double>& distance, const Surface_component& component,
+                            const std::vector<Index>& positions, const std::string& who)
+{
+  if(distance.size() != component.mesh->number_of_vertices())
+    throw Invalid_input(Cause::INVALID_DISTANCE, who + " " + std::to_string(distance.size()) + " distances for " +
+                                                   std::to_string(component.mesh->number_of_vertices()) + " vertices");
+  for(Index v = 0; v < distance.size(); ++v)
+    if(!std::isfinite(distance[v]))
+      throw Invalid_input(Cause::INVALID_DISTANCE, who + " a distance that is not a finite number for " +
+                                                     vertex_name(positions[component.vertex(v)]));
+}
+
+/// Throws if one of the distances in a `vertex_distance_map` cannot be that of a shortest path: none is longer than one
+/// of edges, which passes each of them once at most. What is longer may also be too large to compute with.
+inline void check_range(const std::vector<double>& distance, const Surface_component& component,
+                        const std::vector<Index>& positions)
+{
+  const double longest = component.sum_of_edge_lengths();
+  for(Index v = 0; v < distance.size(); ++v)
+    if(distance[v] < 0. || distance[v] > longest)
+      throw Invalid_input(Cause::INVALID_DISTANCE,
+                          "the vertex distance map holds a distance that is " +
+                            std::string(distance[v] < 0. ? "negative" : "longer than all edges together") + " for " +
+                            vertex_name(positions[component.vertex(v)]) +
+                            ": it must hold the geodesic distances to the source, in the unit of the points");
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_FACE_GRAPH_CHECK_DISTANCES_H
