@@ -15,6 +15,9 @@
 // in bytes, or throws `std::runtime_error` with the cause.
 std::size_t check_file(const std::string& filename);
 
+// throws `std::runtime_error` with the cause
+[[noreturn]] void refuse_file(const std::string& filename, const std::string& cause);
+
 // in lower case, with the dot
 std::string file_extension(const std::string& filename);
 

@@ -5,10 +5,12 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "Input_mesh.h"
+#include "Ply_header.h"
 #include "file_checks.h"
 #include "text_meshes.h"
 
 #include <CGAL/IO/OFF/File_scanner_OFF.h>
+#include <CGAL/IO/PLY.h>
 #include <CGAL/IO/polygon_soup_io.h>
 
 #include <fstream>
@@ -91,6 +93,15 @@ bool read_file(const std::string& filename, std::vector<Kernel::Point_3>& points
   {
     std::istringstream plain(plain_obj(is));
     return CGAL::IO::read_OBJ(plain, points, polygons, CGAL::parameters::verbose(false));
+  }
+  if(file_extension(filename) == ".ply")
+  {
+    const Ply_header header(is, filename);
+    if(!header.is_known_to_cgal())
+    {
+      std::istringstream plain(plain_ply(is, header));
+      return CGAL::IO::read_PLY(plain, points, polygons, CGAL::parameters::verbose(false));
+    }
   }
   if(file_extension(filename) != ".off")
     return CGAL::IO::read_polygon_soup(filename, points, polygons, CGAL::parameters::verbose(false));

@@ -14,7 +14,10 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -380,6 +383,71 @@ TEST_F(Input, Broken_files)
   expect_failure(
     run_on_ply(vertices + "element tristrips 1\nproperty list int int vertex_indices\n" + points + "3 0 1 2\n"),
     "triangle strips");
+}
+
+// Coordinates and corners may be numbers of any type of PLY, and lines may end as on the Mac of old.
+TEST_F(Input, PLY_files_with_numbers_of_any_type)
+{
+  const auto header = [](const std::string& format, const std::string& coordinate, const std::string& corner)
+  {
+    const std::string property = "property " + coordinate + " ";
+    return "ply\nformat " + format + " 1.0\nelement vertex 4\nproperty list uchar uchar weights\n" + property + "x\n" +
+           property + "y\nproperty uchar red\n" + property + "z\nelement face 4\nproperty list uchar " + corner +
+           " vertex_indices\nend_header\n";
+  };
+  const auto text = [&](const std::string& coordinate, const std::string& corner)
+  {
+    return header("ascii", coordinate, corner) + "1 7 0 0 9 0\n0 3 0 9 0\n2 1 1 0 3 9 0\n0 0 0 9 3\n"
+                                                 "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+  };
+  // each number of two bytes, given the place of the one of higher value
+  const auto binary = [&](const std::string& format, int high)
+  {
+    std::string result = header(format, "short", "ushort");
+    const auto put = [&](int number)
+    {
+      for(int place : {0, 1})
+        result += static_cast<char>(number >> (place == high ? 8 : 0) & 255);
+    };
+    for(const auto& [x, y, z] : std::vector<std::array<int, 3>>{{-2, 300, 0}, {1, 300, 0}, {-2, 303, 0}, {-2, 300, 3}})
+    {
+      result += std::string("\2\7\7", 3);
+      put(x);
+      put(y);
+      result += '\11';
+      put(z);
+    }
+    for(const auto& [i, j, k] : std::vector<std::array<int, 3>>{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+    {
+      result += '\3';
+      put(i);
+      put(j);
+      put(k);
+    }
+    return result;
+  };
+  const auto expect_tetrahedron = [&](const std::string& file)
+  {
+    write("a.ply", file);
+    const Json report = report_on("a.ply");
+    EXPECT_EQ(report.at("faces").get<int>(), 4);
+    EXPECT_NEAR(report.at("mean_edge_length").get<double>(), 1.5 + 1.5 * std::sqrt(2.), 1e-12) << file.substr(0, 200);
+  };
+  for(const char* coordinate : {"char", "uint8", "short", "ushort", "int", "uint32", "float", "double"})
+    for(const char* corner : {"char", "uchar", "int16", "uint16", "int", "uint"})
+      expect_tetrahedron(text(coordinate, corner));
+  expect_tetrahedron(binary("binary_little_endian", 1));
+  expect_tetrahedron(binary("binary_big_endian", 0));
+  std::string with_returns = text("float", "int");
+  std::replace(with_returns.begin(), with_returns.end(), '\n', '\r');
+  expect_tetrahedron(with_returns);
+
+  // of an early end, and numbers that are none, the program tells
+  for(const char* end : {"", "1 7 0 0 9", "1 7 0 0 9 zero\n"})
+  {
+    write("a.ply", header("ascii", "int", "int") + end);
+    expect_failure(run_on("a.ply"), "damaged");
+  }
 }
 
 // Nothing may be waited for, even if somebody writes.
