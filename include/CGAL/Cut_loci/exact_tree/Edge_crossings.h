@@ -236,25 +236,22 @@ private:
     const bool is_seam = geodesics_.is_seam(left.origin, right.origin, angle);
     if(!geodesics_.is_approximate())
     {
-      // or both sides of a shadow that is narrower here than windows are accurate
       const double way = (std::min)(left.distance(t) - left.sigma, right.distance(t) - right.sigma);
+      // or both sides of a shadow that is narrower here than windows are accurate
       const bool is_bend = angle < 0.5 * geodesic_pi && get_apart(left, right, t) &&
-                           (gap < least_angle || gap * way <= Edge_envelope::least_width * faces_.length(h));
-      crossings.push_back({h, t, left, right, gap, angle, is_seam || is_bend || is_same_path(angle, gap)});
+                           (gap < Parting_angle::least_angle || gap * way <= Edge_envelope::least_width * faces_.length(h));
+      crossings.push_back(
+        {h, t, left, right, gap, angle, is_seam || is_bend || parting_angle_.is_same_path(left, right, t)});
     }
     else if(!is_same_family(geodesics_, angle, gap))
       crossings.push_back({h, t, left, right, gap, angle, false});
   }
 
 public:
-  /// angles that are rounding: paths pass a vertex at `geodesic_cover` of an edge, and faces are not always well shaped
-  static bool is_same_path(double meeting, double parting) { return meeting < least_angle && parting < least_angle; }
-  static constexpr double least_angle = 1e-7;
-
-  /// the same for distances with an error: what is less has not been told apart
+  /// whether two paths are one as far as distances with an error tell: what is less has not been told apart
   static bool is_same_family(const Geodesic_results& geodesics, double meeting, double parting)
   {
-    return is_same_path(meeting, parting) || (meeting < steep && parting < geodesics.merging_angle());
+    return Parting_angle::is_same_path(meeting, parting) || (meeting < steep && parting < geodesics.merging_angle());
   }
   /// Beside a point where paths meet at less than that, the way to it is longer by less than that share of an edge.
   static constexpr double steep = 0.1;

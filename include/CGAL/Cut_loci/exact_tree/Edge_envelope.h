@@ -63,14 +63,14 @@ private:
   void read_windows(Geodesic_window_list* along, Geodesic_window_list* against)
   {
     Geodesic_window_list* mirrored = against != nullptr ? mirror<columns>(*against) : nullptr;
+    for(Geodesic_window_list* list : {along, mirrored})
+      if(list != nullptr)
+        close_gaps<columns>(*list);
     if(along == nullptr || mirrored == nullptr)
     {
       Geodesic_window_list* list = along != nullptr ? along : mirrored;
       if(list != nullptr)
-      {
-        Geodesic_trimming<columns>(*list, length_, true)(list->begin);
         append<columns>(*list);
-      }
     }
     else
     {
@@ -83,6 +83,36 @@ private:
       geodesics_.release(mirrored);
   }
 
+  /// Where paths run nearly along the edge, what their rays lack of meeting each other is long on it. A path that goes
+  /// there, and so passes the vertex that bounds its window on the wrong side, is too short by about the square of that.
+  template <int columns>
+  void close_gaps(Geodesic_window_list& list) const
+  {
+    Geodesic_trimming<columns> trim(list, length_, true);
+    trim(list.begin);
+    bool is_open = false;
+    for(std::size_t i = list.begin + std::size_t(1); i < list.end; ++i)
+    {
+      Geodesic_window left = list.template get<columns>(i - 1), right = list.template get<columns>(i);
+      if(!(left.b < right.a) || !(width_seen(left, left.b, right.a) <= least_width * length_) ||
+         !(width_seen(right, left.b, right.a) <= least_width * length_))
+        continue;
+      std::swap(left.b, right.a);
+      list.template set<columns>(i - 1, left);
+      list.template set<columns>(i, right);
+      is_open = true;
+    }
+    if(is_open)
+      trim(list.begin);
+  }
+
+  /// how wide a part of the edge looks from the image of a window, across the way to it
+  static double width_seen(const Geodesic_window& w, double from, double to)
+  {
+    const double nearest = (std::max)(from, (std::min)(w.x, to)), d = std::hypot(nearest - w.x, w.y);
+    return d > 0. ? (to - from) * std::fabs(w.y) / d : to - from;
+  }
+
   /// the windows of the opposite halfedge as if they came from behind the halfedge, at the same distances; numbers of
   /// their origins below zero mark them
   template <int columns>
@@ -91,7 +121,7 @@ private:
     Geodesic_window_list* result = geodesics_.allocate(list.size());
     for(std::size_t i = list.end; i-- > list.begin;)
     {
-      Geodesic_window w = list.get<columns>(i);
+      Geodesic_window w = list.template get<columns>(i);
       const double a = w.a;
       w.a = length_ - w.b;
       w.b = length_ - a;
@@ -107,7 +137,7 @@ private:
   {
     for(std::size_t i = list.begin; i < list.end; ++i)
     {
-      const Geodesic_window w = list.get<columns>(i);
+      const Geodesic_window w = list.template get<columns>(i);
       Path_label label{w.x, w.y, w.sigma, w.turn, 0, w.origin < 0., w.rate};
       label.origin = static_cast<Index>(label.from_face ? -1. - w.origin : w.origin);
       if(label.from_face)
@@ -163,26 +193,25 @@ private:
   /// Near the vertex from which a branch between two lines starts, their distances differ by less than they are known to.
   double margin_at(Index v) const { return (geodesics_.is_on_line(v) ? 1e-6 : geodesic_cover) * length_; }
 
-  /// A branch may leave its vertex nearly along the edge: then rounding tells on which side of it, and windows that end
-  /// a little beside the vertex leave a gap, in which the paths around its other side show.
-  /// @return whether another label, that of a neighbor, is shorter on all of a piece at an end, and leads to the vertex
+  /// A branch may leave its vertex nearly along the edge: then rounding tells on which side of it, and where it crosses the
+  /// edge; and windows that end a little beside the vertex leave a gap, in which the paths around its other side show.
+  /// @return whether another label, that of a neighbor, leads to the vertex, and is shorter on a piece at an end, or, where
+  ///         no rounding tells, beyond it
   bool is_shorter(const Piece& neighbor, const Piece& piece, double end, Index v) const
   {
-    const Path_label& other = neighbor.label;
     const double rounding = 1e-14 * (geodesics_.distance(v) + length_);
     if(piece.label.origin == geodesics_.origin_of_vertex(v) || // a shadow of the vertex
-       std::fabs(other.distance(end) - geodesics_.distance(v)) > rounding)
+       std::fabs(neighbor.label.distance(end) - geodesics_.distance(v)) > rounding)
       return false;
-    // of two that mirror each other in the edge, both are shortest
-    if(other.sigma == piece.label.sigma)
-    {
-      // Their bisector is straight: what is shorter behind the piece, where that is more than rounding, is so on it.
-      const double beyond = end == 0. ? neighbor.end : neighbor.begin;
-      return other.distance(beyond) < piece.label.distance(beyond) - rounding;
-    }
-    const double inner = 0.5 * (piece.begin + piece.end), far = end == 0. ? piece.end : piece.begin;
-    return other.distance(inner) < piece.label.distance(inner) - rounding &&
-           other.distance(far) < piece.label.distance(far) - rounding;
+    const auto gain = [&](double t) { return piece.label.distance(t) - neighbor.label.distance(t); };
+    const double inner = 0.5 * (piece.begin + piece.end), far = end == 0. ? piece.end : piece.begin,
+                 beyond = end == 0. ? neighbor.end : neighbor.begin;
+    const double least = (std::min)(gain(inner), gain(far));
+    if(least > rounding)
+      return true;
+    // Where a shadow begins, both are the same path: rays tell where that is.
+    return least > -rounding && gain(beyond) > rounding &&
+           !Parting_angle(geodesics_).is_same_path(neighbor.label, piece.label, far);
   }
 
   /// whether the distance leaps up to a window from both of its neighbors: a gap between these that rounding has left,

@@ -268,7 +268,7 @@ private:
   bool is_ray(const Edge_crossing& c) const
   {
     const bool are_lines = geodesics_->is_line(c.left.origin) && geodesics_->is_line(c.right.origin);
-    return c.angle < Edge_crossings::least_angle || (c.is_shadow && !are_lines);
+    return c.angle < Parting_angle::least_angle || (c.is_shadow && !are_lines);
   }
 
   void add_changes_on_edge(Index h)

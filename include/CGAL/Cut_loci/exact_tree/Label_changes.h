@@ -109,10 +109,14 @@ private:
     const Geodesic_arrival& arrival = geodesics_->arrival(v);
     const double direction = Geodesic_results::direction_at_origin(arrival, geodesics_->end_in_frame(arrival, v));
     c.angle = meeting_angle(c.left, c.right, c.t);
-    c.gap = Parting_angle(*geodesics_)(arrival.origin, direction, label.origin, label.direction(c.t), c.angle);
+    const Parting_angle::Parting parting =
+      Parting_angle(*geodesics_).parting(arrival.origin, direction, label.origin, label.direction(c.t), c.angle);
+    c.gap = parting.angle;
     if(geodesics_->is_seam(arrival.origin, label.origin, c.angle))
       return;
-    if(!Edge_crossings::is_same_family(*geodesics_, c.angle, c.gap))
+    const double sigma = (std::max)(geodesics_->sigma_of_origin(arrival.origin), label.sigma);
+    if(geodesics_->is_approximate() ? !Edge_crossings::is_same_family(*geodesics_, c.angle, c.gap)
+                                    : !Parting_angle::is_same_path(c.angle, parting, geodesics_->distance(v), sigma))
       crossings.push_back(c);
   }
 
@@ -122,7 +126,7 @@ private:
     c.angle = meeting_angle(c.left, c.right, c.t);
     c.gap = Parting_angle(*geodesics_)(c.left, c.right, c.t);
     if(c.left.origin != c.right.origin && !geodesics_->is_seam(c.left.origin, c.right.origin, c.angle) &&
-       !Edge_crossings::is_same_path(c.angle, c.gap))
+       !Parting_angle::is_same_path(c.angle, c.gap))
       crossings.push_back(c);
   }
 

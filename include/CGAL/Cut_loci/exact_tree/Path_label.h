@@ -95,6 +95,12 @@ class Parting_angle
 public:
   explicit Parting_angle(const Geodesic_results& geodesics) : geodesics_(geodesics) {}
 
+  struct Parting
+  {
+    double angle;
+    double distance; // of the point where they part, from the source
+  };
+
   double operator()(const Path_label& a, const Path_label& b, double t) const
   {
     return operator()(a.origin, a.direction(t), b.origin, b.direction(t), meeting_angle(a, b, t));
@@ -106,11 +112,28 @@ public:
     return parting(a, a_direction, b, b_direction, meeting).angle;
   }
 
-  struct Parting
+  /// angles that are rounding: paths pass a vertex at `geodesic_cover` of an edge, and faces are not always well shaped
+  static constexpr double least_angle = 1e-7;
+  static bool is_same_path(double meeting, double parting) { return meeting < least_angle && parting < least_angle; }
+
+  /// The same for paths of the length `distance` to a point, the later one of which comes straight from an origin at the
+  /// distance `sigma`. The other one, which passes that origin, is shorter by half the square of the angle at which the
+  /// later one bends there, times the harmonic mean of the ways before and behind: that may be less than a rounding.
+  static bool is_same_path(double meeting, const Parting& parting, double distance, double sigma)
   {
-    double angle;
-    double distance; // of the point where they part, from the source
-  };
+    const double before = sigma - parting.distance, behind = distance - sigma, angle = meeting + parting.angle;
+    return is_same_path(meeting, parting.angle) ||
+           (before > 0. && 0.5 * angle * angle * before * behind < rounding * distance * (before + behind));
+  }
+
+  /// The same for the labels on both sides of a point. The angle at which their paths part is that on all of a ray that
+  /// bounds a shadow.
+  bool is_same_path(const Path_label& a, const Path_label& b, double t) const
+  {
+    const double way = (std::min)(a.distance(t) - a.sigma, b.distance(t) - b.sigma), angle = meeting_angle(a, b, t);
+    return (angle < least_angle || 0.5 * angle * angle * way < rounding * a.distance(t)) &&
+           operator()(a, b, t) < least_angle;
+  }
 
   Parting parting(Index a, double a_direction, Index b, double b_direction, double meeting) const
   {
@@ -139,6 +162,8 @@ public:
   }
 
 private:
+  static constexpr double rounding = 1e-14; // of distances, which are sums along a path of many pieces
+
   double distance(Index origin) const
   {
     return geodesics_.is_source(origin) ? 0. : geodesics_.distance(geodesics_.vertex_of_origin(origin));
