@@ -477,23 +477,20 @@ public:
       throw Cut_loci::Invalid_input(Cut_loci::Cause::NO_SOURCE,
                                     "there is no source: set_source() comes before cut_locus()");
     refuse_parameters_of_other_methods(method_, np);
-    if(!curves_.empty())
+    if(!curves_.empty() && method_ != Cut_loci::Method::LAPLACIAN)
       refuse_mesh_edges(np);
 
     const Stage_scope scope(visitor_, Cut_loci::Stage::FILTER);
     report(*component_, Cut_loci::Stage::FILTER); // what has been left out may be computed
-    Curve_parameters curve = read_curve(np, method_);
-    if(!curves_.empty() && !is_given<CGAL_NP_CLASS, internal_np::cut_locus_curve_t>())
-      curve.curve = Cut_loci::Curve::THROUGH_FACES;
+    const Curve_parameters curve = read_curve(np, method_, !curves_.empty());
     Cut_loci::Indexed_cut_locus found, mesh_edges;
     if(method_ == Cut_loci::Method::LAPLACIAN)
     {
-      mesh_edges = component_->laplacian->filter(
-        read_branch_thresholds(np, source_angle_threshold_, default_minimum_branch_edges(), component_->diagonal));
       Cut_loci::Smoothing_parameters smoothing;
       smoothing.number_of_iterations = static_cast<Index>(curve.iterations);
-      found = curve.iterations == 0 ? mesh_edges : component_->laplacian->smoothed(mesh_edges, smoothing);
-      component_->laplacian->remove_other_parts(read_kept_parts(np), mesh_edges, found);
+      found = component_->laplacian->filter(
+        read_branch_thresholds(np, source_angle_threshold_, default_minimum_branch_edges(), component_->diagonal),
+        smoothing, read_kept_parts(np), mesh_edges);
     }
     else
     {
@@ -595,7 +592,7 @@ private:
     const double error = Cut_loci::internal::read_maximum_relative_error(np);
     refuse_lengths(read_->mesh.is_intrinsic, method);
     if(!curves.empty())
-      Cut_loci::internal::refuse_curves(method, error);
+      Cut_loci::internal::refuse_error_of_curves(error);
     source_result_.reset();
     method_ = method;
     constexpr bool runs_solver = !Cut_loci::internal::is_given<NamedParameters, internal_np::vertex_distance_map_t>();
@@ -677,7 +674,7 @@ private:
   {
     std::vector<double> distance;
     const Cut_loci::internal::Geodesic_results* geodesics = compute_distances(component, distance, map);
-    solver.set_distance(points_, std::move(distance), geodesics);
+    solver.set_distance(points_, curves_, std::move(distance), geodesics);
   }
 
   // The package's own solver also finds the directions.
@@ -720,7 +717,7 @@ private:
     if(!solver.set_maximum_relative_error(maximum_relative_error_) && maximum_relative_error_ > 0.)
       Cut_loci::internal::refuse_error();
     solver.report_to(progress);
-    solver.compute_distances(points_, distance);
+    solver.compute_distances(points_, curves_, distance);
     check_distances(component, distance, "the geodesic solver returned");
     return solver.geodesics();
   }
