@@ -72,9 +72,7 @@ public:
   {
     roots_ = roots;
     if(const Index i = roots_.first_without_face(); i != null_index)
-      Source_faces::throw_source_without_face(
-        roots_.name(i),
-        "ask for cut_locus_method(Cut_loci::Method::DIRECTION) and cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
+      Source_faces::throw_source_without_face(roots_.name(i), remedy());
     geodesics_ = geodesics;
     distance_ = std::move(distance);
     is_source_.assign(distance_.size(), 0);
@@ -182,6 +180,12 @@ public:
   const Source_roots& roots() const { return roots_; }
 
 private:
+  // where edges of the mesh do not separate sources
+  static const char* remedy()
+  {
+    return "ask for cut_locus_method(Cut_loci::Method::DIRECTION) and cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)";
+  }
+
   // A source is not it even if all distances are equal, unless all vertices are sources.
   void find_farthest()
   {
@@ -232,9 +236,7 @@ private:
       halfedges.push_back(h);
       edges.push_back(e);
     }
-    const Edges_off_sources off(nodes, halfedges,
-                                "ask for cut_locus_method(Cut_loci::Method::DIRECTION), whose curve through the faces "
-                                "does");
+    const Edges_off_sources off(nodes, halfedges, remedy());
     for(std::size_t i = 0; i < edges.size(); ++i)
       is_removed[edges[i]] |= off.is_dropped()[i];
     remove_loose_ends(thresholds, off.number_at_sources() > 0, graph, is_removed);
