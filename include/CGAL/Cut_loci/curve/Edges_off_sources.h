@@ -22,7 +22,7 @@ namespace internal {
 /*!
  * tells which edges of a graph of mesh edges stay if those at parts of the border that are sources are left out.
  *
- * With each of these parts as one node, the graph is what it has to be. What hangs together at such a node alone is
+ * With `Nodes_with_sources`, the graph is what it has to be. What hangs together at such a node alone is
  * separated by corridors that no curve of mesh edges passes: one of these pieces stays, which is the one with cycles or
  * a part of the border, if there is any. Where that would leave the wrong topology, it is an error.
  */
@@ -43,8 +43,8 @@ public:
     for(std::size_t i = 0; i < halfedges.size(); ++i)
     {
       const Index node = nodes_.ends(halfedges[i])[0];
-      is_dropped_[i] = is_at_source(halfedges[i]) || best_[groups_.find(node)] != pieces_.find(node);
-      number_at_sources_ += is_at_source(halfedges[i]);
+      is_dropped_[i] = nodes_.is_at_source(halfedges[i]) || best_[groups_.find(node)] != pieces_.find(node);
+      number_at_sources_ += nodes_.is_at_source(halfedges[i]);
     }
   }
 
@@ -59,12 +59,10 @@ private:
     bool has_to_stay() const { return edges >= nodes || has_border; }
   };
 
-  bool is_at_source(Index h) const { return nodes_.is_source(nodes_.ends(h)[0]) || nodes_.is_source(nodes_.ends(h)[1]); }
-
   bool meets_source() const
   {
     for(Index h : halfedges_)
-      if(is_at_source(h))
+      if(nodes_.is_at_source(h))
         return true;
     return false;
   }
@@ -73,13 +71,13 @@ private:
   void unite()
   {
     for(Index h : halfedges_)
-      if(!is_at_source(h))
+      if(!nodes_.is_at_source(h))
       {
         pieces_.unite(nodes_.ends(h)[0], nodes_.ends(h)[1]);
         groups_.unite(nodes_.ends(h)[0], nodes_.ends(h)[1]);
       }
     for(Index h : halfedges_)
-      if(is_at_source(h) && !groups_.unite(nodes_.ends(h)[0], nodes_.ends(h)[1]))
+      if(nodes_.is_at_source(h) && !groups_.unite(nodes_.ends(h)[0], nodes_.ends(h)[1]))
         throw_no_way();
   }
 
@@ -92,7 +90,7 @@ private:
       piece_[pieces_.find(i)].has_border |= nodes_.is_border(i);
     }
     for(Index h : halfedges_)
-      if(!is_at_source(h))
+      if(!nodes_.is_at_source(h))
         ++piece_[pieces_.find(nodes_.ends(h)[0])].edges;
   }
 

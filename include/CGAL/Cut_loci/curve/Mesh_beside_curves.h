@@ -7,12 +7,14 @@
 #ifndef CGAL_CUT_LOCI_CURVE_MESH_BESIDE_CURVES_H
 #define CGAL_CUT_LOCI_CURVE_MESH_BESIDE_CURVES_H
 
+#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/Source_parts.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -58,6 +60,21 @@ public:
       if(parts_.is_at_source(v))
         result[v] = 0.;
     return result;
+  }
+
+  /// throws where the rest of the border has no vertex at which a curve could end that has to
+  void check_gaps(const std::string& remedy) const
+  {
+    const Indexed_triangle_mesh& mesh = cut_.mesh;
+    for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+      if(mesh.is_border_edge(h) && !parts_.is_on_source(h) && parts_.is_at_source(mesh.source(h)) &&
+         parts_.is_at_source(mesh.target(h)))
+        throw Invalid_input(Cause::NO_FACE_AT_SOURCE,
+                            "on the border, sources " + std::to_string(parts_.source(parts_.part(mesh.source(h)))) +
+                              " and " + std::to_string(parts_.source(parts_.part(mesh.target(h)))) +
+                              " are one edge apart, which a curve of mesh edges does not cross: the mesh has to be "
+                              "refined there; or " +
+                              remedy);
   }
 
   /// a curve becomes one of the mesh that is not cut

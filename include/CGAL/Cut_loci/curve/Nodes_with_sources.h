@@ -19,8 +19,11 @@ namespace Cut_loci {
 namespace internal {
 
 /*!
- * numbers what counts as one node of a graph of mesh edges: the rest of each border loop that is no source, each part of
- * the border that is one, and each vertex inside, in this order.
+ * numbers what counts as one node of a graph of mesh edges: each border loop that is not all source, each one that is,
+ * and each vertex inside, in this order.
+ *
+ * An arc of a loop that is a source is a point on that node: edges that end there separate what is on their two sides, as
+ * those to the rest of the loop do. At a loop that is a source, a single edge separates nothing.
  */
 class Nodes_with_sources
 {
@@ -36,14 +39,21 @@ public:
 
   Index node(Index v) const
   {
-    if(parts_.is_at_source(v))
-      return number_of_loops() + parts_.part(v);
-    return connectivity_.is_border(v) ? connectivity_.border_loop[v] : number_of_loops() + parts_.size() + v;
+    if(!connectivity_.is_border(v))
+      return number_of_loops() + parts_.size() + v;
+    const Index loop = connectivity_.border_loop[v];
+    return has_rest_[loop] ? loop : number_of_loops() + parts_.part(v);
   }
   std::array<Index, 2> ends(Index halfedge) const
   {
     return {{node(mesh_.source(halfedge)), node(mesh_.target(halfedge))}};
   }
+  /// whether an edge has an end at a source on the border
+  bool is_at_source(Index halfedge) const
+  {
+    return parts_.is_at_source(mesh_.source(halfedge)) || parts_.is_at_source(mesh_.target(halfedge));
+  }
+  /// whether a node is a border loop that is a source
   bool is_source(Index node) const { return node >= number_of_loops() && node < number_of_loops() + parts_.size(); }
   /// whether a node is a border loop with a vertex to which a curve may go
   bool is_border(Index node) const { return node < number_of_loops() && has_rest_[node]; }

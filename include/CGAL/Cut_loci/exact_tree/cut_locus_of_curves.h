@@ -22,6 +22,7 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/Source_faces.h>
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -43,10 +44,11 @@ mesh_edges_between_curves(const Indexed_triangle_mesh& mesh, const std::vector<I
                           const std::vector<Tree_branches::Edge>& kept, const Exact_tree_thresholds& thresholds)
 {
   const Mesh_beside_curves beside(mesh, static_cast<Index>(points.size()), curves);
+  const std::string remedy = "ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)";
+  beside.check_gaps(remedy);
   const Source_faces at_sources(beside.mesh(), beside.connectivity(), points, beside.parts());
   if(at_sources.first_without_face() != null_index)
-    Source_faces::throw_source_without_face(at_sources.name(at_sources.first_without_face()),
-                                            "ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
+    Source_faces::throw_source_without_face(at_sources.name(at_sources.first_without_face()), remedy);
   const std::vector<double> distance = beside.distances(distance_on_mesh);
   Indexed_cut_locus result = std::move(Mesh_edge_curve(beside.mesh(), beside.connectivity(), &divided, tree, kept,
                                                        at_sources, distance, beside.parts(), null_index)

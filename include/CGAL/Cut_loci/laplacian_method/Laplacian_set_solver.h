@@ -67,6 +67,7 @@ public:
     }
     const Progress& operators = progress_;
     beside_.reset(new Mesh_beside_curves(mesh_, static_cast<Index>(points.size()), curves));
+    beside_->check_gaps(Laplacian_solver::remedy());
     distance_ = beside_->distances(distance);
     Index n = 0;
     const std::vector<Index> piece_of_face = face_components(beside_->mesh(), n);

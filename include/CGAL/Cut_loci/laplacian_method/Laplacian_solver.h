@@ -179,13 +179,13 @@ public:
   }
   const Source_roots& roots() const { return roots_; }
 
-private:
   // where edges of the mesh do not separate sources
   static const char* remedy()
   {
     return "ask for cut_locus_method(Cut_loci::Method::DIRECTION) and cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)";
   }
 
+private:
   // A source is not it even if all distances are equal, unless all vertices are sources.
   void find_farthest()
   {
