@@ -225,7 +225,7 @@ private:
 };
 
 inline void expect_topology(const Built& built, const std::vector<Edges>& curves, const Result& result,
-                     const std::string& what)
+                            const std::string& what)
 {
   const Topology topology(built, curves, result);
   EXPECT_EQ(topology.graph_components, topology.surface_components) << what;
@@ -280,9 +280,12 @@ inline std::vector<std::size_t> circle(std::size_t nu, std::size_t k, std::size_
 // of genus 0 to 3, with and without a border
 inline std::vector<Mesh_data> surfaces()
 {
-  return {ellipsoid(1., 0.8, 0.6, 10, 0.2, 1), torus(1., 0.4, 28, 14, 0.2, 2),
-          perforated_plate(2, 1, 4, 3),        perforated_plate(3, 1, 4, 4),
-          square(14, 0.2, 6),                  cylinder(2., 24, 12, 0.2, 7)};
+  return {ellipsoid(1., 0.8, 0.6, 10, 0.2, 1),
+          torus(1., 0.4, 28, 14, 0.2, 2),
+          perforated_plate(2, 1, 4, 3),
+          perforated_plate(3, 1, 4, 4),
+          square(14, 0.2, 6),
+          cylinder(2., 24, 12, 0.2, 7)};
 }
 
 // `k` paths of some edges that have no vertex in common, and none on the border
@@ -318,7 +321,8 @@ inline std::vector<Edges> random_curves(const Built& built, std::size_t k, std::
 }
 
 // paths from the border on, and parts of it
-inline std::vector<Edges> curves_at_border(const Built& built, std::size_t k, std::size_t number_of_edges, unsigned seed)
+inline std::vector<Edges> curves_at_border(const Built& built, std::size_t k, std::size_t number_of_edges,
+                                           unsigned seed)
 {
   std::mt19937 engine(seed);
   std::vector<Edges> result;

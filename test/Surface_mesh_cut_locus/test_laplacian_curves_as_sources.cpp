@@ -183,8 +183,8 @@ void expect_topology_of_solver(const GeodesicSolver& geodesics, const std::strin
       for(unsigned seed = 0; seed < 2; ++seed)
       {
         const std::vector<Edges> curves = random_curves(built, k, 5, unsigned(10 * i + k + 100 * seed));
-        const std::string what = name + ", surface " + std::to_string(i) + ", " + std::to_string(k) + " curves, seed " +
-                                 std::to_string(seed);
+        const std::string what =
+          name + ", surface " + std::to_string(i) + ", " + std::to_string(k) + " curves, seed " + std::to_string(seed);
         Solver solver(built.mesh, laplacian.geodesic_solver(geodesics));
         solver.set_sources(Vertices(), params::source_curves(curves));
         ++number;
@@ -231,8 +231,8 @@ TEST(Laplacian_curves, leave_what_shrinks_to_the_cut_locus_whatever_the_distance
       for(const Mesh::Vertex_index v : built.vertices)
         distance[v] = seed == 0 ? 1. : 1. + random_unit(engine);
       Solver solver(built.mesh, laplacian);
-      solver.set_sources(Vertices(), params::source_curves(curves).vertex_distance_map(
-                                       boost::make_assoc_property_map(distance)));
+      solver.set_sources(Vertices(),
+                         params::source_curves(curves).vertex_distance_map(boost::make_assoc_property_map(distance)));
       const std::string what = "surface " + std::to_string(i);
       if(has_mesh_edges(built, solver, curves, params::voronoi(false), what))
         expect_topology(built, curves, solver.cut_locus(), what + ", through faces");
@@ -256,8 +256,8 @@ TEST(Laplacian_curves, may_be_loops_that_separate_the_surface_or_do_not)
       {std::vector<Edges>{path(built, around)}, std::vector<Edges>{path(built, along)}, std::vector<Edges>{cross}})
   {
     EXPECT_TRUE(has_mesh_edges(built, {}, curves, Method::LAPLACIAN, "torus"));
-    expect_topology(built, curves,
-                    CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(curves)), "torus");
+    expect_topology(built, curves, CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(curves)),
+                    "torus");
   }
   const std::vector<Edges> loops = {path(ball, circle(24, 3, 0, 24)), path(ball, circle(24, 8, 0, 24))};
   EXPECT_TRUE(has_mesh_edges(ball, {}, loops, Method::LAPLACIAN, "ball"));
@@ -283,8 +283,8 @@ TEST(Laplacian_curves, may_be_borders_and_touch_them)
       const std::string what = "seed " + std::to_string(seed);
       ++number;
       if(has_mesh_edges(built, {}, curves, Method::LAPLACIAN, what))
-        expect_topology(built, curves,
-                        CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(curves)), what);
+        expect_topology(built, curves, CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(curves)),
+                        what);
       else
         ++number_of_refused;
     }
@@ -321,7 +321,8 @@ TEST(Laplacian_curves, and_points_mix_with_the_points_first)
   EXPECT_EQ(num_edges(strong.graph()), num_edges(solver.cut_locus(mesh_edges.voronoi(true)).graph()))
     << "no threshold removes what is between two";
   std::map<Mesh::Edge_index, bool> marks;
-  const Result edges_of_mesh = solver.cut_locus(mesh_edges.edge_is_constrained_map(boost::make_assoc_property_map(marks)));
+  const Result edges_of_mesh =
+    solver.cut_locus(mesh_edges.edge_is_constrained_map(boost::make_assoc_property_map(marks)));
   EXPECT_EQ(marks.size(), num_edges(edges_of_mesh.graph()));
 }
 
@@ -329,9 +330,8 @@ TEST(Laplacian_curves, and_points_mix_with_the_points_first)
 template <typename GeodesicSolver>
 double detour(const Built& built, const std::vector<Edges>& curves, const GeodesicSolver& geodesics, Curve curve)
 {
-  const Result result =
-    CGAL::compute_cut_locus(built.mesh, Vertices(),
-                            laplacian.geodesic_solver(geodesics).source_curves(curves).cut_locus_curve(curve));
+  const Result result = CGAL::compute_cut_locus(
+    built.mesh, Vertices(), laplacian.geodesic_solver(geodesics).source_curves(curves).cut_locus_curve(curve));
   std::vector<double> exact;
   const curve_measures::Measures m = curve_measures::measure(built.mesh, result, exact, curves);
   EXPECT_EQ(m.topology_fault, "");
@@ -341,8 +341,7 @@ double detour(const Built& built, const std::vector<Edges>& curves, const Geodes
 
 TEST(Laplacian_curves, lengthen_no_path_by_much)
 {
-  for(const Mesh_data& data :
-      {ellipsoid(1., 0.8, 0.6, 16, 0.2, 1), torus(1., 0.4, 48, 24, 0.2, 2), square(24, 0.2, 6)})
+  for(const Mesh_data& data : {ellipsoid(1., 0.8, 0.6, 16, 0.2, 1), torus(1., 0.4, 48, 24, 0.2, 2), square(24, 0.2, 6)})
   {
     const Built built(data);
     std::vector<Edges> curves = random_curves(built, 2, 4, 5);

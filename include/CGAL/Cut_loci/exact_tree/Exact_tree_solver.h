@@ -147,11 +147,10 @@ public:
     see_all_of(kept, thresholds, all.part(0.5, 0.7));
     tree_->measure_widths(kept, all.part(0.7, 0.8));
     if(has_curves())
-      return curve == Curve::MESH_EDGES
-               ? edges = mesh_edges_between_curves(mesh_, sources_, curves_, distance_, *divided_, *tree_, kept,
-                                                   thresholds)
-               : curve_between_curves(mesh_, connectivity_, *divided_, *divided_->with_curves, *tree_, kept, thresholds,
-                                      lone_vertex());
+      return curve == Curve::MESH_EDGES ? edges = mesh_edges_between_curves(mesh_, sources_, curves_, distance_,
+                                                                            *divided_, *tree_, kept, thresholds)
+                                        : curve_between_curves(mesh_, connectivity_, *divided_, *divided_->with_curves,
+                                                               *tree_, kept, thresholds, lone_vertex());
     const Source_faces at_sources(mesh_, connectivity_, sources_);
     if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
       Source_faces::throw_source_without_face(at_sources.first_without_face(),

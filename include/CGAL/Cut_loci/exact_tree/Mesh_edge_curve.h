@@ -64,8 +64,8 @@ public:
   /// @param lone the vertex that is left if nothing else is, or null for none
   Mesh_edge_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                   const Mesh_with_sources* divided, Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept,
-                  const Source_faces& sources, const std::vector<double>& distance,
-                  const Source_parts& parts, Index lone, const Progress& progress = {})
+                  const Source_faces& sources, const std::vector<double>& distance, const Source_parts& parts,
+                  Index lone, const Progress& progress = {})
     : mesh_(mesh), connectivity_(connectivity), divided_(divided), distance_(distance),
       nodes_(mesh, connectivity, parts), tree_(tree)
   {

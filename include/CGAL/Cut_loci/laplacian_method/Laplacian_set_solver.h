@@ -65,20 +65,21 @@ public:
       whole_->set_distance(points, std::move(distance), geodesics);
       return;
     }
-    const Progress& operators = progress_;
     beside_.reset(new Mesh_beside_curves(mesh_, static_cast<Index>(points.size()), curves));
     beside_->check_gaps(Laplacian_solver::remedy());
+    points_ = points;
     distance_ = beside_->distances(distance);
-    Index n = 0;
-    const std::vector<Index> piece_of_face = face_components(beside_->mesh(), n);
-    for(Index i = 0; i < n; ++i)
-      pieces_.emplace_back(new Piece(*beside_, piece_of_face, i, n, points, distance_, type_, operators));
-    distance_.resize(mesh_.number_of_vertices());
     farthest_ = static_cast<Index>(std::max_element(distance_.begin(), distance_.end()) - distance_.begin());
   }
 
   void compute_strengths() override
   {
+    const Progress all = progress_;
+    if(has_curves())
+    {
+      make_pieces(all.part(0., 0.7));
+      progress_ = all.part(0.7, 1.);
+    }
     for_each_solver([](Laplacian_solver& solver) { solver.compute_strengths(); });
   }
   void grow_tree() override
@@ -126,7 +127,8 @@ public:
     {
       const std::vector<Index> nearest = piece->solver->nearest_sources();
       for(Index v = 0; v < piece->part.vertices.size() && !result.empty(); ++v)
-        result[beside_->vertex(piece->part.vertices[v])] = nearest.empty() ? piece->solver->roots().name(0) : nearest[v];
+        result[beside_->vertex(piece->part.vertices[v])] =
+          nearest.empty() ? piece->solver->roots().name(0) : nearest[v];
     }
     return result;
   }
@@ -138,13 +140,12 @@ private:
     Mesh_component part;
     std::unique_ptr<Laplacian_solver> solver;
 
-    Piece(const Mesh_beside_curves& beside, const std::vector<Index>& piece_of_face, Index id, Index number_of_pieces,
+    Piece(const Mesh_beside_curves& beside, const std::vector<Index>& piece_of_face, Index id,
           const std::vector<Indexed_source>& points, const std::vector<double>& distance, Laplacian_operator type,
           const Progress& progress)
-      : part(extract_component(beside.mesh(), piece_of_face, id))
+      : part(extract_component(beside.mesh(), piece_of_face, id)),
+        solver(new Laplacian_solver(part.mesh, type, {}, progress))
     {
-      const double begin = double(id) / number_of_pieces, end = double(id + 1) / number_of_pieces;
-      solver.reset(new Laplacian_solver(part.mesh, type, {}, progress.part(begin, end)));
       std::vector<Indexed_source> points_here;
       std::vector<Index> names;
       for(Index i = 0; i < points.size(); ++i)
@@ -184,6 +185,16 @@ private:
   }
 
   bool has_curves() const { return beside_ != nullptr; }
+
+  void make_pieces(const Progress& progress)
+  {
+    Index n = 0;
+    const std::vector<Index> piece_of_face = face_components(beside_->mesh(), n);
+    for(Index i = 0; i < n; ++i)
+      pieces_.emplace_back(new Piece(*beside_, piece_of_face, i, points_, distance_, type_,
+                                     progress.part(double(i) / double(n), double(i + 1) / double(n))));
+    distance_.resize(mesh_.number_of_vertices());
+  }
 
   template <typename Function>
   void for_each_solver(const Function& function)
@@ -236,7 +247,8 @@ private:
   std::unique_ptr<Laplacian_solver> whole_;
   std::unique_ptr<Mesh_beside_curves> beside_; // if there are curves
   std::vector<std::unique_ptr<Piece>> pieces_; // of that
-  std::vector<double> distance_;               // if there are curves
+  std::vector<Indexed_source> points_;
+  std::vector<double> distance_; // if there are curves; until there are pieces, on the mesh that is cut open
   Index farthest_ = null_index;
   std::size_t number_of_sources_ = 0;
   Progress progress_;

@@ -263,9 +263,8 @@ private:
     const auto ends = [&](Index i) -> Edges_left::Nodes {
       return {{graph.edges[left[i]].source, graph.edges[left[i]].target}};
     };
-    const auto is_strong = [&](Index v) {
-      return angle_[v] >= thresholds.gradient_angle && -laplacian_[v] >= thresholds.laplacian;
-    };
+    const auto is_strong = [&](Index v)
+    { return angle_[v] >= thresholds.gradient_angle && -laplacian_[v] >= thresholds.laplacian; };
     Edges_left peeled(graph.nodes.size(), left.size(), ends);
     peeled.peel(ends,
                 [&](Index i, Index node)

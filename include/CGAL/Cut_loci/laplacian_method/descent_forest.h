@@ -121,9 +121,9 @@ private:
     double result = (std::numeric_limits<double>::infinity)();
     for(Index h = 3 * f; h < 3 * f + 3; ++h)
       if(roots_.parts().part(mesh_.source(h)) == part)
-        result = (std::min)(result, roots_.parts().is_on_source(h)
-                                      ? distance_to_edge(v, h)
-                                      : norm(mesh_.points[v] - mesh_.points[mesh_.source(h)]));
+        result =
+          (std::min)(result, roots_.parts().is_on_source(h) ? distance_to_edge(v, h)
+                                                            : norm(mesh_.points[v] - mesh_.points[mesh_.source(h)]));
     return result;
   }
 

@@ -38,8 +38,8 @@ public:
   Geodesic_solver_handle(Geodesic_solver_handle&&) = default;
   Geodesic_solver_handle& operator=(Geodesic_solver_handle&&) = default;
   Geodesic_solver_handle(const Geodesic_solver_handle& other)
-    : model_(other.model_ ? other.model_->copy() : nullptr), mesh_(other.mesh_), gradient_angle_threshold_(other.gradient_angle_threshold_),
-      method_(other.method_)
+    : model_(other.model_ ? other.model_->copy() : nullptr), mesh_(other.mesh_),
+      gradient_angle_threshold_(other.gradient_angle_threshold_), method_(other.method_)
   {
   }
 
@@ -240,7 +240,7 @@ private:
 
   std::unique_ptr<Concept> model_;
   const Indexed_triangle_mesh* mesh_ = nullptr; // if it is bound to one
-  bool has_all_paths_ = true; // one run was for all sources
+  bool has_all_paths_ = true;                   // one run was for all sources
   double gradient_angle_threshold_ = 0.;
   Method method_ = Method::LAPLACIAN;
 };
