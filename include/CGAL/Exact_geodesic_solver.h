@@ -64,8 +64,8 @@ public:
     distances = propagation_->distances();
   }
 
-#ifndef DOXYGEN_RUNNING
-  // To the nearest of points and curves, on the mesh cut open along these, on whose edges waves start. Without an error.
+  /// computes the distances to the nearest of points and curves, exactly: waves start from the edges of the curves, along
+  /// which the mesh is cut open
   void compute_distances(const std::vector<Cut_loci::Indexed_source>& points,
                          const std::vector<Cut_loci::Indexed_curve>& curves, std::vector<double>& distances)
   {
@@ -86,6 +86,7 @@ public:
     distances.assign(propagation.distances().begin(), propagation.distances().begin() + mesh_->number_of_vertices());
   }
 
+#ifndef DOXYGEN_RUNNING
   // is told the share of the vertices that are reached
   void report_to(const Cut_loci::internal::Progress& progress)
   {
