@@ -161,8 +161,8 @@ po::options_description visible_options()
     "sources", po::value<std::string>()->value_name("FILE"), "the vertices whose numbers are in this file")(
     "source-edges", po::value<std::string>()->value_name("FILE"),
     "curves along edges of the mesh: each line of the file has the numbers of the vertices along some edges, and all "
-    "edges that are connected are one source; with the methods direction and polyhedral, as the next one. The curve "
-    "runs through the faces unless there is a --curve edges")(
+    "edges that are connected are one source. The cut locus of these, and of the border, runs through the faces unless "
+    "there is a --curve edges")(
     "source-border", po::bool_switch(),
     "each border loop: of a flat mesh, its medial axis. Points, curves and the border may be mixed")(
     "keep", po::value<std::string>()->value_name("all|voronoi|medial"),

@@ -53,7 +53,8 @@ Options fill_in_defaults(Options options, const Cut_locus_solver& solver)
   {
     fill_in(options.angle, solver.gradient_angle_threshold());
     fill_in(options.grow, false);
-    fill_in(options.smoothing, options.curve == Curve::THROUGH_FACES ? enough_smoothing : 0);
+    const Curve by_default = has_curves(options) ? Curve::THROUGH_FACES : Curve::MESH_EDGES;
+    fill_in(options.smoothing, options.curve.value_or(by_default) == Curve::THROUGH_FACES ? enough_smoothing : 0);
   }
   else if(options.minimum_branch_gap || options.minimum_branch_width)
   {
@@ -76,7 +77,7 @@ Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solve
   const double least_length = options.minimum_branch_length.value_or(0.);
   const auto part =
     CGAL::parameters::voronoi(options.kept == Kept_part::VORONOI).medial(options.kept == Kept_part::MEDIAL);
-  if(has_curves(options) && curve == Curve::THROUGH_FACES)
+  if(has_curves(options) && curve == Curve::THROUGH_FACES && options.method != Method::LAPLACIAN)
     return apply_exact_thresholds(options, solver, part);
   if(options.method != Method::LAPLACIAN)
     return apply_exact_thresholds(options, solver,

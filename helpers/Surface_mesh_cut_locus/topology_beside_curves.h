@@ -67,13 +67,32 @@ public:
 private:
   using Measures = std::pair<std::int64_t, std::int64_t>; // components, and the Euler characteristic
 
+  static CGAL::Cut_loci::Indexed_location rounded(CGAL::Cut_loci::Indexed_location x)
+  {
+    constexpr double rounding = 1e-12; // of barycentric coordinates, of whoever made the curve
+    for(double& c : x.coordinates)
+      c = c > rounding ? c : 0.;
+    return x;
+  }
+
+  // whether an edge joins others along the border, whose loop is one node
+  bool is_along_border(const Graph& graph, const Graph::Edge& e) const
+  {
+    using CGAL::Cut_loci::internal::vertex_of;
+    const Index v = vertex_of(mesh_, rounded(graph.nodes[e.source].location));
+    const Index w = vertex_of(mesh_, rounded(graph.nodes[e.target].location));
+    if(v == CGAL::Cut_loci::null_index || w == CGAL::Cut_loci::null_index)
+      return false;
+    for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
+      if(connectivity_.ring_vertex[k] == w && mesh_.is_border_edge(connectivity_.ring_halfedge[k]))
+        return true;
+    return false;
+  }
+
   // the closed loop that a node is on, or null
   Index loop_at(const Graph::Node& node) const
   {
-    constexpr double rounding = 1e-12; // of barycentric coordinates, of whoever made the curve
-    CGAL::Cut_loci::Indexed_location x = node.location;
-    for(double& c : x.coordinates)
-      c = c > rounding ? c : 0.;
+    const CGAL::Cut_loci::Indexed_location x = rounded(node.location);
     const Index v = CGAL::Cut_loci::internal::vertex_of(mesh_, x), h = CGAL::Cut_loci::internal::edge_of(x);
     Index result = CGAL::Cut_loci::null_index;
     if(v != CGAL::Cut_loci::null_index)
@@ -89,9 +108,12 @@ private:
     const auto n = static_cast<Index>(graph.nodes.size());
     Union_find parts(n + is_closed_.size());
     std::set<Index> met;
-    std::int64_t joints = 0;
+    std::int64_t joints = 0, along = 0;
     for(const Graph::Edge& e : graph.edges)
+    {
       parts.unite(e.source, e.target);
+      along += is_along_border(graph, e);
+    }
     for(Index i = 0; i < n; ++i)
       if(const Index loop = loop_at(graph.nodes[i]); loop != CGAL::Cut_loci::null_index)
       {
@@ -102,7 +124,7 @@ private:
     const auto nodes = static_cast<std::int64_t>(n + met.size());
     const auto unmet = static_cast<std::int64_t>(is_closed_.size() - met.size());
     return {static_cast<std::int64_t>(parts.number_of_parts()) - unmet,
-            nodes - joints - static_cast<std::int64_t>(graph.edges.size())};
+            nodes - joints + along - static_cast<std::int64_t>(graph.edges.size())};
   }
 
   Measures measured_surface(const Source_set& set) const

@@ -302,13 +302,15 @@ public:
    * `Cut_loci::Method::LAPLACIAN` takes points, with any distances: those of a solver that takes several sources, the
    * least of one run for each with others, or a `vertex_distance_map` of those to the nearest source. Each source must have
    * a face to itself. The cell of a vertex is that of the source where the steepest descent of the distance ends, or, with
-   * exact distances, its shortest path. Curves and the border are for the other two methods.
+   * exact distances, its shortest path.
    *
    * Curves along edges of the mesh, and the border, may be sources, too. They are numbered behind the points, and are
    * disks or rings in the complement: the surface without the sources shrinks to the cut locus. It is a curve through the
-   * faces then, unless `cut_locus_curve` asks for edges of the mesh; without that, parameters of `cut_locus()` for such
-   * curves are refused. Edges of the mesh stay off the curves: `cut_locus()` throws where all ways lead along them, as
-   * between two curves that are one face apart, and for a curve with a vertex on the border of which it is no part.
+   * faces then, unless `cut_locus_curve` asks for edges of the mesh; without that, and unless the method is
+   * `Cut_loci::Method::LAPLACIAN`, parameters of `cut_locus()` for such curves are refused. Edges of the mesh stay off the
+   * curves: `cut_locus()` throws where all ways lead along them, as between two curves that are one face apart, or one edge of
+   * the border. `Cut_loci::Method::LAPLACIAN`, which starts with edges of the mesh, throws there with either curve. With other
+   * solvers than `Exact_geodesic_solver`, its distances are those to the vertices of the curves.
    *
    * @tparam SourceRange a model of `ConstRange` with `vertex_descriptor`, `Face_location` or, for both kinds in one set,
    *         `Source` as value type
@@ -352,8 +354,8 @@ public:
    *
    * @throws Cut_loci::Invalid_input where `set_source()` throws it for one of the sources, and if there is none, if two
    *         are at the same point or in different components, or if the method is `Cut_loci::Method::LAPLACIAN` and one of
-   *         several has no face to itself; for curves, also if that is the method, if one has no edges or is not connected,
-   *         if there is a `maximum_relative_error`, or if the mesh has no border that could be a source
+   *         several has no face to itself; for curves, also if one has no edges or is not connected, if there is a
+   *         `maximum_relative_error`, or if the mesh has no border that could be a source
    */
   template <typename SourceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_sources(const SourceRange& sources, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -432,8 +434,8 @@ public:
    *     \cgalParamDescription{whether the result is made of edges of the mesh or of segments through its faces}
    *     \cgalParamType{`Cut_loci::Curve`}
    *     \cgalParamDefault{`Cut_loci::Curve::MESH_EDGES`, unless there is a `number_of_iterations` above 0;
-   *                       `Cut_loci::Curve::THROUGH_FACES` with `Cut_loci::Method::POLYHEDRAL` and if there are sources that
-   *                       are curves}
+   *                       `Cut_loci::Curve::THROUGH_FACES` with `Cut_loci::Method::POLYHEDRAL`, and if there are sources
+   *                       that are curves and no `number_of_iterations`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{number_of_iterations}
    *     \cgalParamDescription{the number of steps that move the curves from the edges of the mesh onto the cut locus,
@@ -481,23 +483,20 @@ public:
       throw Cut_loci::Invalid_input(Cut_loci::Cause::NO_SOURCE,
                                     "there is no source: set_source() comes before cut_locus()");
     refuse_parameters_of_other_methods(method_, np);
-    if(!curves_.empty())
+    if(!curves_.empty() && method_ != Cut_loci::Method::LAPLACIAN)
       refuse_mesh_edges(np);
 
     const Stage_scope scope(visitor_, Cut_loci::Stage::FILTER);
     report(*component_, Cut_loci::Stage::FILTER); // what has been left out may be computed
-    Curve_parameters curve = read_curve(np, method_);
-    if(!curves_.empty() && !is_given<CGAL_NP_CLASS, internal_np::cut_locus_curve_t>())
-      curve.curve = Cut_loci::Curve::THROUGH_FACES;
+    const Curve_parameters curve = read_curve(np, method_, !curves_.empty());
     Cut_loci::Indexed_cut_locus found, mesh_edges;
     if(method_ == Cut_loci::Method::LAPLACIAN)
     {
-      mesh_edges = component_->laplacian->filter(
-        read_branch_thresholds(np, source_angle_threshold_, default_minimum_branch_edges(), component_->diagonal));
       Cut_loci::Smoothing_parameters smoothing;
       smoothing.number_of_iterations = static_cast<Index>(curve.iterations);
-      found = curve.iterations == 0 ? mesh_edges : component_->laplacian->smoothed(mesh_edges, smoothing);
-      component_->laplacian->remove_other_parts(read_kept_parts(np), mesh_edges, found);
+      found = component_->laplacian->filter(
+        read_branch_thresholds(np, source_angle_threshold_, default_minimum_branch_edges(), component_->diagonal),
+        smoothing, read_kept_parts(np), mesh_edges);
     }
     else
     {
@@ -599,7 +598,7 @@ private:
     const double error = Cut_loci::internal::read_maximum_relative_error(np);
     refuse_lengths(read_->mesh.is_intrinsic, method);
     if(!curves.empty())
-      Cut_loci::internal::refuse_curves(method, error);
+      Cut_loci::internal::refuse_error_of_curves(error);
     source_result_.reset();
     method_ = method;
     constexpr bool runs_solver = !Cut_loci::internal::is_given<NamedParameters, internal_np::vertex_distance_map_t>();
@@ -681,7 +680,7 @@ private:
   {
     std::vector<double> distance;
     const Cut_loci::internal::Geodesic_results* geodesics = compute_distances(component, distance, map);
-    solver.set_distance(points_, std::move(distance), geodesics);
+    solver.set_distance(points_, curves_, std::move(distance), geodesics);
   }
 
   // The package's own solver also finds the directions.
@@ -724,7 +723,7 @@ private:
     if(!solver.set_maximum_relative_error(maximum_relative_error_) && maximum_relative_error_ > 0.)
       Cut_loci::internal::refuse_error();
     solver.report_to(progress);
-    solver.compute_distances(points_, distance);
+    solver.compute_distances(points_, curves_, distance);
     Cut_loci::internal::check_distances(distance, component, read_->positions, "the geodesic solver returned");
     return solver.geodesics();
   }

@@ -268,7 +268,8 @@ class CutLocus:
         source_curves : sequence of (k,) or (k, 2) whole numbers, optional
             Curves along edges of the mesh, which are sources too, numbered behind the points: of each one the vertices
             along it, or the pairs of vertices that its edges join. Each is connected, and no two have a vertex in
-            common. The cut locus runs through the faces then, unless `curve` asks for edges of the mesh.
+            common. The cut locus runs through the faces then, unless `curve` asks for edges of the mesh. The method
+            "laplacian" starts with such edges, and needs a vertex between sources.
         source_border : bool
             Whether each border loop is a source, behind all others: of a flat region, that gives its medial axis.
         distances : (n,) real numbers, optional
@@ -325,9 +326,9 @@ class CutLocus:
         number_of_iterations : int, optional
             Of the smoothing that makes the curve through the faces, for "laplacian": 4 by default.
         voronoi : bool, optional
-            Keep the edges between two sources alone; not for "laplacian".
+            Keep the edges between two sources alone.
         medial : bool, optional
-            Keep those inside the cells alone; not for "laplacian".
+            Keep those inside the cells alone.
         """
         core = self._core.cut_locus(
             minimum_branch_width=minimum_branch_width, minimum_branch_gap=minimum_branch_gap,

@@ -169,11 +169,6 @@ def test_parameters(parameters, cause):
     assert "::" not in str(error.value)  # in the words of Python
 
 
-def test_curves_with_laplacian():
-    with pytest.raises(cut_locus.InvalidInput, match='method "laplacian" takes sources that are points'):
-        cut_locus.compute(POINTS, FACES, None, source_curves=[[0, 2]], method="laplacian")
-
-
 def test_unknown_parameters():
     with pytest.raises(TypeError):
         cut_locus.compute(POINTS, FACES, 0, minimum_branch_widht=1.)

@@ -41,6 +41,19 @@ def test_medial_axis_of_a_rectangle(method):
     assert np.all(result.edge_sources == 0) and len(result.source_points) == 1
 
 
+@pytest.mark.parametrize("solver", ["exact", "heat", "graph"])
+def test_medial_axis_by_the_laplacian(solver):
+    points, faces = rectangle()
+    edge = WIDTH / 16
+    for curve in ("faces", "edges"):
+        result = cut_locus.compute(points, faces, source_border=True, method="laplacian", solver=solver, curve=curve)
+        assert result.cycles == 0 and np.all(result.edge_sources == 0)
+        x, y, _ = result.points.T
+        to_sides = np.sort([x, WIDTH - x, y, HEIGHT - y], axis=0)
+        assert np.all(to_sides[1] - to_sides[0] < 2.5 * edge)
+        assert result.points[:, 0].max() - result.points[:, 0].min() > WIDTH - HEIGHT - 2. * edge
+
+
 def test_curves_are_paths_or_edges():
     points, faces = meshes.cylinder(12, 9, 8.)
     first, last = (np.append(9 * np.arange(12) + row, row) for row in (0, 8))  # closed, as the first vertex comes again
@@ -106,7 +119,6 @@ def test_edges_of_the_mesh_beside_the_border():
     ({"source_curves": [[[0, 9], [40, 49]]]}, "source curve 0: it is not connected"),
     ({"source": 9, "source_curves": [[0, 9]]}, "sources 0 and 1 have a point in common"),
     ({"source_border": True, "minimum_branch_edges": 2}, "minimum_branch_edges is for a cut locus made of edges"),
-    ({"source_border": True, "method": "laplacian"}, '"laplacian" takes sources that are points'),
     ({"source_border": True, "maximum_relative_error": 0.01}, "curves need exact distances"),
     ({"source_border": True, "distances": np.zeros(153)}, "distances are those to one source, a point"),
     ({"source": 9, "maximum_relative_error": 0.2}, "from 0 to 0.1"),

@@ -185,6 +185,30 @@ inline std::vector<Source> random_sources(const Built& built, std::size_t k, uns
   return result;
 }
 
+struct Named_sources
+{
+  std::string name;
+  std::vector<Source> sources;
+};
+
+// in one face of a mesh, which is in the middle of its list
+inline std::vector<Named_sources> close_sources(const Built& built)
+{
+  const auto& t = built.data.triangles[built.data.triangles.size() / 2];
+  const Mesh::Face_index f = built.faces[built.data.triangles.size() / 2];
+  const std::array<Mesh::Vertex_index, 3> v = {{built.vertices[t[0]], built.vertices[t[1]], built.vertices[t[2]]}};
+  return {{"adjacent vertices", {v[0], v[1]}},
+          {"the vertices of a face", {v[0], v[1], v[2]}},
+          {"two points of a face", {Location(f, {{0.3, 0.3, 0.4}}), Location(f, {{0.2, 0.7, 0.1}})}},
+          {"two points of an edge", {Location(f, {{0.3, 0.7, 0.}}), Location(f, {{0.6, 0.4, 0.}})}},
+          {"a point of a face and its vertices", {Location(f, {{0.3, 0.3, 0.4}}), v[0], v[1], v[2]}},
+          {"an edge and its ends", {v[0], v[1], v[2], Location(f, {{0.5, 0.5, 0.}}), Location(f, {{0., 0.5, 0.5}})}},
+          {"one point enclosed by others in a face",
+           {Location(f, {{1. / 3., 1. / 3., 1. / 3.}}), Location(f, {{0.4, 0.3, 0.3}}), Location(f, {{0.3, 0.4, 0.3}}),
+            Location(f, {{0.3, 0.3, 0.4}})}},
+          {"a vertex and a point right beside it", {v[0], Location(f, {{1. - 2e-6, 1e-6, 1e-6}})}}};
+}
+
 struct Named_mesh
 {
   std::string name;

@@ -204,22 +204,11 @@ TEST(Laplacian_several_sources, may_be_as_close_as_the_mesh_has_faces)
   for(const Named_mesh& m : meshes())
   {
     const Built built(m.data);
-    const auto& t = m.data.triangles[m.data.triangles.size() / 2];
-    const Mesh::Face_index f = built.faces[m.data.triangles.size() / 2];
-    const std::vector<std::pair<std::string, std::vector<Source>>> cases = {
-      {"adjacent vertices", {built.vertices[t[0]], built.vertices[t[1]]}},
-      {"the vertices of a face", {built.vertices[t[0]], built.vertices[t[1]], built.vertices[t[2]]}},
-      {"two points of an edge", {Location(f, {{0.3, 0.7, 0.}}), Location(f, {{0.6, 0.4, 0.}})}},
-      {"a point of a face and its vertices",
-       {Location(f, {{0.3, 0.3, 0.4}}), built.vertices[t[0]], built.vertices[t[1]], built.vertices[t[2]]}},
-      {"an edge and its ends",
-       {built.vertices[t[0]], built.vertices[t[1]], built.vertices[t[2]], Location(f, {{0.5, 0.5, 0.}}),
-        Location(f, {{0., 0.5, 0.5}})}}};
-    for(const auto& c : cases)
+    for(const Named_sources& c : close_sources(built))
     {
       Solver solver(built.mesh, laplacian);
-      if(is_set([&] { solver.set_sources(c.second); }, m.name + ", " + c.first))
-        expect_all(built, solver, m.name + ", " + c.first);
+      if(is_set([&] { solver.set_sources(c.sources); }, m.name + ", " + c.name))
+        expect_all(built, solver, m.name + ", " + c.name);
     }
   }
 }

@@ -118,23 +118,9 @@ TEST(Several_sources, may_be_as_close_as_the_mesh_has_places)
   for(const Named_mesh& m : all)
   {
     const Built built(m.data);
-    const auto& t = m.data.triangles[m.data.triangles.size() / 2];
-    const Mesh::Face_index f = built.faces[m.data.triangles.size() / 2];
-    const std::vector<std::pair<std::string, std::vector<Source>>> cases = {
-      {"adjacent vertices", {built.vertices[t[0]], built.vertices[t[1]]}},
-      {"the vertices of a face", {built.vertices[t[0]], built.vertices[t[1]], built.vertices[t[2]]}},
-      {"two points of a face", {Location(f, {{0.3, 0.3, 0.4}}), Location(f, {{0.2, 0.7, 0.1}})}},
-      {"two points of an edge", {Location(f, {{0.3, 0.7, 0.}}), Location(f, {{0.6, 0.4, 0.}})}},
-      {"an edge and its ends",
-       {built.vertices[t[0]], built.vertices[t[1]], built.vertices[t[2]], Location(f, {{0.5, 0.5, 0.}}),
-        Location(f, {{0., 0.5, 0.5}})}},
-      {"one point enclosed by others in a face",
-       {Location(f, {{1. / 3., 1. / 3., 1. / 3.}}), Location(f, {{0.4, 0.3, 0.3}}), Location(f, {{0.3, 0.4, 0.3}}),
-        Location(f, {{0.3, 0.3, 0.4}})}},
-      {"a vertex and a point right beside it", {built.vertices[t[0]], Location(f, {{1. - 2e-6, 1e-6, 1e-6}})}}};
-    for(const auto& c : cases)
+    for(const Named_sources& c : close_sources(built))
       for(const Method method : methods)
-        expect_all(built, c.second, method, m.name + ", " + name_of(method) + ", " + c.first);
+        expect_all(built, c.sources, method, m.name + ", " + name_of(method) + ", " + c.name);
   }
 }
 

@@ -55,6 +55,17 @@ public:
   void compute_distances(const std::vector<CGAL::Cut_loci::Indexed_source>& sources, std::vector<double>& distances);
 
   /*!
+   * computes the geodesic distance from the nearest of points and curves to each vertex of the mesh. This function is
+   * optional: without it, all vertices of the curves are sources in place of them.
+   *
+   * @param points different points of the mesh, or none
+   * @param curves one or more connected sets of edges of the mesh, which have no point in common
+   * @param distances as above
+   */
+  void compute_distances(const std::vector<CGAL::Cut_loci::Indexed_source>& points,
+                         const std::vector<CGAL::Cut_loci::Indexed_curve>& curves, std::vector<double>& distances);
+
+  /*!
    * returns the default of the parameter `gradient_angle_threshold` of `CGAL::Surface_mesh_cut_locus::cut_locus()` for
    * distances of this solver, in radians. This function is optional.
    */

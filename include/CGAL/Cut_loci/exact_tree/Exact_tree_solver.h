@@ -16,18 +16,17 @@
 #include <CGAL/Cut_loci/exact_tree/Default_branch_strength.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
-#include <CGAL/Cut_loci/exact_tree/Mesh_beside_curves.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_edge_curve.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_curves.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
-#include <CGAL/Cut_loci/surface/Source_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
+#include <CGAL/Cut_loci/exact_tree/cut_locus_of_curves.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
-#include <CGAL/Cut_loci/exact_tree/lone_nodes.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/Source_faces.h>
 #include <CGAL/Cut_loci/surface/checked_mesh.h>
 #include <CGAL/Cut_loci/surface/extent.h>
 
@@ -148,8 +147,10 @@ public:
     see_all_of(kept, thresholds, all.part(0.5, 0.7));
     tree_->measure_widths(kept, all.part(0.7, 0.8));
     if(has_curves())
-      return curve == Curve::MESH_EDGES ? edges = mesh_edges_between_curves(thresholds, kept)
-                                        : curve_between_curves(thresholds, kept);
+      return curve == Curve::MESH_EDGES ? edges = mesh_edges_between_curves(mesh_, sources_, curves_, distance_,
+                                                                            *divided_, *tree_, kept, thresholds)
+                                        : curve_between_curves(mesh_, connectivity_, *divided_, *divided_->with_curves,
+                                                               *tree_, kept, thresholds, lone_vertex());
     const Source_faces at_sources(mesh_, connectivity_, sources_);
     if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
       Source_faces::throw_source_without_face(at_sources.first_without_face(),
@@ -211,49 +212,6 @@ private:
   };
 
   bool has_curves() const { return divided_ != nullptr && divided_->with_curves; }
-
-  Indexed_cut_locus mesh_edges_between_curves(const Exact_tree_thresholds& thresholds,
-                                              const std::vector<Tree_branches::Edge>& kept)
-  {
-    const Mesh_beside_curves beside(mesh_, sources_, curves_);
-    const Source_faces at_sources(beside.mesh(), beside.connectivity(), sources_, beside.source_of_loop());
-    if(at_sources.first_without_face() != null_index)
-      Source_faces::throw_source_without_face(at_sources.name(at_sources.first_without_face()),
-                                              Mesh_beside_curves::remedy());
-    const std::vector<double> distance = beside.distances(distance_);
-    Indexed_cut_locus result =
-      std::move(Mesh_edge_curve(beside.mesh(), beside.connectivity(), divided_.get(), *tree_, kept, at_sources,
-                                distance, beside.source_of_loop(), null_index)
-                  .graph);
-    const Curve_filter filter(beside.mesh(), beside.connectivity(), thresholds);
-    if(!result.edges.empty() && (thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.))
-      filter.remove_short_branches(result);
-    if(result.edges.empty())
-      result.nodes.clear();
-    std::vector<Index> face;
-    for(const Indexed_cut_locus::Edge& e : result.edges)
-      face.push_back(e.halfedge / 3);
-    add_lone_nodes(beside.mesh(), beside.connectivity(), distance, face, result);
-    filter.remove_other_parts(result);
-    beside.close(result);
-    return result;
-  }
-
-  // A curve through the faces.
-  Indexed_cut_locus curve_between_curves(const Exact_tree_thresholds& thresholds,
-                                         const std::vector<Tree_branches::Edge>& kept)
-  {
-    Tree_curve result(tree_->mesh(), tree_->connectivity(), geodesics(), *tree_, kept, lone_vertex());
-    if(result.graph.edges.empty())
-      result.graph.nodes.clear();
-    add_lone_nodes(tree_->mesh(), tree_->connectivity(), geodesics().distances(), result.face, result.graph);
-    divided_->with_curves->close(result.graph);
-    divided_->remove_sources(result.graph, result.face);
-    for(Index i = 0; i < result.graph.edges.size(); ++i)
-      result.graph.edges[i].origin = i;
-    Curve_filter(mesh_, connectivity_, thresholds).remove_other_parts(result.graph);
-    return std::move(result.graph);
-  }
 
   // `number` other than 0: with the sources moved, each time elsewhere
   void start(int number = 0)

@@ -7,21 +7,22 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_MESH_EDGE_CURVE_H
 #define CGAL_CUT_LOCI_EXACT_TREE_MESH_EDGE_CURVE_H
 
+#include <CGAL/Cut_loci/curve/Edges_off_sources.h>
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/curve/Nodes_with_sources.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Face_cells.h>
-#include <CGAL/Cut_loci/exact_tree/Mesh_beside_curves.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
 #include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Source_forest.h>
-#include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/Source_faces.h>
+#include <CGAL/Cut_loci/surface/Source_parts.h>
 
 #include <algorithm>
 #include <array>
@@ -47,7 +48,7 @@ namespace internal {
  *
  * With several sources the tree is a forest, with one tree for each source that has a face to itself.
  *
- * Sources that are curves are loops on the border of the mesh, which is cut open along them. The curve stays off them.
+ * Sources that are curves are parts of the border of the mesh, which is cut open along them. The curve stays off them.
  * Where it could only go on along a vertex of theirs, as the corridor beside it has no vertex inside, it ends: what is
  * behind is left out, unless it has a cycle.
  */
@@ -59,22 +60,22 @@ public:
   /// @param kept the edges of the tree that the curve stands for
   /// @param divided the mesh that the tree is on, if it is another one
   /// @param distance of the vertices
-  /// @param source_of_loop of each border loop; empty if none is a source
+  /// @param parts of the border that are sources
   /// @param lone the vertex that is left if nothing else is, or null for none
   Mesh_edge_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                   const Mesh_with_sources* divided, Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept,
-                  const Source_faces& sources, const std::vector<double>& distance,
-                  const std::vector<Index>& source_of_loop, Index lone, const Progress& progress = {})
-    : mesh_(mesh), connectivity_(connectivity), divided_(divided), distance_(distance), source_of_loop_(source_of_loop),
-      tree_(tree)
+                  const Source_faces& sources, const std::vector<double>& distance, const Source_parts& parts,
+                  Index lone, const Progress& progress = {})
+    : mesh_(mesh), connectivity_(connectivity), divided_(divided), distance_(distance),
+      nodes_(mesh, connectivity, parts), tree_(tree)
   {
     const Face_cells cells(tree.mesh(), tree.connectivity(), tree.geodesics().faces(), tree.graph(), kept,
                            progress.part(0., 0.2));
     grow_tree(cells, sources, progress.part(0.2, 0.8));
     drop_weak_leaves(progress.part(0.8, 1.));
-    if(!source_of_loop.empty())
+    if(!parts.empty())
     {
-      leave_source_loops();
+      leave_sources();
       drop_weak_leaves(Progress());
     }
     draw(lone);
@@ -102,8 +103,8 @@ private:
       at_sources(h, mesh_.number_of_halfedges());
       if(!sources.is_inside(mesh_, h))
         continue;
-      // The faces around a loop form a ring; what is behind a corridor one face wide has one of its own.
-      if(!forest_.link(h / 3, mesh_.opposite[h] / 3) && h < mesh_.opposite[h] && sources.is_loop(sources.owner(h / 3)))
+      // The faces around a source that is a loop form a ring; what is behind a corridor one face wide has one of its own.
+      if(!forest_.link(h / 3, mesh_.opposite[h] / 3) && h < mesh_.opposite[h] && sources.is_part(sources.owner(h / 3)))
         candidates_.push_back({connectivity_.edge_of_halfedge[h], null_index, 0.});
     }
     // edges between cells that touch come first, in any order, then the others by the distance of their middle
@@ -194,31 +195,19 @@ private:
     return best;
   }
 
-  /// a border loop is one node
-  Index node_of(Index v) const
-  {
-    return connectivity_.is_border(v) ? connectivity_.border_loop[v] : connectivity_.number_of_border_loops + v;
-  }
-
-  std::array<Index, 2> ends(const Candidate& c) const
-  {
-    const Index h = connectivity_.halfedge_of_edge[c.edge];
-    return {{node_of(mesh_.source(h)), node_of(mesh_.target(h))}};
-  }
+  std::array<Index, 2> ends(const Candidate& c) const { return nodes_.ends(connectivity_.halfedge_of_edge[c.edge]); }
 
   void drop_weak_leaves(const Progress& progress)
   {
-    const Index loops = connectivity_.number_of_border_loops;
     const auto nodes = [this](Index i) { return ends(candidates_[i]); };
-    Edges_left left(loops + mesh_.number_of_vertices(), candidates_.size(), nodes, progress.part(0., 0.5));
-    for(Index i = 0; i < loops; ++i)
-      if(!is_source_loop(i))
-        left.keep(i);
+    Edges_left left(nodes_.size(), candidates_.size(), nodes, progress.part(0., 0.5));
+    for(Index i = 0; i < nodes_.number_of_loops(); ++i)
+      left.keep(i);
     std::vector<unsigned char> is_dropped(candidates_.size(), 0);
     left.peel(
       nodes,
       [&](Index i, Index leaf)
-      { return (is_dropped[i] = candidates_[i].stands_for == null_index || is_source_loop(leaf)) != 0; },
+      { return (is_dropped[i] = candidates_[i].stands_for == null_index || nodes_.is_source(leaf)) != 0; },
       progress.part(0.5, 1.));
     drop(is_dropped);
   }
@@ -232,80 +221,14 @@ private:
     candidates_.resize(size);
   }
 
-  /// whether a node is a loop that is a source
-  bool is_source_loop(Index node) const { return node < source_of_loop_.size() && source_of_loop_[node] != null_index; }
-
-  /*
-   * With each loop as one point, the graph is what it has to be. Parts that hang together at such a point alone are
-   * separated by corridors that the curve can not pass. One of them stays, which is the one with cycles or a part of the
-   * border, if there is any.
-   */
-  void leave_source_loops()
+  void leave_sources()
   {
-    struct Part
-    {
-      Index nodes = 0, edges = 0;
-      bool has_border = false;
-      bool has_to_stay() const { return edges >= nodes || has_border; }
-    };
-    const Index n = connectivity_.number_of_border_loops + mesh_.number_of_vertices();
-    Union_find parts(n), groups(n);
-    std::vector<Part> part(n);
-    const auto is_at_source = [&](const Candidate& c)
-    { return is_source_loop(ends(c)[0]) || is_source_loop(ends(c)[1]); };
+    std::vector<Index> halfedges;
     for(const Candidate& c : candidates_)
-      if(!is_at_source(c))
-      {
-        parts.unite(ends(c)[0], ends(c)[1]);
-        groups.unite(ends(c)[0], ends(c)[1]);
-      }
-    bool meets_source = false;
-    for(const Candidate& c : candidates_)
-      if(is_at_source(c))
-      {
-        meets_source = true;
-        if(!groups.unite(ends(c)[0], ends(c)[1]))
-          throw_no_way();
-      }
-    if(!meets_source)
-      return;
-    for(Index i = 0; i < n; ++i)
-    {
-      ++part[parts.find(i)].nodes;
-      part[parts.find(i)].has_border |= i < connectivity_.number_of_border_loops && !is_source_loop(i);
-    }
-    for(const Candidate& c : candidates_)
-      if(!is_at_source(c))
-        ++part[parts.find(ends(c)[0])].edges;
-    std::vector<Index> best(n, null_index); // of each group, the part that stays
-    for(Index i = 0; i < n; ++i)
-    {
-      if(parts.find(i) != i || is_source_loop(i))
-        continue;
-      Index& other = best[groups.find(i)];
-      if(other != null_index && part[other].has_to_stay() && part[i].has_to_stay())
-        throw_no_way();
-      if(other == null_index || (part[i].has_to_stay() && !part[other].has_to_stay()) ||
-         (part[i].has_to_stay() == part[other].has_to_stay() && part[i].edges > part[other].edges))
-        other = i;
-    }
-    std::vector<unsigned char> is_dropped;
-    for(const Candidate& c : candidates_)
-    {
-      is_dropped.push_back(is_at_source(c) || best[groups.find(ends(c)[0])] != parts.find(ends(c)[0]));
-      graph.number_of_narrow_corridors += is_at_source(c);
-    }
-    drop(is_dropped);
-  }
-
-  [[noreturn]] static void throw_no_way()
-  {
-    throw Invalid_input(
-      Cause::NO_FACE_AT_SOURCE,
-      std::string(
-        "there is a corridor beside a source, or between two, without a vertex inside: no curve of mesh edges passes "
-        "it, and the mesh has to be refined there; or ") +
-        Mesh_beside_curves::remedy());
+      halfedges.push_back(connectivity_.halfedge_of_edge[c.edge]);
+    const Edges_off_sources off(nodes_, halfedges, "ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
+    drop(off.is_dropped());
+    graph.number_of_narrow_corridors += off.number_at_sources();
   }
 
   /// the edges from the inside out, and the root first
@@ -339,8 +262,8 @@ private:
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     position_.assign(vertices.size(), null_index);
     const Index root = branches.root() != null_index ? nodes[branches.root()] : null_index;
-    if(root != null_index && root >= connectivity_.number_of_border_loops && !candidates_.empty())
-      add_node(vertices, root - connectivity_.number_of_border_loops);
+    if(root != null_index && nodes_.vertex(root) != null_index && !candidates_.empty())
+      add_node(vertices, nodes_.vertex(root));
     for(const Tree_branches::Edge& b : branches.edges())
     {
       const Candidate& c = candidates_[b.edge];
@@ -383,7 +306,7 @@ private:
   const Mesh_connectivity& connectivity_;
   const Mesh_with_sources* divided_;
   const std::vector<double>& distance_;
-  const std::vector<Index>& source_of_loop_;
+  const Nodes_with_sources nodes_;
   Exact_tree& tree_;
   Source_forest forest_{0}; // of faces
   std::vector<Candidate> candidates_;

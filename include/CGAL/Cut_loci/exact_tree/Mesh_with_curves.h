@@ -36,9 +36,9 @@ class Mesh_with_curves
 public:
   /// @param with_points the mesh without the curves, but with its points
   /// @param share of their edges by which the vertices of the curves are moved into a face, each one by another length:
-  /// little enough that no curve gets corners, see `Geodesic_results::is_seam()`
+  /// little enough that no curve gets corners, see `Geodesic_results::is_seam()`; distances alone need no such move
   Mesh_with_curves(const Indexed_triangle_mesh& without_points, const Mesh_with_sources& with_points,
-                   const std::vector<Indexed_curve>& curves, double share)
+                   const std::vector<Indexed_curve>& curves, double share = 0.)
     : cut_(cut(with_points, curves)), connectivity_(cut_.mesh)
   {
     owners_.resize(with_points.vertices().size());
@@ -54,7 +54,8 @@ public:
             with_points.for_each_part(side, [&](Index h) { add(h, owner, is_done); });
       ++owner;
     }
-    move_vertices(share);
+    if(share > 0.)
+      move_vertices(share);
   }
 
   const Indexed_triangle_mesh& mesh() const { return cut_.mesh; }

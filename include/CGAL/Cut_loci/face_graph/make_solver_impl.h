@@ -9,7 +9,7 @@
 
 #include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Cut_loci/face_graph/make_solver.h>
-#include <CGAL/Cut_loci/laplacian_method/Laplacian_solver.h>
+#include <CGAL/Cut_loci/laplacian_method/Laplacian_set_solver.h>
 
 #include <memory>
 
@@ -22,7 +22,7 @@ CGAL_CUT_LOCI_INLINE std::unique_ptr<Laplacian_method> make_laplacian_solver(con
                                                                              const Threads& threads,
                                                                              const Progress& progress)
 {
-  return std::unique_ptr<Laplacian_method>(new Laplacian_solver(mesh, type, threads, progress));
+  return std::unique_ptr<Laplacian_method>(new Laplacian_set_solver(mesh, type, threads, progress));
 }
 
 CGAL_CUT_LOCI_INLINE std::unique_ptr<Exact_tree_method>

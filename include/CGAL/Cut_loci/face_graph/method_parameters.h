@@ -50,20 +50,15 @@ inline void refuse_parameter(const std::string& name, Method method, const std::
                         "cut_locus_method(Cut_loci::Method::LAPLACIAN)");
 }
 
-inline void refuse_curves(Method method, double error)
+inline void refuse_error_of_curves(double error)
 {
-  if(method == Method::LAPLACIAN)
-    throw Invalid_input(Cause::PARAMETER_OF_OTHER_METHOD,
-                        "the method " + std::string(name_of(method)) +
-                          " takes sources that are points: curves need the paths of the package's own exact solver, "
-                          "with Cut_loci::Method::DIRECTION or Cut_loci::Method::POLYHEDRAL");
   if(error > 0.)
     throw Invalid_input(Cause::INVALID_PARAMETER,
                         "sources that are curves need exact distances: leave maximum_relative_error away");
 }
 
-// Of sources that are curves, the cut locus runs through the faces unless edges are asked for, and no curve of edges is
-// found beside it.
+// Of sources that are curves, the cut locus runs through the faces unless edges are asked for. With exact paths, no curve
+// of edges is found beside it.
 template <typename NamedParameters>
 void refuse_mesh_edges(const NamedParameters& np)
 {
@@ -228,7 +223,7 @@ struct Curve_parameters
 
 // A curve through the faces is asked for by its name, or by a number of smoothing steps.
 template <typename NamedParameters>
-Curve_parameters read_curve(const NamedParameters& np, Method method)
+Curve_parameters read_curve(const NamedParameters& np, Method method, bool has_curves)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -238,8 +233,9 @@ Curve_parameters read_curve(const NamedParameters& np, Method method)
   const std::size_t iterations = to_count(
     choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(0)), "number_of_iterations");
   const Curve by_iterations = iterations > 0 ? Curve::THROUGH_FACES : Curve::MESH_EDGES;
-  const Curve by_default = method == Method::POLYHEDRAL ? Curve::THROUGH_FACES : by_iterations;
-  const Curve curve = choose_parameter(get_parameter(np, internal_np::cut_locus_curve), by_default);
+  const bool runs_through_faces = method == Method::POLYHEDRAL || (has_curves && !has_iterations);
+  const Curve curve = choose_parameter(get_parameter(np, internal_np::cut_locus_curve),
+                                       runs_through_faces ? Curve::THROUGH_FACES : by_iterations);
   if(has_curve && has_iterations && curve != by_iterations)
     throw Invalid_input(Cause::INVALID_PARAMETER,
                         "the parameters cut_locus_curve and number_of_iterations contradict each other: no iterations "

@@ -61,14 +61,16 @@ public:
    * @param generators halfedges of the edges that cut the surface to a disk together with it
    * @param gradient_angle, laplacian the two strengths of each vertex; the latter in units of the inverse of the mean
    *        edge length, negative where gradients converge
+   * @param joins_loop whether each border loop is joined to the cut locus, which those are not that are sources; all are
+   *        if it is empty
    */
   Branch_filter(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Spanning_tree& tree,
                 const Spanning_tree& spanning_tree, const std::vector<Index>& generators,
                 const std::vector<float>& gradient_angle, const std::vector<float>& laplacian,
-                const internal::Progress& progress = {})
+                const internal::Progress& progress = {}, const std::vector<unsigned char>& joins_loop = {})
     : root_(tree.root), generators_(generators), is_kept_(tree.parent.size(), false)
   {
-    keep_homology(mesh, connectivity, spanning_tree);
+    keep_homology(mesh, connectivity, spanning_tree, joins_loop);
     const Spanning_tree joined = join(connectivity, tree, spanning_tree);
     progress(0.3);
     link(connectivity, joined);
@@ -126,7 +128,7 @@ private:
   }
 
   void keep_homology(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                     const Spanning_tree& tree)
+                     const Spanning_tree& tree, const std::vector<unsigned char>& joins_loop)
   {
     const auto keep_path = [&](Index v)
     {
@@ -140,6 +142,8 @@ private:
       keep_path(mesh.target(h));
     }
     std::vector<bool> loop_is_joined(connectivity.number_of_border_loops, false);
+    for(Index i = 0; i < joins_loop.size(); ++i)
+      loop_is_joined[i] = !joins_loop[i];
     if(connectivity.number_of_border_loops > 0)
       for(Index v : tree.order) // the first vertex of a loop in this order is where the tree enters it
         if(connectivity.is_border(v) && !loop_is_joined[connectivity.border_loop[v]])

@@ -7,9 +7,13 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_LAPLACIAN_SOLVER_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_LAPLACIAN_SOLVER_H
 
+#include <CGAL/Cut_loci/curve/Edges_off_sources.h>
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/curve/kept_parts.h>
+#include <CGAL/Cut_loci/curve/Nodes_with_sources.h>
+#include <CGAL/Cut_loci/curve/lone_nodes.h>
+#include <CGAL/Cut_loci/curve/short_branches.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
+#include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/laplacian_method/Branch_filter.h>
@@ -33,15 +37,16 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-// The pipeline of the paper on one connected component: the stages in their order, on dense indices.
-class Laplacian_solver : public Laplacian_method
+// The pipeline of the paper on one connected component: the stages in their order, on dense indices. Sources are points,
+// and parts of the border, which are numbered behind them.
+class Laplacian_solver
 {
 public:
   // once per mesh
@@ -51,34 +56,41 @@ public:
   {
   }
 
-  std::unique_ptr<Laplacian_method> for_other_sources() const override
+  // another one for the same mesh, which shares what depends on it alone, also in another thread
+  std::unique_ptr<Laplacian_solver> for_other_sources() const
   {
-    return std::unique_ptr<Laplacian_method>(new Laplacian_solver(mesh_, surface_));
+    return std::unique_ptr<Laplacian_solver>(new Laplacian_solver(mesh_, surface_));
   }
 
-  void report_to(const Progress& progress) override { progress_ = progress; }
+  void report_to(const Progress& progress) { progress_ = progress; }
 
   // once per source, in three parts
   //
   // `geodesics` is what the exact solver found: null, or there until the tree has grown.
-  void set_distance(const std::vector<Indexed_source>& sources, std::vector<double> distance,
-                    const Geodesic_results* geodesics = nullptr) override
+  void set_distance(const Source_roots& roots, std::vector<double> distance,
+                    const Geodesic_results* geodesics = nullptr)
   {
-    roots_ = Source_roots(mesh_, connectivity_, sources);
-    if(roots_.first_without_face() != null_index)
-      Source_faces::throw_source_without_face(
-        roots_.first_without_face(),
-        "ask for cut_locus_method(Cut_loci::Method::DIRECTION) and cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
+    roots_ = roots;
+    if(const Index i = roots_.first_without_face(); i != null_index)
+      Source_faces::throw_source_without_face(roots_.name(i), remedy());
     geodesics_ = geodesics;
     distance_ = std::move(distance);
     is_source_.assign(distance_.size(), 0);
-    for(const Indexed_source& source : sources)
+    for(const Indexed_source& source : roots_.points())
       if(source.vertex != null_index)
         is_source_[source.vertex] = 1;
+    for(Index v = 0; v < distance_.size(); ++v)
+      if(roots_.parts().is_at_source(v))
+        is_source_[v] = 1;
     find_farthest();
   }
+  void set_distance(const std::vector<Indexed_source>& points, std::vector<double> distance,
+                    const Geodesic_results* geodesics = nullptr)
+  {
+    set_distance(Source_roots(mesh_, connectivity_, points), std::move(distance), geodesics);
+  }
 
-  void compute_strengths() override
+  void compute_strengths()
   {
     const Eigen::Map<const Eigen::VectorXd> d(distance_.data(), static_cast<Eigen::Index>(distance_.size()));
     Eigen::VectorXd gradient = operators_.gradient * d;
@@ -94,16 +106,16 @@ public:
     const double h = connectivity_.mean_edge_length; // makes the Laplacian free of the unit of length
     for(std::size_t v = 0; v < distance_.size(); ++v)
       laplacian_[v] = static_cast<float>(h * laplacian[static_cast<Eigen::Index>(v)]);
-    for(const Indexed_source& source : roots_.sources())
-      if(source.vertex != null_index)
+    for(Index v = 0; v < distance_.size(); ++v)
+      if(is_source_[v])
       {
         // not on the cut locus, however the operators see this singularity
-        angle_[source.vertex] = -1.f;
-        laplacian_[source.vertex] = (std::numeric_limits<float>::max)();
+        angle_[v] = -1.f;
+        laplacian_[v] = (std::numeric_limits<float>::max)();
       }
   }
 
-  void grow_tree() override
+  void grow_tree()
   {
     crossed_ = edges_crossed_by_descents(mesh_, connectivity_, distance_, roots_, geodesics_, progress_.part(0., 0.5),
                                          &nearest_source_);
@@ -116,44 +128,62 @@ public:
   }
 
   // What the homology demands is found once per source, whatever the thresholds.
-  void close_cycles() override
+  void close_cycles()
   {
     const std::vector<Index> generators = homology_generators(mesh_, connectivity_, spanning_tree_, distance_, roots_,
                                                               crossed_, progress_.part(0., 0.7), &source_of_face_);
     filter_ = Branch_filter(mesh_, connectivity_, tree_, spanning_tree_, generators, angle_, laplacian_,
-                            progress_.part(0.7, 1.));
+                            progress_.part(0.7, 1.), roots_.parts().loops_with_rest(connectivity_));
   }
 
   // once per threshold
-  Indexed_cut_locus filter(const Branch_thresholds& thresholds) const override
+  Indexed_cut_locus filter(const Branch_thresholds& thresholds) const
   {
     Indexed_cut_locus result = mesh_edge_graph(connectivity_, distance_, filter_(mesh_, thresholds));
-    if(roots_.number_of_sources() > 1)
-      name_sources(result);
+    if(!roots_.parts().empty())
+      leave_sources(thresholds, result);
+    name_sources(result);
     return result;
   }
 
-  Indexed_cut_locus smoothed(const Indexed_cut_locus& cut_locus, const Smoothing_parameters& parameters) const override
+  Indexed_cut_locus smoothed(const Indexed_cut_locus& cut_locus, const Smoothing_parameters& parameters) const
   {
-    return smoothed_cut_locus(mesh_, connectivity_, distance_, cut_locus, parameters, progress_, roots_.owners());
-  }
-
-  void remove_other_parts(const Kept_parts& parts, Indexed_cut_locus& edges, Indexed_cut_locus& curve) const override
-  {
-    internal::remove_other_parts(mesh_, connectivity_, parts, edges, curve);
+    if(cut_locus.edges.empty())
+      return cut_locus;
+    // A point keeps its faces; the border, which no node gets to, is enough for what is a part of it.
+    std::vector<Index> owners = roots_.owners();
+    for(Index& owner : owners)
+      if(owner != null_index && owner >= roots_.points().size())
+        owner = null_index;
+    return smoothed_cut_locus(mesh_, connectivity_, distance_, cut_locus, parameters, progress_, owners);
   }
 
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
   const Mesh_connectivity& connectivity() const { return connectivity_; }
   const Differential_operators& operators() const { return operators_; }
-  const std::vector<double>& distance() const override { return distance_; }
+  const std::vector<double>& distance() const { return distance_; }
   const std::vector<float>& gradient_angle() const { return angle_; }
   const std::vector<float>& laplacian() const { return laplacian_; }
-  Index number_of_border_loops() const override { return connectivity_.number_of_border_loops; }
-  Index genus() const override { return surface_->genus; }
-  Index root() const override { return tree_.root; }
-  Index farthest() const override { return farthest_; }
-  std::vector<Index> nearest_sources() const override { return nearest_source_; }
+  Index number_of_border_loops() const { return connectivity_.number_of_border_loops; }
+  Index genus() const { return surface_->genus; }
+  Index root() const { return tree_.root; }
+  Index farthest() const { return farthest_; }
+  // by the numbers under which they are known; empty if there is one
+  std::vector<Index> nearest_sources() const
+  {
+    std::vector<Index> result = nearest_source_;
+    for(Index& i : result)
+      if(i != null_index)
+        i = roots_.name(i);
+    return result;
+  }
+  const Source_roots& roots() const { return roots_; }
+
+  // where edges of the mesh do not separate sources
+  static const char* remedy()
+  {
+    return "ask for cut_locus_method(Cut_loci::Method::DIRECTION) and cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)";
+  }
 
 private:
   // A source is not it even if all distances are equal, unless all vertices are sources.
@@ -182,12 +212,69 @@ private:
   {
     for(Indexed_cut_locus::Edge& e : graph.edges)
     {
-      const Index o = mesh_.opposite[e.halfedge], a = source_of_face_[e.halfedge / 3];
-      const Index b = o != null_index ? source_of_face_[o / 3] : a;
-      e.sources = {{(std::min)(a, b), (std::max)(a, b)}};
-      if(a != b)
+      const Index o = mesh_.opposite[e.halfedge], left = roots_.name(source_of_face_[e.halfedge / 3]);
+      const Index right = o != null_index ? roots_.name(source_of_face_[o / 3]) : left;
+      e.sources = {{(std::min)(left, right), (std::max)(left, right)}};
+      if(left != right)
         e.strength = gap_between_sources;
     }
+  }
+
+  // Parts of the border that are sources are nodes of the tree, and no part of the curve.
+  void leave_sources(const Branch_thresholds& thresholds, Indexed_cut_locus& graph) const
+  {
+    const Nodes_with_sources nodes(mesh_, connectivity_, roots_.parts());
+    std::vector<unsigned char> is_removed(graph.edges.size(), 0);
+    std::vector<Index> halfedges, edges; // that are inside
+    for(Index e = 0; e < graph.edges.size(); ++e)
+    {
+      const Index h = graph.edges[e].halfedge;
+      const bool is_along = mesh_.is_border_edge(h);
+      is_removed[e] = is_along && (is_source_[mesh_.source(h)] || is_source_[mesh_.target(h)]);
+      if(is_along)
+        continue;
+      halfedges.push_back(h);
+      edges.push_back(e);
+    }
+    const Edges_off_sources off(nodes, halfedges, remedy());
+    for(std::size_t i = 0; i < edges.size(); ++i)
+      is_removed[edges[i]] |= off.is_dropped()[i];
+    remove_loose_ends(thresholds, off.number_at_sources() > 0, graph, is_removed);
+    if(std::count(is_removed.begin(), is_removed.end(), 0) > 0)
+      remove_edges(mesh_, connectivity_, graph, is_removed);
+    else
+    {
+      graph = Indexed_cut_locus();
+      add_lone_nodes(mesh_, connectivity_, distance_, {}, graph);
+    }
+    for(Index i = 0; i < graph.edges.size(); ++i)
+      graph.edges[i].origin = i;
+    graph.number_of_narrow_corridors = off.number_at_sources();
+  }
+
+  // Edges along the border, from which no branch goes on any more, and branches that led to a source alone.
+  void remove_loose_ends(const Branch_thresholds& thresholds, bool was_at_source, const Indexed_cut_locus& graph,
+                         std::vector<unsigned char>& is_removed) const
+  {
+    std::vector<Index> left;
+    for(Index e = 0; e < graph.edges.size(); ++e)
+      if(!is_removed[e])
+        left.push_back(e);
+    const auto ends = [&](Index i) -> Edges_left::Nodes {
+      return {{graph.edges[left[i]].source, graph.edges[left[i]].target}};
+    };
+    const auto is_strong = [&](Index v)
+    { return angle_[v] >= thresholds.gradient_angle && -laplacian_[v] >= thresholds.laplacian; };
+    Edges_left peeled(graph.nodes.size(), left.size(), ends);
+    peeled.peel(ends,
+                [&](Index i, Index node)
+                {
+      const Index v = graph.nodes[node].vertex;
+      const bool is_along = mesh_.is_border_edge(graph.edges[left[i]].halfedge);
+      const bool is_loose = is_along || (was_at_source && !connectivity_.is_border(v) && !is_strong(v));
+      is_removed[left[i]] = is_loose;
+      return is_loose;
+    });
   }
 
   // Around the source the distance is that to a point: the gradient turns by l / d along an edge of length l at the
@@ -212,15 +299,40 @@ private:
       if(!mesh_.is_border_edge(h))
         result.push_back(mesh_.source(mesh_.previous(mesh_.opposite[h])));
     };
-    for(const Indexed_source& source : roots_.sources())
-      if(source.vertex == null_index)
+    const auto add_around = [&](Index v)
+    {
+      for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
+        if(mesh_.source(connectivity_.ring_halfedge[k]) == v)
+          add_across(Indexed_triangle_mesh::next(connectivity_.ring_halfedge[k]));
+    };
+    for(const Indexed_source& source : roots_.points())
+      if(source.vertex != null_index)
+        add_around(source.vertex);
+      else
         for(Index i = 0; i < 3; ++i)
           add_across(3 * source.location.face + i);
-      else
-        for(Index k = connectivity_.ring_begin[source.vertex]; k < connectivity_.ring_begin[source.vertex + 1]; ++k)
-          if(mesh_.source(connectivity_.ring_halfedge[k]) == source.vertex)
-            add_across(Indexed_triangle_mesh::next(connectivity_.ring_halfedge[k]));
+    for(Index v = 0; v < mesh_.number_of_vertices() && !roots_.parts().empty(); ++v)
+      if(roots_.parts().is_at_source(v) && has_tip(v))
+      {
+        result.push_back(v);
+        add_around(v);
+      }
     return result;
+  }
+
+  // Whether shortest paths to a curve fan out at one of its vertices by more than a right angle: no gradient stands for
+  // all of them. At other vertices, the distance is as smooth as where the curve is straight.
+  bool has_tip(Index v) const
+  {
+    double angle = 0.;
+    for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
+      if(const Index h = connectivity_.ring_halfedge[k]; mesh_.source(h) == v)
+      {
+        const Vector a = mesh_.points[mesh_.target(h)] - mesh_.points[v];
+        const Vector b = mesh_.points[mesh_.source(mesh_.previous(h))] - mesh_.points[v];
+        angle += std::atan2(norm(cross(a, b)), dot(a, b));
+      }
+    return angle > 1.5 * 3.14159265358979;
   }
 
   // The farthest vertex is on the cut locus of a closed surface. A border vertex may be farthest without being on it:

@@ -103,16 +103,36 @@ private:
     std::vector<double> least(mesh_.number_of_vertices(), (std::numeric_limits<double>::infinity)());
     for(Index f = 0; f < mesh_.number_of_faces(); ++f)
       if(is_root(f))
-      {
-        const Indexed_source& source = roots_.sources()[roots_.owner(f)];
-        const Vector at = position(mesh_, source.location);
         for(Index v : mesh_.triangles[f])
-          if(const double d = norm(mesh_.points[v] - at); d < least[v])
+          if(const double d = distance_to_root(f, v); d < least[v])
           {
             least[v] = d;
             nearest_[v] = roots_.owner(f);
           }
-      }
+  }
+
+  // from a corner of a face to what the source to which that belongs has in it
+  double distance_to_root(Index f, Index v) const
+  {
+    const Index owner = roots_.owner(f);
+    if(owner < roots_.points().size())
+      return norm(mesh_.points[v] - position(mesh_, roots_.points()[owner].location));
+    const Index part = owner - static_cast<Index>(roots_.points().size());
+    double result = (std::numeric_limits<double>::infinity)();
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      if(roots_.parts().part(mesh_.source(h)) == part)
+        result =
+          (std::min)(result, roots_.parts().is_on_source(h) ? distance_to_edge(v, h)
+                                                            : norm(mesh_.points[v] - mesh_.points[mesh_.source(h)]));
+    return result;
+  }
+
+  double distance_to_edge(Index v, Index h) const
+  {
+    const Vector& a = mesh_.points[mesh_.source(h)];
+    const Vector along = mesh_.points[mesh_.target(h)] - a, to = mesh_.points[v] - a;
+    const double share = (std::max)(0., (std::min)(1., dot(to, along) / dot(along, along)));
+    return norm(to - share * along);
   }
 
   // Those whose way does not arrive have the source of a neighbor further down.

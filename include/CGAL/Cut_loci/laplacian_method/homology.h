@@ -38,8 +38,8 @@ public:
   // Starts with a face of each source; what else is at one follows across edges at it.
   void start(const Source_roots& roots)
   {
-    if(roots.number_of_sources() == 1)
-      return start(roots.sources().front());
+    if(roots.number_of_sources() == 1 && roots.points().size() == 1)
+      return start(roots.points().front());
     for(Index i = 0; i < roots.number_of_sources(); ++i)
       push(roots.face(i), i);
     std::vector<unsigned char> is_inside(connectivity_.number_of_edges(), 0);
@@ -152,7 +152,7 @@ private:
  * disk. Each border loop, which `tree` takes as one node, counts as part of that union. The source is in the cotree,
  * not on a generator, whatever the distances. O(n log n).
  *
- * With k sources, the cotree is a forest with one tree for each of them, there are 2g - 1 + k generators, and the union
+ * A part of the border that is a source is one node, too. With k sources, the cotree is a forest with one tree for each of them, there are 2g - 1 + k generators, and the union
  * leaves k open disks.
  *
  * @param crossed edges that are in the cotree first, as `edges_crossed_by_descents()` gives them: none of `tree`

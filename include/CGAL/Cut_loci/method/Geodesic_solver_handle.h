@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <cmath>
 #include <cstddef>
@@ -37,8 +38,8 @@ public:
   Geodesic_solver_handle(Geodesic_solver_handle&&) = default;
   Geodesic_solver_handle& operator=(Geodesic_solver_handle&&) = default;
   Geodesic_solver_handle(const Geodesic_solver_handle& other)
-    : model_(other.model_ ? other.model_->copy() : nullptr), gradient_angle_threshold_(other.gradient_angle_threshold_),
-      method_(other.method_)
+    : model_(other.model_ ? other.model_->copy() : nullptr), mesh_(other.mesh_),
+      gradient_angle_threshold_(other.gradient_angle_threshold_), method_(other.method_)
   {
   }
 
@@ -54,16 +55,21 @@ public:
   Geodesic_solver_handle bound_to(const Indexed_triangle_mesh& mesh, const Progress& progress) const
   {
     Geodesic_solver_handle result;
+    result.mesh_ = &mesh;
     result.model_ = model_->copy();
     result.model_->report_to(progress);
     result.model_->set_mesh(mesh);
     return result;
   }
 
-  // to the nearest source
-  void compute_distances(const std::vector<Indexed_source>& sources, std::vector<double>& distances)
+  // To the nearest source. Solvers that take no curves are given all vertices of these.
+  void compute_distances(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
+                         std::vector<double>& distances)
   {
-    has_all_paths_ = model_->compute_distances(sources, distances);
+    if(curves.empty())
+      has_all_paths_ = model_->compute_distances(points, distances);
+    else if(has_all_paths_ = false; !model_->compute_distances(points, curves, distances))
+      model_->compute_distances(with_vertices(points, curves), distances);
   }
 
   // of the distances that follow; returns whether the solver knows such an error
@@ -86,6 +92,9 @@ private:
     virtual std::unique_ptr<Concept> copy() const = 0;
     virtual void set_mesh(const Indexed_triangle_mesh& mesh) = 0;
     virtual bool compute_distances(const std::vector<Indexed_source>& sources, std::vector<double>& distances) = 0;
+    // whether it takes curves
+    virtual bool compute_distances(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
+                                   std::vector<double>& distances) = 0;
     virtual bool set_maximum_relative_error(double error) = 0;
     virtual void report_to(const Progress& progress) = 0;
     virtual const Geodesic_results* geodesics() const = 0;
@@ -103,6 +112,11 @@ private:
         return compute_own_distances(solver, sources, distances, 0);
       solver.compute_distances(sources.front(), distances);
       return true;
+    }
+    bool compute_distances(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
+                           std::vector<double>& distances) override
+    {
+      return compute_own_distances(solver, points, curves, distances, 0);
     }
     bool set_maximum_relative_error(double error) override { return set_own_error(solver, error, 0); }
     void report_to(const Progress& progress) override { set_own_progress(solver, progress, 0); }
@@ -134,6 +148,37 @@ private:
           distances[v] = to_one[v];
     }
     return false;
+  }
+
+  template <typename Solver>
+  static auto compute_own_distances(Solver& solver, const std::vector<Indexed_source>& points,
+                                    const std::vector<Indexed_curve>& curves, std::vector<double>& distances, int)
+    -> decltype(solver.compute_distances(points, curves, distances), bool()) // if it takes curves
+  {
+    solver.compute_distances(points, curves, distances);
+    return true;
+  }
+  template <typename Solver>
+  static bool compute_own_distances(Solver&, const std::vector<Indexed_source>&, const std::vector<Indexed_curve>&,
+                                    std::vector<double>&, long)
+  {
+    return false;
+  }
+
+  // the points, and each vertex of a curve once
+  std::vector<Indexed_source> with_vertices(std::vector<Indexed_source> points,
+                                            const std::vector<Indexed_curve>& curves) const
+  {
+    std::vector<unsigned char> is_taken(mesh_->number_of_vertices(), 0);
+    for(const Indexed_curve& curve : curves)
+      for(Index h : curve.halfedges)
+        for(Index end : {h, Indexed_triangle_mesh::next(h)})
+          if(!is_taken[mesh_->source(end)])
+          {
+            is_taken[mesh_->source(end)] = 1;
+            points.push_back({location_on(end), mesh_->source(end)});
+          }
+    return points;
   }
 
   template <typename Solver>
@@ -194,7 +239,8 @@ private:
   }
 
   std::unique_ptr<Concept> model_;
-  bool has_all_paths_ = true; // one run was for all sources
+  const Indexed_triangle_mesh* mesh_ = nullptr; // if it is bound to one
+  bool has_all_paths_ = true;                   // one run was for all sources
   double gradient_angle_threshold_ = 0.;
   Method method_ = Method::LAPLACIAN;
 };

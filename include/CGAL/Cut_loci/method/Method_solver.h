@@ -51,16 +51,13 @@ class Laplacian_method : public Method_solver
 public:
   // another one for the same mesh, which shares what depends on it alone, also in another thread
   virtual std::unique_ptr<Laplacian_method> for_other_sources() const = 0;
-  // comes first; `distance` is that to the nearest source, and `geodesics` what the exact solver found: null, or there
-  // until the tree has grown
-  virtual void set_distance(const std::vector<Indexed_source>& sources, std::vector<double> distance,
-                            const Geodesic_results* geodesics = nullptr) = 0;
-  virtual Indexed_cut_locus filter(const Branch_thresholds& thresholds) const = 0;
-  virtual Indexed_cut_locus smoothed(const Indexed_cut_locus& cut_locus,
-                                     const Smoothing_parameters& parameters) const = 0;
-  // from the graph of mesh edges, and from one that is smoothed or the same
-  virtual void remove_other_parts(const Kept_parts& parts, Indexed_cut_locus& edges,
-                                  Indexed_cut_locus& curve) const = 0;
+  // comes first; `distance` is that to the nearest source, of which the points come first, and `geodesics` what the
+  // exact solver found: null, or there until the tree has grown
+  virtual void set_distance(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
+                            std::vector<double> distance, const Geodesic_results* geodesics) = 0;
+  // `edges` becomes the curve of mesh edges, which the result is if there are no iterations of smoothing
+  virtual Indexed_cut_locus filter(const Branch_thresholds& thresholds, const Smoothing_parameters& smoothing,
+                                   const Kept_parts& parts, Indexed_cut_locus& edges) = 0;
 
   // In radians. Around the end of a branch, gradients are focused before they cross: a few edges beyond the end they
   // still meet at half a radian. On tori of 7 K to 113 K faces thresholds from 0.5 to 1 put the ends within 2.5

@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/Source_parts.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,13 +28,13 @@ namespace internal {
  * Those that touch one source alone belong to that. Of several sources, each gets one of the faces that it touches to
  * itself, if there are enough of them: a matching, by augmenting paths.
  *
- * A border loop may be a source, too, or one side of it. They come after the points.
+ * Parts of the border may be sources, too. They come after the points.
  */
 class Source_faces
 {
 public:
   Source_faces(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-               const std::vector<Indexed_source>& points, const std::vector<Index>& source_of_loop = {})
+               const std::vector<Indexed_source>& points, const Source_parts& parts = {})
     : owner_(mesh.number_of_faces(), null_index), source_at_vertex_(mesh.number_of_vertices(), null_index),
       number_of_points_(static_cast<Index>(points.size())), touched_(points.size())
   {
@@ -42,7 +43,7 @@ public:
       names_.push_back(i);
       find_touched(mesh, connectivity, points[i], i);
     }
-    find_touched_by_loops(mesh, connectivity, source_of_loop);
+    find_touched_by_parts(mesh, parts);
     face_.assign(touched_.size(), null_index);
     if(touched_.size() == 1)
     {
@@ -59,8 +60,8 @@ public:
 
   /// the source to which a face belongs, or null
   Index owner(Index f) const { return owner_[f]; }
-  bool is_loop(Index i) const { return i >= number_of_points_; }
-  /// the number under which a source is known: a curve may have several loops
+  bool is_part(Index i) const { return i >= number_of_points_; }
+  /// the number under which a source is known: a curve may have several parts
   Index name(Index i) const { return names_[i]; }
 
   /// whether the source at one end of a halfedge, or on it, has the faces on both sides
@@ -120,23 +121,17 @@ private:
       }
   }
 
-  void find_touched_by_loops(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                             const std::vector<Index>& source_of_loop)
+  void find_touched_by_parts(const Indexed_triangle_mesh& mesh, const Source_parts& parts)
   {
-    std::vector<Index> number(source_of_loop.size(), null_index);
-    for(Index loop = 0; loop < source_of_loop.size(); ++loop)
-      if(source_of_loop[loop] != null_index)
-      {
-        number[loop] = static_cast<Index>(touched_.size());
-        touched_.emplace_back();
-        names_.push_back(source_of_loop[loop]);
-      }
-    for(Index h = 0; h < mesh.number_of_halfedges() && touched_.size() > number_of_points_; ++h)
+    for(Index part = 0; part < parts.size(); ++part)
+      names_.push_back(parts.source(part));
+    touched_.resize(names_.size());
+    for(Index h = 0; h < mesh.number_of_halfedges() && !parts.empty(); ++h)
     {
       const Index v = mesh.source(h);
-      const Index i = connectivity.is_border(v) ? number[connectivity.border_loop[v]] : null_index;
-      if(i == null_index)
+      if(!parts.is_at_source(v))
         continue;
+      const Index i = number_of_points_ + parts.part(v);
       source_at_vertex_[v] = i;
       if(touched_[i].empty() || touched_[i].back() != h / 3)
         touched_[i].push_back(h / 3);

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_EXACT_TREE_LONE_NODES_H
-#define CGAL_CUT_LOCI_EXACT_TREE_LONE_NODES_H
+#ifndef CGAL_CUT_LOCI_CURVE_LONE_NODES_H
+#define CGAL_CUT_LOCI_CURVE_LONE_NODES_H
 
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/internal/Union_find.h>
@@ -72,4 +72,4 @@ inline void add_lone_nodes(const Indexed_triangle_mesh& mesh, const Mesh_connect
 } // namespace Cut_loci
 } // namespace CGAL
 
-#endif // CGAL_CUT_LOCI_EXACT_TREE_LONE_NODES_H
+#endif // CGAL_CUT_LOCI_CURVE_LONE_NODES_H

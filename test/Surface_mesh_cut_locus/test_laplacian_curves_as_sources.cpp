@@ -1,0 +1,356 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// Sources that are curves, and the method of the paper.
+//
+// What must hold: without the curves, the surface shrinks to the cut locus, as for the other methods; the curve of mesh
+// edges has no vertex on a source; edges between two sources name them, and no threshold removes them. Where a corridor
+// without a vertex inside leaves no such edges, that is said.
+
+#include "curve_sources_cases.h"
+#include "detour.h"
+
+#include <CGAL/Graph_geodesic_solver.h>
+#include <CGAL/Heat_method_geodesic_solver.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace curve_sources;
+using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::Filter_policy;
+
+const auto laplacian = params::cut_locus_method(Method::LAPLACIAN);
+
+Result cut_locus_of_border(const Built& built, Curve curve)
+{
+  return CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_border(true).cut_locus_curve(curve));
+}
+
+double largest_edge(const Built& built)
+{
+  double result = 0.;
+  for(const Mesh::Edge_index e : built.mesh.edges())
+    result = (std::max)(result, CGAL::squared_distance(built.mesh.point(built.mesh.vertex(e, 0)),
+                                                       built.mesh.point(built.mesh.vertex(e, 1))));
+  return std::sqrt(result);
+}
+
+// -- closed forms ------------------------------------------------------------------------------------------------------
+
+TEST(Laplacian_curves, the_border_of_a_rectangle_has_its_medial_axis)
+{
+  for(const double width : {1., 2.})
+    for(const std::size_t n : {16, 32})
+    {
+      const Built built(rectangle(width, n, 0.2, 3));
+      const double h = mean_edge_length(built.data);
+      for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
+      {
+        const Result result = cut_locus_of_border(built, curve);
+        expect_topology(built, border_loops(built), result, "rectangle");
+        EXPECT_EQ(number_of_leaves(result), 4u) << "towards the corners";
+        // the branches end an edge before the corners
+        EXPECT_GT(length(result), width - 1. + 2. * std::sqrt(2.) - 8. * h) << width << ' ' << n;
+        for(const auto v : CGAL::make_range(vertices(result.graph())))
+        {
+          const Point p = to_point(result.graph()[v].point);
+          std::array<double, 4> d = {{p[0], width - p[0], p[1], 1. - p[1]}};
+          std::sort(d.begin(), d.end());
+          EXPECT_LT(d[1] - d[0], 2. * largest_edge(built)) << width << ' ' << n;
+        }
+      }
+    }
+}
+
+TEST(Laplacian_curves, the_borders_of_a_ring_have_the_circle_between_them)
+{
+  for(const std::size_t nu : {60, 91})
+    for(const std::size_t nr : {12, 13}) // with the circle along edges, or not
+      for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
+      {
+        const Built built(annulus(0.5, 1.5, nu, nr));
+        const Result result = cut_locus_of_border(built, curve);
+        expect_topology(built, border_loops(built), result, "ring");
+        EXPECT_NEAR(length(result), 2. * pi, curve == Curve::THROUGH_FACES ? 0.1 : 0.5) << nu << ' ' << nr;
+        for(const auto e : CGAL::make_range(edges(result.graph())))
+          EXPECT_EQ(result.graph()[e].sources, (std::array<std::size_t, 2>{{0, 1}}));
+        for(const auto v : CGAL::make_range(vertices(result.graph())))
+          EXPECT_NEAR(norm(to_point(result.graph()[v].point)), 1., 0.75 / double(nr));
+        for(const Mesh::Vertex_index v : built.vertices)
+        {
+          const double r = norm(to_point(built.mesh.point(v)));
+          if(std::fabs(r - 1.) > 1. / double(nr))
+            EXPECT_EQ(*result.nearest_source(v), r < 1. ? *result.nearest_source(built.vertices.back())
+                                                        : *result.nearest_source(built.vertices.front()));
+        }
+      }
+}
+
+TEST(Laplacian_curves, both_ends_of_a_cylinder_have_the_circle_between_them)
+{
+  const std::size_t nu = 32, nz = 12;
+  const Built built(cylinder(2., nu, nz, 0., 0));
+  const Result result = cut_locus_of_border(built, Curve::MESH_EDGES);
+  EXPECT_EQ(num_edges(result.graph()), nu);
+  double low = 1e9, high = -1e9;
+  for(const auto v : CGAL::make_range(vertices(result.graph())))
+  {
+    low = (std::min)(low, result.graph()[v].point.z());
+    high = (std::max)(high, result.graph()[v].point.z());
+    EXPECT_NEAR(result.graph()[v].distance, 1., 1e-4);
+  }
+  EXPECT_EQ(low, high) << "edges of the mesh are there";
+}
+
+TEST(Laplacian_curves, a_circle_on_a_sphere_has_its_two_centers)
+{
+  for(const std::size_t n : {16, 32})
+  {
+    const Built built(sphere_with_circle(2 * n, n));
+    const std::vector<Edges> curves = {path(built, circle(2 * n, n / 4, 0, 2 * n))};
+    const Result result = CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(curves));
+    expect_topology(built, curves, result, "circle");
+    EXPECT_EQ(num_edges(result.graph()), 0u);
+    ASSERT_EQ(num_vertices(result.graph()), 2u);
+    for(const auto v : CGAL::make_range(vertices(result.graph())))
+      EXPECT_EQ(std::fabs(result.graph()[v].point.z()), 1.) << "a pole";
+  }
+}
+
+TEST(Laplacian_curves, two_sides_of_a_rectangle_have_the_line_between_them)
+{
+  const std::size_t n = 12;
+  const Built built(rectangle(2., n, 0., 1));
+  const std::vector<Edges> sides = {side_of_square(built, n, true), side_of_square(built, n, false)};
+  for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
+  {
+    const Result result =
+      CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(sides).cut_locus_curve(curve));
+    expect_topology(built, sides, result, "sides");
+    EXPECT_NEAR(length(result), 2., 1e-6);
+    for(const auto v : CGAL::make_range(vertices(result.graph())))
+      EXPECT_NEAR(result.graph()[v].point.y(), 0.5, 1e-6);
+  }
+}
+
+// All points nearest to the end of a slit in a strip, and to its sides, are beside it: nothing is between them.
+TEST(Laplacian_curves, a_slit_in_a_rectangle_alone_leaves_a_point)
+{
+  const std::size_t n = 16;
+  const Built built(rectangle(2., n, 0., 1));
+  std::vector<std::size_t> along;
+  for(std::size_t i = 4; i <= 12; ++i)
+    along.push_back(nearest_vertex(built.data, {{2. * double(i) / double(n), 0.5, 0.}}));
+  const std::vector<Edges> curves = {path(built, along)};
+  for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
+  {
+    const Result result =
+      CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(curves).cut_locus_curve(curve));
+    expect_topology(built, curves, result, "slit");
+    EXPECT_EQ(num_edges(result.graph()), 0u);
+    for(const Mesh::Vertex_index v : built.vertices)
+    {
+      const Point p = to_point(built.mesh.point(v));
+      const double x = (std::max)({0., 0.5 - p[0], p[0] - 1.5});
+      EXPECT_NEAR(result.distance(v), std::hypot(x, p[1] - 0.5), 1e-4) << "exact distances to the curve";
+    }
+  }
+}
+
+// -- invariants --------------------------------------------------------------------------------------------------------
+
+template <typename GeodesicSolver>
+void expect_topology_of_solver(const GeodesicSolver& geodesics, const std::string& name)
+{
+  std::size_t number_of_refused = 0, number = 0;
+  for(std::size_t i = 0; i < surfaces().size(); ++i)
+  {
+    const Built built(surfaces()[i]);
+    for(const std::size_t k : {1, 2, 5})
+      for(unsigned seed = 0; seed < 2; ++seed)
+      {
+        const std::vector<Edges> curves = random_curves(built, k, 5, unsigned(10 * i + k + 100 * seed));
+        const std::string what =
+          name + ", surface " + std::to_string(i) + ", " + std::to_string(k) + " curves, seed " + std::to_string(seed);
+        Solver solver(built.mesh, laplacian.geodesic_solver(geodesics));
+        solver.set_sources(Vertices(), params::source_curves(curves));
+        ++number;
+        bool is_there = has_mesh_edges(built, solver, curves, params::voronoi(false), what);
+        number_of_refused += !is_there;
+        for(const double angle : {0., 1.5, 3.2})
+          for(const Filter_policy policy : {Filter_policy::PRUNING, Filter_policy::GROWING})
+            EXPECT_EQ(has_mesh_edges(built, solver, curves,
+                                     params::gradient_angle_threshold(angle).filter_policy(policy), what),
+                      is_there)
+              << what << ", angle " << angle;
+        if(is_there)
+          expect_topology(built, curves, solver.cut_locus(), what + ", through faces");
+      }
+  }
+  EXPECT_LE(number_of_refused, number / 4) << "where a curve coils up, there are corridors without a vertex";
+}
+
+TEST(Laplacian_curves, leave_what_shrinks_to_the_cut_locus_with_exact_distances)
+{
+  expect_topology_of_solver(CGAL::Exact_geodesic_solver(), "exact");
+}
+
+TEST(Laplacian_curves, leave_what_shrinks_to_the_cut_locus_with_the_heat_method)
+{
+  expect_topology_of_solver(CGAL::Heat_method_geodesic_solver<>(), "heat");
+}
+
+TEST(Laplacian_curves, leave_what_shrinks_to_the_cut_locus_with_a_graph)
+{
+  expect_topology_of_solver(CGAL::Graph_geodesic_solver(), "graph");
+}
+
+TEST(Laplacian_curves, leave_what_shrinks_to_the_cut_locus_whatever_the_distances)
+{
+  for(std::size_t i = 0; i < surfaces().size(); ++i)
+  {
+    const Built built(surfaces()[i]);
+    const std::vector<Edges> curves = random_curves(built, 2, 5, unsigned(i));
+    for(unsigned seed = 0; seed < 3; ++seed)
+    {
+      std::mt19937 engine(seed);
+      std::map<Mesh::Vertex_index, double> distance;
+      for(const Mesh::Vertex_index v : built.vertices)
+        distance[v] = seed == 0 ? 1. : 1. + random_unit(engine);
+      Solver solver(built.mesh, laplacian);
+      solver.set_sources(Vertices(),
+                         params::source_curves(curves).vertex_distance_map(boost::make_assoc_property_map(distance)));
+      const std::string what = "surface " + std::to_string(i);
+      if(has_mesh_edges(built, solver, curves, params::voronoi(false), what))
+        expect_topology(built, curves, solver.cut_locus(), what + ", through faces");
+    }
+  }
+}
+
+TEST(Laplacian_curves, may_be_loops_that_separate_the_surface_or_do_not)
+{
+  const std::size_t nu = 28, nw = 14;
+  const Built built(torus(1., 0.4, nu, nw)), ball(sphere_with_circle(24, 12));
+  std::vector<std::size_t> around, along;
+  for(std::size_t w = 0; w <= nw; ++w)
+    around.push_back(w % nw);
+  for(std::size_t u = 0; u <= nu; ++u)
+    along.push_back((u % nu) * nw);
+  Edges cross = path(built, around);
+  for(const Mesh::Edge_index e : path(built, along))
+    cross.push_back(e);
+  for(const std::vector<Edges>& curves :
+      {std::vector<Edges>{path(built, around)}, std::vector<Edges>{path(built, along)}, std::vector<Edges>{cross}})
+  {
+    EXPECT_TRUE(has_mesh_edges(built, {}, curves, Method::LAPLACIAN, "torus"));
+    expect_topology(built, curves, CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(curves)),
+                    "torus");
+  }
+  const std::vector<Edges> loops = {path(ball, circle(24, 3, 0, 24)), path(ball, circle(24, 8, 0, 24))};
+  EXPECT_TRUE(has_mesh_edges(ball, {}, loops, Method::LAPLACIAN, "ball"));
+}
+
+TEST(Laplacian_curves, may_be_borders_and_touch_them)
+{
+  for(const Mesh_data& data :
+      {square(7, 0.2, 1), cylinder(1., 14, 5, 0.1, 4), annulus(0.5, 1.5, 24, 6), square_with_holes(2, 4),
+       punctured(torus(1., 0.4, 30, 16, 0.1, 2), {{{1.4, 0., 0.}}, {{-1., 0., 0.4}}}, 0.25)})
+  {
+    const Built built(data);
+    EXPECT_TRUE(has_mesh_edges(built, {}, border_loops(built), Method::LAPLACIAN, "border"));
+    expect_topology(built, border_loops(built), cut_locus_of_border(built, Curve::THROUGH_FACES), "border");
+  }
+  std::size_t number_of_refused = 0, number = 0;
+  for(const Mesh_data& data : {square(14, 0.2, 6), cylinder(2., 24, 12, 0.2, 7), annulus(0.5, 1.5, 40, 12)})
+  {
+    const Built built(data);
+    for(unsigned seed = 0; seed < 8; ++seed)
+    {
+      const std::vector<Edges> curves = curves_at_border(built, 3, 6, seed);
+      const std::string what = "seed " + std::to_string(seed);
+      ++number;
+      if(has_mesh_edges(built, {}, curves, Method::LAPLACIAN, what))
+        expect_topology(built, curves, CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(curves)),
+                        what);
+      else
+        ++number_of_refused;
+    }
+  }
+  EXPECT_LE(number_of_refused, number / 4);
+}
+
+TEST(Laplacian_curves, and_points_mix_with_the_points_first)
+{
+  const Built built(square(16, 0.2, 4));
+  const std::vector<Edges> border = border_loops(built);
+  const std::size_t center = nearest_vertex(built.data, {{0.5, 0.5, 0.}});
+  const Point c = built.data.points[center];
+  Solver solver(built.mesh, laplacian);
+  solver.set_sources(Vertices{built.vertices[center]}, params::source_border(true));
+  const Result result = solver.cut_locus();
+  EXPECT_EQ(result.number_of_sources(), 2u);
+  EXPECT_EQ(*result.nearest_source(built.vertices[center]), 0u);
+  EXPECT_EQ(*result.nearest_source(built.vertices[0]), 1u);
+  expect_topology(built, border, result, "square");
+  for(const auto e : CGAL::make_range(edges(result.graph())))
+    for(const auto v : {source(e, result.graph()), target(e, result.graph())})
+    {
+      const Point p = to_point(result.graph()[v].point);
+      const double d = (std::min)({p[0], 1. - p[0], p[1], 1. - p[1]});
+      if(result.graph()[e].sources[0] != result.graph()[e].sources[1])
+        EXPECT_NEAR(norm(p - c), d, largest_edge(built)) << "four parabolas";
+    }
+  const Result voronoi = solver.cut_locus(params::voronoi(true)), medial = solver.cut_locus(params::medial(true));
+  EXPECT_EQ(num_edges(voronoi.graph()) + num_edges(medial.graph()), num_edges(result.graph()));
+  EXPECT_GT(num_edges(voronoi.graph()), 0u);
+  const auto mesh_edges = params::cut_locus_curve(Curve::MESH_EDGES);
+  const Result strong = solver.cut_locus(mesh_edges.gradient_angle_threshold(10.).minimum_branch_edges(1000));
+  EXPECT_EQ(num_edges(strong.graph()), num_edges(solver.cut_locus(mesh_edges.voronoi(true)).graph()))
+    << "no threshold removes what is between two";
+  std::map<Mesh::Edge_index, bool> marks;
+  const Result edges_of_mesh =
+    solver.cut_locus(mesh_edges.edge_is_constrained_map(boost::make_assoc_property_map(marks)));
+  EXPECT_EQ(marks.size(), num_edges(edges_of_mesh.graph()));
+}
+
+// Cutting along the curve lengthens no path by much: in units of the mean edge length.
+template <typename GeodesicSolver>
+double detour(const Built& built, const std::vector<Edges>& curves, const GeodesicSolver& geodesics, Curve curve)
+{
+  const Result result = CGAL::compute_cut_locus(
+    built.mesh, Vertices(), laplacian.geodesic_solver(geodesics).source_curves(curves).cut_locus_curve(curve));
+  std::vector<double> exact;
+  const curve_measures::Measures m = curve_measures::measure(built.mesh, result, exact, curves);
+  EXPECT_EQ(m.topology_fault, "");
+  EXPECT_EQ(m.measuring_failed, "");
+  return m.max;
+}
+
+TEST(Laplacian_curves, lengthen_no_path_by_much)
+{
+  for(const Mesh_data& data : {ellipsoid(1., 0.8, 0.6, 16, 0.2, 1), torus(1., 0.4, 48, 24, 0.2, 2), square(24, 0.2, 6)})
+  {
+    const Built built(data);
+    std::vector<Edges> curves = random_curves(built, 2, 4, 5);
+    for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
+    {
+      EXPECT_LT(detour(built, curves, CGAL::Exact_geodesic_solver(), curve), 1.);
+      EXPECT_LT(detour(built, curves, CGAL::Heat_method_geodesic_solver<>(), curve), 4.);
+    }
+  }
+}
+
+} // namespace
