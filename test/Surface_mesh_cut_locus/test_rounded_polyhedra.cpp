@@ -28,6 +28,7 @@
 #include <cstddef>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -134,6 +135,55 @@ TEST(Rounded_polyhedra, no_shortest_path_crosses_the_cut_locus)
       EXPECT_LT(measures.max, 0.01);
     }
   }
+}
+
+// a part of a ring of which each vertex of the inner rim bends paths by a little
+Mesh part_of_a_ring(int n, double opening, bool has_seven_digits)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  const auto rounded = [&](double x) { return has_seven_digits ? static_cast<double>(static_cast<float>(x)) : x; };
+  for(int i = 0; i <= n; ++i)
+  {
+    const double angle = 0.5 * opening + (2. * test_meshes::pi - opening) * i / n;
+    const double c = 0.8 * std::cos(angle) - 0.6 * std::sin(angle), s = 0.6 * std::cos(angle) + 0.8 * std::sin(angle);
+    for(const auto& [radius, height] :
+        std::array<std::pair<double, double>, 4>{{{1., 0.3}, {1., 0.}, {0.5, 0.}, {0.5, 0.3}}})
+      v.push_back(mesh.add_vertex(Kernel::Point_3(rounded(radius * c), rounded(radius * s), rounded(height))));
+  }
+  const auto add_rectangle = [&](int a, int b, int c, int d)
+  {
+    const auto at = [&](int i) { return v[static_cast<std::size_t>(i)]; };
+    mesh.add_face(at(a), at(b), at(c));
+    mesh.add_face(at(a), at(c), at(d));
+  };
+  for(int i = 0; i < n; ++i)
+    for(int k = 0; k < 4; ++k)
+      add_rectangle(4 * i + k, 4 * i + (k + 1) % 4, 4 * i + 4 + (k + 1) % 4, 4 * i + 4 + k);
+  add_rectangle(3, 2, 1, 0);
+  add_rectangle(4 * n, 4 * n + 1, 4 * n + 2, 4 * n + 3);
+  return mesh;
+}
+
+// They run along edges, and pass one vertex of the rim after another by less than rounding.
+TEST(Rounded_polyhedra, no_shortest_path_that_grazes_a_rim_crosses_the_cut_locus)
+{
+  for(bool has_seven_digits : {true, false})
+    for(double opening : {0.5, 3.})
+    {
+      const Mesh mesh = part_of_a_ring(120, opening, has_seven_digits);
+      CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+      for(Mesh::size_type source = 0; source < mesh.number_of_vertices(); source += 7)
+      {
+        SCOPED_TRACE(testing::Message() << "opening " << opening << ", from " << source
+                                        << (has_seven_digits ? ", seven digits" : ""));
+        solver.set_source(Mesh::Vertex_index(source));
+        const curve_measures::Measures measures = curve_measures::measure(
+          mesh, solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
+        EXPECT_EQ(measures.topology_fault, "");
+        EXPECT_LT(measures.max, 1e-9);
+      }
+    }
 }
 
 // -- in a face --------------------------------------------------------------------------------------------------------
