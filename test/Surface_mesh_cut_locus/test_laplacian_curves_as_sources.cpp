@@ -246,7 +246,7 @@ TEST(Laplacian_curves, have_exact_distances_and_cells_by_the_descent_of_them)
   for(std::size_t i = 0; i < surfaces().size(); ++i)
   {
     const Built built(surfaces()[i]);
-    const std::vector<Edges> curves = random_curves(built, 4, 6, unsigned(i));
+    const std::vector<Edges> curves = random_curves(built, 4, 2, unsigned(i));
     const double edge = largest_edge(built);
     Solver solver(built.mesh, laplacian), exact(built.mesh);
     solver.set_sources(Vertices(), params::source_curves(curves));
