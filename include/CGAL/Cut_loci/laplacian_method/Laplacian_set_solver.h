@@ -215,7 +215,11 @@ private:
   static Indexed_cut_locus smoothed(const Laplacian_solver& solver, const Indexed_cut_locus& edges,
                                     const Smoothing_parameters& parameters)
   {
-    return parameters.number_of_iterations == 0 ? edges : solver.smoothed(edges, parameters);
+    if(parameters.number_of_iterations == 0)
+      return edges;
+    Indexed_cut_locus result = solver.smoothed(edges, parameters);
+    result.number_of_narrow_corridors = edges.number_of_narrow_corridors;
+    return result;
   }
 
   // `first` is the number of the first edge of the mesh that comes of this piece
