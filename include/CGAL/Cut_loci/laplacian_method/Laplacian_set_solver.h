@@ -215,11 +215,7 @@ private:
   static Indexed_cut_locus smoothed(const Laplacian_solver& solver, const Indexed_cut_locus& edges,
                                     const Smoothing_parameters& parameters)
   {
-    if(parameters.number_of_iterations == 0)
-      return edges;
-    Indexed_cut_locus result = solver.smoothed(edges, parameters);
-    result.number_of_narrow_corridors = edges.number_of_narrow_corridors;
-    return result;
+    return parameters.number_of_iterations == 0 ? edges : solver.smoothed(edges, parameters);
   }
 
   // `first` is the number of the first edge of the mesh that comes of this piece
@@ -243,7 +239,6 @@ private:
         e.origin += first;
       result.edges.push_back(e);
     }
-    result.number_of_narrow_corridors += graph.number_of_narrow_corridors;
   }
 
   const Indexed_triangle_mesh& mesh_;
