@@ -412,11 +412,6 @@ Options parse_command_line(int argc, char* argv[])
   if(given.count("source-edges"))
     options.source_edges = read_numbers(text("source-edges"), "--source-edges");
   options.source_border = given["source-border"].as<bool>();
-  for(const char* name : {"min-branch-edges", "min-branch-length"})
-    if(has_curves(options) && given.count(name) && (!given.count("curve") || text("curve") != "edges"))
-      throw Usage_error("--" + std::string(name) +
-                        " is for a cut locus along edges of the mesh, which sources that are curves have with "
-                        "--curve edges only");
   if((options.sources.size() > 1 || has_curves(options)) && given.count("unfold"))
     throw Usage_error("--unfold takes one source, a point");
   options.solver = text("solver");
@@ -424,6 +419,12 @@ Options parse_command_line(int argc, char* argv[])
     throw Usage_error("--solver takes one of" + solver_names() + ", not '" + options.solver + "'");
   read_method(text("method"), options);
   check_options_of_method(given, options);
+  for(const char* name : {"min-branch-edges", "min-branch-length"})
+    if(has_curves(options) && options.method != CGAL::Cut_loci::Method::LAPLACIAN && given.count(name) &&
+       (!given.count("curve") || text("curve") != "edges"))
+      throw Usage_error("--" + std::string(name) +
+                        " is for a cut locus along edges of the mesh, which sources that are curves have with "
+                        "--curve edges only");
   if(given.count("keep"))
     options.kept = to_part(text("keep"));
   for(const char* name : {"uv", "check"})

@@ -101,7 +101,7 @@ Cut_locus voronoi_diagram(const Cut_locus_solver& solver)
 
 Curve curve_of_files(const Options& options)
 {
-  const bool smooths = options.smoothing.value_or(0) > 0;
+  const bool smooths = options.smoothing ? *options.smoothing > 0 : has_curves(options);
   const Curve by_default = options.method != Method::LAPLACIAN || smooths ? Curve::THROUGH_FACES : Curve::MESH_EDGES;
   return options.curve.value_or(by_default);
 }

@@ -584,6 +584,18 @@ TEST_F(Program, Several_sources_with_other_distances)
       EXPECT_LT(report.at("detour_max").get<double>(), 2.) << solver;
     }
   EXPECT_EQ(run_on_torus("--quiet --source 3 --source 200 --method laplacian --keep voronoi").status, 0);
+  write("edges.txt", "40 41 42 43\n");
+  for(const char* solver : {"exact", "cgal-exact", "heat", "graph"})
+  {
+    const Outcome outcome = run_on_torus(std::string("--quiet --source 200 --method laplacian --check --solver ") +
+                                         solver + " --min-branch-edges 2 --source-edges " + quoted(path("edges.txt")) +
+                                         " --report " + quoted(path("check.json")));
+    EXPECT_EQ(outcome.status, 0) << outcome.messages;
+    const auto report = nlohmann::json::parse(read_file(path("check.json")));
+    EXPECT_EQ(report.at("topology"), "right") << solver;
+    EXPECT_EQ(report.at("curve"), "faces") << solver;
+    EXPECT_LT(report.at("detour_max").get<double>(), 2.) << solver;
+  }
   expect_failure(run_on_torus("--quiet --source-border --method laplacian"), "no border");
 }
 

@@ -240,6 +240,36 @@ TEST(Laplacian_curves, leave_what_shrinks_to_the_cut_locus_whatever_the_distance
   }
 }
 
+// Those of the other methods come from vertices that are moved by 1e-5 of an edge or more, up to 1e-4.
+TEST(Laplacian_curves, have_exact_distances_and_cells_by_the_descent_of_them)
+{
+  for(std::size_t i = 0; i < surfaces().size(); ++i)
+  {
+    const Built built(surfaces()[i]);
+    const std::vector<Edges> curves = random_curves(built, 4, 2, unsigned(i));
+    const double edge = largest_edge(built);
+    Solver solver(built.mesh, laplacian), exact(built.mesh);
+    solver.set_sources(Vertices(), params::source_curves(curves));
+    const Result result = solver.cut_locus(params::gradient_angle_threshold(3.2));
+    std::vector<Result> alone;
+    for(const Edges& curve : curves)
+    {
+      exact.set_sources(Vertices(), params::source_curves(std::vector<Edges>{curve}));
+      alone.push_back(exact.cut_locus());
+    }
+    for(const Mesh::Vertex_index v : built.vertices)
+    {
+      double least = alone[0].distance(v);
+      for(const Result& r : alone)
+        least = (std::min)(least, r.distance(v));
+      EXPECT_NEAR(result.distance(v), least, 2e-4 * edge) << "surface " << i;
+      ASSERT_TRUE(result.nearest_source(v).has_value());
+      // a descent passes faces, and may take the wrong side of what it meets
+      EXPECT_LT(alone[*result.nearest_source(v)].distance(v), least + 0.5 * edge) << "surface " << i;
+    }
+  }
+}
+
 TEST(Laplacian_curves, may_be_loops_that_separate_the_surface_or_do_not)
 {
   const std::size_t nu = 28, nw = 14;

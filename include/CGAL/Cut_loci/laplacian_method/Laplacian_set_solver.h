@@ -239,7 +239,6 @@ private:
         e.origin += first;
       result.edges.push_back(e);
     }
-    result.number_of_narrow_corridors += graph.number_of_narrow_corridors;
   }
 
   const Indexed_triangle_mesh& mesh_;

@@ -249,7 +249,6 @@ private:
     }
     for(Index i = 0; i < graph.edges.size(); ++i)
       graph.edges[i].origin = i;
-    graph.number_of_narrow_corridors = off.number_at_sources();
   }
 
   // Edges along the border, from which no branch goes on any more, and branches that led to a source alone.
