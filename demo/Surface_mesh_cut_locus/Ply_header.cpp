@@ -214,9 +214,9 @@ bool Ply_header::is_known_to_cgal() const
       return p.type.kind == Ply_type::FLOATING || p.type.size != 4 || !p.is_list();
     return false;
   };
-  return !has_old_line_ends &&
-         std::none_of(elements.begin(), elements.end(),
-                      [&](const Ply_element& e) {
+  return !has_old_line_ends && std::none_of(elements.begin(), elements.end(),
+                                            [&](const Ply_element& e)
+                                            {
     return std::any_of(e.properties.begin(), e.properties.end(),
                        [&](const Ply_property& p) { return is_unknown(e, p); });
   });

@@ -57,8 +57,8 @@ void check_extension(const std::string& filename)
   std::string list;
   for(const std::string& e : known)
     list += " " + e;
-  refuse_file(filename,
-         "its extension must be one of" + list + ": other formats have to be converted first, as by MeshLab or meshio");
+  refuse_file(filename, "its extension must be one of" + list +
+                          ": other formats have to be converted first, as by MeshLab or meshio");
 }
 
 // Both may be damaged, so nothing is multiplied that could overflow.
@@ -113,11 +113,11 @@ void check_ply_lists(std::istream& is, const Ply_header& header, const std::stri
         const double number = p.is_list() ? header.read(is, p.length) : 1.;
         if(!(number >= 0. && number <= static_cast<double>(size)))
           refuse_file(filename, "it is damaged: item #" + std::to_string(j) + " of '" + header.elements[i].name +
-                             "' has a list that is longer than the file");
+                                  "' has a list that is longer than the file");
         header.skip(is, static_cast<std::size_t>(number), p.type);
         if(!is)
           refuse_file(filename, "it is damaged: it ends before item #" + std::to_string(j) + " of '" +
-                             header.elements[i].name + "' does");
+                                  header.elements[i].name + "' does");
       }
 }
 

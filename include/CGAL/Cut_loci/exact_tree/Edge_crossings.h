@@ -237,9 +237,11 @@ private:
     if(!geodesics_.is_approximate())
     {
       const double way = (std::min)(left.distance(t) - left.sigma, right.distance(t) - right.sigma);
-      // or both sides of a shadow that is narrower here than windows are accurate
-      const bool is_bend = angle < 0.5 * geodesic_pi && get_apart(left, right, t) &&
-                           (gap < Parting_angle::least_angle || gap * way <= Edge_envelope::least_width * faces_.length(h));
+      // or both sides of a shadow that is narrower here than windows are accurate: they come from one side, so that the
+      // angle between them is not that of paths that meet
+      const bool is_bend =
+        angle < 0.5 * geodesic_pi && get_apart(left, right, t) &&
+        (gap < Parting_angle::least_angle || gap * way <= Edge_envelope::least_width * faces_.length(h));
       crossings.push_back(
         {h, t, left, right, gap, angle, is_seam || is_bend || parting_angle_.is_same_path(left, right, t)});
     }

@@ -131,8 +131,8 @@ public:
   bool is_same_path(const Path_label& a, const Path_label& b, double t) const
   {
     const double way = (std::min)(a.distance(t) - a.sigma, b.distance(t) - b.sigma), angle = meeting_angle(a, b, t);
-    return (angle < least_angle || 0.5 * angle * angle * way < rounding * a.distance(t)) &&
-           operator()(a, b, t) < least_angle;
+    return (angle < least_angle || 0.5 * angle * angle * way < rounding * a.distance(t)) && operator()(a, b, t) <
+                                                                                              least_angle;
   }
 
   Parting parting(Index a, double a_direction, Index b, double b_direction, double meeting) const
