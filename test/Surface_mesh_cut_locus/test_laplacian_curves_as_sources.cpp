@@ -93,8 +93,10 @@ TEST(Laplacian_curves, the_borders_of_a_ring_have_the_circle_between_them)
         {
           const double r = norm(to_point(built.mesh.point(v)));
           if(std::fabs(r - 1.) > 1. / double(nr))
+          {
             EXPECT_EQ(*result.nearest_source(v), r < 1. ? *result.nearest_source(built.vertices.back())
                                                         : *result.nearest_source(built.vertices.front()));
+          }
         }
       }
 }
@@ -341,7 +343,9 @@ TEST(Laplacian_curves, and_points_mix_with_the_points_first)
       const Point p = to_point(result.graph()[v].point);
       const double d = (std::min)({p[0], 1. - p[0], p[1], 1. - p[1]});
       if(result.graph()[e].sources[0] != result.graph()[e].sources[1])
+      {
         EXPECT_NEAR(norm(p - c), d, largest_edge(built)) << "four parabolas";
+      }
     }
   const Result voronoi = solver.cut_locus(params::voronoi(true)), medial = solver.cut_locus(params::medial(true));
   EXPECT_EQ(num_edges(voronoi.graph()) + num_edges(medial.graph()), num_edges(result.graph()));
