@@ -119,11 +119,15 @@ public:
     return result;
   }
 
+  // Where four branches meet, rounding tells between which two of them there is one more, which is as short as that.
   double largest_width()
   {
-    double result = 0.;
+    double longest = 0., result = 0.;
     for(Index e = 0; e < graph().edges.size(); ++e)
-      result = (std::max)(result, tree().width(e));
+      longest = (std::max)(longest, length(e));
+    for(Index e = 0; e < graph().edges.size(); ++e)
+      if(length(e) > 1e-6 * longest)
+        result = (std::max)(result, tree().width(e));
     return result;
   }
 
