@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_cut_locus.h>
 #include <CGAL/cut_along_cut_locus.h>
+#include <CGAL/refine_along_cut_locus.h>
 
 #include <gtest/gtest.h>
 
@@ -116,6 +117,25 @@ TEST(Flatten_disk, Surfaces_cut_open)
     SCOPED_TRACE(name);
     Mesh disk = cut_open(surface, 0);
     expect_injective(disk);
+  }
+}
+
+// These have several times as many vertices as seams of mesh edges.
+TEST(Flatten_disk, Seams_through_the_faces)
+{
+  const std::map<std::string, Mesh_data> surfaces = {{"sphere", bumpy_sphere(24, 0.1, 1)},
+                                                     {"torus", torus(1., 0.4, 80, 40, 0.2, 1)},
+                                                     {"plate", smoothed(rounded_plate(2, 2, 2), 3)}};
+  for(const auto& [name, surface] : surfaces)
+  {
+    SCOPED_TRACE(name);
+    Mesh mesh = build(surface), along_edges = cut_open(surface, 0), along_curve;
+    CGAL::cut_along_curve(mesh,
+                          CGAL::compute_cut_locus(mesh, *mesh.vertices().begin(),
+                                                  params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)),
+                          along_curve);
+    const double energy = expect_injective(along_edges).symmetric_dirichlet_energy;
+    EXPECT_NEAR(expect_injective(along_curve).symmetric_dirichlet_energy, energy, 0.02 * energy);
   }
 }
 

@@ -165,9 +165,10 @@ Layout_quality layout_quality(const TriangleMesh& tm, VertexUVMap uv_map,
  *
  * lays a disk flat, injectively, and as isometrically as may be: no face is flipped, no two overlap.
  *
- * The disk is simplified, down to about as many vertices inside as there are on the border. A convex layout
- * \cgalCite{cgal:t-hdg-63} of that is the start, and vertices come back level by level. On each level, Newton steps
- * \cgalCite{cgal:sgk-aeide-19} lower the symmetric Dirichlet energy \cgalCite{cgal:ss-bpfb-15}, and end before the first face loses its area. Nor does the border ever
+ * The disk is simplified as long as that halves its vertices: inside, and along the border where it is nearly straight, as
+ * where a seam crosses one face after another. A convex layout \cgalCite{cgal:t-hdg-63} of the coarsest disk is the start,
+ * and vertices come back level by level. On each level, Newton steps \cgalCite{cgal:sgk-aeide-19} lower the symmetric
+ * Dirichlet energy \cgalCite{cgal:ss-bpfb-15}, and end before the first face loses its area. Nor does the border ever
  * cross itself: the plane around it is triangulated anew in each step, and none of these triangles is flipped either
  * \cgalCite{cgal:jsp-scaf-17}. Where the disk would overlap itself if it were laid flat more freely, it is distorted or
  * moved aside.

@@ -66,8 +66,12 @@ private:
       }
     find_rest_shapes(part.disk);
     for(const Index v : disk_.border)
-      part.disk.border.push_back(number[v]);
-    part.disk.border_lengths = disk_.border_lengths;
+      if(number[v] != null_index)
+        part.disk.border.push_back(number[v]);
+    const std::vector<Index>& border = part.disk.border;
+    for(std::size_t k = 0; k < border.size(); ++k)
+      part.disk.border_lengths.push_back((std::max)(
+        part.disk.least_length, norm(part.disk.points[border[(k + 1) % border.size()]] - part.disk.points[border[k]])));
     return part;
   }
 

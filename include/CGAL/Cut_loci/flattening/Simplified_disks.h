@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -25,8 +26,8 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-// A disk with fewer and fewer faces: a vertex inside of it moves to a neighbor, and its faces become those of that one. The
-// border stays as it is.
+// A disk with fewer and fewer faces: a vertex moves to a neighbor, and its faces become those of that one. Vertices of the
+// border move along it, and only where it is nearly straight.
 class Simplified_disks
 {
 public:
@@ -34,6 +35,7 @@ public:
   {
     Index vertex;
     std::vector<Index> link; // its neighbors, counterclockwise: the faces were those of it and two of them each
+    bool is_on_border;       // then the first neighbor and the last one are on it, too, and not in a face with it
   };
 
   struct Level
@@ -47,18 +49,14 @@ public:
     levels.push_back({disk.triangles, {}});
     if(!build(disk))
       return;
-    // until there is not more of the inside than of the border, which is not simplified
-    std::size_t inner = disk.points.size() - disk.border.size();
-    while(inner > disk.border.size() && all_edges_have_lengths())
+    for(std::size_t size = disk.points.size(); all_edges_have_lengths(); size -= levels.back().removed.size())
     {
       levels.emplace_back();
       simplify();
-      inner -= levels.back().removed.size();
-      if(levels.back().removed.size() < least_part * inner)
-      {
-        levels.pop_back();
-        break;
-      }
+      if(static_cast<double>(levels.back().removed.size()) >= least_part * static_cast<double>(size))
+        continue;
+      levels.pop_back();
+      break;
     }
   }
 
@@ -68,15 +66,48 @@ private:
   // Steps on all levels but the first cost less than those on the first, and as little is between two of them as Newton's
   // method levels out in a few.
   static constexpr double kept_part = 0.25;
-  // else it is not worth a level
-  static constexpr double least_part = 0.1;
+  // else steps cost about as much as on the level before
+  static constexpr double least_part = 0.5;
+  // from a straight angle, where the border may go straight on: what turns more is a corner
+  static constexpr double most_turn = 45.; // degrees
 
   using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
   using Mesh = CGAL::Surface_mesh<Point_3>;
   using Profile = Surface_mesh_simplification::Edge_profile<Mesh>;
 
   // The vertex of an edge that stays: one of the border, if there is one.
-  static bool first_stays(const Profile& profile) { return profile.surface_mesh().is_border(profile.v0()); }
+  static bool first_stays(const Profile& profile)
+  {
+    const Mesh& mesh = profile.surface_mesh();
+    return mesh.is_border(profile.v0()) && (!mesh.is_border(profile.v1()) || is_straight(mesh, profile.v1()));
+  }
+
+  // The neighbors of a vertex, counterclockwise; of one on the border, from the next vertex of that to the last one.
+  static void find_link(const Mesh& mesh, Mesh::Vertex_index v, std::vector<Mesh::Vertex_index>& link)
+  {
+    Mesh::Halfedge_index first = mesh.halfedge(v);
+    for(const Mesh::Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v)))
+      if(mesh.is_border(h))
+        first = h;
+    link.clear();
+    Mesh::Halfedge_index h = first;
+    do
+    {
+      link.push_back(mesh.source(h));
+      h = mesh.prev(mesh.opposite(h)); // counterclockwise
+    } while(h != first);
+  }
+
+  // whether the border may go straight on where it has this vertex, and more than one face there
+  static bool is_straight(const Mesh& mesh, Mesh::Vertex_index v)
+  {
+    std::vector<Mesh::Vertex_index> link;
+    find_link(mesh, v, link);
+    double angle = 0.;
+    for(std::size_t i = 1; i < link.size(); ++i)
+      angle += CGAL::approximate_angle(mesh.point(link[i - 1]), mesh.point(v), mesh.point(link[i]));
+    return link.size() > 2 && std::fabs(angle - 180.) <= most_turn;
+  }
 
   struct Stop
   {
@@ -94,7 +125,9 @@ private:
       -> decltype(Surface_mesh_simplification::Midpoint_placement<Mesh>()(profile))
     {
       const Mesh& mesh = profile.surface_mesh();
-      if(mesh.is_border(profile.v0()) && mesh.is_border(profile.v1()))
+      if(mesh.is_border(profile.v0()) && mesh.is_border(profile.v1()) &&
+         (!mesh.is_border(mesh.edge(profile.v0_v1())) ||
+          (!is_straight(mesh, profile.v0()) && !is_straight(mesh, profile.v1()))))
         return {};
       return first_stays(profile) ? profile.p0() : profile.p1();
     }
@@ -113,9 +146,10 @@ private:
       stays = original[is_first ? profile.v0() : profile.v1()];
       Removed_vertex vertex;
       vertex.vertex = original[gone];
-      for(const Mesh::Vertex_index v : mesh.vertices_around_target(mesh.halfedge(gone))) // clockwise
+      vertex.is_on_border = mesh.is_border(gone);
+      find_link(mesh, gone, link);
+      for(const Mesh::Vertex_index v : link)
         vertex.link.push_back(original[v]);
-      std::reverse(vertex.link.begin(), vertex.link.end());
       removed->push_back(vertex);
     }
 
@@ -124,6 +158,7 @@ private:
     std::vector<Removed_vertex>* removed;
     Mesh::Property_map<Mesh::Vertex_index, Index> original;
     Index stays = null_index;
+    std::vector<Mesh::Vertex_index> link;
   };
 
   // Returns whether a surface mesh can have these faces: not if two edges join the same vertices.

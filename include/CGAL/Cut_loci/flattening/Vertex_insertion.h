@@ -47,8 +47,11 @@ public:
     for(std::size_t i = 0; i < n; ++i)
     {
       const Index next = static_cast<Index>((i + 1) % n);
-      energy.add_face({{0, static_cast<Index>(i + 1), next + 1}},
-                      rest_of(removed.vertex, removed.link[i], removed.link[next]));
+      const Triangle_corners face = {{0, static_cast<Index>(i + 1), next + 1}};
+      if(removed.is_on_border && next == 0) // outside; it has next to no weight, and keeps the vertex inside
+        energy.add_face(face, {{local_[0], local_[n], local_[1]}}, least_weight);
+      else
+        energy.add_face(face, rest_of(removed.vertex, removed.link[i], removed.link[next]));
     }
     return improve(removed.vertex, energy);
   }
@@ -82,6 +85,8 @@ public:
   }
 
 private:
+  static constexpr double least_weight = 1e-3;
+
   // The points from which all edges of the link are seen: the link, cut off along the line of each of its edges.
   void find_kernel()
   {
