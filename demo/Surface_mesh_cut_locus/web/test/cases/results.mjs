@@ -1,5 +1,6 @@
 // What is computed: sources, methods, thresholds, shortest paths, and what the page says about them.
 import assert from 'node:assert/strict';
+import { describeValues } from '../../src/readout.js';
 import { rounded } from '../../src/words.js';
 
 const cube = () => {
@@ -320,6 +321,12 @@ export const tests = {
     await d.page.check('input[value=source]', { force: true });
     await d.click(...await d.placeOnSurface(1));
     assert.equal(await d.app(({ app }) => app.path), null);
+  },
+
+  async 'what is between two sources is no branch of any angle'() {
+    const told = (gap) => describeValues({ vertex: 1, distance: 1, angle: 0, branch: { gap, width: 0.2, away: 1, isHere: true } }, true);
+    assert.match(told(Math.PI), /on a branch, angle 180°/);
+    assert.match(told(Math.fround(2 * Math.PI)), /on a branch, between two sources/);
   },
 
   async 'values are shown where the pointer rests'(d) {
