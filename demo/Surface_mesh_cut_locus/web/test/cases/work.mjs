@@ -214,6 +214,15 @@ export const tests = {
     await d.picture('cells_side_by_side.png');
   },
 
+  async 'a source that moves beside others has previews by any distances'(d) {
+    for (const solver of ['exact', 'heat']) {
+      await d.open(`#sample=torus&faces=20000&solver=${solver}&method=laplacian&source=10,0.3,0.3,0.4,7000,0.2,0.3,0.5`);
+      await d.previewIsReady();
+      const { mean, edge } = await d.app(compareWithPreview);
+      assert.ok(mean < edge, `${solver}: the preview is off by ${mean} in the mean, the simplified mesh has edges of ${edge}`);
+    }
+  },
+
   async 'a source that is pressed, or any while a key is held, follows the pointer'(d) {
     const { page } = d;
     const notes = [];
