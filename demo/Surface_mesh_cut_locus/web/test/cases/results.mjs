@@ -287,11 +287,25 @@ export const tests = {
   async 'sources without a face each are refused by the method that starts from edges'(d) {
     const { page } = d;
     await d.open(`#sample=torus&faces=5000&method=laplacian&source=${threePoints}`);
-    await d.app(({ app }) => app.setSources([0.2, 0.3, 0.4].map((x) => ({ face: 10, coordinates: [x, 0.5, 0.5 - x] }))));
+    const crowd = ({ app }) => app.setSources([0.2, 0.3].map((x) => ({ face: 10, coordinates: [x, 0.5, 0.5 - x] })));
+    await d.app(crowd);
     await d.settle();
     assert.match(await page.innerText('#message-text'), /too close to each other/);
     assert.equal((await d.result()).sources, 3);
     assert.match(await page.evaluate(() => location.hash), new RegExp(`source=${threePoints}`));
+    // others take them, and get them back
+    await page.click('#defaults');
+    await d.settle();
+    await d.app(crowd);
+    await d.settle();
+    assert.equal((await d.result()).sources, 2);
+    await page.selectOption('#method', 'laplacian');
+    await d.settle();
+    assert.match(await page.innerText('#message-text'), /too close to each other/);
+    await page.selectOption('#method', 'direction');
+    await d.settle();
+    await d.noMessage();
+    assert.equal((await d.result()).sources, 2);
   },
 
   async 'the border may be a source: its cut locus is the medial axis'(d) {
