@@ -229,6 +229,7 @@ export const tests = {
     for (const [faces, wanted] of [[20000, 30], [100000, 10]]) {
       await d.open(`#sample=torus&faces=${faces}`);
       await page.selectOption('#view', 'source');
+      await page.waitForTimeout(600); // it turns
       await d.settle();
       const box = await page.locator('#model-view').boundingBox();
       const at = await d.seenAt((await d.app(({ app }) => app.toView(app.source.points[0]))));
