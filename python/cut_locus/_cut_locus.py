@@ -273,8 +273,9 @@ class CutLocus:
         source_border : bool
             Whether each border loop is a source, behind all others: of a flat region, that gives its medial axis.
         distances : (n,) real numbers, optional
-            The geodesic distance of each vertex to the source, if it is known: then no solver runs, and the method is
-            "laplacian" unless the constructor was given one. They are copied, since this runs without the GIL.
+            The geodesic distance of each vertex to the source, of several sources, curves and the border to the nearest
+            one, if it is known: then no solver runs, and the method is "laplacian" unless the constructor was given one.
+            They are copied, since this runs without the GIL.
         snapping_tolerance : float
             A barycentric coordinate up to this value is taken for zero.
         maximum_relative_error : float
@@ -285,15 +286,10 @@ class CutLocus:
             raise TypeError("there must be a source, source_curves or the source_border")
         numbers, is_set = read_sources([] if source is None else source)
         curves = read_curves(source_curves)
-        if distances is None:
-            self._core.set_sources(numbers, is_set, curves, bool(source_border), snapping_tolerance,
-                                   maximum_relative_error)
-            return
-        if maximum_relative_error != 0.:
+        if distances is not None and maximum_relative_error != 0.:
             raise _core.InvalidInput("distances are taken as they are: leave maximum_relative_error away")
-        if len(numbers) != 1 or curves or source_border:
-            raise _core.InvalidInput("distances are those to one source, a point, and not to a set of several")
-        self._core.set_distances(numbers[0], snapping_tolerance, np.asarray(distances))
+        self._core.set_sources(numbers, is_set, curves, bool(source_border), snapping_tolerance, maximum_relative_error,
+                               None if distances is None else np.asarray(distances))
 
     def cut_locus(self, *, curve: Optional[str] = None, minimum_branch_width: Optional[float] = None,
                   minimum_branch_gap: Optional[float] = None, gradient_angle_threshold: Optional[float] = None,

@@ -216,14 +216,17 @@ PYBIND11_MODULE(_core, m)
       "set_sources",
       [](Computation& c, const std::vector<Source_numbers>& numbers, bool is_set,
          const std::vector<Curve_numbers>& curves, bool border, double snapping_tolerance,
-         double maximum_relative_error)
+         double maximum_relative_error, const std::optional<py::array>& values)
       {
+    std::optional<std::vector<double>> distances;
+    if(values)
+      distances = read_vertex_values(*values, c.mesh->number_of_vertices());
     c.run(
       [&]
       {
       const std::vector<Source> sources = read_sources(*c.mesh, numbers);
       const Source_parameters parameters = {snapping_tolerance, maximum_relative_error, read_curves(*c.mesh, curves),
-                                            border};
+                                            border, std::move(distances)};
       if(is_set || parameters.has_curves())
         set_sources(*c.solver, sources, parameters);
       else
@@ -231,20 +234,8 @@ PYBIND11_MODULE(_core, m)
       c.has_curves = parameters.has_curves();
     });
       },
-      "sources"_a, "is_set"_a, "curves"_a, "border"_a, "snapping_tolerance"_a, "maximum_relative_error"_a)
-    .def(
-      "set_distances",
-      [](Computation& c, const Source_numbers& number, double snapping_tolerance, const py::array& values)
-      {
-    const std::vector<double> distances = read_vertex_values(values, c.mesh->number_of_vertices());
-    c.run(
-      [&]
-      {
-      set_source(*c.solver, read_sources(*c.mesh, {number}).front(), snapping_tolerance, distances);
-      c.has_curves = false;
-    });
-      },
-      "source"_a, "snapping_tolerance"_a, "distances"_a)
+      "sources"_a, "is_set"_a, "curves"_a, "border"_a, "snapping_tolerance"_a, "maximum_relative_error"_a,
+      "distances"_a)
     .def(
       "cut_locus",
       [](Computation& c, std::optional<double> minimum_branch_width, std::optional<double> minimum_branch_gap,

@@ -152,22 +152,22 @@ std::unique_ptr<Solver> make_solver(const std::string& name, std::optional<Metho
 
 void set_source(Solver& solver, const Source& source, const Source_parameters& parameters)
 {
-  set_source(
-    solver, source,
-    np::snapping_tolerance(parameters.snapping_tolerance).maximum_relative_error(parameters.maximum_relative_error));
-}
-
-void set_source(Solver& solver, const Source& source, double snapping_tolerance, const std::vector<double>& distances)
-{
-  set_source(solver, source, np::snapping_tolerance(snapping_tolerance).vertex_distance_map(Distance_map{&distances}));
+  const auto given = np::snapping_tolerance(parameters.snapping_tolerance);
+  if(parameters.distances)
+    set_source(solver, source, given.vertex_distance_map(Distance_map{&*parameters.distances}));
+  else
+    set_source(solver, source, given.maximum_relative_error(parameters.maximum_relative_error));
 }
 
 void set_sources(Solver& solver, const std::vector<Source>& sources, const Source_parameters& parameters)
 {
-  solver.set_sources(sources, np::snapping_tolerance(parameters.snapping_tolerance)
-                                .maximum_relative_error(parameters.maximum_relative_error)
-                                .source_curves(parameters.curves)
-                                .source_border(parameters.border));
+  const auto given = np::snapping_tolerance(parameters.snapping_tolerance)
+                       .source_curves(parameters.curves)
+                       .source_border(parameters.border);
+  if(parameters.distances)
+    solver.set_sources(sources, given.vertex_distance_map(Distance_map{&*parameters.distances}));
+  else
+    solver.set_sources(sources, given.maximum_relative_error(parameters.maximum_relative_error));
 }
 
 Cut_locus compute_cut_locus(const Solver& solver, const Thresholds& thresholds, bool has_curves)

@@ -44,13 +44,13 @@ struct Source_parameters
   double snapping_tolerance = 1e-10, maximum_relative_error = 0.;
   std::vector<Source_curve> curves;
   bool border = false;
+  // of each vertex to the nearest source, if they are known: then there is no relative error
+  std::optional<std::vector<double>> distances;
 
   bool has_curves() const { return border || !curves.empty(); }
 };
 
 void set_source(Solver& solver, const Source& source, const Source_parameters& parameters);
-// `distances` has one for each vertex of the mesh.
-void set_source(Solver& solver, const Source& source, double snapping_tolerance, const std::vector<double>& distances);
 void set_sources(Solver& solver, const std::vector<Source>& sources, const Source_parameters& parameters);
 
 // `has_curves` tells whether there are curves among the sources.

@@ -120,7 +120,11 @@ def test_edges_of_the_mesh_beside_the_border():
     ({"source": 9, "source_curves": [[0, 9]]}, "sources 0 and 1 have a point in common"),
     ({"source_border": True, "minimum_branch_edges": 2}, "minimum_branch_edges is for a cut locus made of edges"),
     ({"source_border": True, "maximum_relative_error": 0.01}, "curves need exact distances"),
-    ({"source_border": True, "distances": np.zeros(153)}, "distances are those to one source, a point"),
+    ({"source_border": True, "distances": np.full(153, -1.)}, "distances hold a distance that is negative"),
+    ({"source_border": True, "distances": np.zeros(152)}, "distances must be an array"),
+    ({"source": [], "distances": np.zeros(153)}, "the range of sources is empty"),
+    ({"source": [9, 40], "distances": np.zeros(153), "method": "direction"}, "needs the paths"),
+    ({"source_border": True, "distances": np.zeros(153), "maximum_relative_error": 0.01}, "taken as they are"),
     ({"source": 9, "maximum_relative_error": 0.2}, "from 0 to 0.1"),
     ({"source": []}, "the range of sources is empty"),
 ])
@@ -143,6 +147,42 @@ def test_curves_of_the_wrong_type(curves):
 def test_there_must_be_a_source():
     with pytest.raises(TypeError, match="there must be a source"):
         cut_locus.compute(*rectangle())
+
+
+def test_own_distances_to_the_nearest_of_several_points():
+    points, faces = meshes.torus(60, 30)
+    sources = [0, 777, 1333]
+    distances = cut_locus.exact_geodesic_distances(points, faces, sources)
+    result = cut_locus.compute(points, faces, sources, distances=distances)
+    assert result.method == "laplacian" and np.array_equal(result.vertex_distance, distances)
+    assert result.cycles == 4 and result.components == 1
+    each = np.array([cut_locus.exact_geodesic_distances(points, faces, source) for source in sources])
+    # but for what is about as far from two of them
+    least = np.sort(each, axis=0)
+    is_clear = least[1] - least[0] > 2. * meshes.length_of(points, faces[:, :2]).max()
+    assert is_clear.mean() > 0.5
+    assert np.array_equal(result.nearest_source[is_clear], each.argmin(axis=0)[is_clear])
+
+
+def test_own_distances_to_the_border_and_a_point():
+    points, faces = rectangle()
+    x, y, _ = points.T
+    middle = len(points) // 2
+    assert (x[middle], y[middle]) == (WIDTH / 2., HEIGHT / 2.)
+    to_border = np.min([x, WIDTH - x, y, HEIGHT - y], axis=0)
+    to_point = np.hypot(x - x[middle], y - y[middle])
+    computation = cut_locus.CutLocus(points, faces)
+    for source, total in ((None, 1), (middle, 2)):
+        distances = to_border if source is None else np.minimum(to_border, to_point)
+        computation.set_source(source, source_border=True, distances=distances)
+        result = computation.cut_locus()
+        assert result.method == "laplacian" and result.vertex_distance == pytest.approx(distances, abs=1e-15)
+        assert len(result.source_points) == total
+        # around the point, a loop half-way to the border
+        assert result.cycles == total - 1
+        # later sources have no such distances
+        computation.set_source([0, 9])
+        assert computation.method == "direction"
 
 
 def test_distances_within_an_error():

@@ -146,8 +146,7 @@ void Session::compute_curve(Curve_index index, const Thresholds& thresholds)
     throw std::runtime_error("there is no source yet");
   using CGAL::Cut_loci::Curve;
   const Curve kind = index == MESH_EDGES ? Curve::MESH_EDGES : Curve::THROUGH_FACES;
-  results_[index].emplace(method_name_ == "laplacian" ? laplacian_cut_locus(*solver_, thresholds, kind)
-                                                      : exact_cut_locus(*solver_, thresholds, kind));
+  results_[index].emplace(::cut_locus(*solver_, thresholds, kind));
   const Cut_locus& cut_locus = *results_[index];
   const Cut_locus::Graph& graph = cut_locus.graph();
   if(exact_distance_.empty())
@@ -233,7 +232,7 @@ void Session::cut_open(Curve_index index, const Thresholds& thresholds)
   whole.keeps = Kept_part::ALL;
   using CGAL::Cut_loci::Curve;
   const Curve kind = index == MESH_EDGES ? Curve::MESH_EDGES : Curve::THROUGH_FACES;
-  atlas = make_atlas(*mesh_, exact_cut_locus(*solver_, whole, kind), has_cells);
+  atlas = make_atlas(*mesh_, ::cut_locus(*solver_, whole, kind), has_cells);
 }
 
 const Fields& Session::fields()

@@ -46,10 +46,9 @@ struct Thresholds
   unsigned int smoothing;
 };
 
-// The method `LAPLACIAN` takes one point and no curves.
+// All methods take points and curves; curves have no relative error.
 void set_sources(Solver& solver, const std::vector<Location>& points, const std::vector<Edge_curve>& curves,
                  double relative_error);
-Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& thresholds, CGAL::Cut_loci::Curve curve);
-Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& thresholds, CGAL::Cut_loci::Curve curve);
+Cut_locus cut_locus(const Solver& solver, const Thresholds& thresholds, CGAL::Cut_loci::Curve curve);
 
 #endif // SURFACE_MESH_CUT_LOCUS_WEB_SOLVERS_H

@@ -188,10 +188,6 @@ export class App {
   // If that fails, all stays as it was.
   async setSources(sources, border = this.state.border, replacesStep = false) {
     const { state } = this;
-    if (sources.length > 1 && state.method === 'laplacian') {
-      this.panel.showMessage('This method takes one source: choose “the smooth shape” or “the polyhedron itself” for several.');
-      return;
-    }
     const before = { sources: state.sources, border: state.border };
     const wasSolved = this.isSolved;
     Object.assign(state, { sources, border });
@@ -207,12 +203,8 @@ export class App {
     if (solver === 'exact') this.exactMethod = state.solver === 'exact' ? method : this.exactMethod;
     state.method = solver === 'exact' ? this.exactMethod : 'laplacian';
     state.solver = solver;
-    const hadSeveral = state.method === 'laplacian' && state.sources && (state.sources.length > 1 || state.border !== 'no');
-    if (hadSeveral) Object.assign(state, { sources: state.sources.slice(0, 1), border: 'no' });
     this.panel.setState(state);
-    return this.solve().then(() => {
-      if (hadSeveral) this.panel.showMessage('This method takes one point: the first one is left.', true);
-    });
+    return this.solve();
   }
 
   async solve(replacesStep = false) {

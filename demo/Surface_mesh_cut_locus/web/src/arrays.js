@@ -34,4 +34,4 @@ export const curveNames = ['edgeCurve', 'faceCurve'];
 // what the library says is wrong, in its order
 export const causeNames = ['other', 'emptyMesh', 'noTriangle', 'invalidCoordinate', 'faceWithoutArea', 'nonManifold',
   'noSource', 'invalidSource', 'sameSources', 'sourcesApart', 'noFaceAtSource', 'invalidDistance', 'invalidParameter',
-  'parameterOfOtherMethod', 'invalidCutLocus', 'notConvex', 'tooInaccurate'];
+  'parameterOfOtherMethod', 'invalidCutLocus', 'notConvex', 'noDisk', 'tooInaccurate'];

@@ -84,6 +84,14 @@ export function nearestSegment(segments, p) {
   };
 }
 
+// The library gives it in the place of an angle where no branch is, but cells of two sources meet.
+const gapBetweenSources = 2 * Math.PI;
+
+function describeBranch({ gap, width }, isLaplacian) {
+  if (gap > gapBetweenSources - 0.01) return 'between two sources';
+  return isLaplacian ? `angle ${degrees(gap)}` : `${number(100 * width)} % wide`;
+}
+
 const degrees = (radians) => `${Math.round(180 / Math.PI * radians)}°`;
 
 export function describeValues({ vertex, distance, angle, branch }, isLaplacian) {
@@ -93,7 +101,6 @@ export function describeValues({ vertex, distance, angle, branch }, isLaplacian)
     `gradients around it up to ${degrees(angle)} apart`,
   ];
   if (branch)
-    lines.push(`${branch.isHere ? 'on a branch' : `nearest branch ${number(branch.away)} away`}, `
-      + (isLaplacian ? `angle ${degrees(branch.gap)}` : `${number(100 * branch.width)} % wide`));
+    lines.push(`${branch.isHere ? 'on a branch' : `nearest branch ${number(branch.away)} away`}, ${describeBranch(branch, isLaplacian)}`);
   return lines.join('\n');
 }

@@ -122,14 +122,13 @@ export function fromHash(hash) {
   if (['exact', 'heat', 'graph'].includes(items.get('solver'))) state.solver = items.get('solver');
   if (methods.includes(items.get('method'))) state.method = items.get('method');
   if (state.solver !== 'exact') state.method = 'laplacian';
-  if (state.sources && state.method === 'laplacian') state.sources.length = 1; // it takes one
   for (const name of ['width', 'angle', 'laplacian', 'minimumEdges', 'minimumLength', 'smoothing']) {
     const value = Number(items.get(name));
     if (items.has(name) && Number.isFinite(value) && (name !== 'width' || value >= 0)) state.parameters[name] = value;
   }
   if (items.get('policy') === 'grow') state.parameters.policy = 'grow';
   if (keptParts.includes(items.get('keep'))) state.parameters.keep = items.get('keep');
-  if (state.method !== 'laplacian' && ['also', 'only'].includes(items.get('border'))) state.border = items.get('border');
+  if (['also', 'only'].includes(items.get('border'))) state.border = items.get('border');
   for (const item of (items.get('show') || '').split(',')) {
     const name = item.replace(/^-/, '');
     if (name in state.show) state.show[name] = !item.startsWith('-');

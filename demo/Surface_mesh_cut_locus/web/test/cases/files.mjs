@@ -1,7 +1,8 @@
 // Files: all that the program opens, with a line on what was repaired; others are refused in plain words.
 import assert from 'node:assert/strict';
-import { truncate, writeFile } from 'node:fs/promises';
+import { readFile, truncate, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
+import { causeNames } from '../../src/arrays.js';
 import { readObj, surfaceTopology } from '../topology.mjs';
 
 const off = (points, faces) =>
@@ -10,7 +11,15 @@ const off = (points, faces) =>
 const cubePoints = [0, 1].flatMap((z) => [[0, 0, z], [1, 0, z], [1, 1, z], [0, 1, z]]);
 const quads = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
 
+const causesOfLibrary = new URL('../../../../../include/CGAL/Cut_loci/Invalid_input.h', import.meta.url);
+
 export const tests = {
+  async 'what is wrong with an input is named in the order of the library'() {
+    const [, causes] = (await readFile(causesOfLibrary, 'utf8')).match(/enum class Cause \{([^}]*)\}/);
+    const names = [...causes.matchAll(/^ *([A-Z_]+)/gm)].map(([, name]) => name);
+    assert.deepEqual(causeNames.map((name) => name.replace(/[A-Z]/g, '_$&').toUpperCase()), names);
+  },
+
   async 'files of all formats give the same surface'(d) {
     await d.open('#sample=torus&faces=5000');
     const points = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]];

@@ -1,6 +1,8 @@
 // What is computed: sources, methods, thresholds, shortest paths, and what the page says about them.
 import assert from 'node:assert/strict';
+import { describeValues } from '../../src/readout.js';
 import { rounded } from '../../src/words.js';
+import { curveTopology, readObj } from '../topology.mjs';
 
 const cube = () => {
   const corners = [0, 1].flatMap((z) => [[0, 0, z], [1, 0, z], [1, 1, z], [0, 1, z]]);
@@ -24,6 +26,15 @@ const tube = (() => {
 })();
 
 const square = 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n';
+
+// in units of the file
+const heightsOfCurve = ({ app }) => {
+  const [, , z, radius] = app.mesh.numbers;
+  return Array.from(app.curve.segments).filter((_, i) => i % 3 === 2).map((x) => z + radius * x);
+};
+
+// faces and coordinates of sources on the torus of 5000 faces
+const threePoints = '10,0.3,0.3,0.4,1700,0.2,0.3,0.5,3300,0.4,0.4,0.2';
 
 export const tests = {
   async 'a sample is loaded and has the cycles of its genus'(d) {
@@ -211,14 +222,89 @@ export const tests = {
     // a click on one takes it away
     await d.click(...second);
     assert.equal((await d.result()).sources, 2);
-    await page.selectOption('#method', 'laplacian');
-    await d.settle();
-    assert.equal((await d.result()).sources, 1);
-    await page.click('#defaults');
-    await d.settle();
     // the other way to add one
     await page.check('input[value=source]', { force: true });
     await d.click(...await d.placeOnSurface(), { keys: ['Shift'] });
+    assert.equal((await d.result()).sources, 3);
+  },
+
+  async 'any distances take several sources, which other methods keep'(d) {
+    const { page } = d;
+    await d.open(`#sample=torus&faces=5000&source=${threePoints}`);
+    const nearest = () => d.app(({ app }) => Array.from(app.source.nearest));
+    const exact = await nearest();
+    for (const solver of ['exact', 'heat', 'graph']) {
+      await page.selectOption('#solver', solver); // the others have no other method
+      if (solver === 'exact') await page.selectOption('#method', 'laplacian');
+      await d.settle();
+      await d.noMessage();
+      const { sources, cycles, edges } = await d.result();
+      assert.deepEqual([solver, sources, cycles], [solver, 3, 4]);
+      assert.ok(edges > 50, `${solver}: ${edges} edges`);
+      assert.deepEqual(curveTopology(readObj(String(await d.exported('faceCurve', 'obj')))), { components: 1, cycles: 4 });
+      // each vertex is in a cell, which is that of the exact distances but for a strip beside the diagram
+      const found = await nearest();
+      assert.equal(found.length, await d.app(({ app }) => app.mesh.positions.length / 3));
+      const same = found.filter((source, v) => source === exact[v]).length;
+      assert.ok(same > (solver === 'graph' ? 0.85 : 0.95) * found.length, `${solver}: ${same} of ${found.length}`);
+      assert.ok(await d.app(({ app }) => app.distance.every((x) => x >= 0 && x < 4)), solver);
+    }
+    // another method, and back
+    await page.click('#defaults');
+    await d.settle();
+    assert.deepEqual([await page.inputValue('#method'), (await d.result()).sources], ['direction', 3]);
+    await page.click('#undo');
+    await d.settle();
+    assert.deepEqual([await page.inputValue('#solver'), (await d.result()).sources], ['graph', 3]);
+  },
+
+  async 'of several sources, any distances have a Voronoi diagram, what is inside its cells, and a sheet for each'(d) {
+    const { page } = d;
+    for (const solver of ['exact', 'heat']) {
+      await d.open(`#sample=torus&faces=5000&solver=${solver}&method=laplacian&smoothing=0&source=${threePoints}`);
+      const lengths = [];
+      for (const part of ['voronoi', 'medial', 'all']) {
+        await page.selectOption('#keep', part);
+        await page.waitForFunction((p) => window.cutLocusPage.app.drawn.keep === p && !window.cutLocusPage.app.isUpdating, part);
+        lengths.push((await d.result()).length);
+      }
+      const [between, inside, all] = lengths;
+      assert.ok(between > 0 && inside > 0 && Math.abs(between + inside - all) < 1e-6 * all, `${lengths}`);
+      await page.selectOption('#look-color', 'cells');
+      assert.match(await page.innerText('#legend'), /nearest source:/);
+      // cut with what is not shown as well
+      await page.selectOption('#keep', 'voronoi');
+      await d.settle();
+      await page.click('#cut');
+      await page.waitForFunction(() => window.cutLocusPage.app.atlas);
+      await d.idle();
+      await d.noMessage();
+      assert.match(await page.innerText('#cut-info'), /3 sheets, one for each cell: none overlaps/);
+    }
+    await d.picture('laplacian_cells.png');
+  },
+
+  async 'sources without a face each are refused by the method that starts from edges'(d) {
+    const { page } = d;
+    await d.open(`#sample=torus&faces=5000&method=laplacian&source=${threePoints}`);
+    const crowd = ({ app }) => app.setSources([0.2, 0.3].map((x) => ({ face: 10, coordinates: [x, 0.5, 0.5 - x] })));
+    await d.app(crowd);
+    await d.settle();
+    assert.match(await page.innerText('#message-text'), /too close to each other/);
+    assert.equal((await d.result()).sources, 3);
+    assert.match(await page.evaluate(() => location.hash), new RegExp(`source=${threePoints}`));
+    // others take them, and get them back
+    await page.click('#defaults');
+    await d.settle();
+    await d.app(crowd);
+    await d.settle();
+    assert.equal((await d.result()).sources, 2);
+    await page.selectOption('#method', 'laplacian');
+    await d.settle();
+    assert.match(await page.innerText('#message-text'), /too close to each other/);
+    await page.selectOption('#method', 'direction');
+    await d.settle();
+    await d.noMessage();
     assert.equal((await d.result()).sources, 2);
   },
 
@@ -231,10 +317,7 @@ export const tests = {
     // between the two ends of a tube, the circle in the middle
     const { cycles, leaves, sources } = await d.result();
     assert.deepEqual([cycles, leaves, sources], [1, 0, 0]);
-    const heights = await d.app(({ app }) => {
-      const [, , z, radius] = app.mesh.numbers;
-      return Array.from(app.curve.segments).filter((_, i) => i % 3 === 2).map((x) => z + radius * x);
-    });
+    const heights = await d.app(heightsOfCurve);
     assert.ok(heights.every((z) => Math.abs(z - 2.4) < 0.05), `${Math.min(...heights)} to ${Math.max(...heights)}`);
     assert.match(await page.innerText('#legend'), /the border, as a source/);
     assert.match(await page.innerText('#numbers'), /sources\s*2/);
@@ -279,9 +362,48 @@ export const tests = {
     assert.deepEqual((await d.result()).point, point.point);
     await page.click('#redo');
     await d.settle();
-    await page.selectOption('#method', 'laplacian');
+    assert.equal(await page.inputValue('#border'), 'only');
+  },
+
+  async 'any distances take the border as a source'(d) {
+    const { page } = d;
+    assert.equal(await d.openFile('tube.off', tube), null);
+    await page.selectOption('#border', 'only');
     await d.settle();
-    assert.equal(await page.inputValue('#border'), 'no');
+    for (const solver of ['exact', 'heat', 'graph']) {
+      await page.selectOption('#solver', solver); // the others have no other method
+      if (solver === 'exact') await page.selectOption('#method', 'laplacian');
+      await d.settle();
+      await d.noMessage();
+      assert.equal(await page.inputValue('#border'), 'only');
+      const { cycles, leaves, sources } = await d.result();
+      assert.deepEqual([solver, cycles, leaves, sources], [solver, 1, 0, 0]);
+      const heights = await d.app(heightsOfCurve);
+      assert.ok(heights.every((z) => Math.abs(z - 2.4) < 0.3), `${solver}: ${Math.min(...heights)} to ${Math.max(...heights)}`);
+      // each end has its half
+      assert.deepEqual(await d.app(({ app, viewer }) => [0, 1].map((end) => {
+        const { nearest } = app.source;
+        const isThere = (v) => (viewer.positions[3 * v + 2] > 0) === Boolean(end);
+        const found = nearest.filter((_, v) => isThere(v) && Math.abs(viewer.positions[3 * v + 2]) > 0.2);
+        return new Set(found).size;
+      })), [1, 1], solver);
+      assert.equal(await d.app(({ app }) => new Set(app.source.nearest).size), 2);
+      assert.match(await page.innerText('#legend'), /the border, as a source/);
+    }
+    // with a point beside it
+    await d.click(...await d.placeOnSurface());
+    assert.equal(await page.inputValue('#border'), 'also');
+    assert.deepEqual([(await d.result()).sources, await d.app(({ app }) => app.source.total)], [1, 3]);
+    await page.click('#cut');
+    await page.waitForFunction(() => window.cutLocusPage.app.atlas);
+    await d.settle();
+    await d.noMessage();
+    assert.match(await page.innerText('#cut-info'), /3 sheets, one for each cell/);
+    await page.click('#cut');
+    // a link opens with the same
+    const hash = await page.evaluate(() => location.hash);
+    assert.match(hash, /border=also/);
+    assert.match(hash, /method=laplacian/);
     await page.click('#defaults');
     await d.settle();
   },
@@ -320,6 +442,12 @@ export const tests = {
     await d.page.check('input[value=source]', { force: true });
     await d.click(...await d.placeOnSurface(1));
     assert.equal(await d.app(({ app }) => app.path), null);
+  },
+
+  async 'what is between two sources is no branch of any angle'() {
+    const told = (gap) => describeValues({ vertex: 1, distance: 1, angle: 0, branch: { gap, width: 0.2, away: 1, isHere: true } }, true);
+    assert.match(told(Math.PI), /on a branch, angle 180°/);
+    assert.match(told(Math.fround(2 * Math.PI)), /on a branch, between two sources/);
   },
 
   async 'values are shown where the pointer rests'(d) {

@@ -214,12 +214,22 @@ export const tests = {
     await d.picture('cells_side_by_side.png');
   },
 
+  async 'a source that moves beside others has previews by any distances'(d) {
+    for (const solver of ['exact', 'heat']) {
+      await d.open(`#sample=torus&faces=20000&solver=${solver}&method=laplacian&source=10,0.3,0.3,0.4,7000,0.2,0.3,0.5`);
+      await d.previewIsReady();
+      const { mean, edge } = await d.app(compareWithPreview);
+      assert.ok(mean < edge, `${solver}: the preview is off by ${mean} in the mean, the simplified mesh has edges of ${edge}`);
+    }
+  },
+
   async 'a source that is pressed, or any while a key is held, follows the pointer'(d) {
     const { page } = d;
     const notes = [];
     for (const [faces, wanted] of [[20000, 30], [100000, 10]]) {
       await d.open(`#sample=torus&faces=${faces}`);
       await page.selectOption('#view', 'source');
+      await page.waitForTimeout(600); // it turns
       await d.settle();
       const box = await page.locator('#model-view').boundingBox();
       const at = await d.seenAt((await d.app(({ app }) => app.toView(app.source.points[0]))));
