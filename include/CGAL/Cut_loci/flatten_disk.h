@@ -178,11 +178,9 @@ Layout_quality layout_quality(const TriangleMesh& tm, VertexUVMap uv_map,
  * area in space.
  *
  * A step takes O(n^1.5) time and O(n log n) space for n faces; the steps on all simplified disks together take as long as
- * those on the disk itself at most. Numbers are too coarse for the start if parts of the simplified
- * disk shrink below their resolution there; then it is returned as it is, and `Layout_quality::flipped_faces` says so. A
- * closed tube, cut open at one end and 80 times as long as its radius, is laid out injectively; its distortion is that of a
- * tube that becomes a disk. Where the border is as long as all edges together, as with a genus of a hundred, the result is
- * injective, but far from the least energy.
+ * those on the disk itself at most. Numbers are too coarse for the start if parts of the simplified disk shrink below their
+ * resolution there; then it is returned as it is, and `Layout_quality::flipped_faces` says so. A closed tube, cut open at one
+ * end and 80 times as long as its radius, is laid out injectively; its distortion is that of a tube that becomes a disk.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  * @tparam VertexUVMap a model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as
