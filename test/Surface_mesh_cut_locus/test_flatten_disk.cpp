@@ -151,7 +151,7 @@ TEST(Flatten_disk, Developable_surfaces_keep_their_shape)
     // the chords of the roll turn at edges: it is flat up to the squares of their lengths
     const Layout_quality quality = expect_injective(disk);
     EXPECT_LT(quality.symmetric_dirichlet_energy, 1.001);
-    const UV_map uv = disk.property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
+    const UV_map uv = add_uv_map(disk);
     for(Mesh::Edge_index e : disk.edges())
     {
       const double length =
