@@ -243,7 +243,7 @@ private:
         angle < 0.5 * geodesic_pi && get_apart(left, right, t) &&
         (gap < Parting_angle::least_angle || gap * way <= Edge_envelope::least_width * faces_.length(h));
       crossings.push_back(
-        {h, t, left, right, gap, angle, is_seam || is_bend || parting_angle_.is_same_path(left, right, t)});
+        {h, t, left, right, gap, angle, is_seam || is_bend || parting_angle_.is_same_path(left, right, t, h)});
     }
     else if(!is_same_family(geodesics_, angle, gap))
       crossings.push_back({h, t, left, right, gap, angle, false});

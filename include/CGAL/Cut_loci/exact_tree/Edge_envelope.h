@@ -46,6 +46,7 @@ public:
   /// The two lists, of which either or both may be null, hold the windows that cross `h` and its opposite.
   const std::vector<Piece>& operator()(Index h, Geodesic_window_list* along, Geodesic_window_list* against)
   {
+    halfedge_ = h;
     length_ = faces_.length(h);
     windows_.clear();
     if(geodesics_.is_approximate())
@@ -211,7 +212,7 @@ private:
       return true;
     // Where a shadow begins, both are the same path: rays tell where that is.
     return least > -rounding && gain(beyond) > rounding &&
-           !Parting_angle(geodesics_).is_same_path(neighbor.label, piece.label, far);
+           !Parting_angle(geodesics_).is_same_path(neighbor.label, piece.label, far, halfedge_);
   }
 
   /// whether the distance leaps up to a window from both of its neighbors: a gap between these that rounding has left,
@@ -371,6 +372,7 @@ private:
   Exact_geodesic_propagation& geodesics_;
   const Geodesic_faces& faces_;
   Vertex_labels vertex_labels_;
+  Index halfedge_ = null_index;
   double length_ = 0.;
   std::vector<Piece> windows_, pieces_;
 };

@@ -115,8 +115,10 @@ private:
     if(geodesics_->is_seam(arrival.origin, label.origin, c.angle))
       return;
     const double sigma = (std::max)(geodesics_->sigma_of_origin(arrival.origin), label.sigma);
-    if(geodesics_->is_approximate() ? !Edge_crossings::is_same_family(*geodesics_, c.angle, c.gap)
-                                    : !Parting_angle::is_same_path(c.angle, parting, geodesics_->distance(v), sigma))
+    if(geodesics_->is_approximate()
+         ? !Edge_crossings::is_same_family(*geodesics_, c.angle, c.gap)
+         : !Parting_angle::is_same_path(c.angle, parting, geodesics_->distance(v), sigma,
+                                        Parting_angle(*geodesics_).longest_edge_at(c.halfedge)))
       crossings.push_back(c);
   }
 

@@ -118,21 +118,33 @@ public:
 
   /// The same for paths of the length `distance` to a point, the later one of which comes straight from an origin at the
   /// distance `sigma`. The other one, which passes that origin, is shorter by half the square of the angle at which the
-  /// later one bends there, times the harmonic mean of the ways before and behind: that may be less than a rounding.
-  static bool is_same_path(double meeting, const Parting& parting, double distance, double sigma)
+  /// later one bends there, times the harmonic mean of the ways before and behind: that may be less than a rounding, of
+  /// distances and of the longest edges there.
+  static bool is_same_path(double meeting, const Parting& parting, double distance, double sigma, double length)
   {
     const double before = sigma - parting.distance, behind = distance - sigma, angle = meeting + parting.angle;
     return is_same_path(meeting, parting.angle) ||
-           (before > 0. && 0.5 * angle * angle * before * behind < rounding * distance * (before + behind));
+           (before > 0. && 0.5 * angle * angle * before * behind < rounding * (distance + length) * (before + behind));
   }
 
-  /// The same for the labels on both sides of a point. The angle at which their paths part is that on all of a ray that
-  /// bounds a shadow.
-  bool is_same_path(const Path_label& a, const Path_label& b, double t) const
+  /// The same for the labels on both sides of a point on a halfedge.
+  bool is_same_path(const Path_label& a, const Path_label& b, double t, Index h) const
   {
-    const double way = (std::min)(a.distance(t) - a.sigma, b.distance(t) - b.sigma), angle = meeting_angle(a, b, t);
-    return (angle < least_angle || 0.5 * angle * angle * way < rounding * a.distance(t)) && operator()(a, b, t) <
-                                                                                              least_angle;
+    const double meeting = meeting_angle(a, b, t);
+    return is_same_path(meeting, parting(a.origin, a.direction(t), b.origin, b.direction(t), meeting), a.distance(t),
+                        (std::max)(a.sigma, b.sigma), longest_edge_at(h));
+  }
+
+  /// of the faces beside a halfedge
+  double longest_edge_at(Index h) const
+  {
+    const Geodesic_faces& faces = geodesics_.faces();
+    double result = 0.;
+    for(Index g : {h, faces.opposite(h)})
+      if(g != null_index)
+        for(int i = 0; i < 3; ++i, g = Indexed_triangle_mesh::next(g))
+          result = (std::max)(result, faces.length(g));
+    return result;
   }
 
   Parting parting(Index a, double a_direction, Index b, double b_direction, double meeting) const
