@@ -186,6 +186,65 @@ TEST(Rounded_polyhedra, no_shortest_path_that_grazes_a_rim_crosses_the_cut_locus
     }
 }
 
+// a square plate with a round hole in the middle, all of whose triangles are long fans, given with four digits
+Mesh plate_with_a_round_hole(int n, double half_side, double height)
+{
+  Mesh mesh;
+  std::array<std::vector<Mesh::Vertex_index>, 2> rim, corners;
+  const auto rounded = [](double x) { return std::round(1e4 * x) / 1e4; };
+  for(std::size_t level : {0, 1})
+  {
+    const double z = level == 0 ? 0. : height;
+    for(int k = 0; k < n; ++k)
+    {
+      const double angle = 2. * test_meshes::pi * k / n;
+      rim[level].push_back(mesh.add_vertex(Kernel::Point_3(rounded(std::cos(angle)), rounded(std::sin(angle)), z)));
+    }
+    for(const auto& [x, y] : std::array<std::pair<int, int>, 4>{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}})
+      corners[level].push_back(mesh.add_vertex(Kernel::Point_3(x * half_side, y * half_side, z)));
+  }
+  const auto add_side = [&](Mesh::Vertex_index a, Mesh::Vertex_index b, Mesh::Vertex_index c, Mesh::Vertex_index d)
+  {
+    mesh.add_face(a, b, c);
+    mesh.add_face(a, c, d);
+  };
+  const auto rim_size = static_cast<std::size_t>(n);
+  for(std::size_t k = 0; k < rim_size; ++k)
+  {
+    const std::size_t next = (k + 1) % rim_size, c = 4 * k / rim_size;
+    mesh.add_face(rim[1][k], corners[1][c], rim[1][next]);
+    mesh.add_face(rim[0][next], corners[0][c], rim[0][k]);
+    add_side(rim[0][k], rim[1][k], rim[1][next], rim[0][next]);
+    if(4 * k % rim_size != 0)
+      continue;
+    const std::size_t last = (c + 3) % 4;
+    mesh.add_face(rim[1][k], corners[1][last], corners[1][c]);
+    mesh.add_face(rim[0][k], corners[0][c], corners[0][last]);
+    add_side(corners[0][last], corners[0][c], corners[1][c], corners[1][last]);
+  }
+  return mesh;
+}
+
+// A path around the wall is straight on it: it passes the vertices of both rims by what rays are inaccurate across edges
+// that are hundreds of times as long.
+TEST(Rounded_polyhedra, no_shortest_path_around_a_round_hole_crosses_the_cut_locus)
+{
+  for(double height : {1., 0.3})
+  {
+    const Mesh mesh = plate_with_a_round_hole(40, 20., height);
+    CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+    for(Mesh::Vertex_index source : mesh.vertices())
+    {
+      SCOPED_TRACE(testing::Message() << "height " << height << ", from " << source);
+      solver.set_source(source);
+      const curve_measures::Measures measures =
+        curve_measures::measure(mesh, solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
+      EXPECT_EQ(measures.topology_fault, "");
+      EXPECT_LT(measures.max, 1e-9);
+    }
+  }
+}
+
 // -- in a face --------------------------------------------------------------------------------------------------------
 
 namespace lib = CGAL::Cut_loci::internal;

@@ -33,8 +33,8 @@ public:
     Path_label label;  // in its frame
   };
 
-  /// Rays that bound a shadow are that inaccurate, as a share of the edge: narrower windows are left away.
-  static constexpr double least_width = 10. * geodesic_cover;
+  /// as a share of the edge: narrower windows are left away
+  static constexpr double least_width = Parting_angle::least_width;
 
   explicit Edge_envelope(Exact_geodesic_propagation& geodesics)
     : geodesics_(geodesics), faces_(geodesics.faces()), vertex_labels_(geodesics)

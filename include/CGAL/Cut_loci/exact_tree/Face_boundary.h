@@ -100,6 +100,19 @@ public:
                                       angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y));
   }
 
+  /// whether the paths from two images to a point are one, in two pieces
+  bool is_one_path(const Image& a, const Image& b, const Plane_point& p) const
+  {
+    const double meeting = angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y);
+    if(geodesics_->is_seam(a.origin, b.origin, meeting))
+      return true;
+    const Parting_angle parting_angle(*geodesics_);
+    return Parting_angle::is_same_path(
+      meeting,
+      parting_angle.parting(a.origin, a.direction_to(p, corners_), b.origin, b.direction_to(p, corners_), meeting),
+      a.distance(p), (std::max)(a.sigma, b.sigma), parting_angle.longest_edge_at(3 * face_));
+  }
+
   bool is_seam(const Image& a, const Image& b, const Plane_point& p) const
   {
     return geodesics_->is_seam(a.origin, b.origin, angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y));
@@ -200,8 +213,7 @@ private:
     for(Index k = first;; k = (k + 1) % 3)
     {
       const bool is_fixed = geodesics_->has_lines() && first != last && (is_at_corner(a, k) || is_at_corner(b, k));
-      if(!is_fixed && gap(a.after, b.before, corners_[k]) < 1e-7 && are_on_one_line(a.after, b.before, corners_[k]) &&
-         (result == null_index || is_at_corner(b, k)))
+      if(!is_fixed && is_one_path(a.after, b.before, corners_[k]) && (result == null_index || is_at_corner(b, k)))
         result = k;
       if(k == last)
         return result;
@@ -256,11 +268,6 @@ private:
   {
     return Edge_crossings::is_same_family(*geodesics_, angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y),
                                           gap(a, b, p));
-  }
-
-  bool are_on_one_line(const Image& a, const Image& b, const Plane_point& p) const
-  {
-    return angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y) < 1e-7 || is_seam(a, b, p);
   }
 
   /// whether both paths come along one line, if not quite: where the waves of a curve's edge and of its end touch, they do

@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_PATH_LABEL_H
 
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
@@ -114,17 +115,25 @@ public:
 
   /// angles that are rounding: paths pass a vertex at `geodesic_cover` of an edge, and faces are not always well shaped
   static constexpr double least_angle = 1e-7;
+  /// Rays that bound a shadow are that inaccurate, as a share of the edge.
+  static constexpr double least_width = 10. * geodesic_cover;
   static bool is_same_path(double meeting, double parting) { return meeting < least_angle && parting < least_angle; }
 
   /// The same for paths of the length `distance` to a point, the later one of which comes straight from an origin at the
-  /// distance `sigma`. The other one, which passes that origin, is shorter by half the square of the angle at which the
-  /// later one bends there, times the harmonic mean of the ways before and behind: that may be less than a rounding, of
-  /// distances and of the longest edges there.
+  /// distance `sigma`. Where the other one passes that origin, it is aside by the angle at which the later one bends there,
+  /// times the harmonic mean of the ways before and behind, and it is shorter by half of that times the angle: the latter
+  /// may be less than a rounding. The former may be less than rays are accurate, but where the bend is not small, either:
+  /// such a path is as little aside only right at the vertex.
+  /// @param length of the longest edge there
   static bool is_same_path(double meeting, const Parting& parting, double distance, double sigma, double length)
   {
     const double before = sigma - parting.distance, behind = distance - sigma, angle = meeting + parting.angle;
-    return is_same_path(meeting, parting.angle) ||
-           (before > 0. && 0.5 * angle * angle * before * behind < rounding * (distance + length) * (before + behind));
+    if(is_same_path(meeting, parting.angle))
+      return true;
+    if(!(before > 0.))
+      return false;
+    const double aside = angle * before * behind / (before + behind);
+    return (aside < least_width * length && angle * angle < least_width) || 0.5 * angle * aside < rounding * distance;
   }
 
   /// The same for the labels on both sides of a point on a halfedge.
