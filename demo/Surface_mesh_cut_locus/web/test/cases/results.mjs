@@ -299,13 +299,34 @@ export const tests = {
     await d.app(crowd);
     await d.settle();
     assert.equal((await d.result()).sources, 2);
-    await page.selectOption('#method', 'laplacian');
-    await d.settle();
-    assert.match(await page.innerText('#message-text'), /too close to each other/);
-    await page.selectOption('#method', 'direction');
+    for (const [control, value] of [['#method', 'laplacian'], ['#solver', 'heat']]) {
+      await page.selectOption(control, value);
+      await d.settle();
+      // the message stays, and the method is the former one
+      assert.match(await page.innerText('#message-text'), /too close to each other/);
+      assert.deepEqual([await page.inputValue('#solver'), await page.inputValue('#method')], ['exact', 'direction']);
+      assert.ok(await d.app(({ app }) => app.isSolved));
+      assert.equal((await d.result()).sources, 2);
+      assert.match(await page.evaluate(() => location.hash), /method=direction/);
+      await page.click('#message-close');
+    }
+    await page.selectOption('#method', 'polyhedral');
     await d.settle();
     await d.noMessage();
     assert.equal((await d.result()).sources, 2);
+  },
+
+  async 'of two sources that are set one after the other, the second one counts, also while the first is computed'(d) {
+    await d.open('#sample=torus&faces=20000');
+    const sources = await d.app(async ({ app }) => {
+      const at = (face) => [{ face, coordinates: [0.3, 0.3, 0.4] }];
+      await Promise.all([app.setSources(at(100)), app.setSources(at(5000))]);
+      return app.state.sources;
+    });
+    await d.settle();
+    await d.noMessage();
+    assert.deepEqual(sources.map(({ face }) => face), [5000]);
+    assert.deepEqual(await d.app(({ app }) => [app.isSolved, app.state.sources[0].face]), [true, 5000]);
   },
 
   async 'the border may be a source: its cut locus is the medial axis'(d) {
