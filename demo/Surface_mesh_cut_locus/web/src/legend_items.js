@@ -47,6 +47,10 @@ export function legendItems({ state, source, curve, curves, defaults, viewer, pa
     items.push({ kind: 'scale', label: 'Laplacian:', ends: [`−${number(laplacianScale, 2)}`, number(laplacianScale, 2)], stops: stops(laplacianColor) });
   if (show.isolines)
     items.push({ kind: 'thin', color: colors.soft, label: `equal distance, every ${number(source.farthestDistance / 25, 2)}` });
-  if (atlas) items.push({ kind: 'thin', color: colors.edges, label: 'seams' });
+  if (look.wireframe) items.push({ kind: 'thin', color: colors.off, label: 'edges of the mesh' });
+  if (atlas) {
+    items.push({ kind: 'thin', color: colors.edges, label: 'seams' });
+    items.push({ kind: 'line', color: colors.curve, label: 'seams of the sheet' });
+  }
   return items;
 }

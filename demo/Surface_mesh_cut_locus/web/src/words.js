@@ -60,6 +60,9 @@ export function doubts({ curve, source, faceCount, state, defaults }) {
   return result;
 }
 
+// Only one point has an injectivity radius.
+const isOnePoint = (source) => !source.hasBorder && source.total === 1;
+
 // One sentence on what there is.
 export function summary({ curve, source, edgeLength }) {
   const [edges, cycles, leaves, , , radius] = curve.numbers;
@@ -68,8 +71,8 @@ export function summary({ curve, source, edgeLength }) {
   if (edges === 0) return `${shape}.`;
   const loops = cycles > 0 ? `${several(cycles, 'independent loop', 'independent loops')} and ` : '';
   return `${shape}: the cut locus has ${loops}${several(leaves, 'free end', 'free ends')}. `
-    + (source.hasBorder ? `Its nearest point to the sources is ${rounded(radius, edgeLength / 2)} away.`
-      : `Injectivity radius ${rounded(radius, edgeLength / 2)}.`);
+    + (isOnePoint(source) ? `Injectivity radius ${rounded(radius, edgeLength / 2)}.`
+      : `Its nearest point to the sources is ${rounded(radius, edgeLength / 2)} away.`);
 }
 
 export function numberRows({ curve, source, edgeLength, state, defaults }) {
@@ -79,7 +82,7 @@ export function numberRows({ curve, source, edgeLength, state, defaults }) {
     : width !== null ? `of branches of ${number(width)} % and more`
       : defaults.width > 0 ? `of branches of ${number(100 * defaults.width)} % and more` : 'of the branches shown';
   return [
-    [source.hasBorder ? 'nearest to the sources' : 'injectivity radius', edges > 0 ? `${rounded(radius, edgeLength / 2)}` : '–', edges > 0 ? detail : ''],
+    [isOnePoint(source) ? 'injectivity radius' : 'nearest to the sources', edges > 0 ? `${rounded(radius, edgeLength / 2)}` : '–', edges > 0 ? detail : ''],
     ['farthest point', `${number(source.farthestDistance, 4)}`, source.total > 1 ? 'away from the nearest source' : 'away from the source'],
     ['length of the curve', edges > 0 ? number(length, 3) : '–', ''],
     ['genus', count(source.genus), ''],

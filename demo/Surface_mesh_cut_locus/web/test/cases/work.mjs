@@ -211,6 +211,10 @@ export const tests = {
         ({ faces: new Set(app.atlas.faces).size, all: app.mesh.triangles.length / 3 }));
       assert.equal(faces, all);
     }
+    // what is seen is named: lines on the surface and on the sheet, and what several sources have for a radius
+    assert.match(await page.innerText('#legend'), /seams[^]*seams of the sheet/);
+    assert.match(await page.innerText('#result-note'), /nearest point to the sources is [\d.]+\s±/);
+    assert.doesNotMatch(await page.textContent('#result'), /injectivity/i);
     await d.picture('cells_side_by_side.png');
   },
 
