@@ -354,10 +354,9 @@ export class App {
 
   wantedCurves() {
     const { show } = this.state;
-    if (this.state.border !== 'no') return [faceCurve]; // curves as sources have no other
     const curves = [];
-    if (show.faceCurve) curves.push(faceCurve);
-    if (show.edgeCurve || !show.faceCurve) curves.push(edgeCurve);
+    if (show.faceCurve || !show.edgeCurve) curves.push(faceCurve);
+    if (show.edgeCurve) curves.push(edgeCurve);
     return curves;
   }
 
@@ -375,8 +374,8 @@ export class App {
   // What takes longer than a frame waits for the slider to rest: smoothing, and more branches than there are.
   setParameter(name, value) {
     this.state.parameters[name] = value;
-    const { method, show, parameters } = this.state;
-    const smooths = method === 'laplacian' && show.faceCurve && parameters.smoothing > 0;
+    const { method, parameters } = this.state;
+    const smooths = method === 'laplacian' && this.wantedCurves().includes(faceCurve) && parameters.smoothing > 0;
     clearTimeout(this.restTimer);
     clearTimeout(this.rememberTimer);
     this.rememberTimer = setTimeout(() => this.remember(), 3 * restMilliseconds);
@@ -496,6 +495,7 @@ export class App {
       mesh: this.mesh,
       source: this.source,
       curve: this.curve,
+      lacksEdgeCurve: this.state.show.edgeCurve && !this.curves.edgeCurve,
       faceCount: this.mesh.triangles.length / 3,
       edgeLength: this.mesh.edgeLength,
       times: this.times,
@@ -513,8 +513,6 @@ export class App {
 
   // for exports, for the thresholds as they are
   async curveFor(name) {
-    if (name === 'edgeCurve' && this.state.border !== 'no')
-      throw new Error('Along the edges of the mesh there is a cut locus of points only: let the border be no source');
     const result = await this.engine.run('curves',
       { curves: [name === 'faceCurve' ? faceCurve : edgeCurve], parameters: this.parameters });
     return result[name];

@@ -37,7 +37,7 @@ export class Sheet {
   // The curve that is shown: through the faces, which are split for that, unless only the one of mesh edges is.
   get seam() {
     const { state } = this.app;
-    const isOfEdges = state.show.edgeCurve && !state.show.faceCurve && state.border === 'no';
+    const isOfEdges = state.show.edgeCurve && !state.show.faceCurve;
     const index = isOfEdges ? 0 : 1;
     return { index, name: curveNames[index] };
   }

@@ -36,7 +36,7 @@ const emptyNotes = {
 export const coarse = 300; // faces; fewer show the polyhedron rather than a smooth shape
 
 // What makes the result doubtful, and what to do about it.
-export function doubts({ curve, source, faceCount, state, defaults }) {
+export function doubts({ curve, lacksEdgeCurve, source, faceCount, state, defaults }) {
   const [edges, , leaves, , , , , , , status, corridors] = curve.numbers;
   if (emptyNotes[status]) return [emptyNotes[status]];
   const result = [];
@@ -55,6 +55,8 @@ export function doubts({ curve, source, faceCount, state, defaults }) {
   if (!source.hasBorder && source.borderLoops > 0 && leaves > 2 * source.borderLoops && edges > 0)
     result.push(`Shortest paths go around the ${source.borderLoops === 1 ? 'hole' : `${count(source.borderLoops)} holes`}: `
       + 'branches behind them are real for this surface. Holes that are none of the shape should be filled first.');
+  if (lacksEdgeCurve)
+    result.push('There is no curve along mesh edges: sources are too close to each other for one.');
   if (corridors > 0)
     result.push(`In ${several(corridors, 'place', 'places')} the mesh is too coarse to keep two branches apart.`);
   return result;
