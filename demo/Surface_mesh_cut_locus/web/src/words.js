@@ -99,10 +99,10 @@ export function numberRows({ curve, source, edgeLength, state, defaults }) {
 // What the user should know of the quality of an atlas.
 export function describeAtlas([flipped, overlapping, overlap, change, isInjective, sheets], faceCount) {
   const parts = [];
-  const share = overlap > 0 ? `, on ${number(100 * overlap, 2)} % of it` : '';
+  const share = overlap > 0 ? `, on ${number(100 * overlap, 2)}\u00a0% of it` : '';
   if (overlapping > 0) parts.push(`${count(overlapping)} of ${count(faceCount)} faces lie over others${share}`);
   if (flipped > 0) parts.push(`${count(flipped)} of ${count(faceCount)} faces are turned over`);
-  parts.push(`areas change by ${number(100 * change, 2)} %`);
+  parts.push(`areas change by ${number(100 * change, 2)}\u00a0%`);
   const text = `${parts.join('; ')}.`;
   if (!isInjective) return { isInjective: false, text: `Not one to one: ${text} A source elsewhere may give a better sheet.` };
   const what = sheets > 1 ? `${count(sheets)} sheets, one for each cell: none overlaps` : 'The sheet does not overlap';

@@ -182,7 +182,7 @@ export const tests = {
     const { page } = d;
     const folded = describeAtlas([3, 7, 0.125, 0.1, 0, 1], 1000);
     assert.ok(!folded.isInjective);
-    assert.match(folded.text, /Not one to one: 7 of .* lie over others, on 13 %.*3 of .* turned over/);
+    assert.match(folded.text, /Not one to one: 7 of .* lie over others, on 13\s%.*3 of .* turned over/);
     for (const sample of ['bumpy-sphere', 'capsule', 'torus', 'genus-3']) {
       await d.open(`#sample=${sample}&faces=5000`);
       await page.click('#cut');
