@@ -1,7 +1,7 @@
 // What is computed: sources, methods, thresholds, shortest paths, and what the page says about them.
 import assert from 'node:assert/strict';
 import { describeValues } from '../../src/readout.js';
-import { rounded } from '../../src/words.js';
+import { doubts, rounded } from '../../src/words.js';
 import { curveTopology, readObj } from '../topology.mjs';
 
 const cube = () => {
@@ -175,6 +175,29 @@ export const tests = {
     assert.match(await page.innerText('#result-note'), /no branches: either all shortest paths end at the border/);
     assert.match(await page.innerText('#numbers'), /injectivity radius\s*–/);
     assert.match(await page.getAttribute('#result', 'class') || '', /is-doubtful/);
+    // nor does a single point have any
+    await d.open('#sample=bumpy-sphere&faces=5000');
+    await d.setWidth('50');
+    assert.match(await page.innerText('#result-note'), /is one point: either all shortest paths meet there/);
+    assert.doesNotMatch(await page.textContent('#result-note'), /injectivity/i);
+    assert.match(await page.innerText('#numbers'), /injectivity radius\s*–/);
+    await page.click('#cut');
+    await page.waitForFunction(() => window.cutLocusPage.app.atlas);
+    await d.idle();
+    assert.match(await page.innerText('#cut-info'), /does not overlap/);
+  },
+
+  async 'what makes a result doubtful is told, with what to do about it'() {
+    const told = ({ leaves = 4, corridors = 0, borderLoops = 0, faceCount = 5000, solver = 'exact', method = 'direction' }) => doubts({
+      curve: { numbers: [100, 2, leaves, 2, 1, 1, 0, 0, 0, 0, corridors] }, source: { hasBorder: false, borderLoops }, faceCount,
+      state: { method, solver, parameters: { width: null } }, defaults: { width: 0.03, gap: 0 } }).join(' ');
+    assert.equal(told({}), '');
+    assert.match(told({ borderLoops: 3, leaves: 20 }), /go around the 3 holes[^]*should be filled first/);
+    assert.equal(told({ borderLoops: 3 }), '');
+    assert.match(told({ corridors: 2 }), /In 2 places the mesh is too coarse/);
+    assert.match(told({ faceCount: 100 }), /A finer mesh says more/);
+    assert.match(told({ solver: 'heat', method: 'laplacian' }), /Exact ones are under Method/);
+    assert.match(told({ method: 'polyhedral', leaves: 100 }), /choose that under Method/);
   },
 
   async 'the injectivity radius is rounded to what the mesh tells, and says what it depends on'(d) {
