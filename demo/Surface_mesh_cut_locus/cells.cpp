@@ -87,7 +87,8 @@ private:
   std::vector<std::size_t> source_;
 };
 
-// The points in faces first, as there may be no vertex in their cells; then what the vertices know that are on no seam.
+// The points in faces first, as there may be no vertex in their cells; then what the vertices know that are on no seam,
+// those close to their sources first: a smoothed curve may leave others in the cell of a source that is not their nearest.
 std::vector<std::size_t> sources_of_faces(const Read& read, const std::vector<Index>& vertices,
                                           const lib::Curve_on_mesh& curve, const Refined_mesh& refined,
                                           const Cut_locus& cut_locus)
@@ -103,10 +104,14 @@ std::vector<std::size_t> sources_of_faces(const Read& read, const std::vector<In
   for(Index h = 0; h < refined.mesh.number_of_halfedges(); ++h)
     if(refined.seams[h])
       is_on_seam[refined.mesh.source(h)] = is_on_seam[refined.mesh.target(h)] = true;
+  std::vector<std::pair<double, Index>> inside; // distances, and a halfedge from each vertex
   for(Index h = 0; h < refined.mesh.number_of_halfedges(); ++h)
     if(const Index v = refined.mesh.source(h); v < vertices.size() && !is_on_seam[v])
-      if(const auto nearest = cut_locus.nearest_source(read.vertices[vertices[v]]))
-        parts.set(h / 3, *nearest);
+      inside.emplace_back(cut_locus.distance(read.vertices[vertices[v]]), h);
+  std::sort(inside.begin(), inside.end());
+  for(const std::pair<double, Index>& at : inside)
+    if(const auto nearest = cut_locus.nearest_source(read.vertices[vertices[refined.mesh.source(at.second)]]))
+      parts.set(at.second / 3, *nearest);
   parts.spread();
   std::vector<std::size_t> result;
   for(Index f = 0; f < refined.mesh.number_of_faces(); ++f)

@@ -185,6 +185,22 @@ def test_own_distances_to_the_border_and_a_point():
         assert computation.method == "direction"
 
 
+@pytest.mark.parametrize("curve", ["faces", "edges"])
+def test_own_distances_to_curves(curve):
+    points, faces = meshes.cylinder(12, 9, 8.)
+    height = points[:, 2]
+    first, last = (np.append(9 * np.arange(12) + row, row) for row in (0, 8))
+    # waves of the first end may be slower, and those of the last one come farther
+    for slowness, middle in ((1., 4.), (3., 2.)):
+        distances = np.minimum(slowness * height, 8. - height)
+        result = cut_locus.compute(points, faces, source_curves=[first, last], distances=distances, curve=curve)
+        assert result.method == "laplacian" and np.array_equal(result.vertex_distance, distances)
+        assert result.cycles == 1 and np.all(result.edge_sources == [0, 1])
+        # edges have the length 1
+        assert np.median(result.points[:, 2]) == middle and np.all(np.abs(result.points[:, 2] - middle) <= 1.)
+        assert np.all(result.nearest_source[height < middle] == 0) and np.all(result.nearest_source[height > middle] == 1)
+
+
 def test_distances_within_an_error():
     points, faces = meshes.torus(60, 30)
     exact = cut_locus.compute(points, faces, 0)

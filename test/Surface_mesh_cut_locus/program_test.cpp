@@ -515,6 +515,39 @@ TEST_F(Program, Cells_of_several_sources)
   EXPECT_NEAR(voronoi + medial, length("all"), 1e-9);
 }
 
+TEST_F(Program, Cells_of_a_smoothed_curve)
+{
+  // On a coarse tube it leaves vertices in the cell of a source that is not their nearest: the two borders and a point
+  // have a cell each all the same.
+  constexpr int n = 12;
+  std::ostringstream tube;
+  tube << "OFF\n" << n * (n + 1) << ' ' << 2 * n * n << " 0\n";
+  for(int i = 0; i <= n; ++i)
+    for(int j = 0; j < n; ++j)
+    {
+      const double angle = 2. * std::acos(-1.) * (j + 0.5 * i) / n;
+      tube << std::cos(angle) << ' ' << std::sin(angle) << ' ' << 0.4 * i << '\n';
+    }
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
+    {
+      const int a = n * i + j, b = n * i + (j + 1) % n;
+      tube << "3 " << a << ' ' << b << ' ' << a + n << "\n3 " << b << ' ' << b + n << ' ' << a + n << '\n';
+    }
+  write("tube.off", tube.str());
+  for(const char* solver : {"exact", "heat", "graph"})
+    for(const char* point : {"-1,-.1,2.5", ".5,.8,2.3", "-.6,.7,1.9"})
+    {
+      const Outcome outcome =
+        run(quoted(path("tube.off")) + " --quiet --method laplacian --curve faces --source-border " + "--solver " +
+            solver + " --source-point=" + point + " --cells " + quoted(path("cells.obj")));
+      ASSERT_EQ(outcome.status, 0) << outcome.messages;
+      for(const char* group : {"g source_0\n", "g source_1\n", "g source_2\n"})
+        EXPECT_NE(read_file(path("cells.obj")).find(group), std::string::npos)
+          << solver << ' ' << point << ' ' << group;
+    }
+}
+
 TEST_F(Program, Atlas_of_several_sources)
 {
   // points have disks, whatever the curve, and so has a curve: the ring around it is cut

@@ -49,6 +49,8 @@ export class App {
     this.mesh = null;
     this.curves = {};
     this.isSolved = false; // the worker has the solver and the sources of the state
+    this.solved = null; // what it has been solved for last, of this mesh
+    this.commands = 0; // to solve or to open: what one of them has replaced is not taken back
     this.exactMethod = state.method; // the one that was chosen last
     this.defaults = null; // of the thresholds, for these sources
     this.linkedView = state.view; // until there is a mesh
@@ -112,6 +114,7 @@ export class App {
   }
 
   async open(recipe, names, start, keepsSource) {
+    ++this.commands;
     if (this.engine.isBusy) this.engine.cancel(false);
     return this.attempt('Reading the mesh…', async () => {
       const begin = performance.now();
@@ -140,6 +143,7 @@ export class App {
     Object.assign(this.state, names);
     this.wantedSample = this.state.sample;
     this.isSolved = false;
+    this.solved = null;
     const { positions, triangles, component, numbers } = this.mesh;
     const faceCount = triangles.length / 3;
     const isInMesh = (this.state.sources || []).every(({ face }) => face < faceCount);
@@ -185,30 +189,35 @@ export class App {
     return sources.length > 1 ? sources.filter((_, i) => i !== near) : sources;
   }
 
-  // If that fails, all stays as it was.
-  async setSources(sources, border = this.state.border, replacesStep = false) {
-    const { state } = this;
-    const before = { sources: state.sources, border: state.border };
-    const wasSolved = this.isSolved;
-    Object.assign(state, { sources, border });
-    this.panel.setState(state);
-    if (await this.solve(replacesStep) || !wasSolved || this.isSolved) return;
-    Object.assign(state, before);
-    this.panel.setState(state);
-    await this.solveNow().catch(() => {});
+  setSources(sources, border = this.state.border, replacesStep = false) {
+    return this.change({ sources, border }, replacesStep);
   }
 
   setSolver(solver, method) {
+    if (solver === 'exact') this.exactMethod = this.state.solver === 'exact' ? method : this.exactMethod;
+    return this.change({ solver, method: solver === 'exact' ? this.exactMethod : 'laplacian' });
+  }
+
+  // If that fails, or is cancelled, all becomes what it was when it was solved last, unless another command has come.
+  async change(values, replacesStep = false) {
     const { state } = this;
-    if (solver === 'exact') this.exactMethod = state.solver === 'exact' ? method : this.exactMethod;
-    state.method = solver === 'exact' ? this.exactMethod : 'laplacian';
-    state.solver = solver;
+    Object.assign(state, values);
     this.panel.setState(state);
-    return this.solve();
+    const solving = this.solve(replacesStep);
+    const command = this.commands;
+    if (await solving || this.isSolved || command !== this.commands || !this.solved) return;
+    const { exactMethod, ...solved } = copy(this.solved);
+    Object.assign(state, solved);
+    this.exactMethod = exactMethod;
+    this.panel.setState(state);
+    this.panel.setBusy(++this.jobs > 0, 'Going back…'); // and the message stays
+    await this.solveNow().catch(() => {});
+    this.panel.setBusy(--this.jobs > 0);
   }
 
   async solve(replacesStep = false) {
     if (!this.mesh) return false;
+    ++this.commands;
     if (this.engine.isBusy) this.engine.cancel();
     this.isSolved = false;
     return this.attempt('Computing…', () => this.solveNow(replacesStep));
@@ -221,6 +230,7 @@ export class App {
     const result = await this.engine.run('solve',
       { solver, method, sources: points, border: border !== 'no', parameters: this.parameters, curves: this.wantedCurves() });
     this.isSolved = true;
+    this.solved = copy({ solver, method, sources, border, exactMethod: this.exactMethod });
     this.panel.showReadout(null); // it was that of other sources
     this.distance = result.distance;
     this.appearance.forgetFields();
@@ -344,10 +354,9 @@ export class App {
 
   wantedCurves() {
     const { show } = this.state;
-    if (this.state.border !== 'no') return [faceCurve]; // curves as sources have no other
     const curves = [];
-    if (show.faceCurve) curves.push(faceCurve);
-    if (show.edgeCurve || !show.faceCurve) curves.push(edgeCurve);
+    if (show.faceCurve || !show.edgeCurve) curves.push(faceCurve);
+    if (show.edgeCurve) curves.push(edgeCurve);
     return curves;
   }
 
@@ -365,8 +374,8 @@ export class App {
   // What takes longer than a frame waits for the slider to rest: smoothing, and more branches than there are.
   setParameter(name, value) {
     this.state.parameters[name] = value;
-    const { method, show, parameters } = this.state;
-    const smooths = method === 'laplacian' && show.faceCurve && parameters.smoothing > 0;
+    const { method, parameters } = this.state;
+    const smooths = method === 'laplacian' && this.wantedCurves().includes(faceCurve) && parameters.smoothing > 0;
     clearTimeout(this.restTimer);
     clearTimeout(this.rememberTimer);
     this.rememberTimer = setTimeout(() => this.remember(), 3 * restMilliseconds);
@@ -486,6 +495,7 @@ export class App {
       mesh: this.mesh,
       source: this.source,
       curve: this.curve,
+      lacksEdgeCurve: this.state.show.edgeCurve && !this.curves.edgeCurve,
       faceCount: this.mesh.triangles.length / 3,
       edgeLength: this.mesh.edgeLength,
       times: this.times,
@@ -503,8 +513,6 @@ export class App {
 
   // for exports, for the thresholds as they are
   async curveFor(name) {
-    if (name === 'edgeCurve' && this.state.border !== 'no')
-      throw new Error('Along the edges of the mesh there is a cut locus of points only: let the border be no source');
     const result = await this.engine.run('curves',
       { curves: [name === 'faceCurve' ? faceCurve : edgeCurve], parameters: this.parameters });
     return result[name];

@@ -77,6 +77,10 @@ export class CurveLines {
     this.setTransparency(this.transparency || 0);
   }
 
+  get hiddenStyle() {
+    return this.hiddenColor.getStyle();
+  }
+
   setTransparency(transparency) {
     this.transparency = transparency;
     this.hiddenLines.material.color.copy(this.hiddenColor).lerp(this.color, 0.8 * transparency);

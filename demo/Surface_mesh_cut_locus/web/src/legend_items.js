@@ -31,7 +31,7 @@ export function legendItems({ state, source, curve, curves, defaults, viewer, pa
   if (show.faceCurve && hasCurve && !colored) items.push({ kind: 'line', color: colors.curve, label: 'cut locus' });
   if (hasEdgeCurve && !colored) items.push({ kind: 'line', color: colors.edges, label: 'cut locus along mesh edges' });
   if (show.hidden && hasCurve && (show.faceCurve || hasEdgeCurve))
-    items.push({ kind: 'line', color: colors.hidden, label: 'its parts behind the surface' });
+    items.push({ kind: 'line', color: show.faceCurve ? colors.hidden : viewer.edgeCurve.hiddenStyle, label: 'its parts behind the surface' });
   items.push({ kind: 'dot', color: colors.casing, rim: colors.text, label: 'farthest point' });
   if (path) items.push({ kind: 'line', color: colors.path, label: pathLabel(path) });
   if (show.gradient && gradient) items.push({ kind: 'line', color: colors.arrows, label: 'away from the source' });
@@ -47,6 +47,10 @@ export function legendItems({ state, source, curve, curves, defaults, viewer, pa
     items.push({ kind: 'scale', label: 'Laplacian:', ends: [`−${number(laplacianScale, 2)}`, number(laplacianScale, 2)], stops: stops(laplacianColor) });
   if (show.isolines)
     items.push({ kind: 'thin', color: colors.soft, label: `equal distance, every ${number(source.farthestDistance / 25, 2)}` });
-  if (atlas) items.push({ kind: 'thin', color: colors.edges, label: 'seams' });
+  if (look.wireframe) items.push({ kind: 'thin', color: colors.off, label: 'edges of the mesh' });
+  if (atlas) {
+    items.push({ kind: 'thin', color: colors.edges, label: 'seams' });
+    items.push({ kind: 'line', color: colors.curve, label: 'seams of the sheet' });
+  }
   return items;
 }

@@ -7,8 +7,8 @@ const byCause = {
   nonManifold: (element) =>
     `The faces do not form a surface: at the ${element} several sheets touch in a point. Split that vertex first.`,
   sameSources: () => 'Two sources have a point in common: choose another point, or let the border be no source.',
-  noFaceAtSource: () => 'Sources are too close to each other for a curve that starts from edges of the mesh: choose another '
-    + 'point, a finer mesh, or the method “the smooth shape”.',
+  noFaceAtSource: () => 'Sources are too close to each other for a curve that is made of edges of the mesh, or starts from them: '
+    + 'choose another point, a finer mesh, or the curve through the faces of the method “the smooth shape”.',
   sourcesApart: () => 'Sources must be on the same part of the mesh: no path leads from one part to another.',
 };
 

@@ -236,7 +236,6 @@ export class Panel {
     element('result').hidden = false;
     element('keep-field').hidden = result.source.total < 2;
     element('border-field').hidden = result.source.borderLoops === 0;
-    element('show-edgeCurve').disabled = result.source.hasBorder; // such sources have none
     element('look-color').querySelector('[value=cells]').disabled = result.source.total < 2;
     const concerns = doubts(result);
     const text = [summary(result), ...concerns].join(' ');

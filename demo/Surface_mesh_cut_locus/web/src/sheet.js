@@ -14,16 +14,16 @@ export class Sheet {
 
   async toggle() {
     if (!this.app.mesh || this.app.engine.isBusy) return;
+    let hasChanged = true;
     if (this.atlas) {
       this.drop();
-      this.app.viewer.fit();
     } else {
       this.app.state.isCut = true;
-      const isCut = await this.app.attempt('Cutting the surface open…', () => (this.app.isSolved ? this.cut() : this.app.solveNow()));
-      if (isCut) this.app.viewer.fit(); // there is half of the room
-      else this.drop();
+      hasChanged = await this.app.attempt('Cutting the surface open…', () => (this.app.isSolved ? this.cut() : this.app.solveNow()));
+      if (!hasChanged) this.drop();
     }
     this.app.report();
+    if (hasChanged) this.app.viewer.fit(); // there is half of the room, or all, and another legend
   }
 
   // The sheet follows the sliders when they rest.
@@ -37,7 +37,7 @@ export class Sheet {
   // The curve that is shown: through the faces, which are split for that, unless only the one of mesh edges is.
   get seam() {
     const { state } = this.app;
-    const isOfEdges = state.show.edgeCurve && !state.show.faceCurve && state.border === 'no';
+    const isOfEdges = state.show.edgeCurve && !state.show.faceCurve;
     const index = isOfEdges ? 0 : 1;
     return { index, name: curveNames[index] };
   }

@@ -14,7 +14,7 @@ export const onPreference = (action) => preference.addEventListener('change', ac
 export function themeColors() {
   const style = getComputedStyle(document.documentElement);
   const color = (name) => style.getPropertyValue(`--${name}`).trim();
-  const names = ['back', 'text', 'soft', 'line', 'card', 'source', 'curve', 'hidden', 'edges', 'nearest', 'arrows', 'path'];
+  const names = ['back', 'text', 'soft', 'off', 'line', 'card', 'source', 'curve', 'hidden', 'edges', 'nearest', 'arrows', 'path'];
   const isDark = document.documentElement.dataset.theme === 'dark';
   return {
     ...Object.fromEntries(names.map((name) => [name, color(name)])),

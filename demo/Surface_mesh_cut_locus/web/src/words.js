@@ -36,7 +36,7 @@ const emptyNotes = {
 export const coarse = 300; // faces; fewer show the polyhedron rather than a smooth shape
 
 // What makes the result doubtful, and what to do about it.
-export function doubts({ curve, source, faceCount, state, defaults }) {
+export function doubts({ curve, lacksEdgeCurve, source, faceCount, state, defaults }) {
   const [edges, , leaves, , , , , , , status, corridors] = curve.numbers;
   if (emptyNotes[status]) return [emptyNotes[status]];
   const result = [];
@@ -55,10 +55,15 @@ export function doubts({ curve, source, faceCount, state, defaults }) {
   if (!source.hasBorder && source.borderLoops > 0 && leaves > 2 * source.borderLoops && edges > 0)
     result.push(`Shortest paths go around the ${source.borderLoops === 1 ? 'hole' : `${count(source.borderLoops)} holes`}: `
       + 'branches behind them are real for this surface. Holes that are none of the shape should be filled first.');
+  if (lacksEdgeCurve)
+    result.push('There is no curve along mesh edges: sources are too close to each other for one.');
   if (corridors > 0)
     result.push(`In ${several(corridors, 'place', 'places')} the mesh is too coarse to keep two branches apart.`);
   return result;
 }
+
+// Only one point has an injectivity radius.
+const isOnePoint = (source) => !source.hasBorder && source.total === 1;
 
 // One sentence on what there is.
 export function summary({ curve, source, edgeLength }) {
@@ -68,8 +73,8 @@ export function summary({ curve, source, edgeLength }) {
   if (edges === 0) return `${shape}.`;
   const loops = cycles > 0 ? `${several(cycles, 'independent loop', 'independent loops')} and ` : '';
   return `${shape}: the cut locus has ${loops}${several(leaves, 'free end', 'free ends')}. `
-    + (source.hasBorder ? `Its nearest point to the sources is ${rounded(radius, edgeLength / 2)} away.`
-      : `Injectivity radius ${rounded(radius, edgeLength / 2)}.`);
+    + (isOnePoint(source) ? `Injectivity radius ${rounded(radius, edgeLength / 2)}.`
+      : `Its nearest point to the sources is ${rounded(radius, edgeLength / 2)} away.`);
 }
 
 export function numberRows({ curve, source, edgeLength, state, defaults }) {
@@ -79,7 +84,7 @@ export function numberRows({ curve, source, edgeLength, state, defaults }) {
     : width !== null ? `of branches of ${number(width)} % and more`
       : defaults.width > 0 ? `of branches of ${number(100 * defaults.width)} % and more` : 'of the branches shown';
   return [
-    [source.hasBorder ? 'nearest to the sources' : 'injectivity radius', edges > 0 ? `${rounded(radius, edgeLength / 2)}` : '–', edges > 0 ? detail : ''],
+    [isOnePoint(source) ? 'injectivity radius' : 'nearest to the sources', edges > 0 ? `${rounded(radius, edgeLength / 2)}` : '–', edges > 0 ? detail : ''],
     ['farthest point', `${number(source.farthestDistance, 4)}`, source.total > 1 ? 'away from the nearest source' : 'away from the source'],
     ['length of the curve', edges > 0 ? number(length, 3) : '–', ''],
     ['genus', count(source.genus), ''],
@@ -94,10 +99,10 @@ export function numberRows({ curve, source, edgeLength, state, defaults }) {
 // What the user should know of the quality of an atlas.
 export function describeAtlas([flipped, overlapping, overlap, change, isInjective, sheets], faceCount) {
   const parts = [];
-  const share = overlap > 0 ? `, on ${number(100 * overlap, 2)} % of it` : '';
+  const share = overlap > 0 ? `, on ${number(100 * overlap, 2)}\u00a0% of it` : '';
   if (overlapping > 0) parts.push(`${count(overlapping)} of ${count(faceCount)} faces lie over others${share}`);
   if (flipped > 0) parts.push(`${count(flipped)} of ${count(faceCount)} faces are turned over`);
-  parts.push(`areas change by ${number(100 * change, 2)} %`);
+  parts.push(`areas change by ${number(100 * change, 2)}\u00a0%`);
   const text = `${parts.join('; ')}.`;
   if (!isInjective) return { isInjective: false, text: `Not one to one: ${text} A source elsewhere may give a better sheet.` };
   const what = sheets > 1 ? `${count(sheets)} sheets, one for each cell: none overlaps` : 'The sheet does not overlap';

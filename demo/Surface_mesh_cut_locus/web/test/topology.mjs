@@ -12,6 +12,12 @@ export function readObj(text) {
   return mesh;
 }
 
+// those that are turned over, or have no area, in the plane of the texture coordinates: each point has one
+export function flippedFaces({ faces, textureCoordinates: uv }) {
+  return faces.filter(([a, b, c]) =>
+    !((uv[b][0] - uv[a][0]) * (uv[c][1] - uv[a][1]) - (uv[b][1] - uv[a][1]) * (uv[c][0] - uv[a][0]) > 0)).length;
+}
+
 // V - E + F and the number of border loops of a mesh; it throws if that is no surface.
 export function surfaceTopology({ points, faces }) {
   const halfedges = new Map();

@@ -32,6 +32,7 @@ export const tests = {
         + `element face 8\nproperty list uchar int vertex_indices\nend_header\n${lines(points)}\n${lines(faces, '3 ')}\n`,
       'o.STL': `solid o\n${faces.map((f) => 'facet normal 0 0 0\nouter loop\n'
         + `${f.map((v) => `vertex ${points[v].join(' ')}\n`).join('')}endloop\nendfacet\n`).join('')}endsolid o\n`,
+      'o.ts': `GOCAD TSurf 1\nTFACE\n${points.map((p, i) => `VRTX ${i} ${p.join(' ')}`).join('\n')}\n${lines(faces, 'TRGL ')}\nEND\n`,
     };
     for (const [name, content] of Object.entries(contents)) {
       await d.openFile(name, content);
@@ -125,6 +126,7 @@ export const tests = {
         faces.push([a, b, a + n], [b, b + n, a + n]);
       }
     assert.equal(await d.openFile('tube.off', off(points, faces)), null);
+    await d.unfold('result-fold');
     assert.match(await d.page.innerText('#numbers'), /borders\s*2/);
     await d.page.click('#cut');
     await d.settle();

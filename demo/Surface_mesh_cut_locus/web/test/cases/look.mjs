@@ -150,7 +150,7 @@ export const tests = {
     await d.open('#sample=torus&faces=5000&occlusion=false');
     const layers = [['#show-edgeCurve', /along mesh edges/], ['#show-width', /width of the branches/],
       ['#show-gradient', /away from the source/], ['#show-disk', /unique shortest paths[^]*nearest point/],
-      ['#look-wireframe', null], ['#look-occlusion', null], ['#look-axes', null], ['#show-isolines', /equal distance, every/]];
+      ['#look-wireframe', /edges of the mesh/], ['#look-occlusion', null], ['#look-axes', null], ['#show-isolines', /equal distance, every/]];
     for (const [box, words] of layers) {
       const wasOn = await page.isChecked(box);
       const before = await d.picture('layer.png');

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { stat } from 'node:fs/promises';
 import { join } from 'node:path';
-import { readObj, surfaceTopology } from '../topology.mjs';
+import { flippedFaces, readObj, surfaceTopology } from '../topology.mjs';
 
 // of CGAL's data folder, each for something different: limbs, genus, borders, several formats, faces that are no triangles
 const files = ['elephant.off', 'man.off', 'dino.off', 'bull.off', 'cow.off', 'hand.off', 'mesh_with_border.off', '3torus.off',
@@ -39,8 +39,14 @@ export const tests = {
       const { edges, genus } = await d.result();
       const curve = readObj(String(await d.exported('faceCurve', 'obj')));
       assert.equal(curve.lines.reduce((sum, line) => sum + line.length - 1, 0), edges, file);
+      await d.page.click('#cut');
+      await d.page.waitForFunction(() => window.cutLocusPage.app.atlas);
+      await d.idle();
+      assert.match(await d.page.innerText('#cut-info'), /does not overlap/, file);
+      if (pictured.includes(file)) await d.picture(`mesh_${file.replace(/\.\w+$/, '')}_cut.png`);
       const cut = readObj(String(await d.exported('cut', 'obj')));
       await d.noMessage();
+      assert.equal(flippedFaces(cut), 0, file);
       const parts = await d.app(({ app }) => new Set(app.mesh.component).size);
       if (parts === 1) assert.deepEqual(surfaceTopology(cut), { euler: 1, loops: 1 }, file);
       notes.push(`${file} genus ${genus}`);

@@ -1,7 +1,7 @@
 // What is computed: sources, methods, thresholds, shortest paths, and what the page says about them.
 import assert from 'node:assert/strict';
 import { describeValues } from '../../src/readout.js';
-import { rounded } from '../../src/words.js';
+import { doubts, rounded } from '../../src/words.js';
 import { curveTopology, readObj } from '../topology.mjs';
 
 const cube = () => {
@@ -11,19 +11,21 @@ const cube = () => {
   return `OFF\n8 12 0\n${corners.map((c) => c.join(' ')).join('\n')}\n${faces.map((f) => `3 ${f.join(' ')}`).join('\n')}\n`;
 };
 
-// of height 4.8 and radius 1
-const tube = (() => {
+// of radius 1, with rings of faces of the height 0.4
+const makeTube = (rings) => {
   const n = 12, points = [], faces = [];
-  for (let i = 0; i <= n; ++i)
+  for (let i = 0; i <= rings; ++i)
     for (let j = 0; j < n; ++j) {
       const angle = 2 * Math.PI * (j + i / 2) / n;
       points.push([Math.cos(angle), Math.sin(angle), 0.4 * i]);
-      if (i === n) continue;
+      if (i === rings) continue;
       const [a, b] = [i * n + j, i * n + (j + 1) % n];
       faces.push([3, a, b, a + n], [3, b, b + n, a + n]);
     }
   return `OFF\n${points.length} ${faces.length} 0\n${[...points, ...faces].map((row) => row.join(' ')).join('\n')}\n`;
-})();
+};
+
+const tube = makeTube(12);
 
 const square = 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n';
 
@@ -173,6 +175,29 @@ export const tests = {
     assert.match(await page.innerText('#result-note'), /no branches: either all shortest paths end at the border/);
     assert.match(await page.innerText('#numbers'), /injectivity radius\s*–/);
     assert.match(await page.getAttribute('#result', 'class') || '', /is-doubtful/);
+    // nor does a single point have any
+    await d.open('#sample=bumpy-sphere&faces=5000');
+    await d.setWidth('50');
+    assert.match(await page.innerText('#result-note'), /is one point: either all shortest paths meet there/);
+    assert.doesNotMatch(await page.textContent('#result-note'), /injectivity/i);
+    assert.match(await page.innerText('#numbers'), /injectivity radius\s*–/);
+    await page.click('#cut');
+    await page.waitForFunction(() => window.cutLocusPage.app.atlas);
+    await d.idle();
+    assert.match(await page.innerText('#cut-info'), /does not overlap/);
+  },
+
+  async 'what makes a result doubtful is told, with what to do about it'() {
+    const told = ({ leaves = 4, corridors = 0, borderLoops = 0, faceCount = 5000, solver = 'exact', method = 'direction' }) => doubts({
+      curve: { numbers: [100, 2, leaves, 2, 1, 1, 0, 0, 0, 0, corridors] }, source: { hasBorder: false, borderLoops }, faceCount,
+      state: { method, solver, parameters: { width: null } }, defaults: { width: 0.03, gap: 0 } }).join(' ');
+    assert.equal(told({}), '');
+    assert.match(told({ borderLoops: 3, leaves: 20 }), /go around the 3 holes[^]*should be filled first/);
+    assert.equal(told({ borderLoops: 3 }), '');
+    assert.match(told({ corridors: 2 }), /In 2 places the mesh is too coarse/);
+    assert.match(told({ faceCount: 100 }), /A finer mesh says more/);
+    assert.match(told({ solver: 'heat', method: 'laplacian' }), /Exact ones are under Method/);
+    assert.match(told({ method: 'polyhedral', leaves: 100 }), /choose that under Method/);
   },
 
   async 'the injectivity radius is rounded to what the mesh tells, and says what it depends on'(d) {
@@ -299,13 +324,34 @@ export const tests = {
     await d.app(crowd);
     await d.settle();
     assert.equal((await d.result()).sources, 2);
-    await page.selectOption('#method', 'laplacian');
-    await d.settle();
-    assert.match(await page.innerText('#message-text'), /too close to each other/);
-    await page.selectOption('#method', 'direction');
+    for (const [control, value] of [['#method', 'laplacian'], ['#solver', 'heat']]) {
+      await page.selectOption(control, value);
+      await d.settle();
+      // the message stays, and the method is the former one
+      assert.match(await page.innerText('#message-text'), /too close to each other/);
+      assert.deepEqual([await page.inputValue('#solver'), await page.inputValue('#method')], ['exact', 'direction']);
+      assert.ok(await d.app(({ app }) => app.isSolved));
+      assert.equal((await d.result()).sources, 2);
+      assert.match(await page.evaluate(() => location.hash), /method=direction/);
+      await page.click('#message-close');
+    }
+    await page.selectOption('#method', 'polyhedral');
     await d.settle();
     await d.noMessage();
     assert.equal((await d.result()).sources, 2);
+  },
+
+  async 'of two sources that are set one after the other, the second one counts, also while the first is computed'(d) {
+    await d.open('#sample=torus&faces=20000');
+    const sources = await d.app(async ({ app }) => {
+      const at = (face) => [{ face, coordinates: [0.3, 0.3, 0.4] }];
+      await Promise.all([app.setSources(at(100)), app.setSources(at(5000))]);
+      return app.state.sources;
+    });
+    await d.settle();
+    await d.noMessage();
+    assert.deepEqual(sources.map(({ face }) => face), [5000]);
+    assert.deepEqual(await d.app(({ app }) => [app.isSolved, app.state.sources[0].face]), [true, 5000]);
   },
 
   async 'the border may be a source: its cut locus is the medial axis'(d) {
@@ -328,11 +374,6 @@ export const tests = {
     await page.keyboard.press('t');
     await page.waitForSelector('#message', { state: 'visible' });
     assert.match(await page.innerText('#message-text'), /points only/);
-    assert.ok(await page.isDisabled('#show-edgeCurve'));
-    await page.selectOption('#export-what', 'edgeCurve');
-    await page.click('#export');
-    await d.settle();
-    assert.match(await page.innerText('#message-text'), /of points only/);
     // nor may a point be on it: then all stays as it was
     await d.app(async ({ app, viewer }) => {
       const face = viewer.triangles.indexOf(0); // a vertex of the border
@@ -363,6 +404,55 @@ export const tests = {
     await page.click('#redo');
     await d.settle();
     assert.equal(await page.inputValue('#border'), 'only');
+  },
+
+  async 'with the border as a source, there is a curve along mesh edges where these separate the sources'(d) {
+    const { page } = d;
+    assert.equal(await d.openFile('tube.off', makeTube(11)), null);
+    await page.selectOption('#border', 'only');
+    await page.check('#show-edgeCurve');
+    await d.settle();
+    for (const method of ['direction', 'polyhedral', 'laplacian']) {
+      await page.selectOption('#method', method);
+      await d.settle();
+      await d.noMessage();
+      assert.match(await page.innerText('#legend'), /cut locus along mesh edges/);
+      // one loop around the tube, along its vertices, which are in rows of the height 0.4
+      const obj = readObj(String(await d.exported('edgeCurve', 'obj')));
+      assert.deepEqual([method, curveTopology(obj)], [method, { components: 1, cycles: 1 }]);
+      assert.ok(obj.points.every(([, , z]) => Math.abs(z - 2.2) < 0.61 && Math.abs(z / 0.4 - Math.round(z / 0.4)) < 1e-6), method);
+    }
+    await page.click('#defaults');
+    await d.settle();
+    // the sheets are cut along it if it alone is shown
+    await page.click('#cut');
+    await page.waitForFunction(() => window.cutLocusPage.app.atlas);
+    await d.idle();
+    const added = () => d.app(({ app }) => app.atlas.weights.filter((w, i) => i % 3 === 0 && w !== 1).length);
+    assert.ok(await added() > 0);
+    await page.uncheck('#show-faceCurve');
+    await page.waitForFunction(() => window.cutLocusPage.app.atlas && window.cutLocusPage.app.atlas.weights.every((w) => w === 0 || w === 1));
+    await d.idle();
+    await d.noMessage();
+    assert.match(await page.innerText('#cut-info'), /2 sheets, one for each cell: none overlaps/);
+    await d.picture('border_edges.png');
+    await page.click('#cut');
+    // two ends that are one face apart
+    await page.check('#show-faceCurve');
+    assert.equal(await d.openFile('ring.off', makeTube(1)), null);
+    await page.selectOption('#border', 'only');
+    await d.settle();
+    await d.noMessage();
+    assert.match(await page.innerText('#result-note'), /1 independent loop[^]*no curve along mesh edges/);
+    assert.doesNotMatch(await page.innerText('#legend'), /mesh edges/);
+    await page.uncheck('#show-faceCurve');
+    await d.settle();
+    assert.match(await page.innerText('#message-text'), /too close to each other/);
+    await page.check('#show-faceCurve');
+    await page.uncheck('#show-edgeCurve');
+    await d.settle();
+    await d.noMessage();
+    assert.doesNotMatch(await page.innerText('#result-note'), /no curve along mesh edges/);
   },
 
   async 'any distances take the border as a source'(d) {

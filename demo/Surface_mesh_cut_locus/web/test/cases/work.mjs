@@ -182,7 +182,7 @@ export const tests = {
     const { page } = d;
     const folded = describeAtlas([3, 7, 0.125, 0.1, 0, 1], 1000);
     assert.ok(!folded.isInjective);
-    assert.match(folded.text, /Not one to one: 7 of .* lie over others, on 13 %.*3 of .* turned over/);
+    assert.match(folded.text, /Not one to one: 7 of .* lie over others, on 13\s%.*3 of .* turned over/);
     for (const sample of ['bumpy-sphere', 'capsule', 'torus', 'genus-3']) {
       await d.open(`#sample=${sample}&faces=5000`);
       await page.click('#cut');
@@ -211,6 +211,10 @@ export const tests = {
         ({ faces: new Set(app.atlas.faces).size, all: app.mesh.triangles.length / 3 }));
       assert.equal(faces, all);
     }
+    // what is seen is named: lines on the surface and on the sheet, and what several sources have for a radius
+    assert.match(await page.innerText('#legend'), /seams[^]*seams of the sheet/);
+    assert.match(await page.innerText('#result-note'), /nearest point to the sources is [\d.]+\s±/);
+    assert.doesNotMatch(await page.textContent('#result'), /injectivity/i);
     await d.picture('cells_side_by_side.png');
   },
 
