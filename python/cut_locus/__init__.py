@@ -14,7 +14,7 @@ from ._cut_loci import compute_cut_loci
 from ._disk import Disk, cut_open
 from ._geodesics import ExactGeodesics, Path, exact_geodesic_distances, shortest_paths
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = [
     "Cause",

@@ -198,9 +198,9 @@ Layout_quality layout_quality(const TriangleMesh& tm, VertexUVMap uv_map,
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the largest number of steps on the disk itself. Fewer are made if two of them lower the energy by less than a
- *                           thousandth each. With 0, the convex layout is returned, of the disk
- *                           as it is.}
+ *     \cgalParamDescription{the largest number of steps on the disk itself. Fewer are made if two of them lower the
+ *                           energy by less than a thousandth each. With 0, the convex layout is returned, of the
+ *                           disk as it is.}
  *     \cgalParamType{unsigned int}
  *     \cgalParamDefault{60}
  *   \cgalParamNEnd

@@ -152,8 +152,8 @@ private:
  * disk. Each border loop, which `tree` takes as one node, counts as part of that union. The source is in the cotree,
  * not on a generator, whatever the distances. O(n log n).
  *
- * A part of the border that is a source is one node, too. With k sources, the cotree is a forest with one tree for each of them, there are 2g - 1 + k generators, and the union
- * leaves k open disks.
+ * A part of the border that is a source is one node, too. With k sources, the cotree is a forest with one tree for each of
+ * them, there are 2g - 1 + k generators, and the union leaves k open disks.
  *
  * @param crossed edges that are in the cotree first, as `edges_crossed_by_descents()` gives them: none of `tree`
  * @param source_of_face if not null, becomes the source in whose disk each face is
