@@ -67,7 +67,8 @@ export function bestDirection(probe, geometry, up, segments, sources, hasOuterSi
       probe.look(geometry, camera, 96, 96);
       const seen = points.filter((p) => probe.sees(p, slack)).length / Math.max(points.length, 1);
       const shown = sources.reduce((sum, { point, normal }) => {
-        const toward = hasOuterSide ? normal.dot(eye) : Math.abs(normal.dot(eye));
+        const cosine = normal.dot(camera.position.clone().sub(point).normalize());
+        const toward = hasOuterSide ? cosine : Math.abs(cosine);
         return sum + (probe.sees(point, 2 * slack, false) ? clarity(toward) : 0);
       }, 0);
       // A source that is seen counts for more than all of the curve. What is usual, a little from above and from the front,

@@ -460,6 +460,9 @@ export const tests = {
     await page.keyboard.press('m');
     await d.settle();
     assert.equal(await page.inputValue('#method'), 'polyhedral');
+    await page.keyboard.press('m');
+    await d.settle();
+    assert.notEqual(await page.inputValue('#method'), 'polyhedral');
     await page.keyboard.press('?');
     assert.ok(await page.locator('#help').isVisible());
     await page.keyboard.press('Escape');
