@@ -29,18 +29,18 @@ namespace internal {
 /// is a point of an edge of the mesh at which the label changes.
 struct Edge_crossing
 {
-  Index halfedge;         // of the two of the edge, that of smaller index
-  double t;               // the position on it
-  Path_label left, right; // before and behind the point, in the frame of the halfedge
-  double gap, angle;      // between the two paths: where they part and where they meet
-  bool is_shadow;         // it is the same path on both sides: the boundary of a shadow, not on the cut locus
+  Index halfedge;    // of the two of the edge, that of smaller index
+  Index label;       // the number of the label before the point; the next one is behind it
+  double t;          // the position on the halfedge
+  double gap, angle; // between the two paths: where they part and where they meet
+  bool is_shadow;    // it is the same path on both sides: the boundary of a shadow, not on the cut locus
 };
 
-/// is the first and the last label of an edge of the mesh.
+/// is the numbers of the first and the last label of an edge of the mesh.
 struct Edge_ends
 {
   Index halfedge; // as in `Edge_crossing`
-  Path_label first, last;
+  Index first, last;
 };
 
 /*!
@@ -140,6 +140,7 @@ public:
 
   // they grow without being copied, which would take long at once
   std::deque<Edge_crossing> crossings; ///< those of an edge together, in order
+  std::deque<Path_label> labels;       ///< those of an edge together, in order, in the frame of its halfedge
   std::deque<Edge_ends> ends;          ///< of all edges of the faces that are drawn
 
   /// how often windows came too late
@@ -225,12 +226,15 @@ private:
   void add_crossings(Index h, Geodesic_window_list* along, Geodesic_window_list* against)
   {
     const std::vector<Edge_envelope::Piece>& pieces = envelope_(h, along, against);
-    ends.push_back({h, pieces.front().label, pieces.back().label});
-    for(std::size_t i = 1; i < pieces.size(); ++i)
-      add_crossing(h, pieces[i].begin, pieces[i - 1].label, pieces[i].label);
+    const Index first = static_cast<Index>(labels.size());
+    for(const Edge_envelope::Piece& piece : pieces)
+      labels.push_back(piece.label);
+    ends.push_back({h, first, static_cast<Index>(labels.size() - 1)});
+    for(Index i = 1; i < pieces.size(); ++i)
+      add_crossing(h, first + i - 1, pieces[i].begin, pieces[i - 1].label, pieces[i].label);
   }
 
-  void add_crossing(Index h, double t, const Path_label& left, const Path_label& right)
+  void add_crossing(Index h, Index label, double t, const Path_label& left, const Path_label& right)
   {
     const double angle = meeting_angle(left, right, t), gap = parting_angle_(left, right, t);
     const bool is_seam = geodesics_.is_seam(left.origin, right.origin, angle);
@@ -243,10 +247,10 @@ private:
         angle < 0.5 * geodesic_pi && get_apart(left, right, t) &&
         (gap < Parting_angle::least_angle || gap * way <= Edge_envelope::least_width * faces_.length(h));
       crossings.push_back(
-        {h, t, left, right, gap, angle, is_seam || is_bend || parting_angle_.is_same_path(left, right, t, h)});
+        {h, label, t, gap, angle, is_seam || is_bend || parting_angle_.is_same_path(left, right, t, h)});
     }
     else if(!is_same_family(geodesics_, angle, gap))
-      crossings.push_back({h, t, left, right, gap, angle, false});
+      crossings.push_back({h, label, t, gap, angle, false});
   }
 
 public:

@@ -272,10 +272,11 @@ private:
 
   /// whether both paths come along one line, if not quite: where the waves of a curve's edge and of its end touch, they do
   /// so over the square root of the rounding, and beside the vertex that casts a shadow both of its sides are one
-  bool is_ray(const Edge_crossing& c) const
+  bool is_ray(Index c) const
   {
-    const bool are_lines = geodesics_->is_line(c.left.origin) && geodesics_->is_line(c.right.origin);
-    return c.angle < Parting_angle::least_angle || (c.is_shadow && !are_lines);
+    const bool are_lines =
+      geodesics_->is_line(changes_->left(c).origin) && geodesics_->is_line(changes_->right(c).origin);
+    return (*changes_)[c].angle < Parting_angle::least_angle || ((*changes_)[c].is_shadow && !are_lines);
   }
 
   void add_changes_on_edge(Index h)
@@ -287,7 +288,7 @@ private:
       const Edge_crossing& crossing = (*changes_)[c];
       const double t = is_reversed ? length - crossing.t : crossing.t;
       local_changes_.push_back({to_face(h, t, 0.), h % 3, image(h, label_before(c, is_reversed)),
-                                image(h, label_after(c, is_reversed)), is_ray(crossing), crossing.is_shadow,
+                                image(h, label_after(c, is_reversed)), is_ray(c), crossing.is_shadow,
                                 geodesics_->is_approximate() ? crossing.gap : 0.});
       Place place;
       place.crossing = crossing.is_shadow ? null_index : c;
@@ -298,14 +299,13 @@ private:
   /// the labels of a crossing as one goes around the face
   Path_label label_before(Index c, bool is_reversed) const
   {
-    const Edge_crossing& crossing = (*changes_)[c];
-    return is_reversed ? crossing.right.opposite(geodesics_->faces().length(crossing.halfedge)) : crossing.left;
+    return is_reversed ? changes_->right(c).opposite(length_at(c)) : changes_->left(c);
   }
   Path_label label_after(Index c, bool is_reversed) const
   {
-    const Edge_crossing& crossing = (*changes_)[c];
-    return is_reversed ? crossing.left.opposite(geodesics_->faces().length(crossing.halfedge)) : crossing.right;
+    return is_reversed ? changes_->left(c).opposite(length_at(c)) : changes_->right(c);
   }
+  double length_at(Index c) const { return geodesics_->faces().length((*changes_)[c].halfedge); }
 
   void add_entry(Index h, const Path_label& label, double from, double to)
   {

@@ -42,13 +42,18 @@ public:
     : connectivity_(&connectivity), geodesics_(&geodesics), is_drawn_(std::move(is_drawn)), bend_(std::move(bend))
   {
     const Vertex_labels labels(geodesics);
-    add_crossings_at_ends(found, labels, progress.part(0., 0.5));
-    sort(found.crossings, progress.part(0.5, 0.8));
+    crossings_.swap(found.crossings);
+    labels_.swap(found.labels);
+    add_crossings_at_ends(found.ends, labels, progress.part(0., 0.5));
+    sort(progress.part(0.5, 0.8));
     find_changes_at_vertices(labels, progress.part(0.8, 1.));
   }
 
   /// all crossings: those of edge `e` are `first(e)`, ..., `first(e + 1) - 1`, in order
-  const Edge_crossing& operator[](std::size_t i) const { return crossings_[i]; }
+  const Edge_crossing& operator[](std::size_t i) const { return crossings_[order_[i]]; }
+  /// the labels before and behind a crossing, in the frame of its halfedge
+  const Path_label& left(std::size_t i) const { return labels_[(*this)[i].label]; }
+  const Path_label& right(std::size_t i) const { return labels_[(*this)[i].label + std::size_t(1)]; }
   Index number_of_crossings() const { return static_cast<Index>(crossings_.size()); }
   Index first(Index e) const { return first_[e]; }
   /// calls `function(c, is_reversed)` for the crossings of a halfedge, in its order
@@ -68,8 +73,7 @@ public:
   /// whether the paths on its two sides come from different sources
   bool is_between_sources(std::size_t i) const
   {
-    return geodesics_->source_of_origin(crossings_[i].left.origin) !=
-           geodesics_->source_of_origin(crossings_[i].right.origin);
+    return geodesics_->source_of_origin(left(i).origin) != geodesics_->source_of_origin(right(i).origin);
   }
 
   /// whether all that changes in a face, and on its edges, is known
@@ -82,95 +86,89 @@ public:
   const std::vector<Vertex_labels::Change>& at_vertices() const { return at_vertices_; }
 
 private:
-  void add_crossings_at_ends(Edge_crossings& found, const Vertex_labels& labels, const Progress& progress) const
+  void add_crossings_at_ends(const std::deque<Edge_ends>& ends, const Vertex_labels& labels, const Progress& progress)
   {
     std::size_t i = 0;
-    for(const Edge_ends& e : found.ends)
+    for(const Edge_ends& e : ends)
     {
-      progress(i++, found.ends.size());
-      const double length = geodesics_->faces().length(e.halfedge);
-      add_crossing_at_end({e.halfedge, 0., labels.at_source(e.halfedge), e.first, 0., 0., false},
-                          geodesics_->faces().source(e.halfedge), found.crossings);
-      add_crossing_at_end({e.halfedge, length, e.last, labels.at_target(e.halfedge), 0., 0., false},
-                          geodesics_->faces().target(e.halfedge), found.crossings);
+      progress(i++, ends.size());
+      const Index h = e.halfedge;
+      const Path_label first = labels_[e.first], last = labels_[e.last]; // more are added
+      add_crossing_at_end(h, 0., labels.at_source(h), first, geodesics_->faces().source(h));
+      add_crossing_at_end(h, geodesics_->faces().length(h), last, labels.at_target(h), geodesics_->faces().target(h));
     }
   }
 
   /// if the label of an edge is not that of the vertex `v` at which it ends
-  void add_crossing_at_end(Edge_crossing c, Index v, std::deque<Edge_crossing>& crossings) const
+  void add_crossing_at_end(Index h, double t, const Path_label& left, const Path_label& right, Index v)
   {
     if(geodesics_->is_on_line(v))
-      add_crossing_at_line(c, crossings);
+      add_crossing_at_line(h, t, left, right);
     if(geodesics_->distance(v) == 0.)
       return;
-    const Path_label& label = c.t == 0. ? c.right : c.left;
+    const Path_label& label = t == 0. ? right : left;
     if(label.origin == geodesics_->origin_of_vertex(v))
       return; // it comes through the vertex
     const Geodesic_arrival& arrival = geodesics_->arrival(v);
     const double direction = Geodesic_results::direction_at_origin(arrival, geodesics_->end_in_frame(arrival, v));
-    c.angle = meeting_angle(c.left, c.right, c.t);
+    const double angle = meeting_angle(left, right, t);
     const Parting_angle::Parting parting =
-      Parting_angle(*geodesics_).parting(arrival.origin, direction, label.origin, label.direction(c.t), c.angle);
-    c.gap = parting.angle;
-    if(geodesics_->is_seam(arrival.origin, label.origin, c.angle))
+      Parting_angle(*geodesics_).parting(arrival.origin, direction, label.origin, label.direction(t), angle);
+    if(geodesics_->is_seam(arrival.origin, label.origin, angle))
       return;
     const double sigma = (std::max)(geodesics_->sigma_of_origin(arrival.origin), label.sigma);
-    if(geodesics_->is_approximate()
-         ? !Edge_crossings::is_same_family(*geodesics_, c.angle, c.gap)
-         : !Parting_angle::is_same_path(c.angle, parting, geodesics_->distance(v), sigma,
-                                        Parting_angle(*geodesics_).longest_edge_at(c.halfedge)))
-      crossings.push_back(c);
+    if(geodesics_->is_approximate() ? !Edge_crossings::is_same_family(*geodesics_, angle, parting.angle)
+                                    : !Parting_angle::is_same_path(angle, parting, geodesics_->distance(v), sigma,
+                                                                   Parting_angle(*geodesics_).longest_edge_at(h)))
+      add_crossing(h, t, left, right, parting.angle, angle);
   }
 
   /// where lines meet, and the branch between them runs along an edge
-  void add_crossing_at_line(Edge_crossing c, std::deque<Edge_crossing>& crossings) const
+  void add_crossing_at_line(Index h, double t, const Path_label& left, const Path_label& right)
   {
-    c.angle = meeting_angle(c.left, c.right, c.t);
-    c.gap = Parting_angle(*geodesics_)(c.left, c.right, c.t);
-    if(c.left.origin != c.right.origin && !geodesics_->is_seam(c.left.origin, c.right.origin, c.angle) &&
-       !Parting_angle::is_same_path(c.angle, c.gap))
-      crossings.push_back(c);
+    const double angle = meeting_angle(left, right, t), gap = Parting_angle(*geodesics_)(left, right, t);
+    if(left.origin != right.origin && !geodesics_->is_seam(left.origin, right.origin, angle) &&
+       !Parting_angle::is_same_path(angle, gap))
+      add_crossing(h, t, left, right, gap, angle);
   }
 
-  void sort(std::deque<Edge_crossing>& found, const Progress& progress)
+  void add_crossing(Index h, double t, const Path_label& left, const Path_label& right, double gap, double angle)
   {
-    const Progress counting = progress.part(0., 0.2), numbering = progress.part(0.2, 0.4),
-                   copying = progress.part(0.4, 0.8), in_edges = progress.part(0.8, 1.);
+    crossings_.push_back({h, static_cast<Index>(labels_.size()), t, gap, angle, false});
+    labels_.push_back(left);
+    labels_.push_back(right);
+  }
+
+  void sort(const Progress& progress)
+  {
+    const Progress counting = progress.part(0., 0.3), numbering = progress.part(0.3, 0.6),
+                   in_edges = progress.part(0.6, 1.);
     const std::vector<Index>& edge = connectivity_->edge_of_halfedge;
     first_.assign(connectivity_->number_of_edges() + std::size_t(1), 0);
     std::size_t number = 0;
-    for(const Edge_crossing& c : found)
+    for(const Edge_crossing& c : crossings_)
     {
-      counting(number++, found.size());
+      counting(number++, crossings_.size());
       ++first_[edge[c.halfedge] + std::size_t(1)];
     }
     for(std::size_t e = 0; e + 1 < first_.size(); ++e)
       first_[e + 1] += first_[e];
-    std::vector<Index> next(first_.begin(), first_.end() - 1), order(found.size());
-    for(Index i = 0; i < order.size(); ++i)
+    std::vector<Index> next(first_.begin(), first_.end() - 1);
+    order_.resize(crossings_.size());
+    Index i = 0;
+    for(const Edge_crossing& c : crossings_)
     {
-      numbering(i, order.size());
-      order[next[edge[found[i].halfedge]]++] = i;
-    }
-    crossings_.reserve(order.size());
-    for(Index i : order)
-    {
-      copying(crossings_.size(), order.size());
-      crossings_.push_back(found[i]);
-    }
-    while(!found.empty()) // so much memory takes long to be freed at once
-    {
-      progress(0.8);
-      found.erase(found.begin(),
-                  found.begin() + static_cast<std::ptrdiff_t>((std::min)(found.size(), std::size_t(65536))));
+      numbering(i, crossings_.size());
+      order_[next[edge[c.halfedge]]++] = i++;
     }
     // they come in order, but for those at the ends
-    const auto is_before = [](const Edge_crossing& a, const Edge_crossing& b) { return a.t < b.t; };
+    const auto is_before = [this](Index a, Index b) { return crossings_[a].t < crossings_[b].t; };
     for(std::size_t e = 0; e + 1 < first_.size(); ++e)
     {
       in_edges(e, first_.size());
-      if(!std::is_sorted(crossings_.begin() + first_[e], crossings_.begin() + first_[e + 1], is_before))
-        std::stable_sort(crossings_.begin() + first_[e], crossings_.begin() + first_[e + 1], is_before);
+      const auto begin = order_.begin() + first_[e], end = order_.begin() + first_[e + 1];
+      if(!std::is_sorted(begin, end, is_before))
+        std::stable_sort(begin, end, is_before);
     }
   }
 
@@ -200,8 +198,10 @@ private:
 
   const Mesh_connectivity* connectivity_ = nullptr;
   const Geodesic_results* geodesics_ = nullptr;
-  std::vector<Edge_crossing> crossings_;
-  std::vector<Index> first_;
+  std::deque<Edge_crossing> crossings_;
+  std::deque<Path_label> labels_;
+  std::vector<Index> order_; // of the crossings, by edge and position
+  std::vector<Index> first_; // in that order, by edge
   std::vector<Vertex_labels::Change> at_vertices_;
   std::vector<unsigned char> is_drawn_; // by face
   std::vector<float> bend_;             // by halfedge
