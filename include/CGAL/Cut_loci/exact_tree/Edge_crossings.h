@@ -12,12 +12,12 @@
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/exact_tree/Edge_envelope.h>
 #include <CGAL/Cut_loci/exact_tree/Path_label.h>
+#include <CGAL/Cut_loci/internal/Growing_list.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <deque>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -138,10 +138,9 @@ public:
 
   // -- afterwards ------------------------------------------------------------------------------------------------------
 
-  // they grow without being copied, which would take long at once
-  std::deque<Edge_crossing> crossings; ///< those of an edge together, in order
-  std::deque<Path_label> labels;       ///< those of an edge together, in order, in the frame of its halfedge
-  std::deque<Edge_ends> ends;          ///< of all edges of the faces that are drawn
+  Growing_list<Edge_crossing> crossings; ///< those of an edge together, in order
+  Growing_list<Path_label> labels;       ///< those of an edge together, in order, in the frame of its halfedge
+  Growing_list<Edge_ends> ends;          ///< of all edges of the faces that are drawn
 
   /// how often windows came too late
   std::size_t number_of_late() const { return number_of_late_; }

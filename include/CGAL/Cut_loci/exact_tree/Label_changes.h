@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/exact_tree/Edge_crossings.h>
 #include <CGAL/Cut_loci/exact_tree/Vertex_labels.h>
+#include <CGAL/Cut_loci/internal/Growing_list.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <deque>
 #include <utility>
 #include <vector>
 
@@ -42,8 +42,8 @@ public:
     : connectivity_(&connectivity), geodesics_(&geodesics), is_drawn_(std::move(is_drawn)), bend_(std::move(bend))
   {
     const Vertex_labels labels(geodesics);
-    crossings_.swap(found.crossings);
-    labels_.swap(found.labels);
+    std::swap(crossings_, found.crossings);
+    std::swap(labels_, found.labels);
     add_crossings_at_ends(found.ends, labels, progress.part(0., 0.5));
     sort(progress.part(0.5, 0.8));
     find_changes_at_vertices(labels, progress.part(0.8, 1.));
@@ -86,14 +86,13 @@ public:
   const std::vector<Vertex_labels::Change>& at_vertices() const { return at_vertices_; }
 
 private:
-  void add_crossings_at_ends(const std::deque<Edge_ends>& ends, const Vertex_labels& labels, const Progress& progress)
+  void add_crossings_at_ends(const Growing_list<Edge_ends>& ends, const Vertex_labels& labels, const Progress& progress)
   {
-    std::size_t i = 0;
-    for(const Edge_ends& e : ends)
+    for(std::size_t i = 0; i < ends.size(); ++i)
     {
-      progress(i++, ends.size());
-      const Index h = e.halfedge;
-      const Path_label first = labels_[e.first], last = labels_[e.last]; // more are added
+      progress(i, ends.size());
+      const Index h = ends[i].halfedge;
+      const Path_label first = labels_[ends[i].first], last = labels_[ends[i].last];
       add_crossing_at_end(h, 0., labels.at_source(h), first, geodesics_->faces().source(h));
       add_crossing_at_end(h, geodesics_->faces().length(h), last, labels.at_target(h), geodesics_->faces().target(h));
     }
@@ -145,21 +144,19 @@ private:
                    in_edges = progress.part(0.6, 1.);
     const std::vector<Index>& edge = connectivity_->edge_of_halfedge;
     first_.assign(connectivity_->number_of_edges() + std::size_t(1), 0);
-    std::size_t number = 0;
-    for(const Edge_crossing& c : crossings_)
+    for(std::size_t i = 0; i < crossings_.size(); ++i)
     {
-      counting(number++, crossings_.size());
-      ++first_[edge[c.halfedge] + std::size_t(1)];
+      counting(i, crossings_.size());
+      ++first_[edge[crossings_[i].halfedge] + std::size_t(1)];
     }
     for(std::size_t e = 0; e + 1 < first_.size(); ++e)
       first_[e + 1] += first_[e];
     std::vector<Index> next(first_.begin(), first_.end() - 1);
     order_.resize(crossings_.size());
-    Index i = 0;
-    for(const Edge_crossing& c : crossings_)
+    for(Index i = 0; i < crossings_.size(); ++i)
     {
       numbering(i, crossings_.size());
-      order_[next[edge[c.halfedge]]++] = i++;
+      order_[next[edge[crossings_[i].halfedge]]++] = i;
     }
     // they come in order, but for those at the ends
     const auto is_before = [this](Index a, Index b) { return crossings_[a].t < crossings_[b].t; };
@@ -198,8 +195,8 @@ private:
 
   const Mesh_connectivity* connectivity_ = nullptr;
   const Geodesic_results* geodesics_ = nullptr;
-  std::deque<Edge_crossing> crossings_;
-  std::deque<Path_label> labels_;
+  Growing_list<Edge_crossing> crossings_;
+  Growing_list<Path_label> labels_;
   std::vector<Index> order_; // of the crossings, by edge and position
   std::vector<Index> first_; // in that order, by edge
   std::vector<Vertex_labels::Change> at_vertices_;

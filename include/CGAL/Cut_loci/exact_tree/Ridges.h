@@ -12,6 +12,7 @@
 #include <CGAL/Cut_loci/exact_tree/Face_ridges.h>
 #include <CGAL/Cut_loci/exact_tree/Label_changes.h>
 #include <CGAL/Cut_loci/exact_tree/Path_label.h>
+#include <CGAL/Cut_loci/internal/Growing_list.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -83,18 +84,24 @@ public:
       if(changes.is_drawn(f))
         drawn.push_back(f);
     const std::size_t number = (drawn.size() + block - 1) / block;
-    std::vector<Ridges> parts(number, empty_copy());
-    for(std::size_t first = 0; first < number; first += threads.number_at_once())
+    const auto add_block = [&](Ridges& to, std::size_t i)
+    { to.add_faces(drawn, i * block, (std::min)((i + 1) * block, drawn.size())); };
+    const std::size_t at_once = threads.number_at_once();
+    for(std::size_t first = 0; first < number; first += at_once)
     {
-      progress(0.8 * static_cast<double>(first) / static_cast<double>(number));
-      threads.run((std::min)(threads.number_at_once(), number - first),
-                  [&](std::size_t i)
-                  {
-        const std::size_t begin = (first + i) * block;
-        parts[first + i].add_faces(drawn, begin, (std::min)(begin + block, drawn.size()));
-      });
+      progress(first, number);
+      if(at_once == 1)
+      {
+        add_block(*this, first);
+        continue;
+      }
+      std::vector<Ridges> parts;
+      while(parts.size() < (std::min)(at_once, number - first))
+        parts.push_back(empty_copy());
+      threads.run(parts.size(), [&](std::size_t i) { add_block(parts[i], first + i); });
+      for(const Ridges& part : parts)
+        append(part);
     }
-    append(parts, progress.part(0.8, 1.));
   }
 
   const std::vector<Face>& faces() const { return faces_; }
@@ -174,35 +181,15 @@ private:
     }
   }
 
-  /// all at the end, when their sizes are known: growing would copy them, and take long at once
-  void append(std::vector<Ridges>& parts, const Progress& progress)
-  {
-    std::size_t nodes = 0, pieces = 0, faces = 0;
-    for(const Ridges& part : parts)
-    {
-      nodes += part.nodes_.size();
-      pieces += part.pieces_.size();
-      faces += part.faces_.size();
-    }
-    nodes_.reserve(nodes);
-    pieces_.reserve(pieces);
-    faces_.reserve(faces);
-    for(std::size_t i = 0; i < parts.size(); ++i)
-    {
-      progress(static_cast<double>(i) / static_cast<double>(parts.size()));
-      append(parts[i]);
-      parts[i] = Ridges();
-    }
-  }
-
   void append(const Ridges& part)
   {
     const Index nodes = static_cast<Index>(nodes_.size()), pieces = static_cast<Index>(pieces_.size());
-    nodes_.insert(nodes_.end(), part.nodes_.begin(), part.nodes_.end());
-    for(Piece piece : part.pieces_)
+    for(std::size_t i = 0; i < part.nodes_.size(); ++i)
+      nodes_.push_back(part.nodes_[i]);
+    for(std::size_t i = 0; i < part.pieces_.size(); ++i)
     {
-      piece.first_node += nodes;
-      pieces_.push_back(piece);
+      pieces_.push_back(part.pieces_[i]);
+      pieces_[pieces_.size() - 1].first_node += nodes;
     }
     for(Face face : part.faces_)
     {
@@ -364,8 +351,8 @@ private:
   const Geodesic_results* geodesics_ = nullptr;
   const Label_changes* changes_ = nullptr;
   std::vector<Face> faces_;
-  std::vector<Node> nodes_;
-  std::vector<Piece> pieces_;
+  Growing_list<Node> nodes_;
+  Growing_list<Piece> pieces_;
   Index number_of_doubtful_ = 0;
 };
 
