@@ -73,17 +73,17 @@ private:
       nodes, [&](Index j, Index i) { return (is_kept_[j] = !is_plain(i)) == 0; }, progress.part(0.5, 1.));
   }
 
-  /// about what is needed: growing would copy all there is, and take long at once
+  /// what is needed at most, but for few faces: growing would copy all there is, and take long at once
   void reserve()
   {
     const std::size_t joints = static_cast<std::size_t>(std::count(is_kept_.begin(), is_kept_.end(), 1));
-    std::size_t inside = 0, pieces = 0;
+    std::size_t nodes = 0, pieces = 0;
     for(const Ridges::Face& face : ridges_.faces())
     {
-      inside += face.end_node - face.first_node - face.number_of_crossings;
+      nodes += face.end_node - face.first_node;
       pieces += face.end_piece - face.first_piece;
     }
-    graph_.nodes.reserve(number_of_loops() + 2 * joints + inside);
+    graph_.nodes.reserve(number_of_loops() + joints + nodes);
     graph_.edges.reserve(2 * joints + pieces);
   }
 
