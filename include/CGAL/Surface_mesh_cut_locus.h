@@ -385,8 +385,9 @@ public:
    *     \cgalParamDefault{with `Cut_loci::Method::DIRECTION` what the mesh and its noise explain, see
    *                       `minimum_branch_width()`: about three edges on a smooth mesh; with
    *                       `Cut_loci::Method::POLYHEDRAL`, or if there is a `minimum_branch_gap`, 0}
-   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. A smaller one than the default takes a computation for the
-   *                     source once more.}
+   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. Where branches meet, those that are shorter than a third of
+   *                     it are left out, too. A smaller one than the default takes a computation for the source once
+   *                     more.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{minimum_branch_gap}
    *     \cgalParamDescription{the least angle at the source, or where they part, between the two shortest paths to the

@@ -22,6 +22,7 @@
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_graph_builder.h>
+#include <CGAL/Cut_loci/exact_tree/spurs.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/internal/Union_find.h>
@@ -30,6 +31,7 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -159,7 +161,8 @@ public:
   const Ridges& ridges() const { return ridges_; }
 
   /// the edges of the graph whose branches are at least that strong: those that pass all thresholds, or have one behind
-  /// them that does. So they are connected, wherever a branch is weaker than it is farther out.
+  /// them that does. So they are connected, wherever a branch is weaker than it is farther out. A branch is no spur: it is
+  /// at least a third as long as it has to be wide. A mesh resolves what is three edges wide, and one edge long.
   std::vector<Tree_branches::Edge> kept(const Branch_strength& least, const Progress& progress = {})
   {
     const auto can_be = [&](Index e) { return least.is_none() || is_a_branch(e, least); };
@@ -175,6 +178,9 @@ public:
     std::vector<Tree_branches::Edge> result = branches.edges();
     for(Tree_branches::Edge& b : result)
       b.edge = edges[b.edge];
+    remove_spurs(
+      result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, root_,
+      [this](Index e) { return length(e); }, least.width / 3.);
     return result;
   }
 
@@ -230,6 +236,16 @@ private:
     const bool counts_meeting = least.counts_meeting && options_.lines.empty() && edge.piece != null_index;
     const double meeting = counts_meeting ? ridges_.meeting_angle(edge.piece) : 0.;
     return !edge.is_between_sources() && edge.gap + meeting >= least.gap && graph_->can_be(e, least);
+  }
+
+  /// nothing is known of what the topology alone has added
+  double length(Index edge) const
+  {
+    const Index p = graph_->edges[edge].piece;
+    if(p == null_index)
+      return 0.;
+    const Plane_point a = ridges_.piece_end(p, 0), b = ridges_.piece_end(p, 1);
+    return std::hypot(a.x - b.x, a.y - b.y);
   }
 
   /// of the two paths to a point of the piece

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_EXACT_TREE_SPURS_H
+#define CGAL_CUT_LOCI_EXACT_TREE_SPURS_H
+
+#include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * removes branches that are shorter than `least`. Where branches meet, the longest one continues and the others end; at
+ * cycles, and at the first `terminals` nodes, all of them end.
+ *
+ * Near its end, a branch of a smooth surface is divided between vertices of the polyhedron, and what two paths enclose
+ * may be divided in two parts that are wide enough, each.
+ *
+ * @param edges as in `Tree_branches::edges()`
+ * @param root of a tree without cycles and terminals: two branches are one there
+ * @param length of an edge
+ */
+template <typename Length>
+void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes, Index terminals, Index root,
+                  const Length& length, double least)
+{
+  struct Ways // outward from a node: the two longest
+  {
+    std::array<double, 2> length = {{0., 0.}};
+    std::array<Index, 2> edge = {{null_index, null_index}};
+    bool is_in_core = false;
+  };
+  std::vector<Ways> ways(number_of_nodes);
+  for(Index i = 0; i < terminals; ++i)
+    ways[i].is_in_core = true;
+  const auto is_in_core = [](const Tree_branches::Edge& b)
+  { return b.strength == (std::numeric_limits<float>::infinity)(); };
+  for(std::size_t i = edges.size(); i-- > 0;)
+  {
+    const Tree_branches::Edge& b = edges[i];
+    Ways& at = ways[b.inner];
+    if(is_in_core(b))
+    {
+      at.is_in_core = ways[b.outer].is_in_core = true;
+      continue;
+    }
+    const double way = ways[b.outer].length[0] + length(b.edge);
+    if(at.edge[1] == null_index || way > at.length[1])
+    {
+      at.length[1] = way;
+      at.edge[1] = b.edge;
+    }
+    if(at.edge[0] == null_index || at.length[1] > at.length[0])
+    {
+      std::swap(at.length[0], at.length[1]);
+      std::swap(at.edge[0], at.edge[1]);
+    }
+  }
+  std::vector<unsigned char> is_gone(number_of_nodes, 0);
+  std::size_t size = 0;
+  for(const Tree_branches::Edge b : edges)
+  {
+    const Ways& at = ways[b.inner];
+    const bool continues = !at.is_in_core && (b.edge == at.edge[0] || (b.inner == root && b.edge == at.edge[1]));
+    const bool is_kept =
+      is_in_core(b) || (!is_gone[b.inner] && (continues || !(ways[b.outer].length[0] + length(b.edge) < least)));
+    if(is_kept)
+      edges[size++] = b;
+    else
+      is_gone[b.outer] = 1;
+  }
+  edges.resize(size);
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_EXACT_TREE_SPURS_H
