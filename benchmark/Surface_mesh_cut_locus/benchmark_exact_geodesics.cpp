@@ -10,8 +10,9 @@
 //     against CGAL's Surface_mesh_shortest_path: from the mesh object to the distances of all vertices, and for CGAL
 //     the construction of its sequence tree alone
 //   benchmark_exact_geodesics [--cpu] [--error e] [--csv file] --growth [largest number of faces]
-//     on jittered tori; prints time, memory and windows, as comma-separated values, and the exponents fitted to them;
-//     the file gets the values alone (scripts/plot_growth draws them)
+//     on jittered tori of 12500 faces, twice as many, and so on, and of the largest number; prints time, memory and
+//     windows, as comma-separated values, and the exponents fitted to them; the file gets the values alone
+//     (scripts/plot_growth draws them)
 //   --error e allows distances to be too long by e times their length: no directions then
 //   --cpu measures processor time instead of elapsed time, for machines with other work to do
 
@@ -174,7 +175,11 @@ void growth(std::size_t largest, std::FILE* csv)
     }
   };
   print("faces,mesh_to_distances_s,directions_s,peak_mb,mesh_only_mb,windows");
-  for(std::size_t faces = 12500; faces <= largest; faces *= 2)
+  std::vector<std::size_t> wanted;
+  for(std::size_t faces = 12500; faces < largest; faces *= 2)
+    wanted.push_back(faces);
+  wanted.push_back(largest);
+  for(const std::size_t faces : wanted)
   {
     // a process of its own per size, so that the peak of the memory is its own
     int channel[2];

@@ -149,7 +149,8 @@ po::options_description visible_options()
                            "vertex of the file, counted from 0 (default: the first one of the component with the most "
                            "faces); repeatable, for the "
                            "Voronoi diagram of several with the cut loci in its cells")(
-    "source-point", po::value<std::string>()->value_name("X,Y,Z"), "the point of the surface closest to x,y,z")(
+    "source-point", po::value<std::vector<std::string>>()->value_name("X,Y,Z"),
+    "the point of the surface closest to x,y,z; repeatable, also with --source")(
     "each-source", po::value<std::string>()->value_name("FILE"),
     "a cut locus for each source of a file, one on a line: a vertex, or x,y,z. The file of -o must end in .jsonl: it "
     "gets a line of JSON for each, with the injectivity radius, other figures and the polylines; --report gets a "
@@ -403,16 +404,15 @@ Options parse_command_line(int argc, char* argv[])
     for(const std::string& source : given["source"].as<std::vector<std::string>>())
       options.sources.push_back(to_count(source, "--source"));
   if(given.count("source-point"))
-    options.source_point = to_point(text("source-point"), "--source-point");
+    for(const std::string& point : given["source-point"].as<std::vector<std::string>>())
+      options.source_points.push_back(to_point(point, "--source-point"));
   if(given.count("sources"))
     for(const std::vector<std::size_t>& line : read_numbers(text("sources"), "--sources"))
       options.sources.insert(options.sources.end(), line.begin(), line.end());
-  if(!options.sources.empty() && options.source_point)
-    throw Usage_error("--source and --source-point exclude each other");
   if(given.count("source-edges"))
     options.source_edges = read_numbers(text("source-edges"), "--source-edges");
   options.source_border = given["source-border"].as<bool>();
-  if((options.sources.size() > 1 || has_curves(options)) && given.count("unfold"))
+  if((number_of_source_points(options) > 1 || has_curves(options)) && given.count("unfold"))
     throw Usage_error("--unfold takes one source, a point");
   options.solver = text("solver");
   if(!is_solver_name(options.solver))

@@ -25,9 +25,9 @@ struct Options
   std::string mesh;
   bool may_repair = true;
   std::vector<std::size_t> sources;
-  std::optional<std::array<double, 3>> source_point;
-  std::string each_source;                   // a file of sources, each of which gets a cut locus
-  std::size_t part = 1, number_of_parts = 1; // of that file
+  std::vector<std::array<double, 3>> source_points; // numbered behind the vertices
+  std::string each_source;                          // a file of sources, each of which gets a cut locus
+  std::size_t part = 1, number_of_parts = 1;        // of that file
   unsigned threads = 1;
   std::vector<std::vector<std::size_t>> source_edges; // vertices along edges
   bool source_border = false;
@@ -57,6 +57,11 @@ struct Options
   bool is_quiet = false;
   bool help = false;
 };
+
+inline std::size_t number_of_source_points(const Options& options)
+{
+  return options.sources.size() + options.source_points.size();
+}
 
 // whether sources that are curves are asked for
 inline bool has_curves(const Options& options)

@@ -47,7 +47,7 @@ Unfolding unfolded(const Mesh& mesh, const Cut_locus& cut_locus)
 
 std::string component_note(const Options& options, const Input_mesh& input, const Cut_locus& cut_locus)
 {
-  const bool is_chosen = !options.sources.empty() || options.source_point || has_curves(options);
+  const bool is_chosen = number_of_source_points(options) > 0 || has_curves(options);
   return "the mesh has " + std::to_string(input.component_size.size()) + " components; this is about the one " +
          (is_chosen ? "of the source" : "with the most faces") + ", " +
          std::to_string(input.component_size[component_of_source(input, cut_locus)]) + " of " +

@@ -160,7 +160,10 @@ void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Inp
   report["source"] = number(source.mesh_vertex);
   report["source_point"] = to_json(source.point);
   for(std::size_t i = 0; i < cut_locus.number_of_sources() && cut_locus.number_of_sources() > 1; ++i)
+  {
     report["sources"].push_back(number(cut_locus.source(i).mesh_vertex));
+    report["source_points"].push_back(to_json(cut_locus.source(i).point));
+  }
   report["farthest"] = number(farthest);
   report["farthest_distance"] = cut_locus.distance(farthest);
   report["root"] = number(root);

@@ -8,6 +8,7 @@
 #include "thresholds.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -15,6 +16,11 @@
 namespace {
 
 using Edges = std::vector<Mesh::Edge_index>;
+
+Kernel::Point_3 to_point(const std::array<double, 3>& p)
+{
+  return Kernel::Point_3(p[0], p[1], p[2]);
+}
 
 std::size_t largest_component(const Input_mesh& input)
 {
@@ -29,13 +35,10 @@ Edges border_of_component(const Options& options, const Input_mesh& input, const
   const auto component_at = [&](Mesh::Halfedge_index h)
   { return input.component[mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h)]; };
   std::size_t component = largest_component(input);
-  if(options.source_point)
-  {
-    const auto& p = *options.source_point;
-    component = input.component[closest_location(mesh, Kernel::Point_3(p[0], p[1], p[2])).first];
-  }
-  else if(!options.sources.empty())
+  if(!options.sources.empty())
     component = component_at(mesh.halfedge(find_vertex(options.sources.front(), input, "--source")));
+  else if(!options.source_points.empty())
+    component = input.component[closest_location(mesh, to_point(options.source_points.front())).first];
   else if(!curves.empty())
     component = component_at(mesh.halfedge(curves.front()));
   Edges result;
@@ -94,22 +97,11 @@ std::vector<Edges> set_source(const Options& options, const Input_mesh& input, C
 {
   const Mesh& mesh = input.mesh;
   const auto parameters = CGAL::parameters::maximum_relative_error(options.maximum_relative_error.value_or(0.));
-  if(options.source_point)
-  {
-    const auto& p = *options.source_point;
-    const Location at = closest_location(mesh, Kernel::Point_3(p[0], p[1], p[2]));
-    if(!has_curves(options))
-    {
-      solver.set_source(at, parameters);
-      return {};
-    }
-    const std::vector<Edges> curves = source_curves(options, input);
-    solver.set_sources(std::vector<Location>{at}, parameters.source_curves(curves));
-    return curves;
-  }
-  std::vector<Mesh::Vertex_index> sources;
+  std::vector<Cut_locus_solver::Source> sources;
   for(std::size_t source : options.sources)
     sources.push_back(find_vertex(source, input, "--source"));
+  for(const auto& point : options.source_points)
+    sources.push_back(closest_location(mesh, to_point(point)));
   if(has_curves(options))
   {
     const std::vector<Edges> curves = source_curves(options, input);

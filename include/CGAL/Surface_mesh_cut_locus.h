@@ -52,8 +52,8 @@ namespace CGAL {
  * `set_source()` what depends on the source, and `cut_locus()` applies thresholds in time proportional to the size of
  * its result, so that it follows a slider.
  *
- * With the default solver, the cut locus of the polyhedron is computed from the windows of exact geodesics, and the
- * branches that the mesh and its noise explain are left out (`Cut_loci::Method::DIRECTION`). No shortest path crosses
+ * With the default solver, the cut locus of the polyhedron is computed from the windows of exact geodesics. Branches that
+ * are there only because of the mesh and its noise are left out (`Cut_loci::Method::DIRECTION`). No shortest path crosses
  * what is left. Otherwise the method is that of Mancinelli, Livesu and Puppo
  * \cgalCite{cgal:mlp-pccld-21} (`Cut_loci::Method::LAPLACIAN`), which takes any distances: a spanning tree is grown
  * from the vertex farthest from the source along the valleys of the Laplacian of the distance, thinned, completed by
@@ -299,18 +299,21 @@ public:
    *
    * A set of one source is treated as by `set_source()`.
    *
-   * `Cut_loci::Method::LAPLACIAN` takes points, with any distances: those of a solver that takes several sources, the
-   * least of one run for each with others, or a `vertex_distance_map` of those to the nearest source. Each source must have
-   * a face to itself. The cell of a vertex is that of the source where the steepest descent of the distance ends, or, with
-   * exact distances, its shortest path.
+   * `Cut_loci::Method::LAPLACIAN` takes any distances. If the solver takes one source only, there is a run for each of them. A
+   * `vertex_distance_map` has the distances to the nearest source. Each source must have a face to itself. The cell of a
+   * vertex is that of the source where the steepest descent of the distance ends, or, with exact distances, its shortest
+   * path.
    *
-   * Curves along edges of the mesh, and the border, may be sources, too. They are numbered behind the points, and are
-   * disks or rings in the complement: the surface without the sources shrinks to the cut locus. It is a curve through the
-   * faces then, unless `cut_locus_curve` asks for edges of the mesh; without that, and unless the method is
-   * `Cut_loci::Method::LAPLACIAN`, parameters of `cut_locus()` for such curves are refused. Edges of the mesh stay off the
-   * curves: `cut_locus()` throws where all ways lead along them, as between two curves that are one face apart, or one edge of
-   * the border. `Cut_loci::Method::LAPLACIAN`, which starts with edges of the mesh, throws there with either curve. With other
-   * solvers than `Exact_geodesic_solver`, its distances are those to the vertices of the curves.
+   * Curves along edges of the mesh, and the border, may be sources, too. They are numbered behind the points. The surface
+   * without the sources shrinks to the cut locus: its parts are disks around points and open curves, and rings around
+   * loops. The cut locus runs through the faces then, unless `cut_locus_curve` asks for edges of the mesh. Without that, and
+   * unless the method is `Cut_loci::Method::LAPLACIAN`, parameters of `cut_locus()` that are about edges of the mesh are
+   * refused.
+   *
+   * Edges of the mesh stay off the curves. Where all ways lead along them, as between two curves that are one face or one edge
+   * of the border apart, `cut_locus()` throws. `Cut_loci::Method::LAPLACIAN`, which starts with edges of the mesh, throws
+   * there with either kind of curve. With other solvers than `Exact_geodesic_solver`, its distances are those to the
+   * vertices of the curves.
    *
    * @tparam SourceRange a model of `ConstRange` with `vertex_descriptor`, `Face_location` or, for both kinds in one set,
    *         `Source` as value type

@@ -34,18 +34,17 @@ struct Is_range<T, std::void_t<decltype(std::declval<const T&>().begin()), declt
 /*!
  * \ingroup PkgSurfaceMeshCutLocusRef
  *
- * computes the cut locus of a point, or of a set of points, on a triangle mesh: the closure of the set of points that
- * have more than one shortest path to the source, or to the set. For several points that is their geodesic Voronoi
- * diagram together with the cut locus inside each cell, see `Surface_mesh_cut_locus::set_sources()`.
+ * computes the cut locus of a point, or of a set of points and curves, on a triangle mesh: the closure of the set of
+ * points that have more than one shortest path to the source, or to the set. For several points this is their geodesic
+ * Voronoi diagram together with the cut locus inside each cell, see `Surface_mesh_cut_locus::set_sources()`.
  *
- * The function constructs a `Surface_mesh_cut_locus`, sets the source or sources and returns the cut locus. For the cut
- * loci of one point after another on a mesh, or several thresholds for a source, the class does what they share only
- * once.
+ * The function constructs a `Surface_mesh_cut_locus`, sets the source or sources, and returns the cut locus. With one
+ * source after another on a mesh, or with several thresholds for a source, use the class: it does the work that they
+ * share only once.
  *
- * The method is chosen by the distances, unless `cut_locus_method` is given: `Cut_loci::Method::DIRECTION` with the
- * default solver, `Cut_loci::Method::LAPLACIAN` with others and with a `vertex_distance_map`. All of them take one point or
- * several; curves and the border are sources for the first and for `Cut_loci::Method::POLYHEDRAL`. A threshold of the method
- * that is not in force is refused.
+ * Unless `cut_locus_method` is given, the method depends on the distances. It is `Cut_loci::Method::DIRECTION` with the
+ * default solver, and `Cut_loci::Method::LAPLACIAN` with others and with a `vertex_distance_map`. All methods take one or
+ * several points, curves, and the border. A threshold of another method is refused.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  * @tparam Source `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or a pair of a face and barycentric

@@ -177,6 +177,12 @@ TEST_F(Program, Sources_and_thresholds)
   const auto three = report("--source 5 --source 40 --source 80");
   EXPECT_EQ(three.at("cycles"), 4) << "two of the torus, and one for each cell but the first";
   EXPECT_EQ(three.at("sources"), nlohmann::json({5, 40, 80}));
+  const auto mixed = report("--source-point 1.38,0.243,0.055 --source-point=-2,-0.01,0.02 --source 5 --curve faces");
+  EXPECT_EQ(mixed.at("cycles"), 4);
+  EXPECT_EQ(mixed.at("sources").at(0), 5) << "the vertices have the first numbers";
+  EXPECT_TRUE(mixed.at("sources").at(1).is_null());
+  EXPECT_NEAR(mixed.at("source_points").at(1).at(0).get<double>(), 1.36, 0.03);
+  EXPECT_LT(mixed.at("source_points").at(2).at(0).get<double>(), -1.3);
 
   const std::string laplacian = "--method laplacian ";
   const auto loose = report(laplacian + "--angle 0.05 --min-branch-edges 0"),
@@ -784,7 +790,8 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--strength 3"), "unrecognised option '--strength'");
   expect_failure(run_on_torus("--source=-1"), "--source takes");
   expect_failure(run_on_torus("--quiet --source 99999"), "out of range");
-  expect_failure(run_on_torus("--source 1 --source-point 0,0,0"), "exclude");
+  expect_failure(run_on_torus("--source-point 1,0,0 --source-point 0,1,0 --unfold " + quoted(path("a.svg"))),
+                 "--unfold takes one source");
   expect_failure(run_on_torus("--source 1 --source 2 --unfold " + quoted(path("a.svg"))), "--unfold takes one source");
   expect_failure(run_on_torus("--source 1 --source 2 --check --keep voronoi"), "--check is about all");
   expect_failure(run_on_torus("--keep some"), "--keep takes all, voronoi or medial");

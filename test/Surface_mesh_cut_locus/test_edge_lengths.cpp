@@ -148,22 +148,23 @@ std::vector<double> distances_to_images(const std::array<double, 2>& p, const st
                                         const std::array<double, 2>& a, const std::array<double, 2>& b)
 {
   std::vector<double> result;
-  for(int i = -3; i <= 3; ++i)
-    for(int j = -3; j <= 3; ++j)
+  for(int i = -5; i <= 5; ++i)
+    for(int j = -5; j <= 5; ++j)
       result.push_back(std::hypot(p[0] - source[0] - i * a[0] - j * b[0], p[1] - source[1] - i * a[1] - j * b[1]));
   std::sort(result.begin(), result.end());
   return result;
 }
 
 // What every point of the cut locus of a flat torus has: two shortest paths, that is, two nearest images of the source.
-// Together with the topology, two cycles and a disk around, that makes it the boundary of the polygon of Dirichlet.
+// Together with the topology, two cycles and a disk around, that makes it the boundary of the polygon of Dirichlet. With
+// sources in a lattice spanned by `a` and `b`, these are polygons around all of them, with more cycles.
 template <typename Result>
 void expect_dirichlet_polygon(const Flat_surface& torus, const Result& result, const std::array<double, 2>& source,
                               const std::array<double, 2>& a, const std::array<double, 2>& b, std::size_t branch_points,
-                              double inradius, double circumradius, double length)
+                              double inradius, double circumradius, double length, std::size_t cycles = 2)
 {
   const auto& graph = result.graph();
-  EXPECT_EQ(num_edges(graph), num_vertices(graph) + 1); // one component with two cycles
+  EXPECT_EQ(num_edges(graph) + 1, num_vertices(graph) + cycles); // one component
   std::size_t number_of_branch_points = 0;
   double nearest = (std::numeric_limits<double>::infinity)(), sum = 0.;
   for(const auto v : CGAL::make_range(vertices(graph)))
@@ -285,6 +286,41 @@ TEST(Edge_lengths, the_cut_locus_of_a_flat_torus_of_a_hexagonal_lattice_is_the_b
   const Location source(Mesh::Face_index(37), {{0.23, 0.31, 0.46}});
   const auto found = CGAL::compute_cut_locus(torus.mesh, source, full);
   expect_dirichlet_polygon(torus, found, torus.position(source), a, b, 2, 0.5, 1. / std::sqrt(3.), std::sqrt(3.));
+}
+
+// The sources are a lattice of triangles, so that all cells are regular hexagons. They lie in faces, where the mesh does not
+// help. There is nothing inside the cells, and all of the cut locus has the sources beside it that are known.
+TEST(Edge_lengths, the_cells_of_a_hexagonal_lattice_on_a_flat_torus_are_hexagons)
+{
+  constexpr std::size_t n = 3, m = 4; // sources each way, and edges from one to the next
+  const std::array<double, 2> a = {{1., 0.}}, b = {{-0.5, std::sqrt(0.75)}}; // from one source to the next
+  const std::array<double, 2> long_a = {{n * a[0], n * a[1]}}, long_b = {{n * b[0], n * b[1]}};
+  const Flat_surface torus = flat_torus(long_a, long_b, n * m);
+  std::vector<Location> sources;
+  for(std::size_t i = 0; i < n; ++i)
+    for(std::size_t j = 0; j < n; ++j)
+      sources.emplace_back(Mesh::Face_index(static_cast<Mesh::size_type>(2 * (i * m * n * m + j * m))),
+                           std::array<double, 3>{{0.23, 0.31, 0.46}});
+  for(const Method method : {Method::DIRECTION, Method::POLYHEDRAL})
+  {
+    const auto found = CGAL::compute_cut_locus(torus.mesh, sources,
+                                               params::cut_locus_method(method)
+                                                 .cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)
+                                                 .edge_length_map(torus.lengths));
+    ASSERT_EQ(found.number_of_sources(), n * n);
+    expect_dirichlet_polygon(torus, found, torus.position(sources[0]), a, b, 2 * n * n, 0.5, 1. / std::sqrt(3.),
+                             n * n * std::sqrt(3.), n * n + 1);
+    const auto& graph = found.graph();
+    for(const auto e : CGAL::make_range(edges(graph)))
+    {
+      EXPECT_NE(graph[e].sources[0], graph[e].sources[1]);
+      for(const auto v : {boost::source(e, graph), target(e, graph)})
+        for(const std::size_t s : graph[e].sources)
+          EXPECT_NEAR(
+            distances_to_images(torus.position(graph[v].location), torus.position(sources[s]), long_a, long_b)[0],
+            graph[v].distance, 1e-5);
+    }
+  }
 }
 
 TEST(Edge_lengths, distances_on_a_flat_torus_are_those_to_the_nearest_image)

@@ -45,7 +45,7 @@ public:
  * Windows \cgalCite{mmp-dgp-87} cross the faces in batches, one per halfedge, in the order of the distance
  * \cgalCite{xu-fwp-15}. In the face entered, only the window with the shortest path to the apex goes on to both other
  * edges \cgalCite{ch-spp-90}; the ends of a batch lose the windows to which a path through a vertex of the face is
- * preferable \cgalCite{xw-ich-09}. Neighbouring windows are trimmed as described in `geodesic_window_trimming.h`.
+ * preferable \cgalCite{Xin2009Improvingchenandhan}. Neighbouring windows are trimmed as described in `geodesic_window_trimming.h`.
  * Batches are forgotten once they have been propagated. If an error is allowed, neighbouring windows are merged as
  * described in `Geodesic_merging.h`; what is the direction otherwise, is then the error, unless both are asked for.
  *

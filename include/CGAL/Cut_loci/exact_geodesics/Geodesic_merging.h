@@ -21,13 +21,32 @@ namespace internal {
 /*!
  * replaces runs of neighbouring windows by one window each, whose distances are a little shorter.
  *
- * The new window has the distances of the old ones at the two ends of the run and never longer ones in between. So
- * every old path through the run has a new one that is not longer, to the same point of the halfedge; and no shortest
- * path bends at an end of the run, since the old paths, as short there, do not. The propagation therefore finds for
- * every point a path that is not longer than the shortest one.
+ * The new window has the distances of the old ones at the two ends of the run and never longer ones in between. How
+ * much shorter its paths may be than true ones is its error. It is kept with the window, in `Geodesic_window::turn`
+ * if there are no directions, and is at most `tolerance` times the least distance of the window.
  *
- * How much shorter the paths of a window may be than true ones is kept with it, in `Geodesic_window::turn` if there
- * are no directions. It stays below `tolerance` times the distance.
+ * Proof that this bounds the error of all distances, but for rounding. Let d(p) be the true distance of a point p,
+ * w(p) the distance of p from the image of a window w, and e(w) the error of w.
+ *
+ * 1. w(p) >= d(p) - e(w). A window that comes from another one, v, across a face has the same image and error. The
+ *    segment from the image to p crosses the interval of v in a point q. So w(p) = v(q) + |qp| >= d(q) - e(v) + |qp|
+ *    >= d(p) - e(v). Merging adds to the largest error of the run by how much its distances get shorter at most,
+ *    which is what `check()` finds.
+ * 2. The least w(p) of all windows is at most d(p). Let u(p) be the least distance that is found for a point p of an
+ *    edge, from either side and by way of its ends. For a point q behind the edge the windows give u(p) + |pq|, for
+ *    those p from which a window goes straight on to q. That the least of these is the least of all p, is what has to
+ *    be shown: then u(q) <= u(p) + |pq|, and from edge to edge along a shortest path u is at most d. Where u is
+ *    smooth, u(p) + |pq| is least only if the path goes straight on. Where one window ends and the next one begins, u
+ *    is the lesser of two smooth functions. Such a kink is no minimum. Where a window ends at the ray through a
+ *    vertex, the paths by way of the vertex have the same slope there, so that it is no minimum either, unless the
+ *    path goes straight on. At a vertex a shortest path may bend if both of its sides have an angle of pi or more;
+ *    such vertices have windows of their own. Trimming and filters leave out what has a path that is not longer
+ *    beside it. They compare segments from images in the plane of the faces, which needs nothing of the images. And
+ *    merging keeps all this: u gets smaller inside of the run and stays at its ends. So its slope into the run there
+ *    does not grow, and a kink at the end is as sharp as before, or sharper.
+ *
+ * Hence d(p) - e(w) <= w(p) <= d(p) for the window w that is nearest to p. With e(w) <= tolerance * w(p), the sum
+ * w(p) + e(w), which is returned, is at least d(p) and at most (1 + tolerance) * d(p).
  *
  * With directions, those at the ends of the run are kept too, and in between they grow linearly with the angle at the
  * image. As the true ones are monotone along the run, how wrong they are shows at the old ends of windows.
