@@ -66,10 +66,12 @@ Shape sphere_shape(double amount)
           [](const Point&) { return 2.; }};
 }
 
-Shape torus_shape(double amount)
+// with `nu` times `n` vertices around the axis and `nw` times `n` around the tube
+Shape torus_shape(double amount, double nu = 4., double nw = 2.)
 {
   const double R = 1., r = 0.4;
-  return {[=](std::size_t n) { return torus(R, r, 4 * n, 2 * n, amount, 2); },
+  const auto times = [](double factor, std::size_t n) { return static_cast<std::size_t>(factor * double(n)); };
+  return {[=](std::size_t n) { return torus(R, r, times(nu, n), times(nw, n), amount, 2); },
           [=](const Point& p)
           {
     const double s = std::hypot(p[0], p[1]);
@@ -82,9 +84,8 @@ Shape torus_shape(double amount)
   }};
 }
 
-Shape ellipsoid_shape()
+Shape ellipsoid_shape(const Point& axes = {{1., 0.8, 0.6}})
 {
-  const Point axes = {{1., 0.8, 0.6}};
   const auto gradient = [=](const Point& p) {
     return Point{{p[0] / (axes[0] * axes[0]), p[1] / (axes[1] * axes[1]), p[2] / (axes[2] * axes[2])}};
   };
@@ -167,13 +168,14 @@ Errors orders(const std::string& name, const Shape& shape, Laplacian_operator ty
   return result;
 }
 
-void expect_orders_of_irregular_meshes(const std::string& name, const Shape& shape)
+void expect_orders_of_irregular_meshes(const std::string& name, const Shape& shape,
+                                       double order_of_worst_laplacian = 0.7)
 {
   const Errors order = orders(name, shape);
   EXPECT_GT(order.gradient_rms, 1.9);
   EXPECT_GT(order.gradient_max, 1.7);
   EXPECT_GT(order.laplacian_rms, 0.9);
-  EXPECT_GT(order.laplacian_max, 0.7);
+  EXPECT_GT(order.laplacian_max, order_of_worst_laplacian);
 }
 
 Eigen::VectorXd sampled(const Mesh_data& data, const std::function<double(const Point&)>& f)
@@ -199,6 +201,16 @@ TEST(Differential_operators, converge_on_an_irregular_torus)
 TEST(Differential_operators, converge_on_an_irregular_triaxial_ellipsoid)
 {
   expect_orders_of_irregular_meshes("ellipsoid", ellipsoid_shape());
+}
+
+// Faces four times as long as wide, along either direction of a torus, and obtuse ones: those of a sphere stretched to
+// four times its length. Measured: 2.0 for the gradient, 1.0 to 1.6 for the Laplacian. What is worst of that are single
+// vertices with four or five neighbors, where these are close to a conic: 0.72, 0.48 and 1.55.
+TEST(Differential_operators, converge_on_irregular_meshes_of_stretched_faces)
+{
+  expect_orders_of_irregular_meshes("long_around_the_axis", torus_shape(0.2, 2.5, 4.));
+  expect_orders_of_irregular_meshes("long_around_the_tube", torus_shape(0.2, 10., 1.), 0.4);
+  expect_orders_of_irregular_meshes("stretched_sphere", ellipsoid_shape({{4., 1., 1.}}));
 }
 
 TEST(Differential_operators, converge_with_order_two_on_a_regular_torus)

@@ -106,6 +106,23 @@ public:
     return result;
   }
 
+  /*!
+   * gives the edge to `v` from the child with the largest gradient angle on its branch, which is none that is kept at any
+   * threshold; false if there is no other.
+   */
+  bool strongest_child(Index v, Edge& edge) const
+  {
+    Index best = null_index;
+    for(const Child& child : children_[v])
+      if(!is_kept_[child.vertex] &&
+         (best == null_index || below_[child.vertex].gradient_angle > below_[best].gradient_angle))
+      {
+        best = child.vertex;
+        edge = {best, v, child.halfedge, below_[best].gradient_angle};
+      }
+    return best != null_index;
+  }
+
 private:
   struct Child
   {

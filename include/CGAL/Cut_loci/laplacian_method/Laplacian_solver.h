@@ -17,6 +17,7 @@
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/laplacian_method/Branch_filter.h>
+#include <CGAL/Cut_loci/laplacian_method/Branch_tips.h>
 #include <CGAL/Cut_loci/laplacian_method/Differential_operators.h>
 #include <CGAL/Cut_loci/laplacian_method/Source_roots.h>
 #include <CGAL/Cut_loci/laplacian_method/Tangent_directions.h>
@@ -113,6 +114,7 @@ public:
         angle_[v] = -1.f;
         laplacian_[v] = (std::numeric_limits<float>::max)();
       }
+    laplacian_noise_ = Branch_tips::noise_of(connectivity_, laplacian_);
   }
 
   void grow_tree()
@@ -139,7 +141,12 @@ public:
   // once per threshold
   Indexed_cut_locus filter(const Branch_thresholds& thresholds) const
   {
-    Indexed_cut_locus result = mesh_edge_graph(connectivity_, distance_, filter_(mesh_, thresholds));
+    Branch_filter::Result filtered = filter_(mesh_, thresholds);
+    // Growth ends where branches are weak, and who asks for a wider angle than the default wants strong parts only.
+    if(thresholds.policy == Filter_policy::PRUNING &&
+       thresholds.gradient_angle <= Laplacian_method::default_gradient_angle_threshold())
+      Branch_tips(connectivity_, distance_, laplacian_, laplacian_noise_, filter_)(filtered);
+    Indexed_cut_locus result = mesh_edge_graph(connectivity_, distance_, filtered);
     if(!roots_.parts().empty())
       leave_sources(thresholds, result);
     name_sources(result);
@@ -383,6 +390,7 @@ private:
   const Geodesic_results* geodesics_ = nullptr;
   Index farthest_ = null_index;
   std::vector<float> angle_, laplacian_;
+  float laplacian_noise_ = 0.f;
   std::vector<unsigned char> crossed_; // edges, by descents of the distance
   Spanning_tree spanning_tree_;
   Spanning_tree tree_; // the same, thinned

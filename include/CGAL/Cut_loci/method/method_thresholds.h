@@ -26,7 +26,7 @@ enum class Laplacian_operator {
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// how a threshold on the strength of the vertices selects a part of the tree
 enum class Filter_policy {
-  PRUNING, ///< leaves below the threshold are removed again and again: a branch stays up to its last strong vertex
+  PRUNING, ///< weak leaves are removed again and again: a branch stays up to its last strong vertex, and on to its tip
   GROWING  ///< the tree is followed from its root as long as the vertices are above the threshold
 };
 
