@@ -161,8 +161,7 @@ public:
   const Ridges& ridges() const { return ridges_; }
 
   /// the edges of the graph whose branches are at least that strong: those that pass all thresholds, or have one behind
-  /// them that does. So they are connected, wherever a branch is weaker than it is farther out. A branch is no spur: it is
-  /// at least a third as long as it has to be wide. A mesh resolves what is three edges wide, and one edge long.
+  /// them that does. So they are connected, wherever a branch is weaker than it is farther out. No branch is a spur.
   std::vector<Tree_branches::Edge> kept(const Branch_strength& least, const Progress& progress = {})
   {
     const auto can_be = [&](Index e) { return least.is_none() || is_a_branch(e, least); };
@@ -180,7 +179,7 @@ public:
       b.edge = edges[b.edge];
     remove_spurs(
       result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, root_,
-      [this](Index e) { return length(e); }, least.width / 3.);
+      [this](Index e) { return length(e); }, least.spur);
     return result;
   }
 

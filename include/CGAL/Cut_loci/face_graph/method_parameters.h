@@ -192,6 +192,7 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
   if(!(result.width >= 0. && result.width <= (std::numeric_limits<double>::max)()))
     throw Invalid_input(Cause::INVALID_PARAMETER,
                         "the minimum width of a branch must be a number that is not negative");
+  result.spur = result.width / 3.; // a mesh resolves what is three edges wide, and one edge long
   read_least_branch(np, 0, diagonal, result);
   static_cast<Kept_parts&>(result) = read_kept_parts(np);
   return result;

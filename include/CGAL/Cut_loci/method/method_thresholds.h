@@ -66,6 +66,7 @@ struct Branch_strength
   // The gap is that of the two paths where they part and where they meet: by Gauss-Bonnet the curvature that they
   // enclose. On a branch that goes around one vertex it is that of the vertex from the tip on, where they part at none.
   bool counts_meeting = false;
+  double spur = 0.; // a length: of branches that meet, those that are shorter are none
 
   bool is_none() const { return gap == 0. && width == 0.; }
   bool is_weaker_than(const Branch_strength& other) const
