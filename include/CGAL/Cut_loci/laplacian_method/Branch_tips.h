@@ -28,15 +28,20 @@ namespace internal {
 // is smooth. There the paths converge already: where its Laplacian is -1 / r, neighbors meet r farther from the source,
 // but for what the curvature of the surface changes, which is of the third order in r. The first of these meetings is
 // the tip. So a branch goes on to a vertex if paths that pass beyond it meet no farther from the source than it is.
-// No angle and no length is asked for. Where noise has paths meet, they are not followed: by how much vertices differ from
-// their neighbors is subtracted first.
+// No angle and no length is asked for. Where errors have paths meet, they are not followed. So two things are subtracted
+// first: by how much vertices differ from their neighbors, which is noise, and by how much the length of the gradient
+// differs from 1, which it is for distances. Where an error of the distance grows by this share of the way, it can change
+// the Laplacian by as much in a mean edge length.
 class Branch_tips
 {
 public:
-  // `laplacian` is that of `distance`, times the mean edge length, and `noise` what `noise_of()` says of it.
+  // `laplacian` is that of `distance`, times the mean edge length, `noise` what `noise_of()` says of it, and `slope_error`
+  // how far the length of the gradient is from 1.
   Branch_tips(const Mesh_connectivity& connectivity, const std::vector<double>& distance,
-              const std::vector<float>& laplacian, float noise, const Branch_filter& filter)
-    : connectivity_(connectivity), distance_(distance), laplacian_(laplacian), noise_(noise), filter_(filter)
+              const std::vector<float>& laplacian, float noise, const std::vector<float>& slope_error,
+              const Branch_filter& filter)
+    : connectivity_(connectivity), distance_(distance), laplacian_(laplacian), noise_(noise), slope_error_(slope_error),
+      filter_(filter)
   {
   }
 
@@ -130,15 +135,16 @@ private:
   // How much paths converge for sure, from minus the Laplacian: its mean, as the branch passes between vertices.
   double convergence_around(Index v) const
   {
-    return (-mean_around(connectivity_, laplacian_, v) - noise_) / connectivity_.mean_edge_length;
+    return (-mean_around(connectivity_, laplacian_, v) - noise_ - mean_around(connectivity_, slope_error_, v)) /
+           connectivity_.mean_edge_length;
   }
 
   // over a vertex and its neighbors
-  static double mean_around(const Mesh_connectivity& connectivity, const std::vector<float>& laplacian, Index v)
+  static double mean_around(const Mesh_connectivity& connectivity, const std::vector<float>& values, Index v)
   {
-    double sum = laplacian[v];
+    double sum = values[v];
     for(Index entry = connectivity.ring_begin[v]; entry < connectivity.ring_begin[v + 1]; ++entry)
-      sum += laplacian[connectivity.ring_vertex[entry]];
+      sum += values[connectivity.ring_vertex[entry]];
     return sum / (1. + connectivity.valence(v));
   }
 
@@ -146,6 +152,7 @@ private:
   const std::vector<double>& distance_;
   const std::vector<float>& laplacian_;
   float noise_;
+  const std::vector<float>& slope_error_;
   const Branch_filter& filter_;
 };
 

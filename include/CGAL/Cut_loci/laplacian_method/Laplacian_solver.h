@@ -115,6 +115,12 @@ public:
         laplacian_[v] = (std::numeric_limits<float>::max)();
       }
     laplacian_noise_ = Branch_tips::noise_of(connectivity_, laplacian_);
+    slope_error_.resize(distance_.size());
+    for(std::size_t v = 0; v < distance_.size(); ++v)
+    {
+      const Eigen::Index i = 2 * static_cast<Eigen::Index>(v);
+      slope_error_[v] = static_cast<float>(std::abs(std::hypot(gradient[i], gradient[i + 1]) - 1.));
+    }
   }
 
   void grow_tree()
@@ -145,7 +151,7 @@ public:
     // Growth ends where branches are weak, and who asks for a wider angle than the default wants strong parts only.
     if(thresholds.policy == Filter_policy::PRUNING &&
        thresholds.gradient_angle <= Laplacian_method::default_gradient_angle_threshold())
-      Branch_tips(connectivity_, distance_, laplacian_, laplacian_noise_, filter_)(filtered);
+      Branch_tips(connectivity_, distance_, laplacian_, laplacian_noise_, slope_error_, filter_)(filtered);
     Indexed_cut_locus result = mesh_edge_graph(connectivity_, distance_, filtered);
     if(!roots_.parts().empty())
       leave_sources(thresholds, result);
@@ -390,6 +396,7 @@ private:
   const Geodesic_results* geodesics_ = nullptr;
   Index farthest_ = null_index;
   std::vector<float> angle_, laplacian_;
+  std::vector<float> slope_error_;
   float laplacian_noise_ = 0.f;
   std::vector<unsigned char> crossed_; // edges, by descents of the distance
   Spanning_tree spanning_tree_;
