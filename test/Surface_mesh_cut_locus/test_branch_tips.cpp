@@ -131,7 +131,7 @@ TEST(Branch_tips, are_not_passed_because_of_noise)
     }
 }
 
-// So do errors that vary slowly, as those of the heat method. If only noise is looked for, tips are passed by 20 h here.
+// So do errors that vary slowly, as those of the heat method. If only noise is looked for, tips are passed by up to 18 h.
 TEST(Branch_tips, are_not_passed_because_of_smooth_errors)
 {
   const Built built(spheroid(80, 0.));
