@@ -64,7 +64,9 @@ public:
   {
     const double *a = list_.column(0), *b = list_.column(1), *origin = list_.column(columns > 6 ? 6 : 0);
     const auto is_run = [&](std::size_t i)
-    { return a[i] - b[i - 1] <= narrow_ && (columns < 7 || origin[i] == origin[i - 1]); };
+    {
+      return a[i] - b[i - 1] <= narrow_ && (columns < 7 || origin[i] == origin[i - 1]) && has_room(i - 1) && has_room(i);
+    };
     const std::size_t end = list_.end;
     top_ = list_.begin;
     for(std::size_t first = list_.begin, last; first < end; first = last)
@@ -78,6 +80,13 @@ public:
   }
 
 private:
+  /// Most windows have used up the error that is allowed, and can be part of no run until their paths are longer.
+  bool has_room(std::size_t i) const
+  {
+    const double error = list_.column(columns < 9 ? 5 : 8)[i];
+    return error < tolerance_ * (list_.column(4)[i] - list_.column(3)[i]);
+  }
+
   /// replaces the windows of `[first, last)`, a run without gaps, by one or, in halves, by a few
   void merge(std::size_t first, std::size_t last)
   {
@@ -149,8 +158,9 @@ private:
       // the difference has its extrema at the ends and where both paths are parallel
       const double extremum = (w.x * old.y - old.x * w.y) / (old.y - w.y);
       const double places[3] = {old.a, old.b, extremum};
+      const bool counts[3] = {i > first, i + 1 < last, extremum > old.a && extremum < old.b}; // at the ends nothing changes
       for(int k = 0; k < 3; ++k)
-        if(k < 2 || (extremum > old.a && extremum < old.b))
+        if(counts[k])
         {
           const double gain = old.distance(places[k]) - w.distance(places[k]);
           if(gain < -slack)
@@ -176,9 +186,9 @@ private:
     for(std::size_t i = first; i < last; ++i)
     {
       const Geodesic_window old = list_.template get<columns>(i);
-      for(double t : {old.a, old.b})
-        if(!(std::fabs(direction(w, t) - direction(old, t)) <= angle_))
-          return false;
+      const auto is_accurate = [&](double t) { return std::fabs(direction(w, t) - direction(old, t)) <= angle_; };
+      if((i > first && !is_accurate(old.a)) || (i + 1 < last && !is_accurate(old.b)))
+        return false;
     }
     return true;
   }
