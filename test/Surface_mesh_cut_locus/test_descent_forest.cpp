@@ -16,14 +16,18 @@
 #include <CGAL/Cut_loci/laplacian_method/homology.h>
 #include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace {
@@ -97,6 +101,93 @@ TEST(Descent_forest, leaves_a_tree_and_generators)
       for(double& d : distance) // and with plateaus
         d = static_cast<double>(engine() % 3);
       expect_room(mesh, distance, source);
+    }
+}
+
+// A torus of eight rings, with so many vertices as given, one after the other: with fans of slim faces between them.
+Mesh torus_of_rings(const std::vector<Index>& numbers)
+{
+  const Index rings = 8;
+  std::vector<Mesh::Point> points;
+  std::vector<Mesh::Triangle> triangles;
+  std::vector<Index> first;
+  const auto number = [&](Index k) { return numbers[k % numbers.size()]; };
+  for(Index k = 0; k < rings; ++k)
+  {
+    const double t = 2. * indexed_meshes::pi() * k / rings, r = 3. + 1.2 * std::cos(t);
+    first.push_back(static_cast<Index>(points.size()));
+    for(Index i = 0; i < number(k); ++i)
+    {
+      const double u = 2. * indexed_meshes::pi() * i / number(k);
+      points.push_back({{r * std::cos(u), r * std::sin(u), std::sin(t)}});
+    }
+  }
+  for(Index k = 0; k < rings; ++k)
+  {
+    const Index next = (k + 1) % rings, a = number(k), b = number(next);
+    for(Index i = 0, j = 0; i < a || j < b;)
+    {
+      const Index p = first[k] + i % a, q = first[next] + j % b;
+      if(j >= b || (i < a && (i + 1) * b <= (j + 1) * a))
+        triangles.push_back({{p, first[k] + ++i % a, q}});
+      else
+        triangles.push_back({{p, first[next] + ++j % b, q}});
+    }
+  }
+  return indexed_meshes::glued(points, triangles);
+}
+
+// the largest distance from a vertex, if no edges may be crossed but those given, less that with all
+double longest_detour(const Mesh& mesh, const Mesh_connectivity& connectivity, Index source,
+                      const std::vector<double>& distance, const std::vector<unsigned char>& crossed)
+{
+  Seams seams(mesh.number_of_halfedges(), 0);
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    if(!crossed[connectivity.edge_of_halfedge[h]])
+      add_seam(mesh, h, seams);
+  const Cut_mesh cut = cut_open(mesh, seams);
+  std::vector<Indexed_location> copies;
+  std::vector<bool> is_done(cut.mesh.number_of_vertices(), false);
+  for(Index h = 0; h < cut.mesh.number_of_halfedges(); ++h)
+    if(const Index v = cut.mesh.source(h); !is_done[v] && cut.vertices[v] == source)
+    {
+      is_done[v] = true;
+      copies.push_back(internal::location_on(h));
+    }
+  internal::Exact_geodesic_propagation exact(cut.mesh);
+  internal::Exact_geodesic_options options;
+  options.owners.assign(copies.size(), 0);
+  exact.run(copies, options);
+  std::vector<double> least(mesh.number_of_vertices(), (std::numeric_limits<double>::infinity)());
+  for(Index v = 0; v < cut.mesh.number_of_vertices(); ++v)
+    least[cut.vertices[v]] = (std::min)(least[cut.vertices[v]], exact.distance(v));
+  double result = 0.;
+  for(Index v = 0; v < least.size(); ++v)
+    result = (std::max)(result, least[v] - distance[v]);
+  return result;
+}
+
+// Shortest paths to different sides of a vertex cross the same edges of a fan before they part. Where older ones went, and
+// most of them, is not where the others have to go: without a look at how long they become, some become longer by more than two edges.
+TEST(Descent_forest, leads_paths_through_fans_of_slim_faces)
+{
+  for(const std::vector<Index>& numbers :
+      {std::vector<Index>{3, 40}, std::vector<Index>{4, 40}, std::vector<Index>{5, 61, 17}, std::vector<Index>{6, 90}})
+    for(const Index v : {7, 30, 50, 71, 100})
+    {
+      SCOPED_TRACE(std::to_string(numbers.back()) + " vertices, source " + std::to_string(v));
+      const Mesh mesh = torus_of_rings(numbers);
+      const Mesh_connectivity connectivity(mesh);
+      Indexed_source source;
+      source.vertex = v;
+      source.location = internal::location_of_vertex(connectivity, v);
+      internal::Exact_geodesic_propagation exact(mesh);
+      exact.run({source.location});
+      const std::vector<double> distance = exact.distances();
+      const Source_roots roots(mesh, connectivity, {source});
+      expect_room(mesh, distance, source, &exact);
+      const auto crossed = edges_crossed_by_descents(mesh, connectivity, distance, roots, &exact);
+      EXPECT_LT(longest_detour(mesh, connectivity, v, distance, crossed), 1.5 * connectivity.mean_edge_length);
     }
 }
 

@@ -14,6 +14,7 @@
 #include <CGAL/Cut_loci/laplacian_method/Path_flow.h>
 #include <CGAL/Cut_loci/laplacian_method/Steepest_descent.h>
 #include <CGAL/Cut_loci/laplacian_method/Source_roots.h>
+#include <CGAL/Cut_loci/laplacian_method/Unfolded_forest.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
@@ -75,7 +76,10 @@ public:
         descend(order[i]);
     }
     name_other_vertices(order);
-    return flow_.forest(roots_, progress.part(0.7, 1.));
+    std::vector<unsigned char> result = flow_.forest(roots_, progress.part(0.7, 0.9));
+    if(roots_.parts().empty())
+      shorten_detours(result, progress.part(0.9, 1.));
+    return result;
   }
 
   // of several sources, the one where the way from each vertex ends
@@ -212,6 +216,33 @@ private:
       flow_.add(path_);
   }
 
+  // Paths that join older ones, and those for which the forest has no room, have become longer. Leads what has become much
+  // longer along a path of its own again, where others lose less by that.
+  void shorten_detours(std::vector<unsigned char>& crossed, const Progress& progress)
+  {
+    Unfolded_forest forest(mesh_, connectivity_, roots_, distance_, crossed);
+    progress(0.5);
+    const double most = connectivity_.mean_edge_length; // a curve of mesh edges is not more accurate
+    std::vector<Index> order;
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
+      if(forest.detour(v) > most)
+        order.push_back(v);
+    std::stable_sort(order.begin(), order.end(), [&](Index v, Index w) { return forest.detour(v) > forest.detour(w); });
+    joins_older_ = false;
+    is_exact_ = exact_ != nullptr;
+    // How many faces are passed, for linear time: on meshes of slim faces, most of what can be gained is gained with that.
+    std::size_t faces = std::size_t(8) * mesh_.number_of_faces();
+    for(std::size_t i = 0; i < order.size() && faces > 0; ++i)
+    {
+      if(!(forest.detour(order[i]) > most) || !trace(order[i]))
+        continue;
+      faces -= (std::min)(faces, path_.size());
+      forest.reroute(path_, faces);
+    }
+    if(forest.is_changed())
+      crossed = forest.crossed_edges(crossed);
+  }
+
   // that of an older path if this one ends there, or of the face where it ends
   void name_source(Index v)
   {
@@ -268,6 +299,8 @@ private:
     return result;
   }
 
+  bool joins_older(Index h) const { return joins_older_ && flow_.is_recorded(h); }
+
   // Leaves `f` across its halfedge `h`; whether there is another face, and where. What leads in a circle is forgotten.
   bool step(Index& f, Index h)
   {
@@ -294,7 +327,7 @@ private:
       if(mesh_.is_border_edge(h))
         return arrive(f, lower, steps); // along the border
       const Index o = mesh_.opposite[h];
-      if(is_root(o / 3) || flow_.is_recorded(h))
+      if(is_root(o / 3) || joins_older(h))
         return step(f, h);
       Exact_descent::Way next;
       if(is_exact)
@@ -393,7 +426,7 @@ private:
     {
       Index h;
       neighbor(f, w, best_way, h);
-      const bool is_recorded = flow_.is_recorded(h);
+      const bool is_recorded = joins_older(h);
       step(f, h);
       if(is_recorded)
         return Turn::ARRIVED;
@@ -408,6 +441,7 @@ private:
   Steepest_descent descent_;
   std::unique_ptr<const Exact_descent> exact_; // if shortest paths are known
   bool is_exact_ = false;                      // whether they are followed
+  bool joins_older_ = true;                    // where it meets one
   Path_flow flow_;
   std::vector<Index> path_, place_on_path_;     // the halfedges that the present one crosses, and the inverse
   Index end_ = null_index;                      // the face where it ends
@@ -429,8 +463,10 @@ private:
  *
  * The faces and the edges that are crossed must form a forest, so that the other edges hold a tree of all vertices and 2g
  * edges more on a surface of genus g, each border loop being one node. Where paths pass something on both sides, the
- * crossings by the fewest are given up. Of several sources, no tree of that forest has more than one. Along the border,
- * paths run in its faces. Time is O(n log n).
+ * crossings by the fewest are given up. Then the forest is unfolded. Where the shortest way to a vertex that crosses no
+ * other edges is longer than its distance by more than a mean edge, the forest is led along a path of its own, or parts of
+ * it, if the squares of all such detours become less in sum. Of several sources, no tree of that forest has more than one.
+ * Along the border, paths run in its faces. Time is O(n log n).
  *
  * @param geodesics what the exact solver found with `distance`, or null
  * @param nearest_sources if not null, becomes the number of the source where the path from each vertex ends; empty if
