@@ -16,6 +16,7 @@ import { bestDirection, direction, isSide, sideDirection, upVector } from './vie
 
 const restMilliseconds = 140; // the shadows of hollows wait until the view rests
 const previewFading = 0.4; // into the background
+const coarseness = 1 / 2; // of the pixels along each axis, where drawing takes long, while a source moves
 const modelRadius = 1.02; // the mesh fills the unit ball
 
 export class Viewer {
@@ -24,7 +25,8 @@ export class Viewer {
     this.onChange = onChange;
     this.placement = new Placement(this, overlays);
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.pixelRatio = Math.min(window.devicePixelRatio, 2);
+    this.renderer.setPixelRatio(this.pixelRatio);
     this.renderer.autoClear = false;
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     THREE.ColorManagement.enabled = false;
@@ -166,8 +168,17 @@ export class Viewer {
     for (const pane of this.hasAtlas ? [this.model, this.plane] : [this.model])
       if (isMoving) pane.layer.hurry();
       else pane.layer.settle();
-    for (const curve of this.curves) curve.setPlain(this.model.layer.isCoarse);
+    const { isCoarse } = this.model.layer;
+    for (const curve of this.curves) curve.setPlain(isCoarse);
+    this.setPixelRatio(isCoarse ? coarseness * this.pixelRatio : this.pixelRatio);
     this.invalidateCurves();
+  }
+
+  setPixelRatio(ratio) {
+    if (this.renderer.getPixelRatio() === ratio) return;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(this.size.width, this.size.height, false);
+    this.draw(); // as in `resize()`
   }
 
   invalidateCurves() {
