@@ -151,8 +151,7 @@ std::vector<UV> corners_of(const std::vector<std::unique_ptr<Chart>>& charts)
   std::vector<const Chart*> order;
   for(const auto& chart : charts)
     order.push_back(chart.get());
-  std::stable_sort(order.begin(), order.end(),
-                   [](const Chart* a, const Chart* b) { return a->size[1] > b->size[1]; });
+  std::stable_sort(order.begin(), order.end(), [](const Chart* a, const Chart* b) { return a->size[1] > b->size[1]; });
   const double gap = 0.02 * std::sqrt(area), most = 2. * (std::max)(widest, std::sqrt(area));
   Rows best = rows_of(order, widest, gap);
   // as wide as the first charts together

@@ -73,7 +73,8 @@ export class Sheet {
     const { curve, ...atlas } = await this.app.engine.run('cut', { parameters: this.app.parameters, curve: index });
     this.app.curves[name] = curve;
     atlas.step = this.step;
-    atlas.sheets = sheetsOf(atlas, this.app.source.nearest, this.app.distance);
+    const { mesh, state, source } = this.app;
+    atlas.sheets = sheetsOf(atlas, mesh, state.border === 'only' ? [] : state.sources, source.nearest);
     return atlas;
   }
 
