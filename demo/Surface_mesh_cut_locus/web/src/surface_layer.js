@@ -29,7 +29,6 @@ void main() {
 
 const samples = 4;
 const slowMilliseconds = 10; // a surface that takes longer is drawn coarsely while its values change all the time
-const coarseTime = 1 / 2; // of that, at least
 const partOfTime = 1 / 4; // it does not take more of it
 
 function makeTarget(count) {
@@ -87,12 +86,14 @@ export class SurfaceLayer {
   }
 
   // What is drawn changes from now on until `settle()`. Where that takes long, as without a graphics card, it is drawn
-  // coarsely, with as many samples as pixels, and less often than what is above it.
+  // coarsely, with one sample in each pixel, and, after `pace()`, less often than what is above it.
   hurry() {
-    const time = this.drawingTime();
-    if (time < slowMilliseconds) return;
-    this.setCoarse(true);
-    this.interval = coarseTime * time / partOfTime;
+    if (this.drawingTime() >= slowMilliseconds) this.setCoarse(true);
+  }
+
+  // by the time that it takes as it is drawn now: many faces take long with few pixels, too
+  pace() {
+    if (this.isCoarse) this.interval = this.drawingTime() / partOfTime;
   }
 
   settle() {

@@ -166,12 +166,14 @@ export class Viewer {
 
   // Until it ends, the values change all the time: frames take as little time as they can, if they take long.
   setMoving(isMoving) {
-    for (const pane of this.hasAtlas ? [this.model, this.plane] : [this.model])
-      if (isMoving) pane.layer.hurry();
-      else pane.layer.settle();
+    const layers = (this.hasAtlas ? [this.model, this.plane] : [this.model]).map(({ layer }) => layer);
+    for (const layer of layers)
+      if (isMoving) layer.hurry();
+      else layer.settle();
     const { isCoarse } = this.model.layer;
     for (const curve of this.curves) curve.setPlain(isCoarse);
     this.setPixelRatio(isCoarse ? coarseness * this.pixelRatio : this.pixelRatio);
+    for (const layer of layers) layer.pace();
     this.invalidateCurves();
   }
 
