@@ -14,7 +14,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace {
 
@@ -57,6 +59,33 @@ std::unique_ptr<Chart> chart_of(const loci::Cut_mesh& apart, const loci::interna
   }
   chart->faces = part.faces;
   return chart;
+}
+
+struct Rows
+{
+  std::map<const Chart*, UV> corners; // the lower left ones
+  double side = 0.;                   // of the square around all
+};
+
+// Charts in rows of at most this width, one above the other.
+Rows rows_of(const std::vector<const Chart*>& charts, double width, double gap)
+{
+  Rows rows;
+  double x = 0., y = 0., height = 0.;
+  for(const Chart* chart : charts)
+  {
+    if(x > 0. && x + chart->size[0] > (1. + 1e-9) * width)
+    {
+      x = 0.;
+      y += height + gap;
+      height = 0.;
+    }
+    rows.corners[chart] = {{x, y}};
+    rows.side = (std::max)({rows.side, x + chart->size[0], y + chart->size[1]});
+    x += chart->size[0] + gap;
+    height = (std::max)(height, chart->size[1]);
+  }
+  return rows;
 }
 
 } // namespace
@@ -111,32 +140,34 @@ void place(Chart& chart)
 
 std::vector<UV> corners_of(const std::vector<std::unique_ptr<Chart>>& charts)
 {
+  if(charts.empty())
+    return {};
   double area = 0., widest = 0.;
   for(const auto& chart : charts)
   {
     area += chart->size[0] * chart->size[1];
     widest = (std::max)(widest, chart->size[0]);
   }
-  const double gap = 0.02 * std::sqrt(area), width = (std::max)(widest, 1.1 * std::sqrt(area));
-  std::vector<std::size_t> order(charts.size());
-  for(std::size_t i = 0; i < order.size(); ++i)
-    order[i] = i;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t i, std::size_t k) { return charts[i]->size[1] > charts[k]->size[1]; });
-  std::vector<UV> result(charts.size());
-  double x = 0., y = 0., height = 0.;
-  for(const std::size_t i : order)
+  std::vector<const Chart*> order;
+  for(const auto& chart : charts)
+    order.push_back(chart.get());
+  std::stable_sort(order.begin(), order.end(), [](const Chart* a, const Chart* b) { return a->size[1] > b->size[1]; });
+  const double gap = 0.02 * std::sqrt(area), most = 2. * (std::max)(widest, std::sqrt(area));
+  Rows best = rows_of(order, widest, gap);
+  // as wide as the first charts together
+  double width = order.front()->size[0];
+  for(std::size_t i = 1; i < order.size() && width < most; ++i)
   {
-    if(x > 0. && x + charts[i]->size[0] > width)
-    {
-      x = 0.;
-      y += height + gap;
-      height = 0.;
-    }
-    result[i] = {{x, y}};
-    x += charts[i]->size[0] + gap;
-    height = (std::max)(height, charts[i]->size[1]);
+    width += gap + order[i]->size[0];
+    if(width < widest)
+      continue;
+    Rows rows = rows_of(order, width, gap);
+    if(rows.side < best.side)
+      best = std::move(rows);
   }
+  std::vector<UV> result;
+  for(const auto& chart : charts)
+    result.push_back(best.corners.at(chart.get()));
   return result;
 }
 

@@ -42,7 +42,7 @@ std::vector<std::unique_ptr<Chart>> charts_of(const Cells& cells);
 // Into the first quadrant, counterclockwise, with the area that it has on the surface.
 void place(Chart& chart);
 
-// Side by side in rows, the highest ones first, so that the whole is about a square: the lower left corners.
+// Side by side in rows, the highest ones first, so that the square around the whole is small: the lower left corners.
 std::vector<UV> corners_of(const std::vector<std::unique_ptr<Chart>>& charts);
 
 // Adds what holds of a chart with this part of the area to what holds of all.

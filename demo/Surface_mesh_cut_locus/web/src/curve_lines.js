@@ -52,12 +52,14 @@ export class CurveLines {
   // `places`, if given, are those of the segments on the scale of colours, in [0, 1].
   set(segments, places = null) {
     this.isEmpty = segments.length === 0;
-    if (this.isReused && refill(this.visibleLines.geometry, segments)) {
+    const hasEnds = !(this.isReused && this.isPlain);
+    if (this.isReused && this.hasEnds === hasEnds && refill(this.visibleLines.geometry, segments)) {
       this.show(this.visible, this.showsHidden);
       return;
     }
     this.visibleLines.geometry.dispose();
-    const geometry = lineGeometry(segments, places && colorsAt(places), this.isReused);
+    this.hasEnds = hasEnds;
+    const geometry = lineGeometry(segments, places && colorsAt(places), { hasRoom: this.isReused, hasEnds });
     const hasColors = Boolean(places);
     const { material } = this.visibleLines;
     if (material.vertexColors !== hasColors) {
@@ -94,7 +96,7 @@ export class CurveLines {
     this.hiddenLines.visible = showsHidden && this.visibleLines.visible;
   }
 
-  // without a seam, which takes as long to draw as the curve
+  // Without a seam, which takes as long to draw as the curve. One that changes all the time goes without round ends, too.
   setPlain(isPlain) {
     this.isPlain = isPlain;
     this.show(this.visible, this.showsHidden);

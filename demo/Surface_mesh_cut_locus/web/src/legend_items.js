@@ -9,6 +9,11 @@ function pathLabel({ numbers }) {
   return paths === 1 ? `the shortest path, ${length}` : `${paths} shortest paths, ${length} each`;
 }
 
+function sourceLabel({ points, total }, atlas) {
+  if (atlas && total > 1) return 'sources, and their sheets';
+  return points.length > 1 ? 'sources' : 'source';
+}
+
 // of the first sources, after which colours come again; with fields rather than a ramp
 const cellStops = (count) => Array.from({ length: Math.min(count, 12) }, (_, i) => cssColor(cellColor(i)))
   .flatMap((color) => [color, color, color, color]);
@@ -21,7 +26,7 @@ export function legendItems({ state, source, curve, curves, defaults, viewer, pa
   const hasCurve = curve.numbers[0] > 0;
   const items = [];
   if (source.points.length > 0)
-    items.push({ kind: 'dot', color: colors.source, rim: colors.casing, label: source.points.length > 1 ? 'sources' : 'source' });
+    items.push({ kind: 'dot', color: colors.source, rim: colors.casing, label: sourceLabel(source, atlas) });
   if (source.hasBorder) items.push({ kind: 'line', color: colors.source, label: 'the border, as a source' });
   const scale = branchScale(state, defaults);
   const hasEdgeCurve = show.edgeCurve && hasCurve && Boolean(curves.edgeCurve);

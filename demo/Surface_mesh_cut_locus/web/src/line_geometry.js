@@ -6,6 +6,7 @@ import * as THREE from 'three';
 const corners = [[-1, 2], [1, 2], [-1, 1], [1, 1], [-1, 0], [1, 0], [-1, -1], [1, -1]];
 const texture = [-1, 2, 1, 2, -1, 1, 1, 1, -1, -1, 1, -1, -1, -2, 1, -2];
 const triangles = [0, 2, 1, 2, 3, 1, 2, 4, 3, 4, 5, 3, 4, 6, 5, 6, 7, 5];
+const trianglesWithoutEnds = triangles.slice(6, 12);
 const positions = corners.flatMap(([x, y]) => [x, y, 0]);
 const size = corners.length;
 
@@ -15,7 +16,7 @@ function repeated(pattern, count) {
   return new THREE.BufferAttribute(result, pattern.length / size);
 }
 
-function indices(count) {
+function indices(triangles, count) {
   const result = new Uint32Array(triangles.length * count);
   for (let i = 0; i < count; ++i)
     for (let k = 0; k < triangles.length; ++k) result[triangles.length * i + k] = size * i + triangles[k];
@@ -32,18 +33,21 @@ function fill(result, values, end) {
 
 const ofEnd = (values, end, count) => new THREE.BufferAttribute(fill(new Float32Array(3 * size * count), values, end), 3);
 
-// Six numbers for each segment: its ends, and, if given, the colours there. There may be room for more of them.
-export function lineGeometry(segments, colors = null, hasRoom = false) {
+// Six numbers for each segment: its ends, and, if given, the colours there. There may be room for more of them. Round ends
+// have two thirds of the triangles, and can be left out.
+export function lineGeometry(segments, colors = null, { hasRoom = false, hasEnds = true } = {}) {
   const count = (hasRoom ? 2 : 1) * segments.length / 6;
+  const pattern = hasEnds ? triangles : trianglesWithoutEnds;
   const geometry = new THREE.BufferGeometry();
-  geometry.setIndex(indices(count));
+  geometry.userData.indicesOfSegment = pattern.length;
+  geometry.setIndex(indices(pattern, count));
   geometry.setAttribute('position', repeated(positions, count));
   geometry.setAttribute('uv', repeated(texture, count));
   for (const [end, name] of ['Start', 'End'].entries()) {
     geometry.setAttribute(`instance${name}`, ofEnd(segments, end, count));
     if (colors) geometry.setAttribute(`instanceColor${name}`, ofEnd(colors, end, count));
   }
-  geometry.setDrawRange(0, triangles.length * segments.length / 6);
+  geometry.setDrawRange(0, pattern.length * segments.length / 6);
   return geometry;
 }
 
@@ -57,6 +61,6 @@ export function refill(geometry, segments) {
     attribute.addUpdateRange(0, size * segments.length / 2);
     attribute.needsUpdate = true;
   }
-  geometry.setDrawRange(0, triangles.length * segments.length / 6);
+  geometry.setDrawRange(0, geometry.userData.indicesOfSegment * segments.length / 6);
   return true;
 }

@@ -1,4 +1,4 @@
-// Points that are marked: balls of the same size on the screen, with a rim, in front of the surface.
+// Points that are marked: balls of the same size on the screen, with a rim, in front of the surface; and numbers.
 import * as THREE from 'three';
 
 const ball = new THREE.SphereGeometry(1, 24, 16);
@@ -15,13 +15,55 @@ export function makeMarker() {
 export function setMarkerColors(marker, color, rim) {
   marker.children[0].material.color.set(color);
   marker.children[1].material.color.set(rim);
+  marker.colors = { color, rim };
+  setNumber(marker, marker.number);
+}
+
+const side = 64; // pixels of the picture of a number
+
+function draw(canvas, text, { color, rim }) {
+  const context = canvas.getContext('2d');
+  const middle = side / 2;
+  context.clearRect(0, 0, side, side);
+  for (const [radius, fill] of [[middle - 1, rim], [middle - 6, color]]) {
+    context.fillStyle = fill;
+    context.beginPath();
+    context.arc(middle, middle, radius, 0, 2 * Math.PI);
+    context.fill();
+  }
+  context.fillStyle = rim;
+  context.font = `bold ${text.length > 1 ? 28 : 38}px system-ui, "DejaVu Sans", sans-serif`;
+  context.textAlign = 'center';
+  context.textBaseline = 'middle';
+  context.fillText(text, middle, middle + 3);
+}
+
+// A disk with a number covers the ball, or none does.
+export function setNumber(marker, number) {
+  marker.number = number;
+  let [, , disk] = marker.children;
+  if (disk) disk.visible = Boolean(number);
+  if (!number || !marker.colors) return;
+  if (!disk) {
+    const map = new THREE.CanvasTexture(Object.assign(document.createElement('canvas'), { width: side, height: side }));
+    disk = new THREE.Sprite(new THREE.SpriteMaterial({ map, alphaTest: 0.5 }));
+    disk.scale.setScalar(3.6);
+    marker.add(disk);
+  }
+  const { map } = disk.material;
+  draw(map.image, String(number), marker.colors);
+  map.needsUpdate = true;
 }
 
 const pixels = 5.5; // their radius
 
 export function sizeMarker(marker, camera, height) {
-  const distance = marker.position.distanceTo(camera.position);
-  const toEye = camera.position.clone().sub(marker.position).normalize();
-  for (const part of marker.children) part.position.copy(toEye);
-  marker.scale.setScalar(2 * pixels / height * distance * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2)));
+  const toEye = camera.position.clone().sub(marker.position);
+  const distance = toEye.length();
+  if (camera.isOrthographicCamera) toEye.set(0, 0, 1);
+  toEye.normalize();
+  for (const part of marker.children) part.position.copy(toEye).multiplyScalar(part.isSprite ? 2.4 : 1);
+  const half = camera.isOrthographicCamera ? (camera.top - camera.bottom) / 2 / camera.zoom
+    : distance * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2));
+  marker.scale.setScalar(2 * pixels / height * half);
 }

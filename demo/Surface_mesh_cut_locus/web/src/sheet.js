@@ -2,6 +2,7 @@
 import { curveNames } from './arrays.js';
 import { seamsOf } from './atlas.js';
 import { Cancelled } from './engine.js';
+import { sheetsOf } from './sheets.js';
 import { describeAtlas } from './words.js';
 
 const restMilliseconds = 300; // a slider that has not moved for so long is at rest
@@ -59,8 +60,10 @@ export class Sheet {
       throw error;
     }
     this.atlas = atlas;
+    const isNew = !this.app.viewer.hasAtlas;
     this.app.viewer.showCut({ ...atlas, ...seamsOf(atlas, this.app.mesh.positions) });
     this.app.panel.setCut(true, this.quality(atlas));
+    if (isNew) this.app.viewer.fitPlane(); // beside what is told about it
     this.app.times.cut = performance.now() - begin;
     this.app.appearance.drawCurves();
   }
@@ -70,6 +73,8 @@ export class Sheet {
     const { curve, ...atlas } = await this.app.engine.run('cut', { parameters: this.app.parameters, curve: index });
     this.app.curves[name] = curve;
     atlas.step = this.step;
+    const { mesh, state, source } = this.app;
+    atlas.sheets = sheetsOf(atlas, mesh, state.border === 'only' ? [] : state.sources, source.nearest);
     return atlas;
   }
 

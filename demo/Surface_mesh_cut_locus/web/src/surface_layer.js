@@ -28,9 +28,8 @@ void main() {
 }`;
 
 const samples = 4;
-const slowMilliseconds = 25; // a surface that takes longer is drawn coarsely while its values change all the time
-const coarseTime = 1 / 2; // of that, at least
-const partOfTime = 1 / 3; // it does not take more of it
+const slowMilliseconds = 10; // a surface that takes longer is drawn coarsely while its values change all the time
+const partOfTime = 1 / 4; // it does not take more of it
 
 function makeTarget(count) {
   const target = new THREE.WebGLRenderTarget(1, 1, { samples: count });
@@ -67,8 +66,7 @@ export class SurfaceLayer {
   }
 
   // in pixels of the device
-  setSize(wholeWidth, wholeHeight) {
-    const [width, height] = [wholeWidth, wholeHeight].map((x) => (this.isCoarse ? Math.ceil(x / 2) : x));
+  setSize(width, height) {
     if (this.target.width === width && this.target.height === height) return;
     this.target.setSize(width, height);
     if (this.pass) this.pass.setSize(Math.ceil(width / 2), Math.ceil(height / 2));
@@ -78,7 +76,6 @@ export class SurfaceLayer {
 
   setCoarse(isCoarse) {
     if (this.isCoarse === isCoarse) return;
-    const { width, height } = this.target;
     this.isCoarse = isCoarse;
     this.target.depthTexture.dispose();
     this.target.dispose();
@@ -86,16 +83,17 @@ export class SurfaceLayer {
     this.material.uniforms.colors.value = this.target.texture;
     this.material.uniforms.depths.value = this.target.depthTexture;
     this.isValid = false;
-    if (isCoarse) this.setSize(width, height);
   }
 
   // What is drawn changes from now on until `settle()`. Where that takes long, as without a graphics card, it is drawn
-  // coarsely, and less often than what is above it.
+  // coarsely, with one sample in each pixel, and, after `pace()`, less often than what is above it.
   hurry() {
-    const time = this.drawingTime();
-    if (time < slowMilliseconds) return;
-    this.setCoarse(true);
-    this.interval = coarseTime * time / partOfTime;
+    if (this.drawingTime() >= slowMilliseconds) this.setCoarse(true);
+  }
+
+  // by the time that it takes as it is drawn now: many faces take long with few pixels, too
+  pace() {
+    if (this.isCoarse) this.interval = this.drawingTime() / partOfTime;
   }
 
   settle() {

@@ -42,11 +42,16 @@ export function curveToSvg(viewer, segments, { points, lines }, colors) {
     + `<path id="seen" stroke="${colors.curve}" stroke-width="3" d="${parts.seen.join('')}"/>\n${sources.join('\n')}`);
 }
 
-export function outlineToSvg({ border, uv }, colors) {
+// Several sheets have the numbers of their sources.
+export function outlineToSvg({ border, uv, sheets }, colors) {
   const size = 1000;
   const segments = new Float32Array(3 * border.length);
   border.forEach((v, i) => segments.set([uv[2 * v], uv[2 * v + 1]], 3 * i));
   const place = ([x, y]) => [(1.02 + x) / 2.04 * size, (1.02 - y) / 2.04 * size];
   const paths = chainsOf(segments).map((chain) => path(chain.map(place)));
-  return document(size, size, `<path stroke="${colors.curve}" stroke-width="2" d="${paths.join('')}"/>`);
+  const numbers = sheets.length < 2 ? [] : sheets.map(({ source, place: p }) => {
+    const [x, y] = place(p);
+    return `\n<text x="${round(x)}" y="${round(y)}" fill="${colors.source}" font-family="sans-serif" font-size="24" text-anchor="middle" dominant-baseline="central">${source + 1}</text>`;
+  });
+  return document(size, size, `<path stroke="${colors.curve}" stroke-width="2" d="${paths.join('')}"/>${numbers.join('')}`);
 }

@@ -6,7 +6,7 @@ import { ViewHelper } from 'three/examples/jsm/helpers/ViewHelper.js';
 import { valuesAt } from './atlas.js';
 import { CurveLines } from './curve_lines.js';
 import { DepthProbe } from './depth_probe.js';
-import { makeMarker, setMarkerColors, sizeMarker } from './markers.js';
+import { makeMarker, setMarkerColors, setNumber, sizeMarker } from './markers.js';
 import { acceleratedRaycast, MeshBVH } from 'three-mesh-bvh';
 import { Placement, viewAngle } from './placement.js';
 import { Pointer } from './pointer.js';
@@ -16,6 +16,7 @@ import { bestDirection, direction, isSide, sideDirection, upVector } from './vie
 
 const restMilliseconds = 140; // the shadows of hollows wait until the view rests
 const previewFading = 0.4; // into the background
+const coarseness = 1 / 2; // of the pixels along each axis, where drawing takes long, while a source moves
 const modelRadius = 1.02; // the mesh fills the unit ball
 
 export class Viewer {
@@ -24,7 +25,8 @@ export class Viewer {
     this.onChange = onChange;
     this.placement = new Placement(this, overlays);
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.pixelRatio = Math.min(window.devicePixelRatio, 2);
+    this.renderer.setPixelRatio(this.pixelRatio);
     this.renderer.autoClear = false;
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     THREE.ColorManagement.enabled = false;
@@ -74,7 +76,8 @@ export class Viewer {
     this.atlas = new Surface(true);
     this.atlasSeams = new CurveLines(1.6, 1, { hasCasing: false });
     this.plane.surfaces.add(this.atlas.object);
-    this.plane.lines.add(...this.atlasSeams.objects);
+    this.sheetMarkers = new THREE.Group(); // the sources, where they are on their sheets
+    this.plane.lines.add(...this.atlasSeams.objects, this.sheetMarkers);
 
     this.makeControls();
     this.pointer = new Pointer(this, { onPick, onHover, onFollow });
@@ -134,7 +137,7 @@ export class Viewer {
     this.atlasSeams.setColors(colors.curve, colors.back, colors.casing);
     this.arrows.material.color.set(colors.arrows);
     this.wireframe.material.color.set(colors.isDark ? 0x000000 : 0x20262e);
-    for (const marker of this.sourceMarkers) setMarkerColors(marker, colors.source, colors.casing);
+    for (const marker of [...this.sourceMarkers, ...this.sheetMarkers.children]) setMarkerColors(marker, colors.source, colors.casing);
     setMarkerColors(this.farthestMarker, colors.casing, colors.text);
     setMarkerColors(this.nearestMarker, colors.nearest, colors.casing);
     setMarkerColors(this.endMarker, colors.path, colors.casing);
@@ -163,11 +166,22 @@ export class Viewer {
 
   // Until it ends, the values change all the time: frames take as little time as they can, if they take long.
   setMoving(isMoving) {
-    for (const pane of this.hasAtlas ? [this.model, this.plane] : [this.model])
-      if (isMoving) pane.layer.hurry();
-      else pane.layer.settle();
-    for (const curve of this.curves) curve.setPlain(this.model.layer.isCoarse);
+    const layers = (this.hasAtlas ? [this.model, this.plane] : [this.model]).map(({ layer }) => layer);
+    for (const layer of layers)
+      if (isMoving) layer.hurry();
+      else layer.settle();
+    const { isCoarse } = this.model.layer;
+    for (const curve of this.curves) curve.setPlain(isCoarse);
+    this.setPixelRatio(isCoarse ? coarseness * this.pixelRatio : this.pixelRatio);
+    for (const layer of layers) layer.pace();
     this.invalidateCurves();
+  }
+
+  setPixelRatio(ratio) {
+    if (this.renderer.getPixelRatio() === ratio) return;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(this.size.width, this.size.height, false);
+    this.draw(); // as in `resize()`
   }
 
   invalidateCurves() {
@@ -230,7 +244,7 @@ export class Viewer {
   drawPane(pane, occlusion) {
     const box = this.boxOf(pane);
     this.setAspect(pane, box.width / box.height);
-    this.setMarkerSizes(box.height);
+    this.setMarkerSizes(pane, box.height);
     const lines = pane === this.model ? this.curves : [this.atlasSeams];
     for (const curve of lines) curve.setResolution(box.width, box.height);
     const ratio = this.renderer.getPixelRatio();
@@ -263,8 +277,9 @@ export class Viewer {
     return this.camera.position.clone().sub(this.controls.target).normalize();
   }
 
-  setMarkerSizes(height) {
-    for (const marker of this.markers.children) sizeMarker(marker, this.camera, height);
+  setMarkerSizes({ camera }, height) {
+    const { children } = camera === this.camera ? this.markers : this.sheetMarkers;
+    for (const marker of children) sizeMarker(marker, camera, height);
   }
 
   resize() {
@@ -465,7 +480,7 @@ export class Viewer {
 
   // The surface cut open, as in `atlas.js`: vertex i has the texture coordinates uv[2 i], uv[2 i + 1]; face i is a part of
   // faces[i] of the mesh.
-  showCut({ triangles, faces, uv, seams, atlasSeams, ...cut }) {
+  showCut({ triangles, faces, uv, seams, atlasSeams, sheets, ...cut }) {
     const geometry = new THREE.BufferGeometry();
     geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
     for (const name of ['position', 'normal']) {
@@ -482,11 +497,11 @@ export class Viewer {
     this.cut = cut;
     this.cutTriangles = triangles;
     this.cutFaces = faces;
-    if (!this.hasAtlas) this.fitPlane();
     this.setHasAtlas(true);
     this.setSurfaceGeometry(geometry);
     this.seams.set(seams);
     this.atlasSeams.set(atlasSeams);
+    this.setSheets(sheets);
     this.invalidate();
   }
 
@@ -592,14 +607,32 @@ export class Viewer {
     this.invalidateCurves();
   }
 
+  // Several ones are numbered, as their sheets are.
   setSources(points) {
-    while (this.sourceMarkers.length < points.length) {
-      const marker = makeMarker();
-      if (this.colors) setMarkerColors(marker, this.colors.source, this.colors.casing);
-      this.sourceMarkers.push(marker);
-      this.markers.add(marker);
-    }
-    this.sourceMarkers.forEach((marker, i) => this.setMarker(marker, points[i] || null));
+    while (this.sourceMarkers.length < points.length) this.sourceMarkers.push(this.addSourceMarker(this.markers));
+    this.sourceMarkers.forEach((marker, i) => {
+      this.setMarker(marker, points[i] || null);
+      this.number(marker, points.length > 1 ? i + 1 : null);
+    });
+  }
+
+  setSheets(sheets) {
+    while (this.sheetMarkers.children.length < sheets.length) this.addSourceMarker(this.sheetMarkers);
+    this.sheetMarkers.children.forEach((marker, i) => {
+      this.setMarker(marker, sheets[i] ? [...sheets[i].place, 0.02] : null);
+      this.number(marker, sheets[i] && sheets.length > 1 ? sheets[i].source + 1 : null);
+    });
+  }
+
+  addSourceMarker(group) {
+    const marker = makeMarker();
+    if (this.colors) setMarkerColors(marker, this.colors.source, this.colors.casing);
+    group.add(marker);
+    return marker;
+  }
+
+  number(marker, number) {
+    if (marker.number !== number) setNumber(marker, number);
   }
 
   // edges that are sources

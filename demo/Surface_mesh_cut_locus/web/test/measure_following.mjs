@@ -78,11 +78,16 @@ for (const faces of sizes) {
   await page.goto(`${address}#sample=torus&faces=${faces}&occlusion=false`);
   await page.waitForFunction(() => window.cutLocusPage && window.cutLocusPage.app.isSolved);
   await page.waitForFunction(() => document.body.dataset.busy === 'false');
-  await page.evaluate(() => window.cutLocusPage.app.appearance.look('source'));
   await page.waitForTimeout(1000);
   await page.waitForFunction(() => window.cutLocusPage.app.preview?.isSettled ?? true);
   for (const isolines of [true, false]) {
-    await page.evaluate((shown) => window.cutLocusPage.app.appearance.setShown('isolines', shown), isolines);
+    // the last one has left the source elsewhere: on its circle, there must be surface everywhere
+    await page.evaluate(async (shown) => {
+      const { appearance } = window.cutLocusPage.app;
+      await appearance.setShown('isolines', shown);
+      appearance.look('source');
+    }, isolines);
+    await page.waitForTimeout(500);
     const rows = await page.evaluate(measure);
     for (const [name, row] of Object.entries(rows)) console.log(JSON.stringify({ faces, isolines, name, ...row }));
   }

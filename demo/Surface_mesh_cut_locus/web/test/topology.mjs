@@ -18,6 +18,24 @@ export function flippedFaces({ faces, textureCoordinates: uv }) {
     !((uv[b][0] - uv[a][0]) * (uv[c][1] - uv[a][1]) - (uv[b][1] - uv[a][1]) * (uv[c][0] - uv[a][0]) > 0)).length;
 }
 
+// How many pairs of border edges cross each other in the plane of the texture coordinates.
+export function borderCrossings({ faces, textureCoordinates: uv }) {
+  const edges = new Map();
+  for (const face of faces)
+    face.forEach((v, i) => {
+      const w = face[(i + 1) % face.length];
+      if (!edges.delete(`${w} ${v}`)) edges.set(`${v} ${w}`, [v, w]);
+    });
+  const border = [...edges.values()];
+  const side = (a, b, c) => Math.sign((uv[b][0] - uv[a][0]) * (uv[c][1] - uv[a][1]) - (uv[b][1] - uv[a][1]) * (uv[c][0] - uv[a][0]));
+  let crossings = 0;
+  border.forEach(([a, b], i) => {
+    for (const [c, d] of border.slice(0, i))
+      crossings += ![c, d].includes(a) && ![c, d].includes(b) && side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+  });
+  return crossings;
+}
+
 // V - E + F and the number of border loops of a mesh; it throws if that is no surface.
 export function surfaceTopology({ points, faces }) {
   const halfedges = new Map();

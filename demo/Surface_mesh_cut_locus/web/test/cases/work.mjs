@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { describeAtlas } from '../../src/words.js';
 import { patience } from '../page_driver.mjs';
+import { borderCrossings, flippedFaces as flippedFacesOf, readObj } from '../topology.mjs';
 
 const followMilliseconds = 3000;
 
@@ -16,6 +17,20 @@ const flippedFaces = ({ app }) => {
   return result;
 };
 
+// A strip along so many turns of a helix, as an OFF file: seen from above, its turns cover each other.
+const ramp = (turns, columns) => {
+  const points = [], faces = [];
+  const angle = 2 * Math.PI / columns, rows = 4;
+  for (let i = 0; i <= turns * columns; ++i)
+    for (let j = 0; j < rows; ++j) {
+      const radius = 1 + 0.15 * j;
+      points.push([radius * Math.cos(i * angle), radius * Math.sin(i * angle), 0.1 * i * angle].join(' '));
+      const a = i * rows + j, b = a + rows;
+      if (i < turns * columns && j + 1 < rows) faces.push(`3 ${a} ${a + 1} ${b + 1}`, `3 ${a} ${b + 1} ${b}`);
+    }
+  return ['OFF', `${points.length} ${faces.length} 0`, ...points, ...faces].join('\n');
+};
+
 // the preview as it is drawn, and how far it is off the surface, in radii of the mesh
 const drawnPreview = ({ app, viewer }) => {
   const { previewCurve, faceCurve, edgeCurve, pickable } = viewer;
@@ -23,7 +38,7 @@ const drawnPreview = ({ app, viewer }) => {
   const { geometry } = previewCurve.visibleLines;
   const [starts, ends] = ['instanceStart', 'instanceEnd'].map((name) => geometry.getAttribute(name).array);
   const segments = [];
-  for (let i = 0; i < 24 * geometry.drawRange.count / 18; i += 24) segments.push(...starts.slice(i, i + 3), ...ends.slice(i, i + 3));
+  for (let i = 0; i < 24 * geometry.drawRange.count / geometry.userData.indicesOfSegment; i += 24) segments.push(...starts.slice(i, i + 3), ...ends.slice(i, i + 3));
   let away = 0;
   const point = viewer.farthestMarker.position.clone();
   for (let i = 0; i < segments.length; i += 3)
@@ -194,7 +209,35 @@ export const tests = {
     }
   },
 
-  async 'of several sources, the cells are laid side by side'(d) {
+  async 'a strip that winds around itself is one sheet, which does not overlap'(d) {
+    const { page } = d;
+    await d.openFile('ramp.off', ramp(5, 60));
+    await page.click('#cut');
+    await page.waitForFunction(() => window.cutLocusPage.app.atlas);
+    await d.idle();
+    const told = await page.innerText('#cut-info');
+    assert.match(told, /^The sheet does not overlap; areas change by \d\.?\d*\s%/);
+    const sheet = readObj(String(await d.exported('cut', 'obj')));
+    assert.equal(flippedFacesOf(sheet), 0);
+    assert.equal(borderCrossings(sheet), 0);
+    // the source is near an end, and marked there: a click there puts it to the same place
+    const place = await d.app(({ app }) => app.atlas.sheets[0].place);
+    const at = await d.app(({ viewer }, [x, y]) => {
+      const v = viewer.farthestMarker.position.clone().set(x, y, 0).project(viewer.plane.camera);
+      return [(v.x + 1) / 2, (1 - v.y) / 2];
+    }, place);
+    const box = await page.locator('#atlas-view').boundingBox();
+    const before = (await d.result()).point;
+    await page.mouse.click(box.x + at[0] * box.width, box.y + at[1] * box.height);
+    await d.settle();
+    const after = (await d.result()).point;
+    const moved = Math.hypot(...before.map((x, k) => x - after[k]));
+    assert.ok(moved < 0.05, `a click on the mark of the source moves it by ${moved}`);
+    await d.picture('ramp_cut.png');
+    return told;
+  },
+
+  async 'of several sources, the cells are laid side by side, with the numbers of the sources'(d) {
     const { page } = d;
     for (const keep of ['all', 'voronoi']) {
       await d.open('#sample=torus&faces=5000');
@@ -210,6 +253,26 @@ export const tests = {
       const { faces, all } = await d.app(({ app }) =>
         ({ faces: new Set(app.atlas.faces).size, all: app.mesh.triangles.length / 3 }));
       assert.equal(faces, all);
+      // each sheet is marked where its source is, by the same number
+      const marked = await d.app(({ app, viewer }) => {
+        const off = (p, q) => Math.hypot(...p.map((x, k) => x - q[k]));
+        const numbers = (markers) => markers.filter(({ visible }) => visible).map(({ number }) => number);
+        return {
+          onSheets: numbers(viewer.sheetMarkers.children), onSurface: numbers(viewer.sourceMarkers),
+          away: app.atlas.sheets.map(({ source, place }) => {
+            const { uv, parents, weights } = app.atlas;
+            let at = 0;
+            for (let v = 0; v < uv.length / 2; ++v)
+              if (off([uv[2 * v], uv[2 * v + 1]], place) < off([uv[2 * at], uv[2 * at + 1]], place)) at = v;
+            const point = [0, 1, 2].map((c) => [0, 1, 2].reduce((sum, k) => sum + weights[3 * at + k] * app.mesh.positions[3 * parents[3 * at + k] + c], 0));
+            return off(point, app.toView(app.source.points[source]));
+          }),
+        };
+      });
+      assert.deepEqual([marked.onSheets.sort(), marked.onSurface], [[1, 2], [1, 2]]);
+      for (const away of marked.away) assert.ok(away < 0.06, `a sheet is marked ${away} away from its source`);
+      const outline = String(await d.exported('cut', 'svg'));
+      assert.deepEqual([...outline.matchAll(/<text [^]*?>(\d)</g)].map(([, n]) => n).sort(), ['1', '2']);
     }
     // what is seen is named: lines on the surface and on the sheet, and what several sources have for a radius
     assert.match(await page.innerText('#legend'), /seams[^]*seams of the sheet/);
