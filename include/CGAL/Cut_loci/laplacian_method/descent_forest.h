@@ -230,8 +230,8 @@ private:
     std::stable_sort(order.begin(), order.end(), [&](Index v, Index w) { return forest.detour(v) > forest.detour(w); });
     joins_older_ = false;
     is_exact_ = exact_ != nullptr;
-    // How many faces are passed, for linear time: on meshes of slim faces, most of what can be gained is gained with that.
-    std::size_t faces = std::size_t(8) * mesh_.number_of_faces();
+    // how many faces are passed: as many as have been unfolded, so that this takes no longer
+    std::size_t faces = mesh_.number_of_faces();
     for(std::size_t i = 0; i < order.size() && faces > 0; ++i)
     {
       if(!(forest.detour(order[i]) > most) || !trace(order[i]))
