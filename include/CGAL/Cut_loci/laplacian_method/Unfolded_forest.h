@@ -68,7 +68,7 @@ public:
   void reroute(const std::vector<Index>& path, std::size_t& faces)
   {
     const std::size_t n = path.size();
-    if(reroute(path, 0, n, faces))
+    if(n == 0 || leads_back(path, 0, n) || reroute(path, 0, n, faces))
       return;
     for(std::size_t i = 0, j; i < n; i = j)
     {
