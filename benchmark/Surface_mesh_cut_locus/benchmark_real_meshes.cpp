@@ -118,7 +118,11 @@ public:
     }
     catch(const std::exception& error)
     {
-      refused("", "", "", error.what());
+      std::string message = error.what();
+      const std::size_t at = message.find(file.string());
+      if(at != std::string::npos)
+        message.replace(at, file.string().size(), name_); // wherever the folder is
+      refused("", "", "", message);
       return;
     }
     if(settings_.max_faces > 0 && mesh.number_of_faces() > settings_.max_faces)

@@ -63,9 +63,9 @@ public:
   void operator()()
   {
     const double *a = list_.column(0), *b = list_.column(1), *origin = list_.column(columns > 6 ? 6 : 0);
-    const auto is_run = [&](std::size_t i)
-    {
-      return a[i] - b[i - 1] <= narrow_ && (columns < 7 || origin[i] == origin[i - 1]) && has_room(i - 1) && has_room(i);
+    const auto is_run = [&](std::size_t i) {
+      return a[i] - b[i - 1] <= narrow_ && (columns < 7 || origin[i] == origin[i - 1]) && has_room(i - 1) &&
+             has_room(i);
     };
     const std::size_t end = list_.end;
     top_ = list_.begin;
@@ -158,7 +158,8 @@ private:
       // the difference has its extrema at the ends and where both paths are parallel
       const double extremum = (w.x * old.y - old.x * w.y) / (old.y - w.y);
       const double places[3] = {old.a, old.b, extremum};
-      const bool counts[3] = {i > first, i + 1 < last, extremum > old.a && extremum < old.b}; // at the ends nothing changes
+      // nothing changes at the ends of the run
+      const bool counts[3] = {i > first, i + 1 < last, extremum > old.a && extremum < old.b};
       for(int k = 0; k < 3; ++k)
         if(counts[k])
         {
