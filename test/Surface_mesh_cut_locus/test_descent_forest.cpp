@@ -168,7 +168,8 @@ double longest_detour(const Mesh& mesh, const Mesh_connectivity& connectivity, I
 }
 
 // Shortest paths to different sides of a vertex cross the same edges of a fan before they part. Where older ones went, and
-// most of them, is not where the others have to go: without a look at how long they become, some become longer by more than two edges.
+// most of them, is not where the others have to go. What is longer by a mean edge is left as it is, and no path may become
+// longer by another one for others; without a look at how long they become, some do.
 TEST(Descent_forest, leads_paths_through_fans_of_slim_faces)
 {
   for(const std::vector<Index>& numbers :
@@ -187,7 +188,7 @@ TEST(Descent_forest, leads_paths_through_fans_of_slim_faces)
       const Source_roots roots(mesh, connectivity, {source});
       expect_room(mesh, distance, source, &exact);
       const auto crossed = edges_crossed_by_descents(mesh, connectivity, distance, roots, &exact);
-      EXPECT_LT(longest_detour(mesh, connectivity, v, distance, crossed), 1.5 * connectivity.mean_edge_length);
+      EXPECT_LT(longest_detour(mesh, connectivity, v, distance, crossed), 2. * connectivity.mean_edge_length);
     }
 }
 

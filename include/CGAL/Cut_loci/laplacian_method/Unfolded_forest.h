@@ -30,7 +30,8 @@ namespace internal {
 //
 // Each tree of the forest is laid out in the plane, where faces may overlap, from the face of its source on. What the
 // source sees through a row of faces is a funnel: between two chains of corners, which the ways to the ends of the last
-// edge bend around. The corner behind that edge is seen past one of them, or straight from where the chains part.
+// edge bend around. The corner behind that edge is seen past one of them, or straight from where the chains part: the
+// funnel algorithm \cgalCite{cgal:lp-espsb-84}, in a tree of triangles.
 class Unfolded_forest
 {
 public:
@@ -63,18 +64,18 @@ public:
   double detour(Index v) const { return detour(v, length_[v]); }
 
   // Leads the faces of a path, given by the halfedges across which it leaves them, all along it, or on parts of it, where
-  // that makes the squares of all detours less in sum: those that are long count most. `faces` is how many may be laid
-  // out anew, and becomes less by those that are.
+  // that makes the squares of all detours less in sum: those that are long count most. `faces` is how many may be
+  // passed and laid out anew, and becomes less by those that are.
   void reroute(const std::vector<Index>& path, std::size_t& faces)
   {
     const std::size_t n = path.size();
-    if(n == 0 || leads_back(path, 0, n) || reroute(path, 0, n, faces))
+    if(n == 0 || leads_back(path, 0, n, faces) || reroute(path, 0, n, faces))
       return;
     for(std::size_t i = 0, j; i < n; i = j)
     {
       for(j = i; j < n && exit_[path[j] / 3] != path[j];)
         ++j;
-      if(j > i && j - i < n && !leads_back(path, i, j))
+      if(j > i && j - i < n && !leads_back(path, i, j, faces))
         reroute(path, i, j, faces);
       j += j == i ? 1 : 0;
     }
@@ -176,24 +177,13 @@ private:
     c.left = corner_at(mesh_.next(o));
     c.right = corner_at(o);
     c.parting = parting_at(o);
-    const Planar_vector &a = corners_[c.left].position, along = corners_[c.right].position - a;
-    const Planar_vector top = apex_by_length(x);
+    const Planar_vector& a = corners_[c.left].position;
+    const Planar_vector base = corners_[c.right].position - a, along = (1. / norm(base)) * base, top = apex(mesh_, x);
     c.position = {{a[0] + top[0] * along[0] - top[1] * along[1], a[1] + top[0] * along[1] + top[1] * along[0]}};
     c.side = bends(c.left, 1., c) ? -1 : bends(c.right, -1., c) ? 1 : 0;
     if(c.side == 0)
       c.previous = c.parting;
     c.length = corners_[c.previous].length + norm(c.position - corners_[c.previous].position);
-  }
-
-  // the corner opposite to `h`, where that has the length 1
-  Planar_vector apex_by_length(Index h) const
-  {
-    if(!mesh_.lengths.empty())
-      return (1. / mesh_.lengths[h]) * apex(mesh_, h);
-    const Vector& p = mesh_.points[mesh_.source(h)];
-    const Vector a = mesh_.points[mesh_.target(h)] - p, b = mesh_.points[mesh_.source(mesh_.previous(h))] - p;
-    const double scale = 1. / dot(a, a);
-    return {{scale * dot(a, b), scale * norm(cross(a, b))}};
   }
 
   // Whether the way to a corner bends around one of the chain from `u` back to where the chains part, and where last.
@@ -225,15 +215,16 @@ private:
     return length < infinity() ? (std::max)(0., length - distance_[v]) : 0.;
   }
 
-  // Whether the way behind a part of a path comes back to it, if the faces of that are left along the path.
-  bool leads_back(const std::vector<Index>& path, std::size_t first, std::size_t end)
+  // Whether the way behind a part of a path comes back to it, if the faces of that are left along the path, or ends before
+  // a source.
+  bool leads_back(const std::vector<Index>& path, std::size_t first, std::size_t end, std::size_t& faces)
   {
     next_attempt();
     for(std::size_t i = first; i < end; ++i)
       attempt_of_face_[path[i] / 3] = attempt_;
     Index f = mesh_.opposite[path[end - 1]] / 3;
-    while(exit_[f] != null_index && !is_root(f) && attempt_of_face_[f] != attempt_)
-      f = mesh_.opposite[exit_[f]] / 3;
+    for(; exit_[f] != null_index && !is_root(f) && attempt_of_face_[f] != attempt_; f = mesh_.opposite[exit_[f]] / 3)
+      faces -= faces > 0 ? 1 : 0;
     return !is_root(f);
   }
 

@@ -234,10 +234,12 @@ private:
     std::size_t faces = mesh_.number_of_faces();
     for(std::size_t i = 0; i < order.size() && faces > 0; ++i)
     {
-      if(!(forest.detour(order[i]) > most) || !trace(order[i]))
+      if(!(forest.detour(order[i]) > most))
         continue;
+      const bool arrives = trace(order[i]);
       faces -= (std::min)(faces, path_.size());
-      forest.reroute(path_, faces);
+      if(arrives)
+        forest.reroute(path_, faces);
     }
     if(forest.is_changed())
       crossed = forest.crossed_edges(crossed);
@@ -465,8 +467,8 @@ private:
  * edges more on a surface of genus g, each border loop being one node. Where paths pass something on both sides, the
  * crossings by the fewest are given up. Then the forest is unfolded. Where the shortest way to a vertex that crosses no
  * other edges is longer than its distance by more than a mean edge, the forest is led along a path of its own, or parts of
- * it, if the squares of all such detours become less in sum. Of several sources, no tree of that forest has more than one.
- * Along the border, paths run in its faces. Time is O(n log n).
+ * it, if the squares of all detours become less in sum; so it is if all sources are points. Of several sources, no tree of
+ * that forest has more than one. Along the border, paths run in its faces. Time is O(n log n).
  *
  * @param geodesics what the exact solver found with `distance`, or null
  * @param nearest_sources if not null, becomes the number of the source where the path from each vertex ends; empty if
