@@ -142,6 +142,39 @@ Mesh star_shape(Index n, const Radius& radius)
   return glued(points, triangles);
 }
 
+// A torus of eight rings, with so many vertices as given, one after the other: with fans of slim faces between them.
+inline Mesh torus_of_rings(const std::vector<Index>& numbers)
+{
+  const Index rings = 8;
+  std::vector<Mesh::Point> points;
+  std::vector<Mesh::Triangle> triangles;
+  std::vector<Index> first;
+  const auto number = [&](Index k) { return numbers[k % numbers.size()]; };
+  for(Index k = 0; k < rings; ++k)
+  {
+    const double t = 2. * pi() * k / rings, r = 3. + 1.2 * std::cos(t);
+    first.push_back(static_cast<Index>(points.size()));
+    for(Index i = 0; i < number(k); ++i)
+    {
+      const double u = 2. * pi() * i / number(k);
+      points.push_back({{r * std::cos(u), r * std::sin(u), std::sin(t)}});
+    }
+  }
+  for(Index k = 0; k < rings; ++k)
+  {
+    const Index next = (k + 1) % rings, a = number(k), b = number(next);
+    for(Index i = 0, j = 0; i < a || j < b;)
+    {
+      const Index p = first[k] + i % a, q = first[next] + j % b;
+      if(j >= b || (i < a && (i + 1) * b <= (j + 1) * a))
+        triangles.push_back({{p, first[k] + ++i % a, q}});
+      else
+        triangles.push_back({{p, first[next] + ++j % b, q}});
+    }
+  }
+  return glued(points, triangles);
+}
+
 inline Mesh sphere(Index n)
 {
   return star_shape(n, [](const Mesh::Point&) { return 1.; });

@@ -104,39 +104,6 @@ TEST(Descent_forest, leaves_a_tree_and_generators)
     }
 }
 
-// A torus of eight rings, with so many vertices as given, one after the other: with fans of slim faces between them.
-Mesh torus_of_rings(const std::vector<Index>& numbers)
-{
-  const Index rings = 8;
-  std::vector<Mesh::Point> points;
-  std::vector<Mesh::Triangle> triangles;
-  std::vector<Index> first;
-  const auto number = [&](Index k) { return numbers[k % numbers.size()]; };
-  for(Index k = 0; k < rings; ++k)
-  {
-    const double t = 2. * indexed_meshes::pi() * k / rings, r = 3. + 1.2 * std::cos(t);
-    first.push_back(static_cast<Index>(points.size()));
-    for(Index i = 0; i < number(k); ++i)
-    {
-      const double u = 2. * indexed_meshes::pi() * i / number(k);
-      points.push_back({{r * std::cos(u), r * std::sin(u), std::sin(t)}});
-    }
-  }
-  for(Index k = 0; k < rings; ++k)
-  {
-    const Index next = (k + 1) % rings, a = number(k), b = number(next);
-    for(Index i = 0, j = 0; i < a || j < b;)
-    {
-      const Index p = first[k] + i % a, q = first[next] + j % b;
-      if(j >= b || (i < a && (i + 1) * b <= (j + 1) * a))
-        triangles.push_back({{p, first[k] + ++i % a, q}});
-      else
-        triangles.push_back({{p, first[next] + ++j % b, q}});
-    }
-  }
-  return indexed_meshes::glued(points, triangles);
-}
-
 // the largest distance from a vertex, if no edges may be crossed but those given, less that with all
 double longest_detour(const Mesh& mesh, const Mesh_connectivity& connectivity, Index source,
                       const std::vector<double>& distance, const std::vector<unsigned char>& crossed)
@@ -177,7 +144,7 @@ TEST(Descent_forest, leads_paths_through_fans_of_slim_faces)
     for(const Index v : {7, 30, 50, 71, 100})
     {
       SCOPED_TRACE(std::to_string(numbers.back()) + " vertices, source " + std::to_string(v));
-      const Mesh mesh = torus_of_rings(numbers);
+      const Mesh mesh = indexed_meshes::torus_of_rings(numbers);
       const Mesh_connectivity connectivity(mesh);
       Indexed_source source;
       source.vertex = v;

@@ -36,7 +36,8 @@ namespace internal {
 class Sides_of_arrival
 {
 public:
-  // The last piece of a path, across the edge opposite to the vertex.
+  // The last piece of a path, across the edge opposite to the vertex. Where none is known, but for paths along an edge, it
+  // is next to that, on the side where they arrive: the graph may have that edge, too.
   struct Leg
   {
     Index halfedge = null_index;
@@ -65,7 +66,13 @@ public:
     return result;
   }
 
-  Leg leg(Index node) const { return has_sides(node) ? copies_[nearest(node)].leg : Leg(); }
+  Leg leg(Index node) const
+  {
+    if(!has_sides(node))
+      return Leg();
+    const Copy& copy = copies_[nearest(node)];
+    return copy.leg.halfedge != null_index ? copy.leg : copy.along;
+  }
 
 private:
   struct Copy
@@ -73,9 +80,9 @@ private:
     Index node;
     std::vector<Index> halfedges; // that leave the vertex, one in each face of the side
     double distance = (std::numeric_limits<double>::infinity)();
-    double distance_by_leg = distance;
+    double distance_by_leg = distance, distance_along = distance;
     bool is_settled = false;
-    Leg leg;
+    Leg leg, along;
   };
   using Entry = std::tuple<double, Index>; // distance, copy
 
@@ -153,13 +160,18 @@ private:
       return;
     const Index next = mesh_.next(h), previous = mesh_.previous(h);
     const double a = distance_at(next), b = distance_at(previous);
-    offer(c, (std::min)(a + edge_length(mesh_, h), b + edge_length(mesh_, previous)), {});
+    Copy& copy = copies_[c];
+    // So little beside an edge as makes no difference to who cuts along the curve, see `Smoothing_limits`.
+    constexpr double beside = 1. / (1 << 16);
+    offer(c, a + edge_length(mesh_, h), {next, beside}, copy.distance_along, copy.along);
+    offer(c, b + edge_length(mesh_, previous), {next, 1. - beside}, copy.distance_along, copy.along);
     Image_ray ray;
     if(std::isfinite(a) && std::isfinite(b) && image_ray(mesh_, next, a, b, ray))
-      offer(c, ray.distance, {next, ray.place});
+      offer(c, ray.distance, {next, ray.place}, copy.distance_by_leg, copy.leg);
   }
 
-  void offer(Index c, double distance, const Leg& leg)
+  // `best` and `leg_of_best` are those of the same kind.
+  void offer(Index c, double distance, const Leg& leg, double& best, Leg& leg_of_best)
   {
     if(!std::isfinite(distance))
       return;
@@ -167,10 +179,10 @@ private:
     // A distance below the given one comes of corners that different paths reach: it is as wrong as one above.
     const double given = distance_[graph_.nodes[copy.node].vertex];
     distance = given + std::abs(distance - given);
-    if(leg.halfedge != null_index && distance < copy.distance_by_leg)
+    if(distance < best)
     {
-      copy.distance_by_leg = distance;
-      copy.leg = leg;
+      best = distance;
+      leg_of_best = leg;
     }
     if(!(distance < copy.distance))
       return;
