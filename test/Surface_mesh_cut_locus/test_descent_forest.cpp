@@ -159,6 +159,28 @@ TEST(Descent_forest, leads_paths_through_fans_of_slim_faces)
     }
 }
 
+// Shortest paths to several vertices pass the same slim faces and part there. One of them at most can have those; to the
+// others, a way along an edge is hardly longer. Led along paths of their own alone, some stay longer by two mean edges.
+TEST(Descent_forest, leads_ways_along_edges_beside_fans)
+{
+  const Mesh mesh = indexed_meshes::torus_of_rings({4, 7, 33, 120});
+  const Mesh_connectivity connectivity(mesh);
+  for(Index v = 0; v < mesh.number_of_vertices(); v += 12)
+  {
+    SCOPED_TRACE(v);
+    Indexed_source source;
+    source.vertex = v;
+    source.location = internal::location_of_vertex(connectivity, v);
+    internal::Exact_geodesic_propagation exact(mesh);
+    exact.run({source.location});
+    const std::vector<double> distance = exact.distances();
+    const Source_roots roots(mesh, connectivity, {source});
+    expect_room(mesh, distance, source, &exact);
+    const auto crossed = edges_crossed_by_descents(mesh, connectivity, distance, roots, &exact);
+    EXPECT_LT(longest_detour(mesh, connectivity, v, distance, crossed), 1.5 * connectivity.mean_edge_length);
+  }
+}
+
 // The points at which the steps of `Exact_descent` cross edges or meet vertices, up to the faces of the source.
 std::vector<internal::Vector> points_of_descent(const Mesh& mesh, const Mesh_connectivity& connectivity,
                                                 const internal::Exact_geodesic_propagation& exact, Index v,

@@ -254,7 +254,7 @@ TEST(Detour, Vanishes_on_the_cut_locus_and_only_there)
 {
   const Built_mesh<Mesh> built(torus(1., 0.4, 60, 24, 0.2, 3));
   const Mesh& mesh = built.mesh;
-  const Vertex source = built.vertices[0], other = built.vertices[30 * 24 + 12];
+  const Vertex source = built.vertices[0], other = built.vertices[15 * 24 + 12];
   CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(mesh);
   cut_loci.set_source(source);
   const auto right = cut_loci.cut_locus();

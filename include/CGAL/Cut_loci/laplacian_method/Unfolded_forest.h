@@ -81,6 +81,32 @@ public:
     }
   }
 
+  // Leads the way to a vertex along the edge to a neighbor, and on as that to the neighbor goes, if that is shorter and
+  // makes the squares of all detours less in sum. Where shortest paths to several vertices pass the same slim faces and
+  // then part, one of them at most can have those; such a way needs none but the faces around the neighbor.
+  void lead_along_edge(Index v, std::size_t& faces)
+  {
+    Index along = null_index;
+    double least = length_[v];
+    for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
+    {
+      const Index w = connectivity_.ring_vertex[k];
+      const double length = length_[w] + norm(mesh_.points[w] - mesh_.points[v]);
+      if(length < least)
+      {
+        least = length;
+        along = connectivity_.ring_halfedge[k];
+      }
+    }
+    if(along == null_index)
+      return;
+    const Index o = mesh_.opposite[along], w = mesh_.source(along) == v ? mesh_.target(along) : mesh_.source(along);
+    for(Index h : {along, o})
+      if(h != null_index && turn(h, w))
+        if(const std::size_t n = turn_.size(); n > 0 && !leads_back(turn_, 0, n, faces) && reroute(turn_, 0, n, faces))
+          return;
+  }
+
   bool is_changed() const { return is_changed_; }
 
   // the edges of the forest now; what had no source keeps those of `before`
@@ -276,6 +302,24 @@ private:
     return is_changed_ = true;
   }
 
+  // Sets the halfedges that a way around `w` crosses, from the face of `h`, which is at `w`, on the side where that is not
+  // across `h`, to where the shortest way to `w` arrives; false if there is a border before.
+  bool turn(Index h, Index w)
+  {
+    turn_.clear();
+    const bool is_counterclockwise = mesh_.source(h) == w;
+    const auto corner = [&](Index g) { return corner_at(mesh_.source(g) == w ? g : mesh_.next(g)); };
+    while(exit_[h / 3] == null_index || corners_[corner(h)].length > length_[w])
+    {
+      const Index x = is_counterclockwise ? mesh_.previous(h) : mesh_.next(h);
+      if(mesh_.is_border_edge(x) || is_root(h / 3) || turn_.size() > connectivity_.valence(w))
+        return false;
+      turn_.push_back(x);
+      h = mesh_.opposite[x];
+    }
+    return true;
+  }
+
   void next_attempt()
   {
     ++attempt_;
@@ -321,7 +365,7 @@ private:
   std::unordered_set<std::size_t> tried_;
   std::vector<std::pair<Index, Index>> changed_;   // faces, and their exits before
   std::vector<std::pair<Index, Corner>> laid_out_; // faces, and their corners before
-  std::vector<Index> vertices_, stack_;
+  std::vector<Index> vertices_, stack_, turn_;
   std::vector<double> new_length_;
 };
 

@@ -217,32 +217,43 @@ private:
   }
 
   // Paths that join older ones, and those for which the forest has no room, have become longer. Leads what has become much
-  // longer along a path of its own again, where others lose less by that.
+  // longer another way again, where others lose less by that: along an edge first, which takes few faces from others, then
+  // along a path of its own.
   void shorten_detours(std::vector<unsigned char>& crossed, const Progress& progress)
   {
     Unfolded_forest forest(mesh_, connectivity_, roots_, distance_, crossed);
     progress(0.5);
+    shorten_detours(forest, [&](Index v, std::size_t& faces) { forest.lead_along_edge(v, faces); });
+    progress(0.75);
+    joins_older_ = false;
+    is_exact_ = exact_ != nullptr;
+    shorten_detours(forest,
+                    [&](Index v, std::size_t& faces)
+                    {
+      const bool arrives = trace(v);
+      faces -= (std::min)(faces, path_.size());
+      if(arrives)
+        forest.reroute(path_, faces);
+    });
+    if(forest.is_changed())
+      crossed = forest.crossed_edges(crossed);
+  }
+
+  // The longest ones first, by `shorten`, which is given how many faces may be passed and makes that less by those that
+  // are: as many as have been unfolded, so that this takes no longer.
+  template <typename Shorten>
+  void shorten_detours(const Unfolded_forest& forest, const Shorten& shorten) const
+  {
     const double most = connectivity_.mean_edge_length; // a curve of mesh edges is not more accurate
     std::vector<Index> order;
     for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
       if(forest.detour(v) > most)
         order.push_back(v);
     std::stable_sort(order.begin(), order.end(), [&](Index v, Index w) { return forest.detour(v) > forest.detour(w); });
-    joins_older_ = false;
-    is_exact_ = exact_ != nullptr;
-    // how many faces are passed: as many as have been unfolded, so that this takes no longer
     std::size_t faces = mesh_.number_of_faces();
     for(std::size_t i = 0; i < order.size() && faces > 0; ++i)
-    {
-      if(!(forest.detour(order[i]) > most))
-        continue;
-      const bool arrives = trace(order[i]);
-      faces -= (std::min)(faces, path_.size());
-      if(arrives)
-        forest.reroute(path_, faces);
-    }
-    if(forest.is_changed())
-      crossed = forest.crossed_edges(crossed);
+      if(forest.detour(order[i]) > most)
+        shorten(order[i], faces);
   }
 
   // that of an older path if this one ends there, or of the face where it ends
@@ -466,9 +477,10 @@ private:
  * The faces and the edges that are crossed must form a forest, so that the other edges hold a tree of all vertices and 2g
  * edges more on a surface of genus g, each border loop being one node. Where paths pass something on both sides, the
  * crossings by the fewest are given up. Then the forest is unfolded. Where the shortest way to a vertex that crosses no
- * other edges is longer than its distance by more than a mean edge, the forest is led along a path of its own, or parts of
- * it, if the squares of all detours become less in sum; so it is if all sources are points. Of several sources, no tree of
- * that forest has more than one. Along the border, paths run in its faces. Time is O(n log n).
+ * other edges is longer than its distance by more than a mean edge, the forest is led along an edge to a neighbor and on as
+ * that goes, or along a path of its own, or parts of it, if the squares of all detours become less in sum; so it is if all
+ * sources are points. Of several sources, no tree of that forest has more than one. Along the border, paths run in its
+ * faces. Time is O(n log n).
  *
  * @param geodesics what the exact solver found with `distance`, or null
  * @param nearest_sources if not null, becomes the number of the source where the path from each vertex ends; empty if
