@@ -430,6 +430,46 @@ TEST(Exact_tree, gap_and_width_in_closed_form)
   EXPECT_NEAR(width, std::sqrt(0.5), 1e-6);
 }
 
+TEST(Exact_tree, shows_the_widths_of_its_pieces)
+{
+  std::size_t number = 0, number_of_wrong = 0;
+  for(const Named_mesh& m : generic_meshes())
+  {
+    const Indexed_triangle_mesh mesh = indexed(m.data);
+    Exact_tree_solver solver(mesh);
+    solve(solver, at_vertex(mesh, 0));
+    curve_of(solver);
+    for(const auto& branch : solver.tree().kept({}))
+    {
+      const double width = solver.tree().width(branch.edge), shown = solver.tree().shown_width(branch.edge);
+      EXPECT_EQ(width > 0., shown > 0.) << m.name;
+      ++number;
+      number_of_wrong += std::abs(width - shown) > 0.01 * width;
+    }
+  }
+  EXPECT_GT(number, 1000u);
+  EXPECT_LT(number_of_wrong, number / 50);
+}
+
+TEST(Exact_tree, pieces_are_drawn_in_their_face)
+{
+  // One of the two images is that of a vertex from which paths go on nearly as those to the other image. An end of the
+  // piece is at a corner of the face, the first one, and up to rounding as far from both: but rounding is enough to let
+  // the bisector pass the corner at a distance, outside of the face.
+  using CGAL::Cut_loci::internal::Image;
+  using CGAL::Cut_loci::internal::Plane_point;
+  const Image source{0.91906073109107966, -1.923670147648382, 0., 0, 0, 0.},
+    vertex{0.71048475685241064, -1.4605702944892047, 0.50790151898448155, 1, 0, 0.};
+  const Plane_point corner{0.057430603479329781, 0.}, apex{0.030278926750715321, 0.063427612463538438},
+    end{0.052349884421626434, 0.011386366416637593};
+  ASSERT_LT(std::abs(source.distance(corner) - vertex.distance(corner)), 1e-8);
+  std::vector<Plane_point> points;
+  CGAL::Cut_loci::internal::sample_bisector(source, vertex, corner, end, 1e-10, points);
+  ASSERT_FALSE(points.empty());
+  for(const Plane_point& p : points)
+    EXPECT_GT((apex.x - corner.x) * (p.y - corner.y) - (apex.y - corner.y) * (p.x - corner.x), 0.);
+}
+
 TEST(Exact_tree, needs_the_exact_solver)
 {
   const Mesh mesh = to_surface_mesh(test_meshes::cube(1));

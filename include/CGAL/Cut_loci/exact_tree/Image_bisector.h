@@ -117,16 +117,22 @@ inline std::size_t equidistant_points(const Plane_point& p, const Plane_point& q
 
 /// appends points of the hyperbola between two images, from `p` to `q` and without these, so that chords leave it by at
 /// most `tolerance`
+///
+/// The ends are on it up to rounding, which moves it the farther the smaller the angle is at which the paths meet: by more
+/// than they are away from the boundary of the face, maybe. So the points have what the ends have by which the paths
+/// differ, in parts.
 inline void sample_bisector(const Image& a, const Image& b, const Plane_point& p, const Plane_point& q,
                             double tolerance, std::vector<Plane_point>& points, int depth = 0)
 {
   constexpr int most = 10; // a thousand points
   if(a.sigma == b.sigma || depth == most)
     return;
+  Image c = a;
+  c.sigma -= 0.5 * (a.distance(p) - b.distance(p) + a.distance(q) - b.distance(q));
   const Plane_point middle{0.5 * (p.x + q.x), 0.5 * (p.y + q.y)};
   const Plane_point beside{middle.x - (q.y - p.y), middle.y + (q.x - p.x)};
   std::array<Plane_point, 2> candidates;
-  const std::size_t n = equidistant_points(middle, beside, a, b, candidates);
+  const std::size_t n = equidistant_points(middle, beside, c, b, candidates);
   double least = 0.5 * std::hypot(q.x - p.x, q.y - p.y); // a branch of a hyperbola bends by less than a right angle
   std::size_t best = n;
   for(std::size_t i = 0; i < n; ++i)
