@@ -213,8 +213,9 @@ public:
     // some faces: in each it crosses, a branch has about as many pieces as there are on average
     const std::size_t most = 1 + 16 * edges.size() / (std::max)(ridges_.faces().size(), std::size_t(1));
     shown_width_.assign(graph_->edges.size(), 0.f);
-    Branch_widths<decltype(measure)>(edges, static_cast<Index>(graph_->nodes.size()), most, measure, shown_width_,
-                                     progress);
+    const auto length_of = [this](Index e) { return length(e); };
+    Branch_widths<decltype(measure), decltype(length_of)>(edges, static_cast<Index>(graph_->nodes.size()), most,
+                                                          measure, length_of, shown_width_, progress);
   }
   float shown_width(Index edge) const { return shown_width_[edge]; }
 

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -86,26 +87,31 @@ public:
 private:
   void sort_nodes(const std::vector<Tree_branches::Edge>& kept)
   {
+    const auto edge = [&](Index i) { return connectivity_.edge_of_halfedge[graph_.nodes[i].halfedge]; };
+    std::vector<unsigned char> is_found(graph_.nodes.size(), 0);
+    std::vector<Index> found;
+    node_begin_.assign(connectivity_.number_of_edges() + std::size_t(1), 0);
     for(const Tree_branches::Edge& b : kept)
       for(Index i : graph_.edges[b.edge].nodes)
-        if(graph_.nodes[i].halfedge != null_index)
-          nodes_.push_back(i);
-    const auto edge = [&](Index i) { return connectivity_.edge_of_halfedge[graph_.nodes[i].halfedge]; };
-    std::sort(nodes_.begin(), nodes_.end(),
-              [&](Index a, Index b)
-              {
-      const Tree_graph::Node &p = graph_.nodes[a], &q = graph_.nodes[b];
-      return edge(a) != edge(b)         ? edge(a) < edge(b)
-             : p.t != q.t               ? p.t < q.t
-             : p.crossing != q.crossing ? p.crossing < q.crossing
-                                        : a < b;
-    });
-    nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
-    node_begin_.assign(connectivity_.number_of_edges() + std::size_t(1), 0);
-    for(Index i : nodes_)
-      ++node_begin_[edge(i) + std::size_t(1)];
+        if(graph_.nodes[i].halfedge != null_index && !is_found[i])
+        {
+          is_found[i] = 1;
+          found.push_back(i);
+          ++node_begin_[edge(i) + std::size_t(1)];
+        }
     for(std::size_t e = 0; e + 1 < node_begin_.size(); ++e)
       node_begin_[e + 1] += node_begin_[e];
+    nodes_.resize(found.size());
+    std::vector<Index> next(node_begin_.begin(), node_begin_.end() - 1);
+    for(Index i : found)
+      nodes_[next[edge(i)]++] = i;
+    for(std::size_t e = 0; e + 1 < node_begin_.size(); ++e)
+      std::sort(nodes_.begin() + node_begin_[e], nodes_.begin() + node_begin_[e + 1],
+                [&](Index a, Index b)
+                {
+        const Tree_graph::Node &p = graph_.nodes[a], &q = graph_.nodes[b];
+        return std::tie(p.t, p.crossing, a) < std::tie(q.t, q.crossing, b);
+      });
   }
 
   void sort_edges(const std::vector<Tree_branches::Edge>& kept, const Progress& progress)

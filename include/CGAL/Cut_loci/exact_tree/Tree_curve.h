@@ -280,25 +280,32 @@ private:
   /// smaller ones in faces in which chains cross each other else
   void set_tolerances(const Progress& progress)
   {
-    std::vector<Index> order(chains_.size());
-    for(Index i = 0; i < order.size(); ++i)
-      order[i] = i;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Index a, Index b) { return face_of(chains_[a]) < face_of(chains_[b]); });
-    std::size_t number = 0; // of faces
-    for(std::size_t first = 0, last; first < order.size(); first = last)
+    std::vector<Index> begin(mesh_.number_of_faces() + std::size_t(1), 0), order(chains_.size());
+    for(const Chain& c : chains_)
+      ++begin[face_of(c) + std::size_t(1)];
+    for(std::size_t f = 0; f + 1 < begin.size(); ++f)
+      begin[f + 1] += begin[f];
+    std::vector<Index> end(begin.begin(), begin.end() - 1);
+    for(Index i = 0; i < chains_.size(); ++i)
+      order[end[face_of(chains_[i])]++] = i;
+    for(Index f = 0; f < mesh_.number_of_faces(); ++f)
     {
-      progress(number++, order.size());
-      for(last = first + 1; last < order.size() && face_of(chains_[order[last]]) == face_of(chains_[order[first]]);)
-        ++last;
-      // down to the accuracy of the nodes, and then the lines between these, which do not cross each other
-      constexpr double finest = 1e-8, all = (std::numeric_limits<double>::infinity)();
-      for(double t = tolerance(); last - first > 1 && t < all && cross_each_other(order, first, last);)
-      {
-        t = t > finest * connectivity_.mean_edge_length ? 0.1 * t : all;
-        for(std::size_t i = first; i < last; ++i)
-          chains_[order[i]].tolerance = t;
-      }
+      progress(f, mesh_.number_of_faces());
+      if(end[f] > begin[f] + 1)
+        set_tolerances(order, begin[f], end[f]);
+    }
+  }
+
+  /// of chains of one face: down to the accuracy of the nodes, and then the lines between these, which do not cross each
+  /// other
+  void set_tolerances(const std::vector<Index>& order, std::size_t first, std::size_t last)
+  {
+    constexpr double finest = 1e-8, all = (std::numeric_limits<double>::infinity)();
+    for(double t = tolerance(); t < all && cross_each_other(order, first, last);)
+    {
+      t = t > finest * connectivity_.mean_edge_length ? 0.1 * t : all;
+      for(std::size_t i = first; i < last; ++i)
+        chains_[order[i]].tolerance = t;
     }
   }
 
