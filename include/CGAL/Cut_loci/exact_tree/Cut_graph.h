@@ -283,7 +283,7 @@ private:
         {
           is_crossed = true;
           links.push_back({c, true});
-          const bool is_between_sources = has_several_sources_ && changes_.is_between_sources(c);
+          const bool is_between_sources = has_several_sources_ && changes_[c].is_between_sources;
           weight.push_back(is_between_sources ? last : angle(changes_[c]));
         }
       if(!is_crossed)

@@ -29,12 +29,22 @@ namespace internal {
 /// is a point of an edge of the mesh at which the label changes.
 struct Edge_crossing
 {
-  Index halfedge;    // of the two of the edge, that of smaller index
-  Index label;       // the number of the label before the point; the next one is behind it
-  double t;          // the position on the halfedge
-  double gap, angle; // between the two paths: where they part and where they meet
-  bool is_shadow;    // it is the same path on both sides: the boundary of a shadow, not on the cut locus
+  Index halfedge;          // of the two of the edge, that of smaller index
+  Index label;             // the number of the label before the point; the next one is behind it
+  double t;                // the position on the halfedge
+  double gap, angle;       // between the two paths: where they part and where they meet
+  double distance;         // to the source
+  bool is_shadow;          // it is the same path on both sides: the boundary of a shadow, not on the cut locus
+  bool is_between_sources; // the paths come from different ones
 };
+
+inline Edge_crossing edge_crossing(const Geodesic_results& geodesics, Index h, Index label, double t,
+                                   const Path_label& left, const Path_label& right, double gap, double angle,
+                                   bool is_shadow)
+{
+  const bool is_between_sources = geodesics.source_of_origin(left.origin) != geodesics.source_of_origin(right.origin);
+  return {h, label, t, gap, angle, left.distance(t), is_shadow, is_between_sources};
+}
 
 /// is the numbers of the first and the last label of an edge of the mesh.
 struct Edge_ends
@@ -245,11 +255,11 @@ private:
       const bool is_bend =
         angle < 0.5 * geodesic_pi && get_apart(left, right, t) &&
         (gap < Parting_angle::least_angle || gap * way <= Edge_envelope::least_width * faces_.length(h));
-      crossings.push_back(
-        {h, label, t, gap, angle, is_seam || is_bend || parting_angle_.is_same_path(left, right, t, h)});
+      const bool is_shadow = is_seam || is_bend || parting_angle_.is_same_path(left, right, t, h);
+      crossings.push_back(edge_crossing(geodesics_, h, label, t, left, right, gap, angle, is_shadow));
     }
     else if(!is_same_family(geodesics_, angle, gap))
-      crossings.push_back({h, label, t, gap, angle, false});
+      crossings.push_back(edge_crossing(geodesics_, h, label, t, left, right, gap, angle, false));
   }
 
 public:

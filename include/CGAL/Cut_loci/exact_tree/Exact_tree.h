@@ -128,6 +128,7 @@ public:
                              progress_.part(0., 0.4));
     crossings_.reset();
     ridges_ = Ridges(mesh_, connectivity_, geodesics_, changes_, threads, progress_.part(0.4, 1.));
+    changes_.forget_labels();
   }
 
   void join()
@@ -135,8 +136,12 @@ public:
     const Cut_graph cut(mesh_, connectivity_, geodesics_, changes_, ridges_, source_vertices_, progress_.part(0., 0.5));
     Tree_graph_builder builder(mesh_, connectivity_, geodesics_, changes_, ridges_, cut, progress_.part(0.5, 0.9));
     graph_.reset(new Tree_graph(builder.release()));
+    changes_.forget_crossings();
     if(!least_.is_none())
+    {
       graph_->drop_weak_branches(least_, progress_.part(0.9, 1.));
+      keep_what_is_left();
+    }
   }
 
   /// The source is moved away from a vertex: what starts there is none of it.
@@ -211,7 +216,7 @@ public:
   {
     const auto measure = [this](Index e) { return static_cast<float>(width(e)); };
     // some faces: in each it crosses, a branch has about as many pieces as there are on average
-    const std::size_t most = 1 + 16 * edges.size() / (std::max)(ridges_.faces().size(), std::size_t(1));
+    const std::size_t most = 1 + 16 * edges.size() / (std::max)(ridges_.number_of_faces(), Index(1));
     shown_width_.assign(graph_->edges.size(), 0.f);
     const auto length_of = [this](Index e) { return length(e); };
     Branch_widths<decltype(measure), decltype(length_of)>(edges, static_cast<Index>(graph_->nodes.size()), most,
@@ -228,6 +233,20 @@ public:
   }
 
 private:
+  /// Of all pieces in the faces that have been drawn, few are on strong branches.
+  void keep_what_is_left()
+  {
+    graph_->drop_lone_nodes();
+    std::vector<Index> pieces;
+    for(Tree_graph::Edge& e : graph_->edges)
+      if(e.piece != null_index)
+      {
+        pieces.push_back(e.piece);
+        e.piece = static_cast<Index>(pieces.size() - 1);
+      }
+    ridges_.keep(pieces);
+  }
+
   /// What is between two sources is on a cycle. On no branch it is more than rounding, so that it holds none.
   bool is_a_branch(Index e, const Branch_strength& least) const
   {

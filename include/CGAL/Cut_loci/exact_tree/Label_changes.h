@@ -70,12 +70,6 @@ public:
         function(c, true);
   }
 
-  /// whether the paths on its two sides come from different sources
-  bool is_between_sources(std::size_t i) const
-  {
-    return geodesics_->source_of_origin(left(i).origin) != geodesics_->source_of_origin(right(i).origin);
-  }
-
   /// whether all that changes in a face, and on its edges, is known
   bool is_drawn(Index f) const { return is_drawn_[f] != 0; }
   const std::vector<unsigned char>& drawn_faces() const { return is_drawn_; }
@@ -84,6 +78,17 @@ public:
 
   /// the changes at vertices, by their halfedge
   const std::vector<Vertex_labels::Change>& at_vertices() const { return at_vertices_; }
+
+  /// frees the memory of the labels, once all faces have been drawn
+  void forget_labels() { labels_ = Growing_list<Path_label>(); }
+
+  /// frees that of all else but which faces are drawn
+  void forget_crossings()
+  {
+    std::vector<unsigned char> is_drawn = std::move(is_drawn_);
+    *this = Label_changes();
+    is_drawn_ = std::move(is_drawn);
+  }
 
 private:
   void add_crossings_at_ends(const Growing_list<Edge_ends>& ends, const Vertex_labels& labels, const Progress& progress)
@@ -133,7 +138,8 @@ private:
 
   void add_crossing(Index h, double t, const Path_label& left, const Path_label& right, double gap, double angle)
   {
-    crossings_.push_back({h, static_cast<Index>(labels_.size()), t, gap, angle, false});
+    crossings_.push_back(
+      edge_crossing(*geodesics_, h, static_cast<Index>(labels_.size()), t, left, right, gap, angle, false));
     labels_.push_back(left);
     labels_.push_back(right);
   }

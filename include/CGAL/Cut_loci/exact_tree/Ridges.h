@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -105,6 +106,7 @@ public:
   }
 
   const std::vector<Face>& faces() const { return faces_; }
+  Index number_of_faces() const { return number_of_faces_; }
   /// the number of faces in which labels did not fit each other
   Index number_of_doubtful() const { return number_of_doubtful_; }
   const Node& node(const Face& f, Index i) const { return nodes_[f.first_node + i]; }
@@ -142,6 +144,28 @@ public:
         if(!(*changes_)[c].is_shadow)
           result.push_back({c, i, is_reversed});
       });
+  }
+
+  /// keeps some pieces, which get new numbers in this order, and frees the memory of all others and of the faces
+  void keep(const std::vector<Index>& kept)
+  {
+    Growing_list<Node> nodes;
+    Growing_list<Piece> pieces;
+    for(Index p : kept)
+    {
+      Piece piece = pieces_[p];
+      const Index first_node = static_cast<Index>(nodes.size());
+      for(Index& i : piece.nodes)
+      {
+        nodes.push_back(nodes_[piece.first_node + i]);
+        i = static_cast<Index>(nodes.size() - 1) - first_node;
+      }
+      piece.first_node = first_node;
+      pieces.push_back(piece);
+    }
+    nodes_ = std::move(nodes);
+    pieces_ = std::move(pieces);
+    faces_ = std::vector<Face>();
   }
 
 private:
@@ -199,6 +223,7 @@ private:
       face.end_piece += pieces;
       faces_.push_back(face);
     }
+    number_of_faces_ += part.number_of_faces_;
     number_of_doubtful_ += part.number_of_doubtful_;
   }
 
@@ -277,6 +302,7 @@ private:
     face.end_piece = static_cast<Index>(pieces_.size());
     number_trees(work, face);
     faces_.push_back(face);
+    ++number_of_faces_;
   }
 
   void add_piece(const Work& work, const Face& face, const Face_ridges::Ridge& r)
@@ -353,7 +379,7 @@ private:
   std::vector<Face> faces_;
   Growing_list<Node> nodes_;
   Growing_list<Piece> pieces_;
-  Index number_of_doubtful_ = 0;
+  Index number_of_faces_ = 0, number_of_doubtful_ = 0;
 };
 
 } // namespace internal

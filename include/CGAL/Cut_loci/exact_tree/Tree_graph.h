@@ -111,6 +111,28 @@ public:
     edges.resize(size);
   }
 
+  /// the nodes of no edge, but for border loops
+  void drop_lone_nodes()
+  {
+    std::vector<Index> number(nodes.size(), null_index);
+    for(const Edge& e : edges)
+      for(Index i : e.nodes)
+        number[i] = 0;
+    Index size = 0;
+    for(Index i = 0; i < nodes.size(); ++i)
+      if(number[i] != null_index || i < number_of_loops_)
+      {
+        number[i] = size;
+        nodes[size++] = nodes[i];
+      }
+    nodes.resize(size);
+    nodes.shrink_to_fit();
+    for(Edge& e : edges)
+      for(Index& i : e.nodes)
+        i = number[i];
+    edges.shrink_to_fit();
+  }
+
   Index number_of_open = 0; ///< crossings at which the graph is not closed
 
 private:

@@ -196,7 +196,7 @@ private:
   {
     Node node = node_on_edge(changes_[c].halfedge, changes_[c].t);
     node.crossing = c;
-    node.distance = changes_.left(c).distance(changes_[c].t);
+    node.distance = changes_[c].distance;
     return add_node(node);
   }
 
