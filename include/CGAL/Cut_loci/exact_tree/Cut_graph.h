@@ -127,6 +127,14 @@ private:
       first_extra_[i] = number_of_nodes;
       number_of_nodes += (std::max)(faces[i].number_of_trees, Index(1)) - 1;
     }
+    nodes_of_crossing_.assign(changes_.number_of_crossings(), {{null_index, null_index}});
+    for(Index i = 0; i < faces.size(); ++i)
+      for(Index k = 0; k < faces[i].number_of_crossings; ++k)
+      {
+        const Ridges::Node& node = ridges_.node(faces[i], k);
+        const bool is_behind = changes_[node.crossing].halfedge / 3 != faces[i].face;
+        nodes_of_crossing_[node.crossing][is_behind] = node_of_tree(i, node.tree);
+      }
   }
 
   // -- the primal graph ------------------------------------------------------------------------------------------------
@@ -314,7 +322,12 @@ private:
   void add_crossing(Index c)
   {
     const Index h = changes_[c].halfedge, o = mesh_.opposite[h];
-    joints.push_back({Joint::CROSSING, c, {node_at(h / 3, c), o != null_index ? node_at(o / 3, c) : border_node(h)}});
+    const auto node_in = [&](Index face, std::size_t side)
+    {
+      const Index node = nodes_of_crossing_[c][side];
+      return node != null_index ? node : face;
+    };
+    joints.push_back({Joint::CROSSING, c, {node_in(h / 3, 0), o != null_index ? node_in(o / 3, 1) : border_node(h)}});
     set_sides(before_[c], behind_[c]);
   }
 
@@ -327,25 +340,14 @@ private:
     joints.back().sources[1] = b;
   }
 
-  Index node_at(Index f, Index c) const
-  {
-    const Index r = record_[f];
-    if(r == null_index)
-      return f;
-    const Ridges::Face& face = ridges_.faces()[r];
-    for(Index i = 0; i < face.number_of_crossings; ++i)
-      if(ridges_.node(face, i).crossing == c)
-        return node_of_tree(r, ridges_.node(face, i).tree);
-    return f;
-  }
-
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   const Geodesic_results& geodesics_;
   const Label_changes& changes_;
   const Ridges& ridges_;
   std::vector<Index> record_, first_extra_;
-  std::vector<Index> before_, behind_; // the primal nodes beside each crossing that is real
+  std::vector<std::array<Index, 2>> nodes_of_crossing_; // in the faces on the two sides
+  std::vector<Index> before_, behind_;                  // the primal nodes beside each crossing that is real
   Source_forest forest_{0};
   bool has_several_sources_;
   mutable std::vector<Ridges::Crossing_on_face> around_;
