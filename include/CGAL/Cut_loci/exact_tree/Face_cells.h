@@ -260,7 +260,7 @@ private:
       const Segment part = longest_segment(f, i);
       const Plane_point p{0.5 * (part.from.x + part.to.x), 0.5 * (part.from.y + part.to.y)};
       std::size_t number = 0;
-      for(Index k = edge_begin_[f]; k < edge_begin_[f + std::size_t(1)]; ++k)
+      for(Index k = edge_begin_[f]; k < edge_begin_[f + std::size_t(1)] && number <= least; ++k)
       {
         const Tree_graph::Edge& e = graph_.edges[edges_[k]];
         number += separates(position(f, e.nodes[0]), position(f, e.nodes[1]), p, c);

@@ -57,7 +57,7 @@ public:
     for(const Tree_branches::Edge& b : kept)
       if(!is_drawn_[b.edge] && !tree_.graph().edges[b.edge].is_virtual)
         find_chain(b.edge);
-    set_tolerances(progress.part(0.5, 0.8));
+    lay_out_chains(progress.part(0.5, 0.8));
     const Progress drawing = progress.part(0.8, 1.);
     std::size_t number = 0;
     for(const Chain& c : chains_)
@@ -239,7 +239,7 @@ private:
   {
     Index begin, end, widest; // nodes, and the edge with the largest gap
     std::size_t first_step, end_step;
-    double tolerance; // by which it leaves the cut locus at most; infinite if it follows the nodes alone
+    std::size_t first_point, end_point; // of what is drawn
   };
 
   struct Step
@@ -258,7 +258,7 @@ private:
         break; // a cycle within the face, which is not possible up to rounding
       from = other_end(edge, from);
     }
-    Chain chain{from, from, edge, steps_.size(), 0, tolerance()};
+    Chain chain{from, from, edge, steps_.size(), 0, 0, 0};
     while(true)
     {
       is_drawn_[edge] = 1;
@@ -277,8 +277,7 @@ private:
 
   Index face_of(const Chain& c) const { return tree_.graph().edges[c.widest].face; }
 
-  /// smaller ones in faces in which chains cross each other else
-  void set_tolerances(const Progress& progress)
+  void lay_out_chains(const Progress& progress)
   {
     std::vector<Index> begin(mesh_.number_of_faces() + std::size_t(1), 0), order(chains_.size());
     for(const Chain& c : chains_)
@@ -291,37 +290,35 @@ private:
     for(Index f = 0; f < mesh_.number_of_faces(); ++f)
     {
       progress(f, mesh_.number_of_faces());
-      if(end[f] > begin[f] + 1)
-        set_tolerances(order, begin[f], end[f]);
+      if(end[f] > begin[f])
+        lay_out_face(order, begin[f], end[f]);
     }
   }
 
-  /// of chains of one face: down to the accuracy of the nodes, and then the lines between these, which do not cross each
-  /// other
-  void set_tolerances(const std::vector<Index>& order, std::size_t first, std::size_t last)
+  /// The tolerance is smaller where chains cross each other else: down to the accuracy of the nodes, and then the chains
+  /// follow the nodes alone, between which they do not cross each other.
+  void lay_out_face(const std::vector<Index>& order, std::size_t begin, std::size_t end)
   {
     constexpr double finest = 1e-8, all = (std::numeric_limits<double>::infinity)();
-    for(double t = tolerance(); t < all && cross_each_other(order, first, last);)
+    const std::size_t first_point = points_.size();
+    for(double t = tolerance();; t = t > finest * connectivity_.mean_edge_length ? 0.1 * t : all)
     {
-      t = t > finest * connectivity_.mean_edge_length ? 0.1 * t : all;
-      for(std::size_t i = first; i < last; ++i)
-        chains_[order[i]].tolerance = t;
+      points_.resize(first_point);
+      for(std::size_t i = begin; i < end; ++i)
+        lay_out(chains_[order[i]], t);
+      if(end - begin < 2 || !(t < all) || !cross_each_other(order, begin, end))
+        return;
     }
   }
 
-  bool cross_each_other(const std::vector<Index>& order, std::size_t first, std::size_t last)
+  bool cross_each_other(const std::vector<Index>& order, std::size_t begin, std::size_t end)
   {
     crossings_.clear();
-    for(std::size_t i = first; i < last; ++i)
+    for(std::size_t i = begin; i < end; ++i)
     {
-      lay_out(chains_[order[i]]);
-      std::size_t previous = 0;
-      for(std::size_t k = 1; k < points_.size(); ++k)
-        if(is_left_[k])
-        {
-          crossings_.add(points_[previous].point, points_[k].point);
-          previous = k;
-        }
+      const Chain& c = chains_[order[i]];
+      for(std::size_t k = c.first_point + 1; k < c.end_point; ++k)
+        crossings_.add(points_[k - 1].point, points_[k].point);
     }
     return crossings_.has_any();
   }
@@ -346,27 +343,34 @@ private:
     double distance;
   };
 
-  /// the points of a chain, and which of them are left
-  void lay_out(const Chain& c)
+  /// adds the points of a chain that are needed so that it leaves the cut locus by the tolerance at most
+  void lay_out(Chain& c, double tolerance)
   {
-    points_.clear();
+    constexpr double all = (std::numeric_limits<double>::infinity)();
+    all_points_.clear();
     add_point(c.begin, steps_[c.first_step].edge);
     for(std::size_t i = c.first_step; i < c.end_step; ++i)
     {
-      if(c.tolerance < (std::numeric_limits<double>::infinity)())
-        add_points_between(steps_[i].edge, steps_[i].from, c.tolerance);
+      if(tolerance < all)
+        add_points_between(steps_[i].edge, steps_[i].from, tolerance);
       add_point(other_end(steps_[i].edge, steps_[i].from), steps_[i].edge);
     }
-    is_left_.assign(points_.size(), c.tolerance < (std::numeric_limits<double>::infinity)() ? 0 : 1);
+    is_left_.assign(all_points_.size(), tolerance < all ? 0 : 1);
     is_left_.front() = is_left_.back() = 1;
     starts_and_ends_on_edge_ = are_on_one_edge(c.begin, c.end);
-    simplify(0, points_.size() - 1, c.tolerance);
+    if(tolerance < all)
+      simplify(0, all_points_.size() - 1, tolerance);
+    c.first_point = points_.size();
+    for(std::size_t k = 0; k < all_points_.size(); ++k)
+      if(is_left_[k])
+        points_.push_back(all_points_[k]);
+    c.end_point = points_.size();
   }
 
   void add_point(Index i, Index edge)
   {
     const Index own = own_end(i, edge);
-    points_.push_back({place(i, tree_.graph().edges[edge].face), tree_.graph().nodes[own].distance});
+    all_points_.push_back({place(i, tree_.graph().edges[edge].face), tree_.graph().nodes[own].distance});
   }
 
   /// where a node is drawn, in the frame of the first halfedge of a face
@@ -394,7 +398,7 @@ private:
     if(std::hypot(p.x - q.x, p.y - q.y) > std::hypot(p.x - r.x, p.y - r.y))
       std::reverse(samples_.begin(), samples_.end());
     for(const Plane_point& s : samples_)
-      points_.push_back({s, piece.images[0].distance(s)});
+      all_points_.push_back({s, piece.images[0].distance(s)});
   }
 
   /// by which the curve leaves the cut locus at most: small beside what a face differs from any surface it stands for
@@ -402,19 +406,17 @@ private:
 
   void draw(const Chain& c)
   {
-    lay_out(c);
     const Tree_graph::Edge& e = tree_.graph().edges[c.widest];
     const float width = tree_.shown_width(c.widest);
     const Index last = node(c.end);
     Index previous = node(c.begin);
-    for(std::size_t i = 1; i + 1 < points_.size(); ++i)
-      if(is_left_[i])
-      {
-        const Index next = static_cast<Index>(graph.nodes.size());
-        graph.nodes.push_back({location(e.face, points_[i].point), null_index, points_[i].distance});
-        add_segment(previous, next, e, width);
-        previous = next;
-      }
+    for(std::size_t i = c.first_point + 1; i + 1 < c.end_point; ++i)
+    {
+      const Index next = static_cast<Index>(graph.nodes.size());
+      graph.nodes.push_back({location(e.face, points_[i].point), null_index, points_[i].distance});
+      add_segment(previous, next, e, width);
+      previous = next;
+    }
     add_segment(previous, last, e, width);
   }
 
@@ -431,13 +433,13 @@ private:
   /// marks the points between two that are needed (Douglas and Peucker)
   void simplify(std::size_t first, std::size_t last, double tolerance)
   {
-    const Plane_point &p = points_[first].point, &q = points_[last].point;
+    const Plane_point &p = all_points_[first].point, &q = all_points_[last].point;
     const double ux = q.x - p.x, uy = q.y - p.y, uu = ux * ux + uy * uy;
     double most = 0.;
     std::size_t farthest = first;
     for(std::size_t i = first + 1; i < last; ++i)
     {
-      const double vx = points_[i].point.x - p.x, vy = points_[i].point.y - p.y;
+      const double vx = all_points_[i].point.x - p.x, vy = all_points_[i].point.y - p.y;
       const double s = uu > 0. ? (std::min)((std::max)((ux * vx + uy * vy) / uu, 0.), 1.) : 0.;
       const double away = std::hypot(vx - s * ux, vy - s * uy);
       if(away > most)
@@ -447,7 +449,7 @@ private:
       }
     }
     // between points of one edge of the mesh even the flattest arc stays: shortest paths may follow the edge
-    if(most <= tolerance && !(first == 0 && last + 1 == points_.size() && starts_and_ends_on_edge_ && most > 0.))
+    if(most <= tolerance && !(first == 0 && last + 1 == all_points_.size() && starts_and_ends_on_edge_ && most > 0.))
       return;
     is_left_[farthest] = 1;
     simplify(first, farthest, tolerance);
@@ -486,7 +488,7 @@ private:
   std::vector<Chain> chains_;
   std::vector<Step> steps_; // of all chains
   Polyline_crossings crossings_;
-  std::vector<Point> points_; // of the chain in work
+  std::vector<Point> points_, all_points_; // of all chains, and more than are needed of the one in work
   std::vector<Plane_point> samples_;
   std::vector<unsigned char> is_left_;
   bool starts_and_ends_on_edge_ = false;
