@@ -7,6 +7,7 @@
 // The cut locus of polyhedra of any kind: with saddles, handles, borders and flat parts, from any source. What is on it
 // is told by an oracle that unfolds the surface on its own.
 
+#include "curve_topology.h"
 #include "detour.h"
 #include "polyhedra.h"
 #include "polyhedral_oracle.h"
@@ -468,6 +469,31 @@ TEST(Exact_tree, pieces_are_drawn_in_their_face)
   ASSERT_FALSE(points.empty());
   for(const Plane_point& p : points)
     EXPECT_GT((apex.x - corner.x) * (p.y - corner.y) - (apex.y - corner.y) * (p.x - corner.x), 0.);
+}
+
+TEST(Exact_tree, branches_closer_than_rounding_do_not_cross)
+{
+  // nearly flat bands of a cylinder, in which many branches run beside each other
+  const Indexed_triangle_mesh mesh = indexed(test_meshes::cylinder(1., 12, 4, 1e-3, 5));
+  Exact_tree_solver solver(mesh);
+  for(Index source = 0; source < mesh.number_of_vertices(); source += 5)
+  {
+    solve(solver, at_vertex(mesh, source));
+    const Indexed_cut_locus curve = curve_of(solver);
+    EXPECT_EQ(curve_measures::internal::Curve_topology(mesh, curve).fault(), "") << "source " << source;
+  }
+}
+
+TEST(Exact_tree, planar_positions)
+{
+  using CGAL::Cut_loci::internal::Plane_point;
+  // two trees between the edges of a triangle; of the first one, a node is beyond the other tree
+  std::vector<Plane_point> position = {{0.2, 0.}, {0.4, 0.}, {0., 0.3}, {0.7, 0.2}, {0.5, 0.}, {0., 0.5}};
+  CGAL::Cut_loci::internal::move_to_planar_positions({{{0, 3}}, {{1, 3}}, {{2, 3}}, {{4, 5}}}, {1, 1, 1, 0, 1, 1},
+                                                     position);
+  EXPECT_NEAR(position[3].x, 0.2, 1e-9);
+  EXPECT_NEAR(position[3].y, 0.1, 1e-9);
+  EXPECT_EQ(position[4].x, 0.5);
 }
 
 TEST(Exact_tree, needs_the_exact_solver)

@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Image_bisector.h>
 #include <CGAL/Cut_loci/exact_tree/Polyline_crossings.h>
+#include <CGAL/Cut_loci/exact_tree/planar_positions.h>
 #include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -176,7 +178,11 @@ private:
       number_[i] = static_cast<Index>(graph.nodes.size());
       const Tree_graph::Node& n = tree_.graph().nodes[i];
       const Index v = vertex_[i];
-      graph.nodes.push_back({v != null_index ? location_of_vertex(connectivity_, v) : location(n), v, n.distance});
+      const auto moved = moved_.find(i);
+      graph.nodes.push_back({v != null_index         ? location_of_vertex(connectivity_, v)
+                             : moved != moved_.end() ? location(n.face, moved->second)
+                                                     : location(n),
+                             v, n.distance});
     }
     return number_[i];
   }
@@ -193,23 +199,29 @@ private:
     return result;
   }
 
-  /// a point of a face, in the frame of its first halfedge
-  Indexed_location location(Index f, const Plane_point& p) const
+  /// a point inside of a face, in the frame of its first halfedge
+  Indexed_location location(Index f, const Plane_point& p) const { return {f, coordinates(f, p)}; }
+
+  /// in the interior, as what is on an edge or at a vertex says so
+  std::array<double, 3> coordinates(Index f, const Plane_point& p) const
   {
+    constexpr double least = 1e-10;
     const std::array<Plane_point, 3> t = tree_.ridges().layout(f);
     const double third = p.y / t[2].y, second = (p.x - third * t[2].x) / t[1].x;
-    Indexed_location result;
-    result.face = f;
-    // in the interior, as what is on an edge or at a vertex says so
-    constexpr double least = 1e-10;
-    result.coordinates = {
+    std::array<double, 3> result = {
       {(std::max)(1. - second - third, least), (std::max)(second, least), (std::max)(third, least)}};
-    double sum = 0.;
-    for(double c : result.coordinates)
-      sum += c;
-    for(double& c : result.coordinates)
+    const double sum = result[0] + result[1] + result[2];
+    for(double& c : result)
       c /= sum;
     return result;
+  }
+
+  /// where such a point is drawn
+  Plane_point inside(Index f, const Plane_point& p) const
+  {
+    const std::array<Plane_point, 3> t = tree_.ridges().layout(f);
+    const std::array<double, 3> c = coordinates(f, p);
+    return {c[1] * t[1].x + c[2] * t[2].x, c[2] * t[2].y};
   }
 
   // -- pieces that follow each other in a face ---------------------------------------------------------------------------
@@ -306,7 +318,52 @@ private:
       points_.resize(first_point);
       for(std::size_t i = begin; i < end; ++i)
         lay_out(chains_[order[i]], t);
-      if(end - begin < 2 || !(t < all) || !cross_each_other(order, begin, end))
+      if(end - begin < 2 || !cross_each_other(order, begin, end))
+        return;
+      if(!(t < all))
+        break;
+    }
+    untangle(order, begin, end);
+  }
+
+  /// Where even the lines between nodes cross each other, branches are closer than nodes are accurate. Nodes inside of the
+  /// face are moved towards places where no lines cross, as little as is enough.
+  void untangle(const std::vector<Index>& order, std::size_t begin, std::size_t end)
+  {
+    const Index f = face_of(chains_[order[begin]]);
+    const std::size_t first_point = chains_[order[begin]].first_point;
+    std::vector<Index> nodes;
+    std::vector<std::array<Index, 2>> links;
+    for(std::size_t i = begin; i < end; ++i)
+      for(std::size_t k = chains_[order[i]].first_step; k < chains_[order[i]].end_step; ++k)
+      {
+        links.push_back({{steps_[k].from, other_end(steps_[k].edge, steps_[k].from)}});
+        nodes.insert(nodes.end(), links.back().begin(), links.back().end());
+      }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    for(std::array<Index, 2>& link : links)
+      for(Index& i : link)
+        i = static_cast<Index>(std::lower_bound(nodes.begin(), nodes.end(), i) - nodes.begin());
+    std::vector<Plane_point> before(nodes.size());
+    std::vector<unsigned char> is_fixed(nodes.size());
+    for(std::size_t i = 0; i < nodes.size(); ++i)
+    {
+      before[i] = place(nodes[i], f);
+      is_fixed[i] = rank(nodes[i]) > 0 || left_.degree(nodes[i]) == 1;
+    }
+    std::vector<Plane_point> planar = before;
+    move_to_planar_positions(links, is_fixed, planar);
+    for(double share = 1e-8; share < 2.; share *= 10.)
+    {
+      for(std::size_t i = 0; i < nodes.size(); ++i)
+        if(!is_fixed[i])
+          moved_[nodes[i]] = {before[i].x + share * (planar[i].x - before[i].x),
+                              before[i].y + share * (planar[i].y - before[i].y)};
+      points_.resize(first_point);
+      for(std::size_t i = begin; i < end; ++i)
+        lay_out(chains_[order[i]], (std::numeric_limits<double>::infinity)());
+      if(!cross_each_other(order, begin, end))
         return;
     }
   }
@@ -314,11 +371,18 @@ private:
   bool cross_each_other(const std::vector<Index>& order, std::size_t begin, std::size_t end)
   {
     crossings_.clear();
+    // in coordinates in which the face is not thin
+    const std::array<Plane_point, 3> t = tree_.ridges().layout(face_of(chains_[order[begin]]));
+    const auto scaled = [&](const Plane_point& p) -> Plane_point
+    {
+      const double third = p.y / t[2].y;
+      return {(p.x - third * t[2].x) / t[1].x, third};
+    };
     for(std::size_t i = begin; i < end; ++i)
     {
       const Chain& c = chains_[order[i]];
       for(std::size_t k = c.first_point + 1; k < c.end_point; ++k)
-        crossings_.add(points_[k - 1].point, points_[k].point);
+        crossings_.add(scaled(points_[k - 1].point), scaled(points_[k].point));
     }
     return crossings_.has_any();
   }
@@ -370,12 +434,17 @@ private:
   void add_point(Index i, Index edge)
   {
     const Index own = own_end(i, edge);
-    all_points_.push_back({place(i, tree_.graph().edges[edge].face), tree_.graph().nodes[own].distance});
+    const Index f = tree_.graph().edges[edge].face;
+    const Plane_point p = place(i, f);
+    all_points_.push_back({rank(i) > 0 ? p : inside(f, p), tree_.graph().nodes[own].distance});
   }
 
   /// where a node is drawn, in the frame of the first halfedge of a face
   Plane_point place(Index i, Index f) const
   {
+    const auto moved = moved_.find(i);
+    if(moved != moved_.end())
+      return moved->second;
     for(Index k = 0; k < 3; ++k)
       if(vertex_[i] != null_index && mesh_.triangles[f][k] == vertex_[i])
         return tree_.ridges().layout(f)[k];
@@ -398,7 +467,7 @@ private:
     if(std::hypot(p.x - q.x, p.y - q.y) > std::hypot(p.x - r.x, p.y - r.y))
       std::reverse(samples_.begin(), samples_.end());
     for(const Plane_point& s : samples_)
-      all_points_.push_back({s, piece.images[0].distance(s)});
+      all_points_.push_back({inside(e.face, s), piece.images[0].distance(s)});
   }
 
   /// by which the curve leaves the cut locus at most: small beside what a face differs from any surface it stands for
@@ -491,6 +560,7 @@ private:
   std::vector<Point> points_, all_points_; // of all chains, and more than are needed of the one in work
   std::vector<Plane_point> samples_;
   std::vector<unsigned char> is_left_;
+  std::unordered_map<Index, Plane_point> moved_; // nodes, in the frame of the first halfedge of their face
   bool starts_and_ends_on_edge_ = false;
 };
 
