@@ -443,7 +443,8 @@ TEST(Laplacian_detour_of_slim_faces, Smoothing_beside_fans)
     cut_loci.set_source(lib::Geodesic_mesh::Vertex_index(v));
     const auto longest = [&](CGAL::Cut_loci::Curve curve)
     {
-      return curve_measures::measure(mesh, cut_loci.cut_locus(params::cut_locus_curve(curve).gradient_angle_threshold(0.3)))
+      return curve_measures::measure(mesh,
+                                     cut_loci.cut_locus(params::cut_locus_curve(curve).gradient_angle_threshold(0.3)))
         .max;
     };
     EXPECT_LT(longest(CGAL::Cut_loci::Curve::THROUGH_FACES), longest(CGAL::Cut_loci::Curve::MESH_EDGES) + 1.);
