@@ -354,7 +354,7 @@ private:
     }
     std::vector<Plane_point> planar = before;
     move_to_planar_positions(links, is_fixed, planar);
-    for(double share = 1e-8; share < 2.; share *= 10.)
+    const auto move = [&](double share)
     {
       for(std::size_t i = 0; i < nodes.size(); ++i)
         if(!is_fixed[i])
@@ -363,9 +363,14 @@ private:
       points_.resize(first_point);
       for(std::size_t i = begin; i < end; ++i)
         lay_out(chains_[order[i]], (std::numeric_limits<double>::infinity)());
+    };
+    for(double share = 1e-8; share < 2.; share *= 10.)
+    {
+      move(share);
       if(!cross_each_other(order, begin, end))
         return;
     }
+    move(0.); // what crosses is on the boundary of the face
   }
 
   bool cross_each_other(const std::vector<Index>& order, std::size_t begin, std::size_t end)

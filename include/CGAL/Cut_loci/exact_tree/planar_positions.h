@@ -39,9 +39,11 @@ inline void move_to_planar_positions(const std::vector<std::array<Index, 2>>& li
   for(const Plane_point& p : position)
     size = (std::max)({size, std::fabs(p.x), std::fabs(p.y)});
   std::vector<Plane_point> sum(n);
-  // along a chain of n nodes, n * n steps bring them near to their places
+  // A chain of n nodes takes about n * n steps. In a face with many nodes, longer ones than this come near to their places
+  // in part only, in time O(n^2).
+  constexpr std::size_t longest = 64;
   double change = size;
-  for(std::size_t step = 0; step < 8 * n * n && change > 1e-12 * size; ++step)
+  for(std::size_t step = 0; step < longest * n && change > 1e-12 * size; ++step)
   {
     std::fill(sum.begin(), sum.end(), Plane_point{0., 0.});
     for(const std::array<Index, 2>& link : links)
