@@ -7,11 +7,10 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_ONE_SIDED_DISTANCES_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_ONE_SIDED_DISTANCES_H
 
+#include <CGAL/Cut_loci/internal/small_systems.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
-
-#include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
@@ -134,22 +133,20 @@ private:
   static constexpr unsigned char rings = 4;
   static constexpr int rounds = 3;
 
-  using Row = Eigen::Matrix<double, 6, 1>;
+  using Row = Small_vector<6>;
 
   Row monomials(const Candidate& c) const
   {
     const double u = c.u / radius_, v = c.v / radius_;
-    Row result;
-    result << 1., u, v, u * u, u * v, v * v;
-    return result;
+    return {{1., u, v, u * u, u * v, v * v}};
   }
 
-  double evaluate(int side, const Candidate& c) const { return coefficients_[side].dot(monomials(c)); }
+  double evaluate(int side, const Candidate& c) const { return dot_product(coefficients_[side], monomials(c)); }
 
   bool fit_side(int side, int round)
   {
-    Eigen::Matrix<double, 6, 6> a = Eigen::Matrix<double, 6, 6>::Zero();
-    Row b = Row::Zero();
+    Small_matrix<6> a = {};
+    Row b = {};
     int count = 0;
     for(const Candidate& c : candidates_)
     {
@@ -157,28 +154,34 @@ private:
       if(c.side != side || (round == 0 && c.depth == 1))
         continue;
       const Row m = monomials(c);
-      a += c.weight * m * m.transpose();
-      b += c.weight * c.distance * m;
+      add_square(c.weight, m, a);
+      add_multiple(c.weight * c.distance, m, b);
       ++count;
     }
     if(count < 9) // half as many again as there are coefficients
       return false;
     // far below the weight of any vertex: only decides what the vertices leave open
-    a.diagonal().array() += 1e-10 * a.trace();
-    const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> factored(a);
-    const Row x = factored.solve(b);
-    if(!x.allFinite())
+    double trace = 0.;
+    for(int i = 0; i < 6; ++i)
+      trace += a[i][i];
+    for(int i = 0; i < 6; ++i)
+      a[i][i] += 1e-10 * trace;
+    const Cholesky_factor<6> factor(a);
+    if(!(factor.least_diagonal() > 0.))
+      return false;
+    const Row x = factor.solve(b);
+    if(!std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); }))
       return false;
     coefficients_[side] = x;
     double sum = 0.;
     for(const Candidate& c : candidates_)
       if(c.side == side)
       {
-        const double r = x.dot(monomials(c)) - c.distance;
+        const double r = dot_product(x, monomials(c)) - c.distance;
         sum += c.weight * r * r;
       }
     // The value is a linear function of the distances: the inequality of Cauchy and Schwarz.
-    const double leverage = factored.solve(Row::Unit(0))[0];
+    const double leverage = factor.solve({{1., 0., 0., 0., 0., 0.}})[0];
     quadric_[side] = {x[0], std::sqrt((std::max)(0., sum * leverage)), {{x[1] / radius_, x[2] / radius_}}};
     return true;
   }

@@ -7,15 +7,15 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_METHOD_QUADRATIC_FIT_H
 #define CGAL_CUT_LOCI_LAPLACIAN_METHOD_QUADRATIC_FIT_H
 
+#include <CGAL/Cut_loci/internal/small_systems.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -52,7 +52,7 @@ public:
     {
       // A border vertex may have too few neighbors for a quadric, or all of them on one conic.
       add_second_ring(v);
-      solve_by_orthogonalization();
+      solve_singular_equations();
     }
     set_row(v);
   }
@@ -68,11 +68,8 @@ private:
   {
     Index vertex;
     double z;
-    std::array<double, 5> monomials; // u, v, u^2/2, u v, v^2/2
+    Small_vector<5> monomials; // u, v, u^2/2, u v, v^2/2
   };
-
-  using Row5 = Eigen::Matrix<double, 5, 1>;
-  using Matrix5 = Eigen::Matrix<double, 5, 5>;
 
   void set_frame(Index v)
   {
@@ -197,69 +194,64 @@ private:
     }
   }
 
-  Row5 equation(const Sample& s) const
+  Small_vector<5> equation(const Sample& s) const
   {
-    Row5 result;
-    for(int c = 0; c < 5; ++c)
-      result[c] = s.weight[0] * nodes_[s.local[0]].monomials[c] + s.weight[1] * nodes_[s.local[1]].monomials[c] +
-                  s.weight[2] * nodes_[s.local[2]].monomials[c];
+    Small_vector<5> result = {};
+    for(int c = 0; c < 3; ++c)
+      add_multiple(s.weight[c], nodes_[s.local[c]].monomials, result);
     return result;
   }
 
-  // pinv_ (5 x samples) by the normal equations, or false if they are close to singular
+  // the equations of all samples, and the matrix of their normal equations
+  Small_matrix<5> set_equations()
+  {
+    Small_matrix<5> normal = {};
+    solution_.clear();
+    for(const Sample& s : samples_)
+    {
+      solution_.push_back(equation(s));
+      add_square(1., solution_.back(), normal);
+    }
+    return normal;
+  }
+
+  // `solution_` by the normal equations, or false if they are close to singular
   bool solve_normal_equations()
   {
-    const Eigen::Index n = static_cast<Eigen::Index>(samples_.size());
-    equations_.resize(5, n);
-    Matrix5 normal = Matrix5::Zero();
-    for(Eigen::Index i = 0; i < n; ++i)
-    {
-      equations_.col(i) = equation(samples_[i]);
-      normal.selfadjointView<Eigen::Lower>().rankUpdate(equations_.col(i));
-    }
-    if(n < 5)
+    const Cholesky_factor<5> factor(set_equations());
+    // Entries are distances of each monomial from the span of those before it, at coordinates of order 1: 1e-3 stands for
+    // samples within a thousandth of an edge of a common conic.
+    if(samples_.size() < 5 || factor.least_diagonal() < 1e-3)
       return false;
-    const Eigen::LLT<Matrix5> llt(normal);
-    // The pivots are squared distances of each monomial from the span of those before it, at coordinates of order 1:
-    // 1e-6 stands for samples within a thousandth of an edge of a common conic.
-    if(llt.info() != Eigen::Success || llt.matrixLLT().diagonal().minCoeff() < 1e-3)
-      return false;
-    pinv_ = llt.solve(equations_);
+    for(Small_vector<5>& column : solution_)
+      column = factor.solve(column);
     return true;
   }
 
-  void solve_by_orthogonalization()
+  void solve_singular_equations()
   {
-    const Eigen::Index n = static_cast<Eigen::Index>(samples_.size());
-    equations_.resize(5, n);
-    for(Eigen::Index i = 0; i < n; ++i)
-      equations_.col(i) = equation(samples_[i]);
-    // of the small factor: Eigen's pseudo-inverse of all would be a product with the identity of size n
-    const Eigen::Index rank = (std::min)(n, Eigen::Index(5));
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(equations_.transpose());
-    const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(n, rank);
-    const Eigen::MatrixXd r = qr.matrixQR().topRows(rank).triangularView<Eigen::Upper>();
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(1e-4); // a null direction stays zero instead of amplifying noise 10^4 times
-    decomposition.compute(r);
-    pinv_ = decomposition.pseudoInverse() * q.transpose();
+    // of singular values below 1e-4: a null direction stays zero instead of amplifying noise 10^4 times
+    const Small_matrix<5> inverse = pseudo_inverse(set_equations(), 1e-8);
+    for(Small_vector<5>& column : solution_)
+      column = product(inverse, column);
   }
 
   void set_row(Index v)
   {
     // coefficients of the five derivatives, node by node
-    const Eigen::Index n = static_cast<Eigen::Index>(nodes_.size());
-    derivatives_.setZero(5, n);
+    const std::size_t n = nodes_.size();
+    derivatives_.assign(n, Small_vector<5>{});
     for(std::size_t i = 0; i < samples_.size(); ++i)
       for(int c = 0; c < 3; ++c)
         if(samples_[i].weight[c] != 0.)
-          derivatives_.col(samples_[i].local[c]) += samples_[i].weight[c] * pinv_.col(static_cast<Eigen::Index>(i));
-    derivatives_.col(0).setZero();
-    derivatives_.col(0) = -derivatives_.rowwise().sum(); // the fit interpolates the value at the vertex
-
-    Row5 z = Row5::Zero();
-    for(Eigen::Index i = 1; i < n; ++i)
-      z += nodes_[i].z * derivatives_.col(i);
+          add_multiple(samples_[i].weight[c], solution_[i], derivatives_[samples_[i].local[c]]);
+    Small_vector<5> sum = {}, z = {};
+    for(std::size_t i = 1; i < n; ++i)
+    {
+      add_multiple(-1., derivatives_[i], sum);
+      add_multiple(nodes_[i].z, derivatives_[i], z);
+    }
+    derivatives_[0] = sum; // the fit interpolates the value at the vertex
 
     // inverse metric of the graph of z, and the slope terms of the Laplacian
     const double ww = 1. + z[0] * z[0] + z[1] * z[1];
@@ -272,9 +264,9 @@ private:
 
     row.clear();
     const double is = 1. / scale_;
-    for(Eigen::Index i = 0; i < n; ++i)
+    for(std::size_t i = 0; i < n; ++i)
     {
-      const auto d = derivatives_.col(i);
+      const Small_vector<5>& d = derivatives_[i];
       const double cu = g00 * d[0] + g01 * d[1], cv = g01 * d[0] + g11 * d[1];
       const double laplacian = g00 * d[2] + 2. * g01 * d[3] + g11 * d[4] - mean * (z[0] * d[0] + z[1] * d[1]);
       row.push_back({nodes_[i].vertex, {{is * (cu * u1 + cv * v1), is * (cu * u2 + cv * v2)}}, is * is * laplacian});
@@ -288,7 +280,8 @@ private:
   double scale_ = 1.;
   std::vector<Node> nodes_;
   std::vector<Sample> samples_;
-  Eigen::Matrix<double, 5, Eigen::Dynamic> equations_, pinv_, derivatives_;
+  std::vector<Small_vector<5>> solution_;    // by sample: what its value adds to the derivatives
+  std::vector<Small_vector<5>> derivatives_; // the same by node
 };
 
 } // namespace internal
