@@ -31,7 +31,8 @@ std::unique_ptr<Exact_tree_method> make_exact_tree_solver(const Indexed_triangle
 } // namespace CGAL
 
 #ifndef CGAL_CUT_LOCI_SEPARATE_COMPILATION
-#include <CGAL/Cut_loci/face_graph/make_solver_impl.h>
+#include <CGAL/Cut_loci/face_graph/make_exact_tree_solver_impl.h>
+#include <CGAL/Cut_loci/face_graph/make_laplacian_solver_impl.h>
 #endif
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_MAKE_SOLVER_H

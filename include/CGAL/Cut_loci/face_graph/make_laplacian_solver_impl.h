@@ -4,10 +4,9 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_FACE_GRAPH_MAKE_SOLVER_IMPL_H
-#define CGAL_CUT_LOCI_FACE_GRAPH_MAKE_SOLVER_IMPL_H
+#ifndef CGAL_CUT_LOCI_FACE_GRAPH_MAKE_LAPLACIAN_SOLVER_IMPL_H
+#define CGAL_CUT_LOCI_FACE_GRAPH_MAKE_LAPLACIAN_SOLVER_IMPL_H
 
-#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Cut_loci/face_graph/make_solver.h>
 #include <CGAL/Cut_loci/laplacian_method/Laplacian_set_solver.h>
 
@@ -25,14 +24,8 @@ CGAL_CUT_LOCI_INLINE std::unique_ptr<Laplacian_method> make_laplacian_solver(con
   return std::unique_ptr<Laplacian_method>(new Laplacian_set_solver(mesh, type, threads, progress));
 }
 
-CGAL_CUT_LOCI_INLINE std::unique_ptr<Exact_tree_method>
-make_exact_tree_solver(const Indexed_triangle_mesh& mesh, const Threads& threads, const Progress& progress)
-{
-  return std::unique_ptr<Exact_tree_method>(new Exact_tree_solver(mesh, threads, progress));
-}
-
 } // namespace internal
 } // namespace Cut_loci
 } // namespace CGAL
 
-#endif // CGAL_CUT_LOCI_FACE_GRAPH_MAKE_SOLVER_IMPL_H
+#endif // CGAL_CUT_LOCI_FACE_GRAPH_MAKE_LAPLACIAN_SOLVER_IMPL_H

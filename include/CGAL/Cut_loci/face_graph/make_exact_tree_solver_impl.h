@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_FACE_GRAPH_MAKE_EXACT_TREE_SOLVER_IMPL_H
+#define CGAL_CUT_LOCI_FACE_GRAPH_MAKE_EXACT_TREE_SOLVER_IMPL_H
+
+#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
+#include <CGAL/Cut_loci/face_graph/make_solver.h>
+
+#include <memory>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+CGAL_CUT_LOCI_INLINE std::unique_ptr<Exact_tree_method>
+make_exact_tree_solver(const Indexed_triangle_mesh& mesh, const Threads& threads, const Progress& progress)
+{
+  return std::unique_ptr<Exact_tree_method>(new Exact_tree_solver(mesh, threads, progress));
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_FACE_GRAPH_MAKE_EXACT_TREE_SOLVER_IMPL_H
