@@ -164,8 +164,9 @@ public:
     {
       if(geodesics_.is_source(a) && geodesics_.is_source(b))
         return {geodesics_.owner(a) == geodesics_.owner(b) ? meeting : (std::numeric_limits<double>::infinity)(), 0.};
-      // the farther origin comes last on its path
-      if(distance(a) >= distance(b))
+      // the farther origin comes last on its path; a source is none that comes later, even beside a vertex that is so near
+      // to a line that it is below it
+      if(!geodesics_.is_source(a) && (geodesics_.is_source(b) || distance(a) >= distance(b)))
         a_direction = geodesics_.step_back(a);
       else
         b_direction = geodesics_.step_back(b);
