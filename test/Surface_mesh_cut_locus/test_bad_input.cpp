@@ -19,6 +19,8 @@
 #include <string>
 #include <vector>
 
+namespace test_bad_input {
+
 // What can not be used is refused with a message that names it, in release builds, too; what is merely odd gives a cut
 // locus. Nothing loops, crashes or returns NaN.
 
@@ -551,3 +553,5 @@ TEST(Bad_input, distances_that_are_none_are_refused_by_their_vertex)
                    {"distance map", cause, "vertex #4"});
   }
 }
+
+} // namespace test_bad_input

@@ -26,6 +26,8 @@
 #include <string>
 #include <vector>
 
+namespace test_bounded_error_cut_locus {
+
 namespace {
 
 using CGAL::Cut_loci::Curve;
@@ -233,3 +235,5 @@ TEST(Bounded_error_cut_locus, refusals)
 }
 
 } // namespace
+
+} // namespace test_bounded_error_cut_locus

@@ -26,6 +26,8 @@
 #include <string>
 #include <vector>
 
+namespace test_branch_thresholds {
+
 namespace {
 
 using CGAL::Cut_loci::Index;
@@ -339,3 +341,5 @@ TEST(Branch_thresholds, A_polyhedron_shows_the_branches_of_its_vertices_up_to_th
 }
 
 } // namespace
+
+} // namespace test_branch_thresholds

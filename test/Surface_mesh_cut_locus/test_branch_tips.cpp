@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_branch_tips {
+
 // Where the branches of the method of the Laplacian end.
 
 namespace {
@@ -189,3 +191,5 @@ TEST(Branch_tips, are_not_looked_for_when_growing)
     EXPECT_TRUE(std::includes(pruned.begin(), pruned.end(), edges.begin(), edges.end()));
   }
 }
+
+} // namespace test_branch_tips

@@ -22,6 +22,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace test_closed_forms_with_borders {
+
 namespace {
 
 using namespace test_meshes;
@@ -236,3 +238,5 @@ TEST_P(Closed_form_with_border, Disk_with_hole)
 }
 
 } // namespace
+
+} // namespace test_closed_forms_with_borders

@@ -23,6 +23,8 @@
 #include <thread>
 #include <vector>
 
+namespace test_copies {
+
 namespace {
 
 using CGAL::Cut_loci::Method;
@@ -99,3 +101,5 @@ TEST(Copies, A_copy_has_the_parameters_of_its_original_and_no_source)
 }
 
 } // namespace
+
+} // namespace test_copies

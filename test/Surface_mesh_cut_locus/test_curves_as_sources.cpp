@@ -27,6 +27,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_curves_as_sources {
+
 namespace {
 
 using namespace curve_sources;
@@ -631,3 +633,5 @@ TEST(Curves_as_sources, are_forgotten_by_the_next_source)
 }
 
 } // namespace
+
+} // namespace test_curves_as_sources

@@ -21,6 +21,8 @@
 
 #include <map>
 
+namespace test_cut_open {
+
 namespace {
 
 using namespace test_meshes;
@@ -269,3 +271,5 @@ TEST(Cut_open, Bad_input_gives_an_error)
 }
 
 } // namespace
+
+} // namespace test_cut_open

@@ -30,6 +30,8 @@
 #include <string>
 #include <vector>
 
+namespace test_descent_forest {
+
 namespace {
 
 using namespace CGAL::Cut_loci;
@@ -232,3 +234,5 @@ TEST(Exact_descent, goes_where_the_shortest_paths_go)
 }
 
 } // namespace
+
+} // namespace test_descent_forest

@@ -27,6 +27,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_detour {
+
 namespace {
 
 using namespace test_meshes;
@@ -504,3 +506,5 @@ TEST(Laplacian_with_border, Closed_forms)
 }
 
 } // namespace
+
+} // namespace test_detour

@@ -14,6 +14,8 @@
 #include <functional>
 #include <string>
 
+namespace test_differential_operators {
+
 // Gradient and Laplacian against closed forms.
 
 using namespace test_meshes;
@@ -395,3 +397,5 @@ TEST(Differential_operators, are_finite_on_the_smallest_and_worst_meshes)
     }
   }
 }
+
+} // namespace test_differential_operators

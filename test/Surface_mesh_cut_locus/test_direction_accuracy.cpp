@@ -21,6 +21,8 @@
 
 #include <random>
 
+namespace test_direction_accuracy {
+
 namespace {
 
 using namespace analytic;
@@ -184,3 +186,5 @@ TEST(Direction_accuracy, noise)
 }
 
 } // namespace
+
+} // namespace test_direction_accuracy

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <limits>
 
+namespace test_direction_noise {
+
 namespace {
 
 using namespace direction_test;
@@ -173,3 +175,5 @@ TEST(Direction_noise, rough_shape_is_no_noise)
 }
 
 } // namespace
+
+} // namespace test_direction_noise

@@ -10,6 +10,8 @@
 
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_path_tracing.h>
 
+namespace test_direction_topology {
+
 namespace {
 
 using namespace direction_test;
@@ -185,3 +187,5 @@ TEST(Direction_topology, sphere_is_cut_at_a_point)
 }
 
 } // namespace
+
+} // namespace test_direction_topology

@@ -28,6 +28,8 @@
 #include <string>
 #include <vector>
 
+namespace test_edge_lengths {
+
 namespace {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
@@ -537,3 +539,5 @@ TEST(Edge_lengths, are_refused_by_name_where_points_are_needed)
 }
 
 } // namespace
+
+} // namespace test_edge_lengths

@@ -17,6 +17,8 @@
 
 #include <limits>
 
+namespace test_exact_geodesics_bounded_error {
+
 namespace {
 
 using namespace test_meshes;
@@ -316,3 +318,5 @@ TEST(Bounded_error, has_no_directions_and_paths)
 }
 
 } // namespace
+
+} // namespace test_exact_geodesics_bounded_error

@@ -12,6 +12,8 @@
 
 #include <functional>
 
+namespace test_exact_geodesics_closed_forms {
+
 namespace {
 
 using namespace test_meshes;
@@ -418,3 +420,5 @@ TEST(Closed_forms, needles_that_are_flat_but_for_rounding)
 }
 
 } // namespace
+
+} // namespace test_exact_geodesics_closed_forms

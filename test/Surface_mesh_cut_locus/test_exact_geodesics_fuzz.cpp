@@ -17,6 +17,8 @@
 #include <limits>
 #include <memory>
 
+namespace test_exact_geodesics_fuzz {
+
 namespace {
 
 using namespace test_meshes;
@@ -192,3 +194,5 @@ TEST(Fuzz, larger_torus)
 }
 
 } // namespace
+
+} // namespace test_exact_geodesics_fuzz

@@ -27,6 +27,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_exact_geodesics_interface {
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -272,3 +274,5 @@ TEST(Exact_geodesics_surface_mesh, isolated_and_removed_vertices)
 }
 
 } // namespace
+
+} // namespace test_exact_geodesics_interface

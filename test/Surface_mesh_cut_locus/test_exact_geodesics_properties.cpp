@@ -12,6 +12,8 @@
 
 #include <limits>
 
+namespace test_exact_geodesics_properties {
+
 namespace {
 
 using namespace test_meshes;
@@ -522,3 +524,5 @@ TEST(Exact_geodesics, bad_input_is_named)
 }
 
 } // namespace
+
+} // namespace test_exact_geodesics_properties

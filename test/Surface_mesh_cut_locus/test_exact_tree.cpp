@@ -29,6 +29,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_exact_tree {
+
 namespace {
 
 using CGAL::Cut_loci::Index;
@@ -512,3 +514,5 @@ TEST(Exact_tree, needs_the_exact_solver)
 }
 
 } // namespace
+
+} // namespace test_exact_tree

@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_cut_locus.h>
 #include <CGAL/boost/graph/generators.h>
 
+namespace test_exact_tree_convex {
+
 namespace {
 
 using namespace direction_test;
@@ -129,3 +131,5 @@ TEST(Polyhedral_cut_locus, public_interface)
 }
 
 } // namespace
+
+} // namespace test_exact_tree_convex

@@ -30,6 +30,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_exact_tree_invariance {
+
 namespace {
 
 using CGAL::Cut_loci::Index;
@@ -359,3 +361,5 @@ TEST(Exact_tree_along_edges, the_surface_is_cut_open_to_a_disk)
 }
 
 } // namespace
+
+} // namespace test_exact_tree_invariance

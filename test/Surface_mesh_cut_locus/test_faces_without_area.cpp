@@ -33,6 +33,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_faces_without_area {
+
 namespace {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
@@ -195,3 +197,5 @@ TEST(Faces_without_area, can_be_cut_and_refined_along_a_cut_locus)
 }
 
 } // namespace
+
+} // namespace test_faces_without_area

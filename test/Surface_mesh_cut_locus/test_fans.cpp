@@ -22,6 +22,8 @@
 #include <memory>
 #include <vector>
 
+namespace test_fans {
+
 namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
@@ -71,3 +73,5 @@ TEST(Fans, no_shortest_path_crosses_the_cut_locus)
 }
 
 } // namespace
+
+} // namespace test_fans

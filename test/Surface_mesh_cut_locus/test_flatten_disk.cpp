@@ -21,6 +21,8 @@
 #include <stdexcept>
 #include <string>
 
+namespace test_flatten_disk {
+
 namespace {
 
 using namespace test_meshes;
@@ -332,3 +334,5 @@ TEST(Flatten_disk, Bad_input)
 }
 
 } // namespace
+
+} // namespace test_flatten_disk

@@ -19,6 +19,8 @@
 #include <functional>
 #include <memory>
 
+namespace test_geodesic_solvers {
+
 // The geodesic solvers against closed forms and each other, and solvers that a user writes.
 
 using namespace test_meshes;
@@ -440,3 +442,5 @@ TEST(Visitor, is_told_of_each_stage_and_keeps_its_state_by_reference)
   solver.cut_locus(CGAL::parameters::minimum_branch_width(0.3));
   EXPECT_EQ(visitor.started, std::vector<Stage>{Stage::FILTER}) << "a new threshold runs nothing else";
 }
+
+} // namespace test_geodesic_solvers

@@ -17,6 +17,8 @@
 
 #include <random>
 
+namespace test_graph_geodesic_solver {
+
 namespace {
 
 using namespace indexed_meshes;
@@ -287,3 +289,5 @@ TEST(Graph_geodesic_solver, serves_the_cut_locus)
 }
 
 } // namespace
+
+} // namespace test_graph_geodesic_solver

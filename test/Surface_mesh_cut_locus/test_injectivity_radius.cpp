@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_injectivity_radius {
+
 namespace {
 
 using namespace test_meshes;
@@ -201,3 +203,5 @@ TEST(Injectivity_radius, Converges_by_the_method_of_the_Laplacian_unless_a_thres
 }
 
 } // namespace
+
+} // namespace test_injectivity_radius

@@ -26,6 +26,8 @@
 #include <string>
 #include <vector>
 
+namespace test_laplacian_curves_as_sources {
+
 namespace {
 
 using namespace curve_sources;
@@ -388,3 +390,5 @@ TEST(Laplacian_curves, lengthen_no_path_by_much)
 }
 
 } // namespace
+
+} // namespace test_laplacian_curves_as_sources

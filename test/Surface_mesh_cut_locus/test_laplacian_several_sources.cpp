@@ -27,6 +27,8 @@
 #include <variant>
 #include <vector>
 
+namespace test_laplacian_several_sources {
+
 namespace {
 
 using namespace several_sources;
@@ -443,3 +445,5 @@ TEST(Laplacian_several_sources, without_a_face_to_themselves_are_refused)
 }
 
 } // namespace
+
+} // namespace test_laplacian_several_sources

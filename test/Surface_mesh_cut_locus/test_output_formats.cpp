@@ -33,6 +33,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_output_formats {
+
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -435,3 +437,5 @@ TEST(Statistics, Count_what_the_graph_consists_of)
 
   EXPECT_EQ(CGAL::Cut_loci::compute_statistics(parallel()).cycles, 2u);
 }
+
+} // namespace test_output_formats

@@ -23,6 +23,8 @@
 #include <limits>
 #include <vector>
 
+namespace test_paper_figures {
+
 namespace {
 
 using namespace test_meshes;
@@ -312,3 +314,5 @@ TEST(Surface_of_genus_56, is_cut_into_a_disk_at_any_threshold)
 }
 
 } // namespace
+
+} // namespace test_paper_figures

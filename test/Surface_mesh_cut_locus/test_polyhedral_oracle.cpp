@@ -25,6 +25,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_polyhedral_oracle {
+
 namespace {
 
 using namespace polyhedral_oracle;
@@ -359,3 +361,5 @@ TEST(Polyhedral_oracle, two_paths_arrive_on_the_cut_locus)
 }
 
 } // namespace
+
+} // namespace test_polyhedral_oracle

@@ -27,6 +27,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_polylines_as_sources {
+
 namespace {
 
 using namespace test_meshes;
@@ -233,3 +235,5 @@ TEST(Polylines_as_sources, that_can_not_be_used_are_refused_by_their_points)
 }
 
 } // namespace
+
+} // namespace test_polylines_as_sources

@@ -23,6 +23,8 @@
 #include <stdexcept>
 #include <vector>
 
+namespace test_progress {
+
 namespace {
 
 using CGAL::Cut_loci::Method;
@@ -199,3 +201,5 @@ TEST_F(Progress_of_stages, A_visitor_needs_no_function_for_it)
 }
 
 } // namespace
+
+} // namespace test_progress

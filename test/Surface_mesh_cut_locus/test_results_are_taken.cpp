@@ -32,6 +32,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_results_are_taken {
+
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -211,3 +213,5 @@ TEST(Results_are_taken, where_components_touch_in_a_vertex)
 }
 
 } // namespace
+
+} // namespace test_results_are_taken

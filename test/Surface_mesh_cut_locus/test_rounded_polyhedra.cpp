@@ -31,6 +31,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_rounded_polyhedra {
+
 namespace {
 
 namespace params = CGAL::parameters;
@@ -319,3 +321,5 @@ TEST(Rounded_polyhedra, paths_on_two_sides_of_a_shadow_get_apart)
 }
 
 } // namespace
+
+} // namespace test_rounded_polyhedra

@@ -24,6 +24,8 @@
 #include <variant>
 #include <vector>
 
+namespace test_several_sources {
+
 namespace {
 
 using namespace several_sources;
@@ -526,3 +528,5 @@ TEST(Several_sources, lie_in_a_component_and_all_else_is_unreached)
 }
 
 } // namespace
+
+} // namespace test_several_sources

@@ -21,6 +21,8 @@
 #include <random>
 #include <set>
 
+namespace test_smoothing {
+
 namespace {
 
 using namespace indexed_meshes;
@@ -636,3 +638,5 @@ TEST(Smoothing, is_reached_by_a_named_parameter)
 }
 
 } // namespace
+
+} // namespace test_smoothing

@@ -24,6 +24,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_source_unfolding {
+
 namespace {
 
 using namespace test_meshes;
@@ -507,3 +509,5 @@ TEST(Source_unfolding, takes_the_component_of_the_source)
 }
 
 } // namespace
+
+} // namespace test_source_unfolding

@@ -33,6 +33,8 @@
 #include <string>
 #include <vector>
 
+namespace test_sources_in_threads {
+
 namespace {
 
 using CGAL::Cut_loci::Curve;
@@ -226,3 +228,5 @@ TEST_F(One_source, Has_the_same_errors_in_threads)
 }
 
 } // namespace
+
+} // namespace test_sources_in_threads

@@ -23,6 +23,8 @@
 #include <cstddef>
 #include <string>
 
+namespace test_spikes {
+
 namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
@@ -129,3 +131,5 @@ TEST(Spikes, for_which_the_heat_method_does_not_end_are_refused)
 }
 
 } // namespace
+
+} // namespace test_spikes

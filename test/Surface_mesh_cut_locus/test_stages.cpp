@@ -20,6 +20,8 @@
 #include <memory>
 #include <queue>
 
+namespace test_stages {
+
 // Each stage alone, against naive implementations.
 
 using namespace test_meshes;
@@ -748,3 +750,5 @@ TEST(Branch_filter, removes_short_branches_where_a_longer_one_continues)
         EXPECT_EQ(topology_checker::fault(topology_checker::Surface(c.f.data.triangles, 0), cut_of(result)), "");
       }
 }
+
+} // namespace test_stages

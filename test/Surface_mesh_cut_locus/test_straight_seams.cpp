@@ -18,6 +18,8 @@
 #include <limits>
 #include <map>
 
+namespace test_straight_seams {
+
 namespace {
 
 using namespace test_meshes;
@@ -212,3 +214,5 @@ TEST(Straight_seams, Bad_input_gives_an_error)
 }
 
 } // namespace
+
+} // namespace test_straight_seams

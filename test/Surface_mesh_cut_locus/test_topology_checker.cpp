@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+namespace test_topology_checker {
+
 // The checker must see what is wrong: each fault is made on purpose.
 
 using topology_checker::Cut;
@@ -112,3 +114,5 @@ TEST(Topology_checker, sees_the_source_on_the_cut)
   EXPECT_EQ(fault_at_source(sphere, cut, {0, 11}), "the edge of the source is on the cut locus");
   EXPECT_EQ(fault_at_source(sphere, cut, {0, 5}), "");
 }
+
+} // namespace test_topology_checker

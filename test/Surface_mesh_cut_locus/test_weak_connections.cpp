@@ -20,6 +20,8 @@
 #include <string>
 #include <vector>
 
+namespace test_weak_connections {
+
 namespace {
 
 using CGAL::Cut_loci::Index;
@@ -220,3 +222,5 @@ TEST(Weak_connections, are_found_where_they_are_though_what_is_weak_is_not_looke
 }
 
 } // namespace
+
+} // namespace test_weak_connections
