@@ -153,7 +153,9 @@ void expect_classes_of_core(const Indexed_triangle_mesh& mesh, const Exact_tree_
       continue;
     // crossings of several may cancel each other
     if(crossings[e] < 2)
+    {
       EXPECT_EQ(classes.separates(h), crossings[e] == 1) << "edge " << e;
+    }
     number += crossings[e] == 1;
   }
   EXPECT_GT(number, 0u);
