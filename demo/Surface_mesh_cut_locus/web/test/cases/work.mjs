@@ -478,11 +478,14 @@ export const tests = {
       return found;
     });
     assert.ok(shares.length >= 3, JSON.stringify(shares));
+    // preprocessing comes twice, for the mesh and for the part of the source; a slow machine leaves out any share, also the
+    // 0 with which a stage starts
+    const fallsLeft = { preprocessing: 1 };
     shares.forEach(([stage, share, shown], i) => {
       assert.ok(share >= 0 && share <= 1 && Math.abs(shown - share) < 1e-6, `${stage} ${share} ${shown}`);
-      // preprocessing comes twice, for the mesh and for the part of the source: a stage starts with 0
-      const isSame = i > 0 && shares[i - 1][0] === stage && share !== 0;
-      if (isSame) assert.ok(share >= shares[i - 1][1], JSON.stringify(shares));
+      if (i === 0 || shares[i - 1][0] !== stage || share >= shares[i - 1][1]) return;
+      fallsLeft[stage] = (fallsLeft[stage] ?? 0) - 1;
+      assert.ok(fallsLeft[stage] >= 0, JSON.stringify(shares));
     });
     assert.ok(!await page.locator('#busy').isVisible());
   },
