@@ -114,7 +114,7 @@ public:
     Mesh mesh;
     try
     {
-      mesh = read_mesh(file.string(), true).mesh;
+      mesh = read_mesh(file.string(), Repair::WELD).mesh;
     }
     catch(const std::exception& error)
     {

@@ -26,11 +26,11 @@ struct Repairs
 {
   std::size_t merged_vertices = 0;     // at the place of another one, both on a border
   std::size_t removed_faces = 0;       // twice in the file, or of less than three vertices
-  std::size_t flat_faces = 0;          // without area: collapsed, or an edge flipped
   std::size_t reversed_faces = 0;      // so that neighbors agree
   std::size_t duplicated_vertices = 0; // where the surface is not manifold
   std::size_t triangulated_faces = 0;
   std::size_t unused_vertices = 0; // dropped
+  std::size_t open_edges = 0;      // of the border, left though they lie on each other
 
   bool is_empty() const;
 };
@@ -38,11 +38,19 @@ struct Repairs
 // "3 faces triangulated, 1 ...", or nothing
 std::string description(const Repairs& repairs);
 
-// A mesh of triangles and the way back to the file.
+// What may be done: nothing; all but to join border edges that lie on each other; all.
+enum class Repair { NONE, ORIENT, WELD };
+
+// A mesh of triangles and the way back to the file. It is moved only: a copy would have the numbers of the other mesh.
 struct Input_mesh
 {
+  Input_mesh() = default;
+  Input_mesh(Input_mesh&&) = default;
+  Input_mesh& operator=(Input_mesh&&) = default;
+
   Mesh mesh;
-  std::vector<std::size_t> number;        // that each vertex of the mesh has in the file
+  Mesh::Property_map<Mesh::Vertex_index, std::size_t> number =
+    mesh.add_property_map<Mesh::Vertex_index, std::size_t>("v:number", 0).first; // in the file
   std::vector<Mesh::Vertex_index> vertex; // one for each number, or null if there is none left
   std::vector<bool> is_added;             // for each edge of the mesh: whether it is none of the file, as a diagonal is
   std::vector<std::size_t> component;     // of each face, connected by edges
@@ -61,10 +69,10 @@ struct Needs_repair : std::runtime_error
 };
 
 // Throws `Needs_repair` if it is not allowed, or `std::runtime_error` with the cause if the file has no surface.
-Input_mesh read_mesh(const std::string& filename, bool may_repair);
+Input_mesh read_mesh(const std::string& filename, Repair repair);
 
 // Its two halves: the file as it is, and a mesh of it. `name` is for messages.
 Polygon_soup read_polygon_soup(const std::string& filename);
-Input_mesh make_mesh(const Polygon_soup& soup, bool may_repair, const std::string& name);
+Input_mesh make_mesh(const Polygon_soup& soup, Repair repair, const std::string& name);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_INPUT_MESH_H

@@ -142,13 +142,16 @@ po::options_description visible_options()
   constexpr unsigned columns = 110;
   po::options_description description("Options", columns, columns / 2);
   description.add_options()(
-    "repair", po::value<std::string>()->value_name("auto|none")->default_value("auto"),
-    "auto: of any file with faces a mesh of triangles is made, and a line says how; the vertices "
-    "keep the numbers of the file, and edges that are not in it are marked. none: a file that "
-    "needs it is refused")("source", po::value<std::vector<std::string>>()->value_name("V"),
-                           "vertex of the file, counted from 0 (default: the first one of the component with the most "
-                           "faces); repeatable, for the "
-                           "Voronoi diagram of several with the cut loci in its cells")(
+    "repair", po::value<std::string>()->value_name("weld|orient|none")->default_value("weld"),
+    "weld: of any file with faces a mesh of triangles is made, and a line says how; border edges that lie on each "
+    "other, "
+    "two by two, are joined up to 1e-7 of the diagonal of the bounding box; the vertices keep the numbers of the file, "
+    "and "
+    "edges that are not in it are marked. orient: the same, but nothing is joined. none: a file that is no mesh of "
+    "triangles is refused")("source", po::value<std::vector<std::string>>()->value_name("V"),
+                            "vertex of the file, counted from 0 (default: the first one of the component with the most "
+                            "faces); repeatable, for the "
+                            "Voronoi diagram of several with the cut loci in its cells")(
     "source-point", po::value<std::vector<std::string>>()->value_name("X,Y,Z"),
     "the point of the surface closest to x,y,z; repeatable, also with --source")(
     "each-source", po::value<std::string>()->value_name("FILE"),
@@ -291,6 +294,15 @@ void read_maximum_relative_error(const std::string& text, Options& options)
   options.maximum_relative_error = error;
 }
 
+Repair to_repair(const std::string& name)
+{
+  if(name == "weld" || name == "auto") // as it was called before
+    return Repair::WELD;
+  if(name != "orient" && name != "none")
+    throw Usage_error("--repair takes weld, orient or none, not '" + name + "'");
+  return name == "orient" ? Repair::ORIENT : Repair::NONE;
+}
+
 Kept_part to_part(const std::string& name)
 {
   if(name == "voronoi")
@@ -396,10 +408,7 @@ Options parse_command_line(int argc, char* argv[])
     throw Usage_error("one mesh at a time: '" + meshes[1] + "' is too much");
   options.mesh = meshes.front();
 
-  const std::string repair = text("repair");
-  if(repair != "auto" && repair != "none")
-    throw Usage_error("--repair takes auto or none, not '" + repair + "'");
-  options.may_repair = repair == "auto";
+  options.repair = to_repair(text("repair"));
   if(given.count("source"))
     for(const std::string& source : given["source"].as<std::vector<std::string>>())
       options.sources.push_back(to_count(source, "--source"));

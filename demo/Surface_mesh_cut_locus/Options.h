@@ -7,6 +7,8 @@
 #ifndef SURFACE_MESH_CUT_LOCUS_DEMO_OPTIONS_H
 #define SURFACE_MESH_CUT_LOCUS_DEMO_OPTIONS_H
 
+#include "Input_mesh.h"
+
 #include <CGAL/Cut_loci/cut_locus_method.h>
 
 #include <array>
@@ -23,7 +25,7 @@ enum class Kept_part { ALL, VORONOI, MEDIAL };
 struct Options
 {
   std::string mesh;
-  bool may_repair = true;
+  Repair repair = Repair::WELD;
   std::vector<std::size_t> sources;
   std::vector<std::array<double, 3>> source_points; // numbered behind the vertices
   std::string each_source;                          // a file of sources, each of which gets a cut locus

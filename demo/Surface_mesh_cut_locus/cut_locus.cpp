@@ -59,7 +59,7 @@ bool run(const Options& options)
 {
   const Thread_limit limit(options.threads);
   Progress progress(options.is_quiet);
-  const Input_mesh input = progress.run("read", [&]() { return read_mesh(options.mesh, options.may_repair); });
+  const Input_mesh input = progress.run("read", [&]() { return read_mesh(options.mesh, options.repair); });
   const Mesh& mesh = input.mesh;
   if(!options.is_quiet && !input.repairs.is_empty())
     std::cerr << "repaired: " << description(input.repairs) << std::endl;
@@ -160,7 +160,7 @@ int main(int argc, char* argv[])
   }
   catch(const Needs_repair& error)
   {
-    return fail(error.what() + std::string(" (--repair auto takes it)"), EXIT_FAILURE);
+    return fail(error.what() + std::string(" (--repair weld takes it)"), EXIT_FAILURE);
   }
   catch(const std::bad_alloc&)
   {

@@ -158,7 +158,7 @@ Polygon_soup read_polygon_soup(const std::string& filename)
   return soup;
 }
 
-Input_mesh read_mesh(const std::string& filename, bool may_repair)
+Input_mesh read_mesh(const std::string& filename, Repair repair)
 {
-  return make_mesh(read_polygon_soup(filename), may_repair, filename);
+  return make_mesh(read_polygon_soup(filename), repair, filename);
 }

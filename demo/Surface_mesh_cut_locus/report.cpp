@@ -55,18 +55,18 @@ double mean_edge_length(const Mesh& mesh)
   return sum / static_cast<double>(mesh.number_of_edges());
 }
 
-Json to_json(const Repairs& repairs, bool may_repair)
+Json to_json(const Repairs& repairs, Repair repair)
 {
   Json json;
-  json["option"] = may_repair ? "auto" : "none";
+  json["option"] = repair == Repair::WELD ? "weld" : repair == Repair::ORIENT ? "orient" : "none";
   json["done"] = description(repairs);
   json["triangulated_polygons"] = repairs.triangulated_faces;
   json["merged_vertices"] = repairs.merged_vertices;
   json["reversed_faces"] = repairs.reversed_faces;
   json["added_vertices"] = repairs.duplicated_vertices;
   json["removed_faces"] = repairs.removed_faces;
-  json["flat_faces"] = repairs.flat_faces;
   json["unused_vertices"] = repairs.unused_vertices;
+  json["open_edges"] = repairs.open_edges;
   return json;
 }
 
@@ -151,7 +151,7 @@ void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Inp
   report["vertices"] = mesh.number_of_vertices();
   report["faces"] = mesh.number_of_faces();
   report["mean_edge_length"] = mean_edge_length(mesh);
-  report["repair"] = to_json(input.repairs, options.may_repair);
+  report["repair"] = to_json(input.repairs, options.repair);
   report["components_of_mesh"] = input.component_size.size();
   report["faces_of_component"] = input.component_size[component_of_source(input, cut_locus)];
   report["genus"] = cut_locus.genus();

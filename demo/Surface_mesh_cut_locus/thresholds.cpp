@@ -36,7 +36,7 @@ Mesh::Vertex_index find_vertex(std::size_t number, const Input_mesh& input, cons
   const Mesh::Vertex_index v = input.vertex[number];
   if(v == Mesh::null_vertex())
     throw Usage_error(origin + " " + std::to_string(number) +
-                      ": this vertex belongs to no face that has an area, and is not in the repaired mesh (" +
+                      ": this vertex belongs to no face, and is not in the repaired mesh (" +
                       description(input.repairs) + "): another vertex, or --source-point, is needed");
   return v;
 }

@@ -807,7 +807,7 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--method laplacian --policy shrink"), "--policy takes");
   expect_failure(run_on_torus("--min-branch-edges 1.5"), "--min-branch-edges takes");
   expect_failure(run_on_torus("--min-branch-length=-2"), "--min-branch-length takes");
-  expect_failure(run_on_torus("--repair some"), "--repair takes auto or none");
+  expect_failure(run_on_torus("--repair some"), "--repair takes weld, orient or none");
   expect_failure(run_on_torus("--method laplacian --smooth 999999999"), "--smooth takes at most");
 }
 

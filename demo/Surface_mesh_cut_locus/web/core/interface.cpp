@@ -223,7 +223,7 @@ EMSCRIPTEN_KEEPALIVE int load_file(const char* filename)
   return run(
     [&]
     {
-    Input_mesh input = read_mesh(filename, true);
+    Input_mesh input = read_mesh(filename, Repair::WELD);
     const std::string repairs = description(input.repairs);
     session.load(std::move(input.mesh), input.component, repairs);
   });
