@@ -8,6 +8,7 @@
 #include "cells.h"
 #include "flatten.h"
 #include "output.h"
+#include "output_file.h"
 #include "solvers.h"
 #include "threads.h"
 #include "unfolding.h"
@@ -39,6 +40,11 @@ std::size_t to_count(const std::string& text, const std::string& option)
   if(text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos)
     throw Usage_error(option + " takes a whole number from 0 to 999999999, not '" + text + "'");
   return std::strtoul(text.c_str(), nullptr, 10);
+}
+
+std::string part_of_results(const Options& options)
+{
+  return options.outputs.front() + ".part";
 }
 
 namespace {
@@ -101,10 +107,12 @@ void check_output_path(const std::string& path, const std::string& option)
     throw Usage_error(option + ": there is no folder '" + folder.string() + "' to write to");
   if(fs::is_directory(path, ignored))
     throw Usage_error(option + ": '" + path + "' is a folder");
+  if(const std::string cause = cause_not_writable(path); !cause.empty())
+    throw Usage_error(option + ": cannot write to '" + path + "': " + cause);
 }
 
-// No output may replace the mesh, nor another output.
-void check_overwriting(const Options& options)
+// No output may replace what is read, nor another output.
+void check_overwriting(const po::variables_map& given, const Options& options)
 {
   namespace fs = std::filesystem;
   std::vector<std::pair<fs::path, std::string>> outputs;
@@ -117,15 +125,21 @@ void check_overwriting(const Options& options)
       outputs.emplace_back(path, option);
   if(!options.uv.empty()) // it has two files more
     for(const char* extension : {".mtl", ".png"})
+    {
       outputs.emplace_back(fs::path(options.uv).replace_extension(extension), "--uv");
+      check_output_path(outputs.back().first.string(), "--uv");
+    }
+  if(!options.each_source.empty())
+    outputs.emplace_back(part_of_results(options), "-o");
   const auto is_same = [](const fs::path& a, const fs::path& b)
   {
     std::error_code error;
     return fs::equivalent(a, b, error) || fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
   };
   std::vector<std::pair<fs::path, std::string>> earlier = {{options.mesh, "the mesh"}};
-  if(!options.each_source.empty())
-    earlier.emplace_back(options.each_source, "the file of --each-source");
+  for(const std::string name : {"sources", "source-edges", "each-source"})
+    if(given.count(name))
+      earlier.emplace_back(given[name].as<std::string>(), "the file of --" + name);
   for(const auto& [path, option] : outputs)
   {
     std::error_code error;
@@ -157,11 +171,12 @@ po::options_description visible_options()
     "each-source", po::value<std::string>()->value_name("FILE"),
     "a cut locus for each source of a file, one on a line: a vertex, or x,y,z. The file of -o must end in .jsonl: it "
     "gets a line of JSON for each, with the injectivity radius, other figures and the polylines; --report gets a "
-    "summary")("part", po::value<std::string>()->value_name("I/N"),
-               "only the sources of the I-th of N parts of that file; the outputs of all parts, one after another, are "
-               "that of one run")("threads", po::value<std::string>()->value_name("N"),
-                                  "threads; 0: as many as the machine has (default: 1). They are worth most with "
-                                  "--each-source: distances from one source take one")(
+    "summary. Until all are there, their file is FILE.jsonl.part: the same command goes on where it was stopped")(
+    "part", po::value<std::string>()->value_name("I/N"),
+    "only the sources of the I-th of N parts of that file; the outputs of all parts, one after another, are "
+    "that of one run")("threads", po::value<std::string>()->value_name("N"),
+                       "threads; 0: as many as the machine has (default: 1). They are worth most with "
+                       "--each-source: distances from one source take one")(
     "sources", po::value<std::string>()->value_name("FILE"), "the vertices whose numbers are in this file")(
     "source-edges", po::value<std::string>()->value_name("FILE"),
     "curves along edges of the mesh: each line of the file has the numbers of the vertices along some edges, and all "
@@ -220,7 +235,7 @@ po::options_description visible_options()
     "the file")(
     "cells", po::value<std::string>()->value_name("FILE.ply|.vtp|.obj"),
     "write the surface with the number of the source nearest to each face, in the order of points, curves and the "
-    "border: faces between two sources are split")(
+    "border: faces between two sources are split. Where no path leads from a source, number and distance are -1")(
     "uv", po::value<std::string>()->value_name("FILE.obj"),
     "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a texture")(
     "parameterization", po::value<std::string>()->value_name("NAME")->default_value("injective"),
@@ -516,6 +531,6 @@ Options parse_command_line(int argc, char* argv[])
   read_each_source(given, options);
   if(given.count("threads"))
     options.threads = number_of_threads(to_count(text("threads"), "--threads"));
-  check_overwriting(options);
+  check_overwriting(given, options);
   return options;
 }

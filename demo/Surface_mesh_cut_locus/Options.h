@@ -80,6 +80,9 @@ struct Usage_error : std::runtime_error
 double to_number(const std::string& text, const std::string& option);
 std::size_t to_count(const std::string& text, const std::string& option);
 
+// where the results of many sources are until all are there
+std::string part_of_results(const Options& options);
+
 // Throws `Usage_error`.
 Options parse_command_line(int argc, char* argv[]);
 

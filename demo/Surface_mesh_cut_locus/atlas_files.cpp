@@ -5,12 +5,12 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "atlas.h"
+#include "output_file.h"
 #include "picture_files.h"
 
 #include <filesystem>
-#include <fstream>
-#include <limits>
-#include <stdexcept>
+#include <ostream>
+#include <string>
 
 namespace {
 
@@ -34,23 +34,8 @@ picture::Image checker()
   return result;
 }
 
-void finish(std::ofstream& os, const std::string& filename)
+void write_mesh(std::ostream& os, const Atlas& atlas, const std::string& material)
 {
-  os.close();
-  if(os.fail())
-    throw std::runtime_error("cannot write to '" + filename + "'");
-}
-
-} // namespace
-
-void write_atlas(const std::string& filename, const Atlas& atlas)
-{
-  namespace fs = std::filesystem;
-  const fs::path path(filename);
-  const std::string base = path.stem().string(), material = base + ".mtl", texture = base + ".png";
-
-  std::ofstream os(filename);
-  os.precision(std::numeric_limits<double>::max_digits10);
   os << "mtllib " << material << "\nusemtl checker\n";
   for(const Kernel::Point_3& p : atlas.points)
     os << "v " << p << '\n';
@@ -67,14 +52,19 @@ void write_atlas(const std::string& filename, const Atlas& atlas)
     }
     os << '\n';
   }
-  finish(os, filename);
+}
 
-  const std::string material_file = (path.parent_path() / material).string();
-  std::ofstream mtl(material_file);
-  mtl << "newmtl checker\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " << texture << '\n';
-  finish(mtl, material_file);
+} // namespace
 
+// The mesh last, as it refers to the others.
+void write_atlas(const std::string& filename, const Atlas& atlas)
+{
+  const std::filesystem::path path(filename);
+  const std::string base = path.stem().string(), material = base + ".mtl", texture = base + ".png";
   picture::Rendered_view view;
   view.surface = checker();
-  picture::write_png((path.parent_path() / texture).string(), {view});
+  write_file((path.parent_path() / texture).string(), [&](std::ostream& os) { picture::write_png(os, {view}); });
+  write_file((path.parent_path() / material).string(), [&](std::ostream& os)
+             { os << "newmtl checker\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " << texture << '\n'; });
+  write_file(filename, [&](std::ostream& os) { write_mesh(os, atlas, material); });
 }

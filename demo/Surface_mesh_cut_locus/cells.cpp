@@ -8,6 +8,7 @@
 
 #include "Union_find.h"
 #include "location_in_part.h"
+#include "output_file.h"
 
 #include <CGAL/Cut_loci/curve/curve_refinement.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
@@ -17,9 +18,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <stdexcept>
+#include <ostream>
 #include <utility>
 
 namespace {
@@ -147,13 +147,19 @@ std::ostream& operator<<(std::ostream& os, const Point& p)
   return os << x[0] << ' ' << x[1] << ' ' << x[2];
 }
 
+// Readers of PLY and VTP take finite numbers only: where no path leads from a source, it has the number -1, too.
+double finite_distance(const Cells& cells, Index v)
+{
+  return std::isfinite(cells.distance[v]) ? cells.distance[v] : -1.;
+}
+
 void write_ply(std::ostream& os, const Cells& cells)
 {
   os << "ply\nformat ascii 1.0\nelement vertex " << cells.mesh.number_of_vertices()
      << "\nproperty double x\nproperty double y\nproperty double z\nproperty double distance\nelement face "
      << cells.mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\nproperty int source\nend_header\n";
   for(Index v = 0; v < cells.mesh.number_of_vertices(); ++v)
-    os << Point{cells, v} << ' ' << cells.distance[v] << '\n';
+    os << Point{cells, v} << ' ' << finite_distance(cells, v) << '\n';
   for(Index f = 0; f < cells.mesh.number_of_faces(); ++f)
   {
     const auto& t = cells.mesh.triangles[f];
@@ -178,7 +184,7 @@ void write_vtp(std::ostream& os, const Cells& cells)
      << "<Piece NumberOfPoints=\"" << nv
      << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" << nf
      << "\">\n<PointData Scalars=\"distance\">\n";
-  write_array("type=\"Float64\" Name=\"distance\"", nv, [&](Index v) { os << cells.distance[v]; });
+  write_array("type=\"Float64\" Name=\"distance\"", nv, [&](Index v) { os << finite_distance(cells, v); });
   os << "</PointData>\n<CellData Scalars=\"source\">\n";
   write_array("type=\"Int64\" Name=\"source\"", nf,
               [&](Index f) { os << static_cast<std::ptrdiff_t>(cells.source[f]); });
@@ -251,11 +257,7 @@ bool is_cells_name(const std::string& filename)
 
 void write_cells(const std::string& filename, const Cells& cells)
 {
-  std::ofstream os(filename);
-  os.precision(std::numeric_limits<double>::max_digits10);
   const std::string extension = std::filesystem::path(filename).extension().string();
-  (extension == ".ply" ? write_ply : extension == ".vtp" ? write_vtp : write_obj)(os, cells);
-  os.close();
-  if(os.fail())
-    throw std::runtime_error("cannot write to '" + filename + "'");
+  const auto write = extension == ".ply" ? write_ply : extension == ".vtp" ? write_vtp : write_obj;
+  write_file(filename, [&](std::ostream& os) { write(os, cells); });
 }

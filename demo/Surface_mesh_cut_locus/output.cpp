@@ -6,6 +6,7 @@
 
 #include "output.h"
 #include "Renderer.h"
+#include "output_file.h"
 #include "picture_files.h"
 #include "views.h"
 
@@ -18,7 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
+#include <ostream>
 
 namespace {
 
@@ -32,7 +33,7 @@ struct Format
 {
   const char* extension;
   const char* description;
-  void (*write_picture)(const std::string&, const std::vector<picture::Rendered_view>&); // null: the library writes it
+  void (*write_picture)(std::ostream&, const std::vector<picture::Rendered_view>&); // null: the library writes it
 };
 
 const Format formats[] = {
@@ -159,12 +160,6 @@ auto marks(const Cut_locus& cut_locus, const Input_mesh& input)
       [&](const auto& e) { return is_added(graph[e], input); }));
 }
 
-void throw_unless(bool is_written, const std::string& filename)
-{
-  if(!is_written)
-    throw std::runtime_error("cannot write to '" + filename + "'");
-}
-
 } // namespace
 
 bool is_output_name(const std::string& filename)
@@ -203,14 +198,17 @@ void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& c
   {
     const Format* const format = find_format(filename);
     if(format == nullptr || format->write_picture == nullptr)
-      throw_unless(has_added_edges(input) ? CGAL::IO::write_cut_locus(filename, cut_locus, marks(cut_locus, input))
-                                          : CGAL::IO::write_cut_locus(filename, cut_locus),
-                   filename);
+      replace_file(filename,
+                   [&](const std::string& name)
+                   {
+        return has_added_edges(input) ? CGAL::IO::write_cut_locus(name, cut_locus, marks(cut_locus, input))
+                                      : CGAL::IO::write_cut_locus(name, cut_locus);
+      });
     else
     {
       if(views.empty())
         views = draw(cut_locus, input.mesh, source_curves, cells, view);
-      format->write_picture(filename, views);
+      write_file(filename, [&](std::ostream& os) { format->write_picture(os, views); });
     }
   }
 }
@@ -219,6 +217,8 @@ void write_edges(const std::string& filename, const Cut_locus& cut_locus, const 
 {
   const auto number =
     boost::make_function_property_map<Mesh::Vertex_index>([&](Mesh::Vertex_index v) { return input.number[v]; });
-  throw_unless(CGAL::IO::write_edges(filename, cut_locus, input.mesh, marks(cut_locus, input).vertex_index_map(number)),
-               filename);
+  replace_file(filename,
+               [&](const std::string& name) {
+    return CGAL::IO::write_edges(name, cut_locus, input.mesh, marks(cut_locus, input).vertex_index_map(number));
+  });
 }

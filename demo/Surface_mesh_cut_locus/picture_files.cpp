@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iomanip>
+#include <ostream>
 #include <stdexcept>
 
 namespace picture {
@@ -84,42 +84,24 @@ std::string hexadecimal(const Color& c)
   return text;
 }
 
-std::ofstream open(const std::string& filename)
-{
-  std::ofstream os(filename, std::ios_base::binary);
-  if(!os)
-    throw std::runtime_error("cannot write to '" + filename + "'");
-  return os;
-}
-
-void close(std::ofstream& os, const std::string& filename)
-{
-  os.close();
-  if(os.fail())
-    throw std::runtime_error("cannot write to '" + filename + "'");
-}
-
 } // namespace
 
-void write_png(const std::string& filename, const std::vector<Rendered_view>& views)
+void write_png(std::ostream& os, const std::vector<Rendered_view>& views)
 {
   std::vector<Image> images;
   for(const Rendered_view& view : views)
     images.push_back(flatten(view));
   const std::vector<std::uint8_t> bytes = encode_png(side_by_side(images));
-  std::ofstream os = open(filename);
   os.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  close(os, filename);
 }
 
-void write_svg(const std::string& filename, const std::vector<Rendered_view>& views)
+void write_svg(std::ostream& os, const std::vector<Rendered_view>& views)
 {
   std::vector<Image> images;
   for(const Rendered_view& view : views)
     images.push_back(view.surface);
   const Image surface = side_by_side(images);
 
-  std::ofstream os = open(filename);
   os << std::fixed << std::setprecision(2);
   os << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
      << "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\""
@@ -149,7 +131,6 @@ void write_svg(const std::string& filename, const std::vector<Rendered_view>& vi
     left += view.surface.width;
   }
   os << "</svg>\n";
-  close(os, filename);
 }
 
 } // namespace picture

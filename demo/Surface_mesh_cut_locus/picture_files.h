@@ -9,15 +9,15 @@
 
 #include "Renderer.h"
 
-#include <string>
+#include <iosfwd>
 #include <vector>
 
 namespace picture {
 
 // Both draw the views side by side, and throw `std::runtime_error` if the file can not be written.
-void write_png(const std::string& filename, const std::vector<Rendered_view>& views);
+void write_png(std::ostream& os, const std::vector<Rendered_view>& views);
 // The surface is an embedded image, all that is drawn on it vector graphics.
-void write_svg(const std::string& filename, const std::vector<Rendered_view>& views);
+void write_svg(std::ostream& os, const std::vector<Rendered_view>& views);
 
 } // namespace picture
 

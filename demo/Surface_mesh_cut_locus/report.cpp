@@ -5,6 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "report.h"
+#include "output_file.h"
 #include "report_json.h"
 
 #include <CGAL/Cut_loci/statistics.h>
@@ -26,12 +27,9 @@ void add_method(Json& report, const Options& options, CGAL::Cut_loci::Curve curv
 
 void write_json(const std::string& filename, const Json& json)
 {
-  std::ofstream os(filename);
   // a name that is not UTF-8 must not spoil the report
-  os << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-  os.close();
-  if(os.fail())
-    throw std::runtime_error("cannot write to '" + filename + "'");
+  write_file(filename,
+             [&](std::ostream& os) { os << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n'; });
 }
 
 namespace {
@@ -108,19 +106,6 @@ void add_atlas(Json& report, const Atlas& atlas, const std::optional<double>& sh
   uv["short_cut_graph_distance"] = to_json(short_cut_graph_distance);
 }
 
-// null: there is none
-void add_parameters(Json& parameters, const Options& options)
-{
-  parameters["angle"] = to_json(options.angle);
-  parameters["laplacian"] = to_json(options.laplacian);
-  parameters["policy"] = options.grow ? Json(*options.grow ? "grow" : "prune") : Json(nullptr);
-  parameters["min_branch_edges"] = to_json(options.minimum_branch_edges);
-  parameters["min_branch_length"] = to_json(options.minimum_branch_length);
-  parameters["min_branch_gap"] = to_json(options.minimum_branch_gap);
-  parameters["min_branch_width"] = to_json(options.minimum_branch_width);
-  parameters["smooth"] = to_json(options.smoothing);
-}
-
 void add_seconds(Json& seconds, const Progress& progress)
 {
   double total = 0.;
@@ -133,6 +118,18 @@ void add_seconds(Json& seconds, const Progress& progress)
 }
 
 } // namespace
+
+void add_parameters(Json& parameters, const Options& options)
+{
+  parameters["angle"] = to_json(options.angle);
+  parameters["laplacian"] = to_json(options.laplacian);
+  parameters["policy"] = options.grow ? Json(*options.grow ? "grow" : "prune") : Json(nullptr);
+  parameters["min_branch_edges"] = to_json(options.minimum_branch_edges);
+  parameters["min_branch_length"] = to_json(options.minimum_branch_length);
+  parameters["min_branch_gap"] = to_json(options.minimum_branch_gap);
+  parameters["min_branch_width"] = to_json(options.minimum_branch_width);
+  parameters["smooth"] = to_json(options.smoothing);
+}
 
 void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Input_mesh& input,
                   const Cut_locus& cut_locus, const std::optional<Atlas>& atlas, const std::optional<Check>& check,

@@ -19,6 +19,7 @@
 using Json = nlohmann::ordered_json;
 
 void add_method(Json& report, const Options& options, CGAL::Cut_loci::Curve curve);
+void add_parameters(Json& parameters, const Options& options); // null: there is none
 
 // Throws `std::runtime_error` if the file can not be written.
 void write_json(const std::string& filename, const Json& json);

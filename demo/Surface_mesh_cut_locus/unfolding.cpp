@@ -5,6 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "unfolding.h"
+#include "output_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -155,14 +156,8 @@ bool is_unfolding_name(const std::string& filename)
 
 void write_unfolding(const std::string& filename, const Unfolding& unfolding)
 {
-  std::ofstream os(filename);
-  if(std::filesystem::path(filename).extension() == ".svg")
-    write_svg(os, unfolding);
-  else
-    write_obj(os, unfolding);
-  os.close();
-  if(!os)
-    throw std::runtime_error("cannot write to '" + filename + "'");
+  const auto write = std::filesystem::path(filename).extension() == ".svg" ? write_svg : write_obj;
+  write_file(filename, [&](std::ostream& os) { write(os, unfolding); });
 }
 
 std::string summary(const Unfolding& unfolding)

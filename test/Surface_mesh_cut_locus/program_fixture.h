@@ -63,10 +63,11 @@ protected:
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
 
-  Outcome run(const std::string& arguments) const
+  // `before` is what the shell does first
+  Outcome run(const std::string& arguments, const std::string& before = "") const
   {
     Outcome outcome;
-    const std::string command = quoted(CUT_LOCUS_PROGRAM) + " " + arguments + " 2>&1 < /dev/null";
+    const std::string command = before + quoted(CUT_LOCUS_PROGRAM) + " " + arguments + " 2>&1 < /dev/null";
     FILE* const pipe = popen(command.c_str(), "r");
     if(pipe == nullptr)
       return outcome;
@@ -79,7 +80,10 @@ protected:
     return outcome;
   }
 
-  Outcome run_on_torus(const std::string& arguments) const { return run(quoted(path("torus.off")) + " " + arguments); }
+  Outcome run_on_torus(const std::string& arguments, const std::string& before = "") const
+  {
+    return run(quoted(path("torus.off")) + " " + arguments, before);
+  }
 
   // One line that starts with the program's name and holds `part`.
   void expect_failure(const Outcome& outcome, const std::string& part) const

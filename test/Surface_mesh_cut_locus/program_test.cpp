@@ -822,9 +822,83 @@ TEST_F(Program, Wrong_outputs)
   expect_failure(run_on_torus("--edges " + quoted(path("torus.off"))), "overwrite");
   expect_failure(run_on_torus("--report " + quoted(path("a.txt")) + " --edges " + quoted(path("./a.txt"))),
                  "which --edges writes, too");
+  write("vertices.txt", "1 13\n");
+  for(const char* option : {"--sources ", "--source-edges "})
+    for(const char* output : {"--edges ", "--report "})
+      expect_failure(run_on_torus(option + quoted(path("vertices.txt")) + " " + output + quoted(path("vertices.txt"))),
+                     "would overwrite");
+  EXPECT_EQ(read_file(path("vertices.txt")), "1 13\n");
+  // known before the mesh is read
+  if(fs::exists("/proc/self"))
+    for(const char* output : {"-o /proc/a.obj", "--edges /proc/a.txt", "--cells /proc/a.ply", "--uv /proc/a.obj",
+                              "--unfold /proc/a.svg", "--report /proc/a.json"})
+      expect_failure(run("none.off " + std::string(output)), "cannot write to '/proc/a");
   fs::create_hard_link(path("torus.off"), path("torus.obj"));
   expect_failure(run_on_torus("-o " + quoted(path("torus.obj"))), "overwrite");
   EXPECT_EQ(run_on_torus("--quiet --edges /dev/null --report /dev/null").status, 0);
   if(fs::exists("/dev/full"))
     expect_failure(run_on_torus("--quiet --solver heat --report /dev/full"), "cannot write");
+}
+
+// A disk that is full is one on which no file may be longer than a block; a program that does not care is killed then.
+TEST_F(Program, Outputs_are_the_old_or_the_new_ones)
+{
+  const std::vector<std::string> names = {"a.obj", "a.png", "a.ply", "e.txt", "c.ply",
+                                          "u.obj", "u.mtl", "u.png", "r.json"};
+  const std::string outputs = "--quiet --source 5 -o " + quoted(path("a.obj")) + " -o " + quoted(path("a.png")) +
+                              " -o " + quoted(path("a.ply")) + " --edges " + quoted(path("e.txt")) + " --cells " +
+                              quoted(path("c.ply")) + " --uv " + quoted(path("u.obj")) + " --report " +
+                              quoted(path("r.json"));
+  for(const std::string& name : names)
+    write(name, "old\n");
+  const auto number_of_files = [&]()
+  { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); };
+  const auto before = number_of_files();
+  const Outcome full = run_on_torus(outputs, "trap '' XFSZ; ulimit -f 1; ");
+  expect_failure(full, "cannot write to '" + path("a.obj"));
+  EXPECT_EQ(number_of_files(), before);
+  EXPECT_NE(run_on_torus(outputs, "ulimit -f 1; ").status, 0);
+  for(const std::string& name : names)
+    EXPECT_EQ(read_file(path(name)), "old\n") << name;
+  for(const auto& file : fs::directory_iterator(folder_)) // what is left by the one that was killed
+    if(file.path().filename().string().compare(0, 11, ".cut_locus_") == 0)
+      fs::remove(file.path());
+
+  fs::remove(path("e.txt"));
+  fs::create_symlink("elsewhere.txt", path("e.txt"));
+  write("elsewhere.txt", "old\n");
+  fs::permissions(path("elsewhere.txt"), fs::perms(0640));
+  EXPECT_EQ(run_on_torus(outputs).status, 0);
+  for(const std::string& name : names)
+    EXPECT_GT(read_file(path(name)).size(), 40u) << name;
+  EXPECT_TRUE(fs::is_symlink(path("e.txt")));
+  EXPECT_EQ(fs::status(path("elsewhere.txt")).permissions(), fs::perms(0640));
+  EXPECT_EQ(number_of_files(), before + 1);
+}
+
+TEST_F(Program, Cells_of_a_mesh_of_several_parts_have_finite_numbers)
+{
+  write("two.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n3 0 1 2\n3 3 4 5\n");
+  for(const char* name : {"c.ply", "c.vtp"})
+  {
+    EXPECT_EQ(run(quoted(path("two.off")) + " --quiet --source 0 --cells " + quoted(path(name))).status, 0);
+    EXPECT_EQ(read_file(path(name)).find("inf"), std::string::npos) << name;
+    EXPECT_EQ(read_file(path(name)).find("nan"), std::string::npos) << name;
+  }
+  EXPECT_NE(read_file(path("c.ply")).find("\n5 1 0 -1\n"), std::string::npos);
+}
+
+TEST_F(Program, A_flat_mesh_is_seen_from_all_sides)
+{
+  for(const char* points :
+      {"0 0 0\n1 0 0\n1 1 0\n0 1 0\n", "0 0 0\n0 1 0\n0 1 1\n0 0 1\n", "0 0 0\n0 0 1\n1 0 1\n1 0 0\n"})
+  {
+    write("flat.off", "OFF\n4 2 0\n" + std::string(points) + "3 0 1 2\n3 0 2 3\n");
+    for(const char* view : {"0,0,1", "0,0,-1", "0,1,0", "0,-1,0", "1,0,0", "-1,0,0", "1,1,1"})
+    {
+      const Outcome outcome =
+        run(quoted(path("flat.off")) + " --quiet -o " + quoted(path("a.png")) + " --view=" + view);
+      EXPECT_EQ(outcome.status, 0) << view << " " << points << outcome.messages;
+    }
+  }
 }

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "output_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <system_error>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file beside another one, with the same extensions, that nobody else writes; removed at the end if it is still there.
+class File_beside
+{
+public:
+  explicit File_beside(const fs::path& target)
+  {
+    const std::string name = target.filename().string();
+    constexpr std::size_t enough = 64; // for extensions, as names have a largest length
+    path_ = target.parent_path() / (".cut_locus_" + std::to_string(std::random_device()()) + "_" +
+                                    name.substr(name.size() - (std::min)(name.size(), enough)));
+  }
+  ~File_beside()
+  {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+  File_beside(const File_beside&) = delete;
+  File_beside& operator=(const File_beside&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+private:
+  fs::path path_;
+};
+
+// A link stays one.
+fs::path followed(const std::string& filename)
+{
+  std::error_code error;
+  return fs::is_symlink(filename, error) ? fs::weakly_canonical(filename, error) : fs::path(filename);
+}
+
+} // namespace
+
+bool is_device(const std::string& filename)
+{
+  std::error_code error;
+  return fs::exists(filename, error) && !fs::is_regular_file(filename, error);
+}
+
+void throw_not_written(const std::string& filename)
+{
+  throw std::runtime_error("cannot write to '" + filename + "'" +
+                           (errno != 0 ? std::string(": ") + std::strerror(errno) : std::string()));
+}
+
+void replace_file(const std::string& filename, const std::function<bool(const std::string&)>& write)
+{
+  errno = 0;
+  if(is_device(filename))
+  {
+    if(!write(filename))
+      throw_not_written(filename);
+    return;
+  }
+  const fs::path target = followed(filename);
+  const File_beside file(target);
+  if(!write(file.path().string()))
+    throw_not_written(filename);
+  std::error_code error;
+  if(fs::exists(target, error))
+    fs::permissions(file.path(), fs::status(target, error).permissions(), error);
+  fs::rename(file.path(), target, error);
+  if(error)
+    throw std::runtime_error("cannot write to '" + filename + "': " + error.message());
+}
+
+void write_file(const std::string& filename, const std::function<void(std::ostream&)>& write)
+{
+  replace_file(filename,
+               [&](const std::string& name)
+               {
+    std::ofstream os(name, std::ios_base::binary);
+    os.precision(std::numeric_limits<double>::max_digits10);
+    write(os);
+    os.close();
+    return !os.fail();
+  });
+}
+
+std::string cause_not_writable(const std::string& filename)
+{
+  std::error_code ignored;
+  errno = 0;
+  if(is_device(filename)) // a pipe must not be opened before there is something to write
+    return std::string();
+  const fs::path target = followed(filename);
+  if(fs::exists(target, ignored) && !std::ofstream(target, std::ios_base::app))
+    return std::strerror(errno);
+  const File_beside file(target);
+  return std::ofstream(file.path()) ? std::string() : std::string("in its folder: ") + std::strerror(errno);
+}

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_DEMO_OUTPUT_FILE_H
+#define SURFACE_MESH_CUT_LOCUS_DEMO_OUTPUT_FILE_H
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+// Whatever happens, there is the old file or all of the new one: what `write` writes to the name that it gets takes the
+// place of the file once it is complete. Devices are written at once. Throws `std::runtime_error` if it returns `false`, or
+// the file can not be replaced.
+void replace_file(const std::string& filename, const std::function<bool(const std::string&)>& write);
+
+// The same with a stream, which writes numbers with all their digits.
+void write_file(const std::string& filename, const std::function<void(std::ostream&)>& write);
+
+// why the file can not be written, or nothing if it can
+std::string cause_not_writable(const std::string& filename);
+
+bool is_device(const std::string& filename);
+
+[[noreturn]] void throw_not_written(const std::string& filename);
+
+#endif // SURFACE_MESH_CUT_LOCUS_DEMO_OUTPUT_FILE_H
