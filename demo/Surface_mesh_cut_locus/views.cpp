@@ -82,8 +82,8 @@ View look_from(const Vector& toward, const Vector& up)
   View view;
   view.toward = normalized(toward);
   Vector right = cross(up, view.toward);
-  if(length(right) < 1e-6 * length(up)) // from above or below
-    right = cross(std::abs(up[0]) < std::abs(up[1]) ? Vector{{1., 0., 0.}} : Vector{{0., 0., 1.}}, view.toward);
+  if(length(right) < 1e-6 * length(up)) // from above or below: any other axis is up
+    right = cross(std::abs(view.toward[1]) < 0.5 ? Vector{{0., 1., 0.}} : Vector{{0., 0., -1.}}, view.toward);
   view.right = normalized(right);
   view.up = cross(view.toward, view.right);
   return view;
