@@ -5,6 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "each_source.h"
+#include "output_file.h"
 #include "report_json.h"
 #include "thresholds.h"
 
@@ -14,7 +15,12 @@
 #include <CGAL/Cut_loci/statistics.h>
 #include <CGAL/tags.h>
 
+#include <boost/functional/hash.hpp>
+
 #include <array>
+#include <cerrno>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <limits>
@@ -120,17 +126,44 @@ Source_result describe(const Cut_locus& cut_locus, const Input_mesh& input, Json
   return {line, statistics.injectivity_radius, true};
 }
 
-// Beside the computed ones, as a run over many sources is not worth less for one that failed.
-Source_result compute(const Named_source& named, const Source& source, const Options& options, const Input_mesh& input,
-                      Cut_locus_solver& solver)
+// What all lines depend on. Its number tells those of other runs.
+struct Run
 {
-  Json line;
-  std::visit([&](const auto& value) { line["source"] = value; }, named);
+  Run(const Options& o, const Input_mesh& i) : options(o), input(i)
+  {
+    Json all;
+    add_method(all, options, curve_of_files(options));
+    add_parameters(all, options);
+    std::size_t seed = 0;
+    for(Mesh::Vertex_index v : input.mesh.vertices())
+      for(int k = 0; k < 3; ++k)
+        boost::hash_combine(seed, input.mesh.point(v)[k]);
+    for(Mesh::Halfedge_index h : input.mesh.halfedges())
+      boost::hash_combine(seed, std::size_t(input.mesh.target(h)));
+    boost::hash_combine(seed, all.dump());
+    id = std::to_string(seed);
+  }
+
+  const Options& options;
+  const Input_mesh& input;
+  std::string id;
+};
+
+Json to_json(const Named_source& named)
+{
+  return std::visit([](const auto& value) { return Json(value); }, named);
+}
+
+// Beside the computed ones, as a run over many sources is not worth less for one that failed.
+Source_result compute(const Named_source& named, const Source& source, const Run& run, Cut_locus_solver& solver)
+{
+  const Options& options = run.options;
+  Json line = {{"source", to_json(named)}, {"run", run.id}};
   try
   {
     solver.set_sources(std::array<Source, 1>{{source}},
                        CGAL::parameters::maximum_relative_error(options.maximum_relative_error.value_or(0.)));
-    return describe(apply_thresholds(options, solver, curve_of_files(options)), input, line);
+    return describe(apply_thresholds(options, solver, curve_of_files(options)), run.input, line);
   }
   catch(const std::bad_alloc&)
   {
@@ -164,6 +197,81 @@ struct Summary
   }
 };
 
+// What there is of a run that was stopped.
+struct Earlier_lines
+{
+  std::size_t number = 0;
+  std::uintmax_t bytes = 0;
+  Summary summary;
+};
+
+// Lines that are complete, as far as they are those of this run.
+Earlier_lines read_earlier_lines(const std::string& filename, const std::vector<Named_source>& named, const Run& run)
+{
+  Earlier_lines result;
+  if(is_device(filename))
+    return result;
+  std::ifstream is(filename, std::ios_base::binary);
+  for(std::string text; result.number < named.size() && std::getline(is, text) && !is.eof(); ++result.number)
+  {
+    const Json line = Json::parse(text, nullptr, false);
+    if(!line.is_object() || !line.contains("run") || line["run"] != run.id || !line.contains("source") ||
+       line["source"] != to_json(named[result.number]))
+      break;
+    const bool is_found = line.contains("injectivity_radius");
+    const Json radius = is_found ? line["injectivity_radius"] : Json();
+    result.summary.add(
+      {line, radius.is_number() ? radius.get<double>() : std::numeric_limits<double>::infinity(), is_found});
+    result.bytes += text.size() + 1;
+  }
+  return result;
+}
+
+// The file of results gets its name once it is complete: until then it has the lines that are there.
+class Results_file
+{
+public:
+  Results_file(const std::vector<Named_source>& named, const Run& run)
+    : target_(run.options.outputs.front()), part_(is_device(target_) ? target_ : part_of_results(run.options))
+  {
+    namespace fs = std::filesystem;
+    earlier_ = read_earlier_lines(part_, named, run);
+    const Earlier_lines of_target = read_earlier_lines(target_, named, run);
+    if(of_target.number > earlier_.number)
+    {
+      earlier_ = of_target;
+      fs::copy_file(target_, part_, fs::copy_options::overwrite_existing);
+    }
+    errno = 0;
+    if(earlier_.number > 0)
+      fs::resize_file(part_, earlier_.bytes);
+    os_.open(part_, std::ios_base::binary | (earlier_.number > 0 ? std::ios_base::app : std::ios_base::trunc));
+    if(!os_)
+      throw_not_written(part_);
+  }
+
+  const Earlier_lines& earlier() const { return earlier_; }
+
+  void write(const Json& line)
+  {
+    os_ << line.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl; // so that it is not lost
+    if(!os_)
+      throw_not_written(part_);
+  }
+
+  void finish()
+  {
+    os_.close();
+    if(part_ != target_)
+      std::filesystem::rename(part_, target_);
+  }
+
+private:
+  std::string target_, part_;
+  Earlier_lines earlier_;
+  std::ofstream os_;
+};
+
 void write_report_of_sources(const Options& options, const Input_mesh& input, std::size_t number,
                              const Summary& summary, const Progress& progress)
 {
@@ -188,16 +296,20 @@ void write_report_of_sources(const Options& options, const Input_mesh& input, st
 
 bool compute_each_source(const Options& options, const Input_mesh& input, Cut_locus_solver& solver, Progress& progress)
 {
-  const std::vector<Named_source> named =
-    part_of(read_sources(options.each_source), options.part, options.number_of_parts);
+  std::vector<Named_source> named = part_of(read_sources(options.each_source), options.part, options.number_of_parts);
   std::vector<Source> sources;
   for(const Named_source& source : named)
     sources.push_back(find_source(source, input));
-  std::ofstream os(options.outputs.front());
-  Summary summary;
+  const std::size_t number = sources.size();
+  const Run run(options, input);
+  Results_file file(named, run);
+  const auto kept = static_cast<std::ptrdiff_t>(file.earlier().number);
+  named.erase(named.begin(), named.begin() + kept);
+  sources.erase(sources.begin(), sources.begin() + kept);
+  Summary summary = file.earlier().summary;
   const auto write = [&](const Source_result& result)
   {
-    os << result.line.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    file.write(result.line);
     summary.add(result);
   };
   const auto compute_all = [&]()
@@ -207,7 +319,7 @@ bool compute_each_source(const Options& options, const Input_mesh& input, Cut_lo
     const auto compute_one = [&](std::size_t i)
     {
       auto copy = pool.take();
-      Source_result result = compute(named[i], sources[i], options, input, *copy);
+      Source_result result = compute(named[i], sources[i], run, *copy);
       pool.give_back(std::move(copy));
       return result;
     };
@@ -215,16 +327,14 @@ bool compute_each_source(const Options& options, const Input_mesh& input, Cut_lo
   };
   if(!sources.empty())
     progress.run("sources", compute_all);
-  os.close();
-  if(os.fail())
-    throw std::runtime_error("cannot write to '" + options.outputs.front() + "'");
+  file.finish();
   if(!options.report.empty())
-    write_report_of_sources(options, input, sources.size(), summary, progress);
+    write_report_of_sources(options, input, number, summary, progress);
   if(!options.is_quiet)
     std::cerr << input.mesh.number_of_faces() << " faces; part " << options.part << " of " << options.number_of_parts
-              << ": " << sources.size() << " sources" << std::endl;
+              << ": " << number << " sources, " << kept << " of them known from an earlier run" << std::endl;
   if(summary.failed > 0)
-    std::cerr << "cut_locus: " << summary.failed << " of " << sources.size()
+    std::cerr << "cut_locus: " << summary.failed << " of " << number
               << " sources failed: see the lines with \"error\" in '" << options.outputs.front() << "'" << std::endl;
   return summary.failed == 0;
 }

@@ -107,6 +107,48 @@ TEST_F(Each_source, The_report_names_the_smallest_and_the_largest_injectivity_ra
   EXPECT_EQ(report["largest_injectivity_radius"]["injectivity_radius"], largest);
 }
 
+// The lines that are there are marked, to see that they stay.
+TEST_F(Each_source, What_was_stopped_goes_on)
+{
+  const std::string all = results("all.jsonl", "");
+  std::size_t end = 0;
+  for(int i = 0; i < 3; ++i)
+    end = all.find('\n', end) + 1;
+  std::string known = all.substr(0, end);
+  known.insert(1, "\"mark\":1,");
+  for(const char* name : {"stopped.jsonl.part", "stopped.jsonl"})
+    for(const std::size_t more : {std::size_t(0), std::size_t(40), all.find('\n', end) - end}) // of the next line
+    {
+      write(name, known + all.substr(end, more));
+      EXPECT_EQ(results("stopped.jsonl", "--threads 0 --report " + quoted(path("report.json"))),
+                known + all.substr(end));
+      EXPECT_FALSE(fs::exists(path("stopped.jsonl.part")));
+      const Json report = Json::parse(read_file(path("report.json")));
+      EXPECT_EQ(report["sources"], 7);
+      EXPECT_FALSE(report["smallest_injectivity_radius"].is_null());
+      fs::remove(path("stopped.jsonl"));
+    }
+  // those of another run are not
+  for(const char* option : {"--method polyhedral", "--min-branch-width 0.3"})
+  {
+    write("stopped.jsonl.part", known);
+    EXPECT_EQ(results("stopped.jsonl", option), results("other.jsonl", option));
+  }
+  write("stopped.jsonl.part", "[]\n{\"run\":1}\n");
+  EXPECT_EQ(results("stopped.jsonl", ""), all);
+}
+
+TEST_F(Each_source, A_full_disk_ends_the_run_at_once_and_leaves_the_old_file)
+{
+  write("x.jsonl", "old\n");
+  const std::string arguments = sources() + " --quiet -o " + quoted(path("x.jsonl"));
+  expect_failure(run_on_torus(arguments, "trap '' XFSZ; ulimit -f 10; "), "cannot write to");
+  EXPECT_EQ(read_file(path("x.jsonl")), "old\n");
+  EXPECT_GT(fs::file_size(path("x.jsonl.part")), 0u);
+  EXPECT_EQ(run_on_torus(arguments).status, 0);
+  EXPECT_EQ(read_file(path("x.jsonl")), results("all.jsonl", ""));
+}
+
 TEST_F(Each_source, Wrong_sources_and_options)
 {
   const std::string output = " -o " + quoted(path("x.jsonl"));
@@ -128,7 +170,11 @@ TEST_F(Each_source, Wrong_sources_and_options)
   refuse("nan 0 0\n", "line 1 of");
   refuse("1\n99999\n", "99999 is out of range");
   refuse("0\n", "isolated vertex");
-  expect_failure(run_on_torus("--each-source " + quoted(path("x.jsonl")) + output), "would overwrite");
+  for(const char* name : {"x.jsonl", "x.jsonl.part"})
+  {
+    write(name, "1\n");
+    expect_failure(run_on_torus("--each-source " + quoted(path(name)) + output), "would overwrite");
+  }
 }
 
 } // namespace
