@@ -65,7 +65,7 @@ bool run(const Options& options)
     std::cerr << "repaired: " << description(input.repairs) << std::endl;
   const bool is_each_source = !options.each_source.empty(); // then stages are those of many sources at once
   const std::unique_ptr<Cut_locus_solver> solver =
-    make_solver(options.solver, options.method, mesh, is_each_source ? nullptr : &progress);
+    make_solver(options.solver, options.method, mesh, is_each_source ? nullptr : &progress, options.threads > 1);
   if(is_each_source)
     return compute_each_source(options, input, *solver, progress);
   const std::vector<std::vector<Mesh::Edge_index>> source_curves = set_source(options, input, *solver);

@@ -36,7 +36,7 @@ namespace {
 
 using Source = Cut_locus_solver::Source;
 
-constexpr bool has_threads = std::is_same<CGAL::Parallel_if_available_tag, CGAL::Parallel_tag>::value;
+constexpr bool may_have_threads = std::is_same<CGAL::Parallel_if_available_tag, CGAL::Parallel_tag>::value;
 
 // A source as the file has it: the number of a vertex, or a point.
 using Named_source = std::variant<std::size_t, std::array<double, 3>>;
@@ -323,7 +323,10 @@ bool compute_each_source(const Options& options, const Input_mesh& input, Cut_lo
       pool.give_back(std::move(copy));
       return result;
     };
-    CGAL::Cut_loci::internal::transform_in_order<has_threads>(sources.size(), compute_one, write);
+    if(options.threads > 1)
+      CGAL::Cut_loci::internal::transform_in_order<may_have_threads>(sources.size(), compute_one, write);
+    else
+      CGAL::Cut_loci::internal::transform_in_order<false>(sources.size(), compute_one, write);
   };
   if(!sources.empty())
     progress.run("sources", compute_all);

@@ -21,17 +21,20 @@ struct Solver_entry
 {
   const char* name;
   const char* description;
-  std::unique_ptr<Cut_locus_solver> (*make)(const Mesh&, CGAL::Cut_loci::Method, Progress*);
+  std::unique_ptr<Cut_locus_solver> (*make)(const Mesh&, CGAL::Cut_loci::Method, Progress*, bool has_threads);
   CGAL::Cut_loci::Method method;
 };
 
+// Without the tag, TBB is not called: it starts threads even if it is told that there is one.
 template <typename GeodesicSolver>
-std::unique_ptr<Cut_locus_solver> make(const Mesh& mesh, CGAL::Cut_loci::Method method, Progress* progress)
+std::unique_ptr<Cut_locus_solver> make(const Mesh& mesh, CGAL::Cut_loci::Method method, Progress* progress,
+                                       bool has_threads)
 {
-  return std::make_unique<Cut_locus_solver>(mesh, CGAL::parameters::geodesic_solver(GeodesicSolver())
-                                                    .cut_locus_method(method)
-                                                    .visitor(Progress_visitor(progress))
-                                                    .concurrency_tag(CGAL::Parallel_if_available_tag()));
+  const auto parameters =
+    CGAL::parameters::geodesic_solver(GeodesicSolver()).cut_locus_method(method).visitor(Progress_visitor(progress));
+  return has_threads
+           ? std::make_unique<Cut_locus_solver>(mesh, parameters.concurrency_tag(CGAL::Parallel_if_available_tag()))
+           : std::make_unique<Cut_locus_solver>(mesh, parameters);
 }
 
 template <typename GeodesicSolver>
@@ -105,10 +108,10 @@ std::string default_methods()
 }
 
 std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, CGAL::Cut_loci::Method method, const Mesh& mesh,
-                                              Progress* progress)
+                                              Progress* progress, bool has_threads)
 {
   const Solver_entry* const solver = find_solver(name);
   if(solver == nullptr)
     throw std::invalid_argument("there is no solver '" + name + "'");
-  return solver->make(mesh, method, progress);
+  return solver->make(mesh, method, progress, has_threads);
 }

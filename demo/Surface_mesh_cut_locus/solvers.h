@@ -28,6 +28,6 @@ std::string default_methods(); // "direction with the solver a, laplacian with b
 
 // `progress` may be null.
 std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, CGAL::Cut_loci::Method method, const Mesh& mesh,
-                                              Progress* progress);
+                                              Progress* progress, bool has_threads);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_SOLVERS_H

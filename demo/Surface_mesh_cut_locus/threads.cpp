@@ -23,7 +23,8 @@ struct Thread_limit::Control
 };
 
 Thread_limit::Thread_limit(unsigned number)
-  : control_(new Control{tbb::global_control(tbb::global_control::max_allowed_parallelism, number)})
+  : control_(number > 1 ? new Control{tbb::global_control(tbb::global_control::max_allowed_parallelism, number)}
+                        : nullptr)
 {
 }
 

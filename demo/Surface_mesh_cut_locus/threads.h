@@ -13,7 +13,7 @@
 // As many as are asked for; 0: as many as the machine has. Throws `Usage_error` where there is just one.
 unsigned number_of_threads(std::size_t asked_for);
 
-// Lets no more threads run as long as it is there.
+// Lets no more threads run as long as it is there. One needs no limit: for it, TBB is not called.
 class Thread_limit
 {
 public:

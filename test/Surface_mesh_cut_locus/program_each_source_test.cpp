@@ -149,6 +149,32 @@ TEST_F(Each_source, A_full_disk_ends_the_run_at_once_and_leaves_the_old_file)
   EXPECT_EQ(read_file(path("x.jsonl")), results("all.jsonl", ""));
 }
 
+// Looks at the program while it runs: more threads than one stay until its end.
+TEST_F(Each_source, One_thread_is_one)
+{
+  if(!fs::exists("/proc/self/status"))
+    GTEST_SKIP() << "threads can not be counted here";
+  std::ostringstream many; // so that it can be seen running
+  for(int v = 1; v < number_of_vertices_; ++v)
+    many << v << '\n';
+  write("sources.txt", many.str());
+  for(const std::string method : {"laplacian", "direction"})
+  {
+    const Outcome outcome =
+      run_on_torus(sources() + " -o " + quoted(path("x.jsonl")) + " --quiet --threads 1 --method " + method +
+                   " > /dev/null & p=$!; while kill -0 $p; do grep Threads: /proc/$p/status; done 2> /dev/null; true");
+    std::istringstream words(outcome.messages);
+    int number_of_looks = 0;
+    for(std::string word; words >> word;)
+      if(word == "Threads:" && words >> word)
+      {
+        EXPECT_EQ(word, "1") << method;
+        ++number_of_looks;
+      }
+    EXPECT_GT(number_of_looks, 0);
+  }
+}
+
 TEST_F(Each_source, Wrong_sources_and_options)
 {
   const std::string output = " -o " + quoted(path("x.jsonl"));
