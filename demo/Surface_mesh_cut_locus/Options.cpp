@@ -51,11 +51,17 @@ namespace {
 
 constexpr std::size_t maximum_smoothing = 1000;
 
-double to_non_negative_number(const std::string& text, const std::string& option)
+constexpr double pi = 3.14159265358979323846;
+
+double to_number_in_range(const std::string& text, const std::string& option, double largest)
 {
   const double value = to_number(text, option);
-  if(value < 0.)
-    throw Usage_error(option + " takes a number that is not negative, not '" + text + "'");
+  if(value < 0. || value > largest)
+  {
+    std::ostringstream range;
+    range << option << " takes a number from 0 to " << largest << ", not '" << text << "'";
+    throw Usage_error(range.str());
+  }
   return value;
 }
 
@@ -206,14 +212,15 @@ po::options_description visible_options()
                 "direction and polyhedral the files of -o get segments through the faces; all else is about edges)")(
     "min-branch-width", po::value<std::string>()->value_name("W"),
     "the two shortest paths to a branch must be as far apart as this somewhere, in units of the diagonal of the "
-    "bounding box, with the methods direction and polyhedral (default: with direction what the mesh resolves; 0 "
+    "bounding box, at most 1, with the methods direction and polyhedral (default: with direction what the mesh "
+    "resolves; 0 "
     "with polyhedral, or if there is a --min-branch-gap)")(
     "min-branch-gap", po::value<std::string>()->value_name("RAD"),
     "least angle, in radians, between these paths where they part (default: 0.5 with direction on a mesh of few, sharp "
-    "vertices, instead of a width; else 0)")(
-    "angle", po::value<std::string>()->value_name("RAD"),
-    "least angle, in radians, at which shortest paths meet, with the method laplacian (default: 0.7; 0.4 with the "
-    "heat method)")(
+    "vertices, instead of a width; else 0)")("angle", po::value<std::string>()->value_name("RAD"),
+                                             "least angle, in radians, above 0 and at most pi, at which shortest paths "
+                                             "meet, with the method laplacian (default: 0.7; 0.4 with the "
+                                             "heat method)")(
     "laplacian", po::value<std::string>()->value_name("L"),
     "least value of minus the Laplacian of the distance times the mean edge length, with the method laplacian "
     "(default: none)")(
@@ -249,7 +256,8 @@ po::options_description visible_options()
     "sides with the same number are glued")("report", po::value<std::string>()->value_name("FILE"),
                                             "write figures and times as JSON")(
     "check", po::bool_switch(),
-    "check the topology of the result, and by how much cutting along it lengthens shortest paths, in mean edge "
+    "check the topology of the result, also with --quiet, and by how much cutting along it lengthens shortest paths, "
+    "in mean edge "
     "lengths; costs two exact computations of distances more. With several sources, distances are those to the "
     "nearest. The program fails if the topology is wrong")("quiet", po::bool_switch(), "no progress on stderr")(
     "help,h", po::bool_switch(), "print this text");
@@ -299,9 +307,7 @@ void check_options_of_method(const po::variables_map& given, const Options& opti
 
 void read_maximum_relative_error(const std::string& text, Options& options)
 {
-  const double error = to_non_negative_number(text, "--max-relative-error");
-  if(error > 0.1)
-    throw Usage_error("--max-relative-error takes at most 0.1, not '" + text + "'");
+  const double error = to_number_in_range(text, "--max-relative-error", 0.1);
   if(options.solver != "exact")
     throw Usage_error("--max-relative-error is for --solver exact");
   if(options.method == CGAL::Cut_loci::Method::POLYHEDRAL)
@@ -458,7 +464,11 @@ Options parse_command_line(int argc, char* argv[])
   if(given.count("max-relative-error"))
     read_maximum_relative_error(text("max-relative-error"), options);
   if(given.count("angle"))
-    options.angle = to_non_negative_number(text("angle"), "--angle");
+  {
+    options.angle = to_number_in_range(text("angle"), "--angle", pi);
+    if(*options.angle == 0.)
+      throw Usage_error("--angle takes an angle above 0, not '" + text("angle") + "'");
+  }
   if(given.count("laplacian"))
     options.laplacian = to_number(text("laplacian"), "--laplacian");
   if(given.count("policy"))
@@ -471,13 +481,11 @@ Options parse_command_line(int argc, char* argv[])
   if(given.count("min-branch-edges"))
     options.minimum_branch_edges = to_count(text("min-branch-edges"), "--min-branch-edges");
   if(given.count("min-branch-length"))
-    options.minimum_branch_length = to_non_negative_number(text("min-branch-length"), "--min-branch-length");
+    options.minimum_branch_length = to_number_in_range(text("min-branch-length"), "--min-branch-length", 1000.);
   if(given.count("min-branch-gap"))
-    options.minimum_branch_gap = to_non_negative_number(text("min-branch-gap"), "--min-branch-gap");
-  if(options.minimum_branch_gap && *options.minimum_branch_gap > 3.14159265358979323846)
-    throw Usage_error("--min-branch-gap is an angle: at most pi");
+    options.minimum_branch_gap = to_number_in_range(text("min-branch-gap"), "--min-branch-gap", pi);
   if(given.count("min-branch-width"))
-    options.minimum_branch_width = to_non_negative_number(text("min-branch-width"), "--min-branch-width");
+    options.minimum_branch_width = to_number_in_range(text("min-branch-width"), "--min-branch-width", 1.);
   if(given.count("smooth"))
     options.smoothing = to_count(text("smooth"), "--smooth");
   if(options.smoothing && *options.smoothing > maximum_smoothing)

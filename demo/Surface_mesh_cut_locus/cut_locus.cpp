@@ -128,7 +128,7 @@ bool run(const Options& options)
     if(unfolding)
       std::cerr << summary(*unfolding) << std::endl;
   }
-  if(checked && (!options.is_quiet || !is_right))
+  if(checked)
     std::cerr << summary(*checked) << std::endl;
   return is_right;
 }

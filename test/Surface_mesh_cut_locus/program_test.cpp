@@ -137,6 +137,14 @@ TEST_F(Program, Check)
   }
 }
 
+TEST_F(Program, The_result_of_a_check_is_never_quiet)
+{
+  const Outcome outcome = run_on_torus("--quiet --source 5 --check");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.messages.compare(0, 22, "check: topology right;"), 0) << outcome.messages;
+  EXPECT_EQ(std::count(outcome.messages.begin(), outcome.messages.end(), '\n'), 1) << outcome.messages;
+}
+
 TEST_F(Program, All_formats)
 {
   std::string arguments = "--solver heat";
@@ -186,7 +194,7 @@ TEST_F(Program, Sources_and_thresholds)
 
   const std::string laplacian = "--method laplacian ";
   const auto loose = report(laplacian + "--angle 0.05 --min-branch-edges 0"),
-             tight = report(laplacian + "--angle 3.2 --min-branch-edges 0");
+             tight = report(laplacian + "--angle 3.14 --min-branch-edges 0");
   EXPECT_GT(loose.at("edges"), tight.at("edges"));
   EXPECT_EQ(tight.at("cycles"), 2);
   EXPECT_LE(report(laplacian + "--angle 0.05 --min-branch-length 0.3").at("edges"), loose.at("edges"));
@@ -196,7 +204,7 @@ TEST_F(Program, Sources_and_thresholds)
   for(const std::string method : {"--method direction ", "--method polyhedral "})
   {
     SCOPED_TRACE(method);
-    const auto narrow = report(method + "--min-branch-width 0"), wide = report(method + "--min-branch-width 1000");
+    const auto narrow = report(method + "--min-branch-width 0"), wide = report(method + "--min-branch-width 1");
     EXPECT_GT(narrow.at("edges"), wide.at("edges"));
     EXPECT_GT(narrow.at("edges"), report(method + "--min-branch-gap 1").at("edges"));
     EXPECT_EQ(narrow.at("cycles"), 2);
@@ -774,7 +782,15 @@ TEST_F(Program, Wrong_command_lines)
                  "--min-branch-gap is for --method direction or polyhedral");
   expect_failure(run_on_torus("--solver heat --min-branch-width 0.1"),
                  "--min-branch-width is for --method direction or polyhedral, and here the method is laplacian");
-  expect_failure(run_on_torus("--min-branch-gap 3.5"), "at most pi");
+  expect_failure(run_on_torus("--min-branch-gap 3.5"), "--min-branch-gap takes a number from 0 to 3.14159");
+  for(const char* width : {"1.1", "5", "1e300"})
+    expect_failure(run_on_torus(std::string("--min-branch-width ") + width),
+                   "--min-branch-width takes a number from 0 to 1");
+  for(const char* angle : {"3.1416", "9", "1e300"})
+    expect_failure(run_on_torus(std::string("--method laplacian --angle ") + angle),
+                   "--angle takes a number from 0 to 3.14159");
+  expect_failure(run_on_torus("--method laplacian --angle 0"), "--angle takes an angle above 0");
+  expect_failure(run_on_torus("--min-branch-length 1e300"), "--min-branch-length takes a number from 0 to 1000");
   expect_failure(run_on_torus("--min-branch-width=-1"), "--min-branch-width takes");
   for(const char* method : {"", "--method direction ", "--method polyhedral "})
     expect_failure(run_on_torus(std::string(method) + "--smooth 4"), "--smooth is for --method laplacian");
