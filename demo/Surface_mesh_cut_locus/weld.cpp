@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
@@ -206,6 +207,7 @@ public:
     if(border_.empty() || !(tolerance > 0.))
       return;
     place_ = find_places(points, polygons, border_, tolerance);
+    unite_double_triangles();
     std::stable_sort(border_.begin(), border_.end(),
                      [&](const Side& s, const Side& t) { return places(s) < places(t); });
   }
@@ -222,9 +224,13 @@ public:
     for_each_pile(
       [&](auto begin, auto end)
       {
-      const auto edge = [&](const Side& s) { return std::minmax(result.first[s.source], result.first[s.target]); };
-      for(auto s = begin; s != end; ++s)
-        result.open_edges += std::count_if(begin, end, [&](const Side& t) { return edge(*s) == edge(t); }) == 1;
+      std::vector<Vertex_pair> edges;
+      for(auto side = begin; side != end; ++side)
+        edges.push_back(std::minmax(result.first[side->source], result.first[side->target]));
+      std::sort(edges.begin(), edges.end());
+      for_each_group(
+        edges.begin(), edges.end(), [](const Vertex_pair& e) { return e; },
+        [&](auto first, auto last) { result.open_edges += last - first == 1; });
     });
     return result;
   }
@@ -247,6 +253,39 @@ private:
       if(end - begin > 1 && place_[begin->source] != place_[begin->target])
         visit(begin, end);
       });
+  }
+
+  // A triangle that shares no side, at the place of another one, is the same: the repair of the soup removes it, and one
+  // with two corners at a place.
+  void unite_double_triangles()
+  {
+    std::vector<std::size_t> open_sides(polygons_.size(), 0);
+    for(const Side& side : border_)
+      ++open_sides[side.polygon];
+    std::map<std::vector<std::size_t>, std::size_t> known;
+    std::vector<bool> is_double(polygons_.size(), false);
+    for(std::size_t f = 0; f < polygons_.size(); ++f)
+    {
+      if(polygons_[f].size() != 3 || open_sides[f] != 3)
+        continue;
+      std::vector<std::size_t> places;
+      for(std::size_t v : polygons_[f])
+        places.push_back(place_[v]);
+      std::sort(places.begin(), places.end());
+      const auto found = known.emplace(places, f);
+      is_double[f] = !found.second || std::adjacent_find(places.begin(), places.end()) != places.end();
+      for(std::size_t v : polygons_[f])
+        for(std::size_t w : polygons_[found.first->second])
+          if(place_[v] == place_[w])
+            same_.unite(v, w);
+    }
+    const auto remove = [&](std::vector<Side>& sides)
+    {
+      sides.erase(std::remove_if(sides.begin(), sides.end(), [&](const Side& side) { return is_double[side.polygon]; }),
+                  sides.end());
+    };
+    remove(sides_);
+    remove(border_);
   }
 
   void read_orientations()

@@ -290,6 +290,29 @@ TEST_F(Surface, What_may_be_two_sheets_stays_apart)
   EXPECT_GE(twisted.at("repair").at("open_edges"), 2);
 }
 
+TEST_F(Surface, Double_triangles_do_not_keep_others_apart)
+{
+  Soup soup = taken_apart(ellipsoid_with_seam(8, 6));
+  const std::size_t number = soup.faces.size();
+  for(std::size_t f : {std::size_t(3), std::size_t(3), std::size_t(20)})
+  {
+    auto face = soup.faces[f];
+    for(int& v : face)
+      v = soup.add(soup.points[v]);
+    if(f == 20)
+      std::reverse(face.begin(), face.end());
+    soup.faces.push_back(face);
+  }
+  // between two others, a face whose edge at a pole has no length
+  soup.faces.push_back({soup.add(soup.points[soup.faces[0][0]]), soup.add(soup.points[soup.faces[0][0]]),
+                        soup.add(soup.points[soup.faces[0][1]])});
+  const Json all = report(soup);
+  EXPECT_EQ(all.at("faces"), number);
+  EXPECT_EQ(all.at("repair").at("removed_faces"), 4);
+  EXPECT_EQ(all.at("border_loops"), 0);
+  EXPECT_EQ(all.at("repair").at("open_edges"), 0);
+}
+
 // A sheet that was turned over belongs to the others all the same.
 TEST_F(Surface, Sheets_of_opposite_orientation_are_joined_side_by_side)
 {
