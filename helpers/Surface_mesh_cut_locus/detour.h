@@ -22,6 +22,7 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
+#include <CGAL/Cut_loci/surface/mollified_lengths.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_locus.h>
 
@@ -215,7 +216,10 @@ inline std::vector<double> exact_distances(const Indexed_mesh& mesh,
                                            const std::vector<CGAL::Cut_loci::Indexed_location>& sources,
                                            const std::vector<Index>& lines = {})
 {
-  CGAL::Cut_loci::internal::Exact_geodesic_propagation propagation(mesh);
+  Indexed_mesh measured = mesh;
+  if(CGAL::Cut_loci::internal::needs_mollification(mesh))
+    measured.lengths = CGAL::Cut_loci::internal::Mollification(mesh).lengths;
+  CGAL::Cut_loci::internal::Exact_geodesic_propagation propagation(measured);
   CGAL::Cut_loci::internal::Exact_geodesic_options options;
   options.owners.assign(sources.size(), 0);
   for(Index h : lines)

@@ -723,7 +723,7 @@ private:
     Solver_handle& solver = component.geodesic_solver;
     const Cut_loci::internal::Progress progress = visitor_.progress(Cut_loci::Stage::DISTANCE);
     if(solver.empty())
-      solver = solver_.bound_to(*component.mesh, progress);
+      solver = solver_.bound_to(component.measured(), progress);
     if(!solver.set_maximum_relative_error(maximum_relative_error_) && maximum_relative_error_ > 0.)
       Cut_loci::internal::refuse_error();
     solver.report_to(progress);

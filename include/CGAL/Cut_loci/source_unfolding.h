@@ -305,11 +305,11 @@ auto source_unfolding(const TriangleMesh& tm, const Source& source,
   internal::Surface_component component(read.mesh, labels, labels[in_mesh.location.face], number_of_components);
   std::unique_ptr<internal::Exact_tree_solver> solver;
   component.name_faults(read.mesh, read.positions,
-                        [&] { solver.reset(new internal::Exact_tree_solver(*component.mesh)); });
+                        [&] { solver.reset(new internal::Exact_tree_solver(component.measured())); });
   internal::throw_if_paths_bend(read, component, solver->geodesics().faces());
 
   const Indexed_source in_component = component.local(in_mesh);
-  const internal::Unfolded_polygon polygon = internal::unfolded_polygon(*component.mesh, *solver, in_component);
+  const internal::Unfolded_polygon polygon = internal::unfolded_polygon(component.measured(), *solver, in_component);
   return internal::Source_unfolding_builder<TriangleMesh, Vertex_point_map>(tm, vpm, read, component)(polygon,
                                                                                                       in_component);
 }

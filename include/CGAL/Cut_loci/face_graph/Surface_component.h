@@ -38,7 +38,7 @@ struct Surface_component
 {
   const Indexed_triangle_mesh* mesh = nullptr;            // of the whole if there is just one component
   std::shared_ptr<const Mesh_component> part;             // else
-  std::shared_ptr<const Indexed_triangle_mesh> mollified; // if a face has no area, for the exact solver
+  std::shared_ptr<const Indexed_triangle_mesh> mollified; // if a face has no area
   double least_width = 0.; // of branches: those that are narrower come from faces without area
   double diagonal = 0.;    // or what it is of lengths alone, see `extent()`
   std::unique_ptr<Laplacian_method> laplacian;
@@ -76,6 +76,8 @@ struct Surface_component
   Surface_component& operator=(const Surface_component&) = delete;
 
   bool is_whole() const { return !part; }
+  // with lengths if some faces have no area
+  const Indexed_triangle_mesh& measured() const { return mollified ? *mollified : *mesh; }
   // the indices in the whole mesh
   Index vertex(Index local) const { return is_whole() ? local : part->vertices[local]; }
   Index face(Index local) const { return is_whole() ? local : part->faces[local]; }
@@ -140,9 +142,9 @@ struct Surface_component
                 [&]
                 {
       if(method == Method::LAPLACIAN)
-        laplacian = make_laplacian_solver(*mesh, laplacian_operator, threads, progress);
+        laplacian = make_laplacian_solver(measured(), laplacian_operator, threads, progress);
       else
-        exact_tree = make_exact_tree_solver(mollified ? *mollified : *mesh, threads, progress);
+        exact_tree = make_exact_tree_solver(measured(), threads, progress);
     });
   }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <Eigen/SparseCore>
@@ -74,10 +75,9 @@ struct Differential_operators
     std::vector<double> weight(connectivity.number_of_edges(), 0.), area(nv, 0.);
     for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
     {
-      const Vector& apex = mesh.points[mesh.source(mesh.previous(h))];
-      const Vector a = mesh.points[mesh.source(h)] - apex, b = mesh.points[mesh.target(h)] - apex;
-      const double twice_area = norm(cross(a, b));
-      weight[connectivity.edge_of_halfedge[h]] += 0.5 * dot(a, b) / twice_area;
+      const Planar_vector top = apex(mesh, h), b = Planar_vector{{edge_length(mesh, h), 0.}} - top;
+      const double twice_area = top[1] * edge_length(mesh, h);
+      weight[connectivity.edge_of_halfedge[h]] -= 0.5 * dot(top, b) / twice_area;
       area[mesh.source(h)] += twice_area / 6.;
     }
 

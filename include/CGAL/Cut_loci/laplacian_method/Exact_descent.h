@@ -107,7 +107,7 @@ private:
     for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
     {
       const Index w = connectivity_.ring_vertex[k];
-      const double length = norm(mesh_.points[w] - mesh_.points[v]);
+      const double length = edge_length(mesh_, connectivity_.ring_halfedge[k]);
       if(its_distance > 0. && is_close(geodesics_.distance(w), its_distance) &&
          is_close(its_distance + length, geodesics_.distance(v)))
         return w;

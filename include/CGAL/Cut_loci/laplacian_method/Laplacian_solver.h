@@ -32,6 +32,7 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/Source_faces.h>
 #include <CGAL/Cut_loci/surface/checked_mesh.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
@@ -295,7 +296,7 @@ private:
   {
     double result = 0.;
     for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
-      result = (std::max)(result, norm(mesh_.points[connectivity_.ring_vertex[k]] - mesh_.points[v]));
+      result = (std::max)(result, edge_length(mesh_, connectivity_.ring_halfedge[k]));
     return result;
   }
 
@@ -340,9 +341,8 @@ private:
     for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
       if(const Index h = connectivity_.ring_halfedge[k]; mesh_.source(h) == v)
       {
-        const Vector a = mesh_.points[mesh_.target(h)] - mesh_.points[v];
-        const Vector b = mesh_.points[mesh_.source(mesh_.previous(h))] - mesh_.points[v];
-        angle += std::atan2(norm(cross(a, b)), dot(a, b));
+        const Planar_vector top = apex(mesh_, h);
+        angle += std::atan2(top[1], top[0]);
       }
     return angle > 1.5 * 3.14159265358979;
   }

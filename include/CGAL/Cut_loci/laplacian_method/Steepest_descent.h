@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <cmath>
@@ -45,12 +46,11 @@ public:
 
   Slope slope(Index h) const
   {
-    const Vector& a = mesh_.points[mesh_.source(h)];
-    const Vector along = mesh_.points[mesh_.target(h)] - a, to_apex = mesh_.points[mesh_.source(mesh_.previous(h))] - a;
+    const Planar_vector top = apex(mesh_, h);
     Slope result;
-    result.length = norm(along);
-    result.apex_x = dot(along, to_apex) / result.length;
-    result.apex_y = norm(cross(along, to_apex)) / result.length;
+    result.length = edge_length(mesh_, h);
+    result.apex_x = top[0];
+    result.apex_y = top[1];
     const double at_source = distance_[mesh_.source(h)];
     result.x = (at_source - distance_[mesh_.target(h)]) / result.length;
     result.y = (at_source - distance_[mesh_.source(mesh_.previous(h))] - result.x * result.apex_x) / result.apex_y;
@@ -67,7 +67,7 @@ public:
       const bool leaves = mesh_.source(h) == v; // all but the last one at a border
       if(distance_[w] < distance_[v])
       {
-        const double s = (distance_[v] - distance_[w]) / norm(mesh_.points[v] - mesh_.points[w]);
+        const double s = (distance_[v] - distance_[w]) / edge_length(mesh_, h);
         if(s > steepest)
         {
           steepest = s;

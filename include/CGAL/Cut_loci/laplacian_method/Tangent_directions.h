@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <cmath>
@@ -48,9 +49,8 @@ struct Tangent_directions
         const Index h = connectivity.ring_halfedge[entry];
         if(mesh.source(h) != v)
           break; // the last edge of a border vertex: no face follows
-        const Vector a = mesh.points[mesh.target(h)] - mesh.points[v];
-        const Vector b = mesh.points[mesh.source(mesh.previous(h))] - mesh.points[v];
-        angle.push_back(angle.back() + std::atan2(norm(cross(a, b)), dot(a, b)));
+        const Planar_vector top = apex(mesh, h);
+        angle.push_back(angle.back() + std::atan2(top[1], top[0]));
       }
       const double scale = connectivity.is_border(v) ? 1. : 2. * pi() / angle.back();
       for(Index entry = begin; entry < end; ++entry)
@@ -77,7 +77,7 @@ struct Tangent_directions
       {
         const Vector edge = mesh.points[connectivity.ring_vertex[entry]] - mesh.points[v];
         sum += std::complex<double>(dot(edge, frames[v].e1), dot(edge, frames[v].e2)) *
-               std::conj(std::complex<double>(direction[entry])) / norm(edge);
+               std::conj(std::complex<double>(direction[entry])) / edge_length(mesh, connectivity.ring_halfedge[entry]);
       }
       if(!(std::abs(sum) > 0.))
         continue;

@@ -91,7 +91,7 @@ public:
     for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
     {
       const Index w = connectivity_.ring_vertex[k];
-      const double length = length_[w] + norm(mesh_.points[w] - mesh_.points[v]);
+      const double length = length_[w] + edge_length(mesh_, connectivity_.ring_halfedge[k]);
       if(length < least)
       {
         least = length;

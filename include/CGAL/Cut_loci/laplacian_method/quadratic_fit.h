@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/internal/small_systems.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
@@ -80,7 +81,7 @@ private:
     for(Index entry = begin; entry < end; ++entry)
     {
       const Vector a = mesh_.points[connectivity_.ring_vertex[entry]] - p;
-      scale_ += norm(a);
+      scale_ += edge_length(mesh_, connectivity_.ring_halfedge[entry]);
       const Index following = entry + 1 < end ? entry + 1 : begin;
       if(following == begin && connectivity_.is_border(v))
         break;
@@ -141,12 +142,13 @@ private:
   Sample bisector_point(Index h)
   {
     const Index o = mesh_.target(h), l = mesh_.source(mesh_.previous(h)), across = mesh_.next(h);
-    const Vector a = mesh_.points[o] - center_, b = mesh_.points[l] - center_;
-    const double la = norm(a), lb = norm(b);
-    // The bisector meets the opposite edge where it divides it in proportion to the two sides.
+    const double la = edge_length(mesh_, h), lb = edge_length(mesh_, mesh_.previous(h)),
+                 le = edge_length(mesh_, across);
+    // The bisector meets the opposite edge where it divides it in proportion to the two sides. Seen from o, with l on the
+    // x-axis, it comes from the vertex, which is above.
     const double t = la / (la + lb);
-    const Vector m = (1. - t) * a + t * b;
-    const double lm = norm(m);
+    const Planar_vector down = Planar_vector{{t * le, 0.}} - apex(mesh_, across);
+    const double lm = norm(down);
     const Index io = node(o), il = node(l);
     if(lm >= scale_)
     {
@@ -157,14 +159,9 @@ private:
     if(twin == null_index)
       return {{{io, il, 0}}, {{1. - t, t, 0.}}};
 
-    // Lay the far face out in the plane of the near one: x along the edge from o to l, y away from the vertex.
-    const Index apex = mesh_.source(mesh_.previous(twin));
-    const Vector edge = b - a;
-    const double le = norm(edge);
-    const Vector x = (1. / le) * edge;
-    const Vector to_apex = mesh_.points[apex] - mesh_.points[o];
-    const double qx = dot(to_apex, x), qy = norm(to_apex - qx * x);
-    const double rx = dot(m, x) / lm, ry = std::sqrt((std::max)(0., 1. - rx * rx));
+    // on into the far face, with y away from the vertex
+    const Planar_vector far = apex(mesh_, twin);
+    const double qx = le - far[0], qy = far[1], rx = down[0] / lm, ry = -down[1] / lm;
     // the ray from (t le, 0) by (rx, ry) in barycentric coordinates of (0,0), (le,0), (qx,qy), linear in its length
     const double length = scale_ - lm;
     const double rate_q = ry / qy, rate_l = (rx - rate_q * qx) / le, rate_o = -rate_q - rate_l;
@@ -173,7 +170,7 @@ private:
       s = (std::min)(s, t / -rate_l);
     if(rate_o < 0.)
       s = (std::min)(s, (1. - t) / -rate_o);
-    return {{{io, il, node(apex)}}, {{1. - t + s * rate_o, t + s * rate_l, s * rate_q}}};
+    return {{{io, il, node(mesh_.source(mesh_.previous(twin)))}}, {{1. - t + s * rate_o, t + s * rate_l, s * rate_q}}};
   }
 
   // The neighbors of the neighbors; of one in the middle of a fan those next to the vertex, as all of them would take
