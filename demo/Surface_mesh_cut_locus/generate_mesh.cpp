@@ -7,8 +7,7 @@
 // Writes sample surfaces as OFF: generate_mesh SHAPE SIZE FILE. SIZE is the number of edges along a characteristic
 // line, so the number of faces grows with its square.
 
-#include "../../test/Surface_mesh_cut_locus/remeshed.h"
-#include "../../test/Surface_mesh_cut_locus/test_meshes.h"
+#include "test_meshes.h"
 
 #include <cstdlib>
 #include <fstream>

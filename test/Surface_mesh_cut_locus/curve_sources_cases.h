@@ -8,7 +8,7 @@
 #define CURVE_SOURCES_CASES_H
 
 #include "built_mesh.h"
-#include "polyhedra.h"
+#include "test_meshes.h"
 #include "topology_checker.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -11,7 +11,7 @@
 
 #include "built_mesh.h"
 #include "curve_topology.h"
-#include "polyhedra.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Simple_cartesian.h>

@@ -7,7 +7,7 @@
 // What is left of the cut locus at a threshold: all that is as strong, and nothing that ends in anything weaker.
 
 #include "built_mesh.h"
-#include "polyhedra.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Iterator_range.h>

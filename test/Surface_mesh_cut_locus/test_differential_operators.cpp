@@ -4,7 +4,6 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "polyhedra.h"
 #include "test_meshes.h"
 
 #include <CGAL/Cut_loci/laplacian_method/Differential_operators.h>

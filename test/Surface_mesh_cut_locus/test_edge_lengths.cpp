@@ -8,7 +8,7 @@
 // else have the cut loci that are known in closed form. The points of these meshes are at the origin or not finite.
 
 #include "built_mesh.h"
-#include "polyhedra.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Graph_geodesic_solver.h>

@@ -9,8 +9,8 @@
 
 #include "curve_topology.h"
 #include "detour.h"
-#include "polyhedra.h"
 #include "polyhedral_oracle.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Simple_cartesian.h>

@@ -8,8 +8,8 @@
 // points and one to others, and it stays where it is if the mesh is renumbered, moved, scaled or refined in its planes.
 
 #include "detour.h"
-#include "polyhedra.h"
 #include "polyhedral_oracle.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Cut_loci/statistics.h>

@@ -9,7 +9,7 @@
 
 #include "built_mesh.h"
 #include "curve_topology.h"
-#include "polyhedra.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>

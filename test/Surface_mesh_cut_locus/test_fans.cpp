@@ -9,7 +9,7 @@
 
 #include "built_mesh.h"
 #include "detour.h"
-#include "polyhedra.h"
+#include "test_meshes.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -7,7 +7,7 @@
 // What the figures of "Practical Computation of the Cut Locus on Discrete Surfaces" show, as statements.
 
 #include "built_mesh.h"
-#include "remeshed.h"
+#include "test_meshes.h"
 
 #include <CGAL/Exact_geodesic_solver.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -6,8 +6,8 @@
 
 // The oracle that other tests ask for the shortest paths of polyhedra, where these are known.
 
-#include "polyhedra.h"
 #include "polyhedral_oracle.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Simple_cartesian.h>

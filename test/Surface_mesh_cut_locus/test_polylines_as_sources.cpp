@@ -7,7 +7,7 @@
 // Polylines through the faces, which become edges of a mesh and so sources.
 
 #include "built_mesh.h"
-#include "polyhedra.h"
+#include "test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>

@@ -8,7 +8,7 @@
 // the curve where it covers parts of edges, where components touch in a vertex, and on doubly covered triangles.
 
 #include "built_mesh.h"
-#include "polyhedra.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Cut_loci/statistics.h>

@@ -9,7 +9,7 @@
 // and paths pass vertices by less than windows are accurate.
 
 #include "detour.h"
-#include "polyhedra.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/exact_tree/Face_ridges.h>

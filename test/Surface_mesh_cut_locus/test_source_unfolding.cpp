@@ -6,7 +6,7 @@
 
 // Source unfoldings: that they are the polyhedron when glued, and do not overlap.
 
-#include "polyhedra.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/source_unfolding.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

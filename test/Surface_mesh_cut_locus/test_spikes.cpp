@@ -8,7 +8,7 @@
 // grow with that.
 
 #include "built_mesh.h"
-#include "polyhedra.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Heat_method_geodesic_solver.h>

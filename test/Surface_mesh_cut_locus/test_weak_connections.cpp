@@ -7,7 +7,7 @@
 // What joins the strong branches of the cut locus to the holes of a surface, and around its handles, belongs to it however
 // weak it is. It is where shortest paths separate what it joins.
 
-#include "polyhedra.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Cut_loci/exact_tree/Path_classes.h>

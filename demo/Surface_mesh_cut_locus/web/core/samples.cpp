@@ -6,7 +6,7 @@
 
 #include "samples.h"
 
-#include "../../../../test/Surface_mesh_cut_locus/test_meshes.h"
+#include "test_meshes.h"
 
 #include <algorithm>
 #include <cmath>
