@@ -10,9 +10,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <random>
 #include <utility>
+#include <vector>
 
 namespace test_meshes {
 
@@ -190,9 +192,125 @@ Mesh_data torus(double R, double r, std::size_t nu, std::size_t nw, double amoun
   return m;
 }
 
+Mesh_data torus_with_shifted_rows(std::size_t nu, std::size_t nw, double r)
+{
+  Mesh_data m = torus(1., r, nu, nw);
+  m.triangles.clear();
+  for(std::size_t i = 0; i < nu; ++i)
+    for(std::size_t j = 0; j < nw; ++j)
+    {
+      const std::size_t k = (i + 1) % nu, l = (j + 1) % nw;
+      add_square(m, {{i * nw + j, k * nw + j, k * nw + l, i * nw + l}}, (i + j) % 2 == 0);
+    }
+  return m;
+}
+
+Mesh_data torus_of_rings(const std::vector<std::size_t>& numbers)
+{
+  const std::size_t rings = 8;
+  Mesh_data m;
+  std::vector<std::size_t> first;
+  const auto number = [&](std::size_t k) { return numbers[k % numbers.size()]; };
+  for(std::size_t k = 0; k < rings; ++k)
+  {
+    const double t = 2. * pi * k / rings, r = 3. + 1.2 * std::cos(t);
+    first.push_back(m.points.size());
+    for(std::size_t i = 0; i < number(k); ++i)
+    {
+      const double u = 2. * pi * i / number(k);
+      m.points.push_back({{r * std::cos(u), r * std::sin(u), std::sin(t)}});
+    }
+  }
+  for(std::size_t k = 0; k < rings; ++k)
+  {
+    const std::size_t next = (k + 1) % rings, a = number(k), b = number(next);
+    for(std::size_t i = 0, j = 0; i < a || j < b;)
+    {
+      const std::size_t p = first[k] + i % a, q = first[next] + j % b;
+      if(j >= b || (i < a && (i + 1) * b <= (j + 1) * a))
+        m.triangles.push_back({{p, first[k] + ++i % a, q}});
+      else
+        m.triangles.push_back({{p, first[next] + ++j % b, q}});
+    }
+  }
+  return m;
+}
+
 Mesh_data two_tori()
 {
   return disjoint_union(torus(1., 0.4, 24, 12, 0.2, 1), torus(1., 0.5, 20, 12, 0.2, 2), {{5., 0., 0.}});
+}
+
+Mesh_data star_shape(std::size_t n, const std::function<double(const Point&)>& radius)
+{
+  Mesh_data mesh;
+  std::map<std::array<int, 3>, std::size_t> index;
+  const int m = static_cast<int>(n);
+  const auto vertex = [&](const std::array<int, 3>& c)
+  {
+    const auto inserted = index.insert({c, mesh.points.size()});
+    if(inserted.second)
+    {
+      Point p;
+      for(int i = 0; i < 3; ++i) // equal angles: squares of similar size all over the sphere
+        p[i] = std::tan((double(c[i]) / m) * pi / 4.);
+      const double length = norm(p);
+      for(double& x : p)
+        x /= length;
+      mesh.points.push_back(radius(p) * p);
+    }
+    return inserted.first->second;
+  };
+  for(int axis = 0; axis < 3; ++axis)
+    for(int side : {-1, 1})
+      for(int i = -m; i < m; i += 2)
+        for(int j = -m; j < m; j += 2)
+        {
+          std::array<std::size_t, 4> q;
+          for(int k = 0; k < 4; ++k)
+          {
+            std::array<int, 3> c;
+            c[axis] = side * m;
+            c[(axis + 1) % 3] = i + (k == 1 || k == 2 ? 2 : 0);
+            c[(axis + 2) % 3] = j + (k >= 2 ? 2 : 0);
+            q[k] = vertex(c);
+          }
+          if(side < 0)
+            std::swap(q[1], q[3]);
+          add_square(mesh, q);
+        }
+  return mesh;
+}
+
+Mesh_data sphere_of_squares(std::size_t n)
+{
+  return star_shape(n, [](const Point&) { return 1.; });
+}
+
+Mesh_data hilly_sphere(std::size_t n)
+{
+  return star_shape(n, [](const Point& p)
+                    { return 1. + 0.15 * std::sin(5. * p[0] + 1.) * std::sin(6. * p[1] + 2.) * std::sin(4. * p[2]); });
+}
+
+Mesh_data needles(std::size_t n)
+{
+  return scaled(sphere_of_squares(n), {{1., 1., 100.}});
+}
+
+Mesh_data grid(std::size_t nx, std::size_t ny)
+{
+  Mesh_data m;
+  for(std::size_t y = 0; y < ny; ++y)
+    for(std::size_t x = 0; x < nx; ++x)
+      m.points.push_back({{double(x), double(y), 0.}});
+  for(std::size_t y = 0; y + 1 < ny; ++y)
+    for(std::size_t x = 0; x + 1 < nx; ++x)
+    {
+      const std::size_t a = y * nx + x;
+      add_square(m, {{a, a + 1, a + 1 + nx, a + nx}});
+    }
+  return m;
 }
 
 Mesh_data square(std::size_t n, double amount, unsigned seed)

@@ -86,8 +86,28 @@ Point torus_point(double R, double r, double u, double w);
 // torus of revolution, vertex 0 at (u, w) = (0, 0) on the outer equator; `amount` of the grid step is the jitter
 Mesh_data torus(double R, double r, std::size_t nu, std::size_t nw, double amount = 0., unsigned seed = 0);
 
+// radii 1 and `r`; the triangles of the rows are shifted, and so nearly equilateral for nu / nw = 1 / r
+Mesh_data torus_with_shifted_rows(std::size_t nu, std::size_t nw, double r = 0.4);
+
+// A torus of eight rings, with so many vertices as given, one after the other: with fans of slim faces between them.
+Mesh_data torus_of_rings(const std::vector<std::size_t>& numbers);
+
 // A mesh of two components.
 Mesh_data two_tori();
+
+// The faces of a cube as grids of n x n squares, blown up to the radius that `radius` gives in each direction.
+Mesh_data star_shape(std::size_t n, const std::function<double(const Point&)>& radius);
+
+Mesh_data sphere_of_squares(std::size_t n);
+
+// with hills, valleys and many saddles
+Mesh_data hilly_sphere(std::size_t n);
+
+// a closed surface of triangles a hundred times as long as wide
+Mesh_data needles(std::size_t n);
+
+// nx x ny vertices at integer coordinates; squares are cut from their lowest to their highest corner
+Mesh_data grid(std::size_t nx, std::size_t ny);
 
 // The unit square in the plane z = 0, triangulated irregularly; its border is kept straight.
 Mesh_data square(std::size_t n, double amount = 0., unsigned seed = 0);

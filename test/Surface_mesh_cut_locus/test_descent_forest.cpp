@@ -7,7 +7,7 @@
 // The descents of a distance, good or bad, leave room for a tree of all vertices and 2g edges more.
 
 #include "Union_find.h"
-#include "indexed_meshes.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_path_tracing.h>
@@ -35,7 +35,7 @@ namespace test_descent_forest {
 namespace {
 
 using namespace CGAL::Cut_loci;
-using indexed_meshes::Mesh;
+using Mesh = CGAL::Cut_loci::Indexed_triangle_mesh;
 
 void expect_room(const Mesh& mesh, const std::vector<double>& distance, const Indexed_source& source,
                  const internal::Geodesic_results* geodesics = nullptr)
@@ -76,8 +76,10 @@ void expect_room(const Mesh& mesh, const std::vector<double>& distance, const In
 TEST(Descent_forest, leaves_a_tree_and_generators)
 {
   std::mt19937 engine(7);
-  for(const Mesh& mesh : {indexed_meshes::sphere(6), indexed_meshes::bumpy_sphere(10), indexed_meshes::torus(24, 10),
-                          indexed_meshes::grid(9, 7), indexed_meshes::needles(6)})
+  for(const Mesh& mesh :
+      {test_meshes::indexed(test_meshes::sphere_of_squares(6)), test_meshes::indexed(test_meshes::hilly_sphere(10)),
+       test_meshes::indexed(test_meshes::torus_with_shifted_rows(24, 10)),
+       test_meshes::indexed(test_meshes::grid(9, 7)), test_meshes::indexed(test_meshes::needles(6))})
     for(int i = 0; i < 6; ++i)
     {
       Indexed_source source;
@@ -157,12 +159,12 @@ double longest_detour_from(Index v, const Mesh& mesh)
 // longer by another one for others; without a look at how long they become, some do.
 TEST(Descent_forest, leads_paths_through_fans_of_slim_faces)
 {
-  for(const std::vector<Index>& numbers :
-      {std::vector<Index>{3, 40}, std::vector<Index>{4, 40}, std::vector<Index>{5, 61, 17}, std::vector<Index>{6, 90}})
+  for(const std::vector<std::size_t>& numbers : {std::vector<std::size_t>{3, 40}, std::vector<std::size_t>{4, 40},
+                                                 std::vector<std::size_t>{5, 61, 17}, std::vector<std::size_t>{6, 90}})
     for(const Index v : {7, 30, 50, 71, 100})
     {
       SCOPED_TRACE(std::to_string(numbers.back()) + " vertices, source " + std::to_string(v));
-      EXPECT_LT(longest_detour_from(v, indexed_meshes::torus_of_rings(numbers)), 2.);
+      EXPECT_LT(longest_detour_from(v, test_meshes::indexed(test_meshes::torus_of_rings(numbers))), 2.);
     }
 }
 
@@ -170,7 +172,7 @@ TEST(Descent_forest, leads_paths_through_fans_of_slim_faces)
 // others, a way along an edge is hardly longer. Led along paths of their own alone, some stay longer by two mean edges.
 TEST(Descent_forest, leads_ways_along_edges_beside_fans)
 {
-  const Mesh mesh = indexed_meshes::torus_of_rings({4, 7, 33, 120});
+  const Mesh mesh = test_meshes::indexed(test_meshes::torus_of_rings({4, 7, 33, 120}));
   for(Index v = 0; v < mesh.number_of_vertices(); v += 12)
   {
     SCOPED_TRACE(v);
@@ -206,7 +208,9 @@ std::vector<internal::Vector> points_of_descent(const Mesh& mesh, const Mesh_con
 TEST(Exact_descent, goes_where_the_shortest_paths_go)
 {
   using namespace CGAL::Cut_loci::internal;
-  for(const Mesh& mesh : {indexed_meshes::bumpy_sphere(10), indexed_meshes::torus(24, 10), indexed_meshes::needles(6)})
+  for(const Mesh& mesh : {test_meshes::indexed(test_meshes::hilly_sphere(10)),
+                          test_meshes::indexed(test_meshes::torus_with_shifted_rows(24, 10)),
+                          test_meshes::indexed(test_meshes::needles(6))})
   {
     const Mesh_connectivity connectivity(mesh);
     Indexed_location location;

@@ -9,7 +9,7 @@
 #include "built_mesh.h"
 #include "completeness.h"
 #include "detour.h"
-#include "indexed_meshes.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
 #include <CGAL/Simple_cartesian.h>
@@ -437,7 +437,7 @@ TEST(Laplacian_detour_of_slim_faces, Wavy_surface)
 TEST(Laplacian_detour_of_slim_faces, Smoothing_beside_fans)
 {
   namespace lib = CGAL::Cut_loci::internal;
-  const lib::Geodesic_mesh mesh = lib::surface_mesh_copy(indexed_meshes::torus_of_rings({3, 7, 50}));
+  const lib::Geodesic_mesh mesh = lib::surface_mesh_copy(indexed(torus_of_rings({3, 7, 50})));
   CGAL::Surface_mesh_cut_locus<lib::Geodesic_mesh> cut_loci(mesh, params::cut_locus_method(Method::LAPLACIAN));
   for(unsigned v = 1; v < mesh.number_of_vertices(); v += 3)
   {

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "indexed_meshes.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
@@ -21,7 +21,9 @@ namespace test_graph_geodesic_solver {
 
 namespace {
 
-using namespace indexed_meshes;
+using namespace test_meshes;
+using CGAL::Cut_loci::Index;
+using Mesh = CGAL::Cut_loci::Indexed_triangle_mesh;
 using CGAL::Cut_loci::Indexed_source;
 
 template <typename Solver>
@@ -135,7 +137,8 @@ constexpr double rounding = 1e-6; // the lengths of the arcs are in single preci
 
 TEST(Graph_geodesic_solver, equals_brute_force_on_its_graph)
 {
-  for(const Mesh& mesh : {torus(24, 13), bumpy_sphere(16), needles(12), grid(9, 7)})
+  for(const Mesh& mesh :
+      {indexed(torus_with_shifted_rows(24, 13)), indexed(hilly_sphere(16)), indexed(needles(12)), indexed(grid(9, 7))})
     for(Index v : {Index(0), mesh.number_of_vertices() / 2})
     {
       const std::vector<double> d = graph(mesh, at_vertex(mesh, v)), reference = brute_force(mesh, v);
@@ -146,7 +149,7 @@ TEST(Graph_geodesic_solver, equals_brute_force_on_its_graph)
 
 TEST(Graph_geodesic_solver, is_an_upper_bound_with_a_small_error)
 {
-  for(const Mesh& mesh : {torus(60, 25), sphere(24)})
+  for(const Mesh& mesh : {indexed(torus_with_shifted_rows(60, 25)), indexed(sphere_of_squares(24))})
   {
     const Indexed_source s = at_vertex(mesh, 7);
     const Error e = relative_error(graph(mesh, s), exact(mesh, s));
@@ -157,7 +160,7 @@ TEST(Graph_geodesic_solver, is_an_upper_bound_with_a_small_error)
     RecordProperty("mean_relative_error", std::to_string(e.mean));
     RecordProperty("largest_relative_error", std::to_string(e.highest));
   }
-  for(const Mesh& mesh : {bumpy_sphere(16), needles(12)})
+  for(const Mesh& mesh : {indexed(hilly_sphere(16)), indexed(needles(12))})
   {
     const Indexed_source s = at_vertex(mesh, 3);
     EXPECT_GE(relative_error(graph(mesh, s), exact(mesh, s)).lowest, -rounding);
@@ -166,7 +169,7 @@ TEST(Graph_geodesic_solver, is_an_upper_bound_with_a_small_error)
 
 TEST(Graph_geodesic_solver, is_exact_along_edges_and_dual_edges)
 {
-  const Mesh mesh = grid(11, 11); // unit squares, each cut by the diagonal from its lowest to its highest corner
+  const Mesh mesh = indexed(grid(11, 11)); // unit squares, each cut from its lowest to its highest corner
   const Index middle = 5 * 11 + 5;
   const std::vector<double> d = graph(mesh, at_vertex(mesh, middle));
   for(int y = -5; y <= 5; ++y)
@@ -181,7 +184,7 @@ TEST(Graph_geodesic_solver, is_exact_along_edges_and_dual_edges)
 
 TEST(Graph_geodesic_solver, satisfies_the_triangle_inequality)
 {
-  const Mesh mesh = bumpy_sphere(12);
+  const Mesh mesh = indexed(hilly_sphere(12));
   std::vector<std::vector<double>> d;
   for(Index v = 0; v < mesh.number_of_vertices(); v += 5)
     d.push_back(graph(mesh, at_vertex(mesh, v)));
@@ -198,7 +201,7 @@ TEST(Graph_geodesic_solver, takes_sources_in_faces_and_on_edges)
 {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0., 1.);
-  for(const Mesh& mesh : {torus(30, 13), grid(9, 9)})
+  for(const Mesh& mesh : {indexed(torus_with_shifted_rows(30, 13)), indexed(grid(9, 9))})
     for(int k = 0; k < 6; ++k)
     {
       const double a = uniform(random), b = uniform(random) * (1. - a);
@@ -215,7 +218,7 @@ TEST(Graph_geodesic_solver, takes_sources_in_faces_and_on_edges)
       for(Index v : mesh.triangles[f]) // straight in the face; around a convex edge may be no shorter
         EXPECT_NEAR(d[v], reference[v], 1e-6);
     }
-  const Mesh flat = grid(3, 3); // straight lines across one edge
+  const Mesh flat = indexed(grid(3, 3)); // straight lines across one edge
   const std::vector<double> d = graph(flat, in_face(0, 0.4, 0.3, 0.3));
   const auto p = CGAL::Cut_loci::internal::position(flat, {0, {{0.4, 0.3, 0.3}}});
   for(Index v : {0, 1, 3, 4})
@@ -227,7 +230,7 @@ TEST(Graph_geodesic_solver, takes_sources_in_faces_and_on_edges)
 
 TEST(Graph_geodesic_solver, agrees_on_an_edge_whichever_face_names_it)
 {
-  const Mesh mesh = torus(12, 7);
+  const Mesh mesh = indexed(torus_with_shifted_rows(12, 7));
   for(Index h = 0; h < mesh.number_of_halfedges(); h += 5)
   {
     Indexed_source s, t;
@@ -246,7 +249,7 @@ TEST(Graph_geodesic_solver, agrees_on_an_edge_whichever_face_names_it)
 
 TEST(Graph_geodesic_solver, scales_exactly_and_repeats)
 {
-  const Mesh mesh = bumpy_sphere(14);
+  const Mesh mesh = indexed(hilly_sphere(14));
   const std::vector<double> d = graph(mesh, at_vertex(mesh, 5));
   EXPECT_EQ(d, graph(mesh, at_vertex(mesh, 5)));
   for(int exponent : {-170, 170}) // far outside of the range of single precision
@@ -272,7 +275,7 @@ TEST(Graph_geodesic_solver, scales_exactly_and_repeats)
 
 TEST(Graph_geodesic_solver, leaves_other_components_at_infinity)
 {
-  const Mesh mesh = two_copies(grid(4, 4));
+  const Mesh mesh = indexed(disjoint_union(grid(4, 4), grid(4, 4), {{0., 0., 0.}}));
   const std::vector<double> d = graph(mesh, at_vertex(mesh, 0));
   for(std::size_t v = 0; v < d.size(); ++v)
     EXPECT_EQ(std::isinf(d[v]), v >= d.size() / 2);
@@ -280,7 +283,7 @@ TEST(Graph_geodesic_solver, leaves_other_components_at_infinity)
 
 TEST(Graph_geodesic_solver, serves_the_cut_locus)
 {
-  const auto mesh = CGAL::Cut_loci::internal::surface_mesh_copy(torus(60, 25));
+  const auto mesh = CGAL::Cut_loci::internal::surface_mesh_copy(indexed(torus_with_shifted_rows(60, 25)));
   CGAL::Surface_mesh_cut_locus<CGAL::Cut_loci::internal::Geodesic_mesh> solver(
     mesh, CGAL::parameters::geodesic_solver(CGAL::Graph_geodesic_solver()));
   solver.set_source(*mesh.vertices().begin());

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "indexed_meshes.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
 #include <CGAL/Cut_loci/laplacian_method/Laplacian_solver.h>
@@ -25,7 +25,9 @@ namespace test_smoothing {
 
 namespace {
 
-using namespace indexed_meshes;
+using namespace test_meshes;
+using CGAL::Cut_loci::Index;
+using Mesh = CGAL::Cut_loci::Indexed_triangle_mesh;
 using namespace CGAL::Cut_loci::internal;
 using CGAL::Cut_loci::Indexed_cut_locus;
 using CGAL::Cut_loci::Indexed_location;
@@ -64,7 +66,7 @@ void expect_valid(const Mesh& mesh, const Indexed_location& x)
 
 TEST(Straightest_geodesic, is_a_line_in_the_plane)
 {
-  const Mesh mesh = grid(12, 12);
+  const Mesh mesh = indexed(grid(12, 12));
   const Mesh_connectivity connectivity(mesh);
   std::mt19937 random(2);
   std::uniform_real_distribution<double> uniform(-1., 1.);
@@ -73,7 +75,7 @@ TEST(Straightest_geodesic, is_a_line_in_the_plane)
   {
     const Indexed_location a = random_location(mesh, random);
     const Vector p = position(mesh, a);
-    const double angle = pi() * uniform(random), length = 3.;
+    const double angle = pi * uniform(random), length = 3.;
     const Vector d = {{std::cos(angle), std::sin(angle), 0.}};
     const Vector q = p + length * d;
     const Indexed_location b = straightest_geodesic(mesh, connectivity, a, 7. * d, length);
@@ -105,10 +107,10 @@ TEST(Straightest_geodesic, is_a_line_in_the_plane)
 TEST(Straightest_geodesic, follows_the_unfolding_of_a_cube)
 {
   // a cube of side 2 whose faces are grids
-  Mesh mesh = star_shape(6,
-                         [](const Mesh::Point& p) {
+  Mesh mesh = indexed(star_shape(6,
+                                 [](const Mesh::Point& p) {
     return 1. / (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
-  });
+  }));
   const Mesh_connectivity connectivity(mesh);
   // from the top down the side x = 1, around the bottom and up again: eight to come home
   int tried = 0;
@@ -136,7 +138,7 @@ TEST(Straightest_geodesic, converges_to_great_circles)
   double previous = 1.;
   for(Index n : {8, 16, 32})
   {
-    const Mesh mesh = sphere(n);
+    const Mesh mesh = indexed(sphere_of_squares(n));
     const Mesh_connectivity connectivity(mesh);
     double largest = 0.;
     for(Index f = 0; f < mesh.number_of_faces(); f += mesh.number_of_faces() / 40)
@@ -160,7 +162,7 @@ TEST(Straightest_geodesic, survives_needles_and_bumps)
 {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1., 1.);
-  for(const Mesh& mesh : {needles(10), bumpy_sphere(10)})
+  for(const Mesh& mesh : {indexed(needles(10)), indexed(hilly_sphere(10))})
   {
     const Mesh_connectivity connectivity(mesh);
     for(int k = 0; k < 2000; ++k)
@@ -227,9 +229,9 @@ std::vector<Indexed_location> segment(Local_geodesics& geodesics, Indexed_locati
 TEST(Local_geodesics, are_straight_lines_in_the_plane)
 {
   std::mt19937 random(4);
-  for(const Mesh& mesh : {grid(9, 9), []
+  for(const Mesh& mesh : {indexed(grid(9, 9)), []
                           {
-    Mesh m = grid(9, 9);
+    Mesh m = indexed(grid(9, 9));
     for(auto& p : m.points)
       p[1] *= 0.01;
     return m;
@@ -257,7 +259,8 @@ TEST(Local_geodesics, are_straight_lines_in_the_plane)
 TEST(Local_geodesics, are_shortest_between_near_points)
 {
   std::mt19937 random(5);
-  for(const Mesh& mesh : {sphere(8), bumpy_sphere(8), needles(6), torus(20, 9)})
+  for(const Mesh& mesh : {indexed(sphere_of_squares(8)), indexed(hilly_sphere(8)), indexed(needles(6)),
+                          indexed(torus_with_shifted_rows(20, 9))})
   {
     const Mesh_connectivity connectivity(mesh);
     Local_geodesics geodesics(mesh, connectivity);
@@ -299,7 +302,7 @@ TEST(Local_geodesics, are_shortest_between_near_points)
 
 TEST(Local_geodesics, joins_within_a_face_and_not_to_other_components)
 {
-  const Mesh mesh = two_copies(grid(3, 3));
+  const Mesh mesh = indexed(disjoint_union(grid(3, 3), grid(3, 3), {{0., 0., 0.}}));
   const Mesh_connectivity connectivity(mesh);
   Local_geodesics geodesics(mesh, connectivity);
   std::vector<Indexed_location> path;
@@ -538,14 +541,14 @@ Mesh irregular_torus(Index m, Index n)
 {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> uniform(-0.15, 0.15);
-  Mesh mesh = torus(m, n);
+  Mesh mesh = indexed(torus_with_shifted_rows(m, n));
   for(Index i = 0; i < m; ++i)
     for(Index j = 0; j < n; ++j)
     {
       const bool is_source = i == 0 && j == n / 2;
-      const double wave = 1.2 * std::sin(3. * (2. * pi() * i / m));
-      const double w = 2. * pi() * (j + wave + (is_source ? 0. : uniform(random))) / n;
-      const double u = 2. * pi() * (i + 1.2 * std::sin(2. * w) + (is_source ? 0. : uniform(random))) / m;
+      const double wave = 1.2 * std::sin(3. * (2. * pi * i / m));
+      const double w = 2. * pi * (j + wave + (is_source ? 0. : uniform(random))) / n;
+      const double u = 2. * pi * (i + 1.2 * std::sin(2. * w) + (is_source ? 0. : uniform(random))) / m;
       const double rho = 1. + 0.4 * std::cos(w);
       mesh.points[i * n + j] = {{rho * std::cos(u), rho * std::sin(u), 0.4 * std::sin(w)}};
     }
@@ -596,8 +599,8 @@ TEST(Smoothing, does_not_depend_on_scale_and_pose)
 
 TEST(Smoothing, keeps_the_topology_of_any_input)
 {
-  for(const Mesh& mesh :
-      {torus(40, 17), bumpy_sphere(20), needles(12), grid(15, 15), irregular_torus(25, 10), sphere(8)})
+  for(const Mesh& mesh : {indexed(torus_with_shifted_rows(40, 17)), indexed(hilly_sphere(20)), indexed(needles(12)),
+                          indexed(grid(15, 15)), irregular_torus(25, 10), indexed(sphere_of_squares(8))})
     for(double angle : {0., 0.2, 0.7})
       for(Index source : {Index(0), mesh.number_of_vertices() / 3})
       {
@@ -612,7 +615,7 @@ TEST(Smoothing, keeps_the_topology_of_any_input)
 
 TEST(Smoothing, turns_back_nowhere_on_strong_branches)
 {
-  for(const Mesh& mesh : {torus(40, 17), bumpy_sphere(20)})
+  for(const Mesh& mesh : {indexed(torus_with_shifted_rows(40, 17)), indexed(hilly_sphere(20))})
   {
     const Smoothed s = smoothed<CGAL::Shortest_path_geodesic_solver>(mesh, 0, 0.7);
     EXPECT_EQ(sharp_turns(mesh, s.after), 0);
