@@ -32,11 +32,11 @@ double mean_edge_length(const Mesh_data& m)
   return sum / (3. * m.triangles.size());
 }
 
-std::size_t nearest_vertex(const Mesh_data& m, const Point& p)
+std::size_t nearest_vertex(const std::vector<Point>& points, const Point& p)
 {
   std::size_t best = 0;
-  for(std::size_t v = 0; v < m.points.size(); ++v)
-    if(norm(m.points[v] - p) < norm(m.points[best] - p))
+  for(std::size_t v = 0; v < points.size(); ++v)
+    if(norm(points[v] - p) < norm(points[best] - p))
       best = v;
   return best;
 }
@@ -147,6 +147,16 @@ Mesh_data punctured(const Mesh_data& m, const std::vector<Point>& centers, doubl
   };
   result.triangles.erase(std::remove_if(result.triangles.begin(), result.triangles.end(), is_inside),
                          result.triangles.end());
+  return without_isolated_vertices(result);
+}
+
+Mesh_data without_ball(const Mesh_data& m, const Point& center, double radius)
+{
+  Mesh_data result;
+  result.points = m.points;
+  for(const Triangle& t : m.triangles)
+    if(std::none_of(t.begin(), t.end(), [&](std::size_t v) { return norm(m.points[v] - center) <= radius; }))
+      result.triangles.push_back(t);
   return without_isolated_vertices(result);
 }
 

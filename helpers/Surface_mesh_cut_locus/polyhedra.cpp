@@ -16,7 +16,7 @@
 
 namespace test_meshes {
 
-Mesh_data voxel_surface(const std::set<Voxel>& voxels, int n)
+Mesh_data voxel_surface(const std::set<Voxel>& voxels, int n, Diagonals diagonals)
 {
   Mesh_data m;
   std::map<Voxel, std::size_t> index;
@@ -49,7 +49,7 @@ Mesh_data voxel_surface(const std::set<Voxel>& voxels, int n)
             std::array<std::size_t, 4> q = {{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)}};
             if(side == 0)
               std::swap(q[1], q[3]);
-            if((i + j) % 2 == 0)
+            if(diagonals == Diagonals::ALTERNATING && (i + j) % 2 == 0)
               std::rotate(q.begin(), q.begin() + 1, q.end());
             add_square(m, q);
           }
@@ -67,14 +67,14 @@ Mesh_data box(int x, int y, int z, int n)
   return voxel_surface(voxels, n);
 }
 
-Mesh_data cube(int n)
+Mesh_data cube(int n, Diagonals diagonals)
 {
-  return box(1, 1, 1, n);
+  return voxel_surface({{{0, 0, 0}}}, n, diagonals);
 }
 
-Mesh_data cuboid(const Point& size, int n)
+Mesh_data cuboid(const Point& size, int n, Diagonals diagonals)
 {
-  return scaled(cube(n), size);
+  return scaled(cube(n, diagonals), size);
 }
 
 Mesh_data l_shape(int n)
@@ -93,14 +93,14 @@ Mesh_data cross_shape(int n)
   return voxel_surface(voxels, n);
 }
 
-Mesh_data plate_with_holes(int holes_x, int holes_y, int n)
+Mesh_data plate_with_holes(int holes_x, int holes_y, int n, Diagonals diagonals)
 {
   std::set<Voxel> voxels;
   for(int i = 0; i < 2 * holes_x + 1; ++i)
     for(int j = 0; j < 2 * holes_y + 1; ++j)
       if(i % 2 == 0 || j % 2 == 0)
         voxels.insert({{i, j, 0}});
-  return voxel_surface(voxels, n);
+  return voxel_surface(voxels, n, diagonals);
 }
 
 Mesh_data perforated_plate(int holes_x, int holes_y, int n, unsigned seed)

@@ -146,6 +146,33 @@ Mesh_data surface_of_revolution(std::size_t nu, std::size_t nt,
   return m;
 }
 
+Mesh_data revolution(std::size_t nu, const std::vector<std::array<double, 2>>& profile)
+{
+  Mesh_data m;
+  std::vector<std::vector<std::size_t>> rows;
+  for(const auto& p : profile)
+  {
+    std::vector<std::size_t> row;
+    const std::size_t n = p[0] == 0. ? 1 : nu;
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      row.push_back(m.points.size());
+      m.points.push_back({{p[0] * std::cos(2. * pi * i / nu), p[0] * std::sin(2. * pi * i / nu), p[1]}});
+    }
+    rows.push_back(row);
+  }
+  for(std::size_t k = 1; k < rows.size(); ++k)
+    for(std::size_t i = 0; i < nu; ++i)
+    {
+      const auto at = [&](std::size_t r, std::size_t j) { return rows[r][rows[r].size() == 1 ? 0 : j % nu]; };
+      if(rows[k - 1].size() > 1)
+        m.triangles.push_back({{at(k - 1, i), at(k - 1, i + 1), at(k, i + 1)}});
+      if(rows[k].size() > 1)
+        m.triangles.push_back({{at(k - 1, i), at(k, i + 1), at(k, i)}});
+    }
+  return m;
+}
+
 Mesh_data irregular_bumpy_sphere(std::size_t n, double height, unsigned seed)
 {
   const Mesh_data rings = surface_of_revolution(3 * n, n,

@@ -75,6 +75,10 @@ Mesh_data sphere_with_bump(std::size_t n, const Point& top, double height, doubl
 Mesh_data surface_of_revolution(std::size_t nu, std::size_t nt,
                                 const std::function<std::array<double, 2>(double)>& profile);
 
+// Rows of `nu` points for each of the profile's (radius, height); closed by a point at each end of the profile where the
+// radius is zero, and open where it is not.
+Mesh_data revolution(std::size_t nu, const std::vector<std::array<double, 2>>& profile);
+
 // A bumpy sphere whose faces are slim, of all sizes, and crowded at two poles.
 Mesh_data irregular_bumpy_sphere(std::size_t n, double height, unsigned seed);
 
@@ -125,16 +129,19 @@ Mesh_data annulus(double inner, double outer, std::size_t nu, std::size_t nr);
 
 using Voxel = std::array<int, 3>;
 
+// of the squares: those of neighbors meet, or none do
+enum class Diagonals { ALTERNATING, PARALLEL };
+
 // The boundary of a union of unit cubes, each side divided in `n` x `n` squares. Manifold if no two cubes touch in an
 // edge or a vertex alone.
-Mesh_data voxel_surface(const std::set<Voxel>& voxels, int n);
+Mesh_data voxel_surface(const std::set<Voxel>& voxels, int n, Diagonals diagonals = Diagonals::ALTERNATING);
 
 Mesh_data box(int x, int y, int z, int n);
 
 // the unit cube: 12 n^2 faces
-Mesh_data cube(int n);
+Mesh_data cube(int n, Diagonals diagonals = Diagonals::ALTERNATING);
 
-Mesh_data cuboid(const Point& size, int n);
+Mesh_data cuboid(const Point& size, int n, Diagonals diagonals = Diagonals::ALTERNATING);
 
 // Three unit cubes around the edge x = y = 1, both ends of which are saddles of 450 degrees.
 Mesh_data l_shape(int n);
@@ -144,7 +151,7 @@ Mesh_data cross_shape(int n);
 
 // Flat, with `holes_x` times `holes_y` square holes: a closed surface whose genus is their number. 7 x 8 holes have
 // 1372 n^2 faces.
-Mesh_data plate_with_holes(int holes_x, int holes_y, int n);
+Mesh_data plate_with_holes(int holes_x, int holes_y, int n, Diagonals diagonals = Diagonals::ALTERNATING);
 
 // The same with its edges rounded off a little, and irregular.
 Mesh_data perforated_plate(int holes_x, int holes_y, int n, unsigned seed);
@@ -170,7 +177,11 @@ double random_unit(std::mt19937& engine);
 double mean_edge_length(const Mesh_data& m);
 
 // The position of the vertex nearest to `p`.
-std::size_t nearest_vertex(const Mesh_data& m, const Point& p);
+std::size_t nearest_vertex(const std::vector<Point>& points, const Point& p);
+inline std::size_t nearest_vertex(const Mesh_data& m, const Point& p)
+{
+  return nearest_vertex(m.points, p);
+}
 
 // The mesh as the stages of the library take it.
 CGAL::Cut_loci::Indexed_triangle_mesh indexed(const Mesh_data& m);
@@ -191,6 +202,9 @@ Mesh_data without_isolated_vertices(const Mesh_data& m);
 
 // Takes the faces out whose centroid lies in one of the balls, which must be wide enough apart to leave a manifold.
 Mesh_data punctured(const Mesh_data& m, const std::vector<Point>& centers, double radius);
+
+// Takes the faces out that have a corner in the ball.
+Mesh_data without_ball(const Mesh_data& m, const Point& center, double radius);
 
 // Both, one after the other, the second one moved.
 Mesh_data disjoint_union(Mesh_data a, const Mesh_data& b, const Point& by);

@@ -7,7 +7,7 @@
 // Cut loci from distances with a maximum relative error.
 
 #include "built_mesh.h"
-#include "direction_meshes.h"
+#include "direction_results.h"
 #include "test_meshes.h"
 
 #include <CGAL/Cut_loci/Invalid_input.h>
@@ -43,9 +43,10 @@ constexpr double rounding = 1e-12;
 
 // -- cut loci ----------------------------------------------------------------------------------------------------------
 
-void check_topology(const Indexed_triangle_mesh& mesh, const std::string& name)
+void check_topology(const test_meshes::Mesh_data& data, const std::string& name)
 {
   using namespace direction_test;
+  const Indexed_triangle_mesh mesh = test_meshes::indexed(data);
   const Index f = mesh.number_of_faces() / 3;
   for(double error : {1e-5, 1e-3, 0.1})
   {
@@ -59,24 +60,25 @@ void check_topology(const Indexed_triangle_mesh& mesh, const std::string& name)
 
 TEST(Bounded_error_cut_locus, topology)
 {
-  using namespace direction_test;
-  check_topology(box(5, {{3., 1., 0.4}}), "box");
-  check_topology(plate_with_holes(3, 2), "plate with holes");
-  check_topology(torus(60, 24), "torus");
-  check_topology(sphere(8), "sphere");
-  Indexed_triangle_mesh needles = torus(60, 24);
+  using namespace test_meshes;
+  check_topology(cuboid({{3., 1., 0.4}}, 5, Diagonals::PARALLEL), "box");
+  check_topology(plate_with_holes(3, 1, 2, Diagonals::PARALLEL), "plate with holes");
+  check_topology(torus(1., 0.4, 60, 24), "torus");
+  check_topology(sphere_of_squares(8), "sphere");
+  Mesh_data needles = torus(1., 0.4, 60, 24);
   for(auto& p : needles.points)
     p[2] *= 30.;
   check_topology(needles, "needles");
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> random(-1., 1.);
-  Indexed_triangle_mesh rough = torus(30, 12);
+  Mesh_data rough = torus(1., 0.4, 30, 12);
   for(auto& p : rough.points)
     for(double& x : p)
       x += 0.08 * random(generator);
   check_topology(rough, "saddles everywhere");
-  check_topology(without_ball(torus(40, 16), {{1.4, 0., 0.}}, 0.3), "torus with a hole");
-  check_topology(without_ball(without_ball(sphere(8), {{0., 0., 1.}}, 0.4), {{1., 0., 0.}}, 0.3), "with two borders");
+  check_topology(without_ball(torus(1., 0.4, 40, 16), {{1.4, 0., 0.}}, 0.3), "torus with a hole");
+  check_topology(without_ball(without_ball(sphere_of_squares(8), {{0., 0., 1.}}, 0.4), {{1., 0., 0.}}, 0.3),
+                 "with two borders");
 }
 
 using Vector = std::array<double, 3>;

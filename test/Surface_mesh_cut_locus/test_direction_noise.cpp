@@ -6,16 +6,19 @@
 
 // Noise along the normals moves the cut locus a little; with its defaults the method neither loses it nor adds to it.
 
-#include "direction_meshes.h"
+#include "direction_results.h"
+#include "test_meshes.h"
 
 #include <algorithm>
 #include <limits>
+#include <random>
 
 namespace test_direction_noise {
 
 namespace {
 
 using namespace direction_test;
+using namespace test_meshes;
 using namespace CGAL::Cut_loci::internal;
 
 Indexed_triangle_mesh noisy(const Indexed_triangle_mesh& mesh, double amplitude, unsigned seed)
@@ -35,7 +38,7 @@ Indexed_triangle_mesh noisy(const Indexed_triangle_mesh& mesh, double amplitude,
 
 Indexed_triangle_mesh ellipsoid(int n)
 {
-  Indexed_triangle_mesh mesh = sphere(n);
+  Indexed_triangle_mesh mesh = indexed(sphere_of_squares(n));
   for(auto& p : mesh.points)
   {
     p[1] *= 0.8;
@@ -47,7 +50,7 @@ Indexed_triangle_mesh ellipsoid(int n)
 // a ball with four limbs
 Indexed_triangle_mesh limbs(int n)
 {
-  Indexed_triangle_mesh mesh = sphere(n);
+  Indexed_triangle_mesh mesh = indexed(sphere_of_squares(n));
   const double s = 1. / std::sqrt(3.);
   for(auto& p : mesh.points)
   {
@@ -96,7 +99,7 @@ TEST(Direction_noise, ellipsoids)
     const Indexed_triangle_mesh smooth = ellipsoid(n);
     for(const Vector& at : {Vector{{0.5, 0.4, 0.45}}, Vector{{0.2, -0.7, 0.1}}, Vector{{-0.6, 0.3, -0.3}}})
     {
-      const auto source = at_vertex(smooth, nearest_vertex(smooth, at));
+      const auto source = at_vertex(smooth, static_cast<Index>(nearest_vertex(smooth.points, at)));
       const Solved reference(smooth, source);
       const double h = reference.solver->connectivity().mean_edge_length;
       const auto true_curve = reference.through_faces();
@@ -134,7 +137,7 @@ int number_of_limbs(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& 
 TEST(Direction_noise, limbs_are_not_taken_for_noise)
 {
   const Indexed_triangle_mesh smooth = limbs(50);
-  const Index v = nearest_vertex(smooth, {{1.7, 1.7, 1.7}});
+  const Index v = static_cast<Index>(nearest_vertex(smooth.points, {{1.7, 1.7, 1.7}}));
   EXPECT_EQ(number_of_limbs(smooth, Solved(smooth, at_vertex(smooth, v)).through_faces()), 3);
   const Indexed_triangle_mesh mesh = noisy(smooth, 0.03, 3);
   EXPECT_EQ(number_of_limbs(mesh, Solved(mesh, at_vertex(mesh, v)).through_faces()), 3);

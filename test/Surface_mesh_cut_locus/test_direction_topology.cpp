@@ -6,18 +6,23 @@
 
 // The topology of the direction method's results, on meshes chosen to break it.
 
-#include "direction_meshes.h"
+#include "direction_results.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_path_tracing.h>
+
+#include <random>
 
 namespace test_direction_topology {
 
 namespace {
 
 using namespace direction_test;
+using namespace test_meshes;
 
-void check_all_kinds_of_sources(const Indexed_triangle_mesh& mesh, const std::string& name)
+void check_all_kinds_of_sources(const Mesh_data& data, const std::string& name)
 {
+  const Indexed_triangle_mesh mesh = indexed(data);
   expect_invariants(mesh, at_vertex(mesh, 0), name + ", vertex");
   expect_invariants(mesh, at_vertex(mesh, mesh.number_of_vertices() / 2), name + ", another vertex");
   const Index f = mesh.number_of_faces() / 3;
@@ -30,12 +35,12 @@ TEST(Direction_topology, flat_polyhedra)
 {
   for(int n : {1, 2, 5})
   {
-    check_all_kinds_of_sources(box(n), "cube " + std::to_string(n));
-    check_all_kinds_of_sources(box(n, {{3., 1., 0.4}}), "box " + std::to_string(n));
+    check_all_kinds_of_sources(cube(n, Diagonals::PARALLEL), "cube " + std::to_string(n));
+    check_all_kinds_of_sources(cuboid({{3., 1., 0.4}}, n, Diagonals::PARALLEL), "box " + std::to_string(n));
   }
   const double s = std::sqrt(3.);
-  check_all_kinds_of_sources(indexed({{{1., 0., 0.}}, {{-0.5, s / 2., 0.}}, {{-0.5, -s / 2., 0.}}, {{0., 0., 1.4}}},
-                                     {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}}),
+  check_all_kinds_of_sources(Mesh_data{{{{1., 0., 0.}}, {{-0.5, s / 2., 0.}}, {{-0.5, -s / 2., 0.}}, {{0., 0., 1.4}}},
+                                       {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}}},
                              "tetrahedron");
   check_all_kinds_of_sources(revolution(3, {{{0., 0.}}, {{1., 0.}}, {{1., 2.}}, {{0., 2.}}}), "prism");
 }
@@ -44,15 +49,16 @@ TEST(Direction_topology, genus)
 {
   for(int holes : {1, 2, 3})
     for(int n : {1, 2, 4})
-      check_all_kinds_of_sources(plate_with_holes(holes, n), "plate with " + std::to_string(holes) + " holes");
-  check_all_kinds_of_sources(torus(40, 16), "torus");
-  check_all_kinds_of_sources(torus(3, 3), "torus of 18 faces");
+      check_all_kinds_of_sources(plate_with_holes(holes, 1, n, Diagonals::PARALLEL),
+                                 "plate with " + std::to_string(holes) + " holes");
+  check_all_kinds_of_sources(torus(1., 0.4, 40, 16), "torus");
+  check_all_kinds_of_sources(torus(1., 0.4, 3, 3), "torus of 18 faces");
 }
 
 TEST(Direction_topology, symmetry)
 {
   // All is a tie: circles of equally good points, and a sphere whose cut locus is one point.
-  check_all_kinds_of_sources(sphere(8), "sphere");
+  check_all_kinds_of_sources(sphere_of_squares(8), "sphere");
   std::vector<std::array<double, 2>> cylinder = {{{0., 0.}}, {{0.5, 0.}}, {{1., 0.}}};
   for(int i = 1; i <= 10; ++i)
     cylinder.push_back({{1., 0.4 * i}});
@@ -69,16 +75,16 @@ TEST(Direction_topology, bad_shapes)
 {
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> random(-1., 1.);
-  Indexed_triangle_mesh needles = torus(60, 24);
+  Mesh_data needles = torus(1., 0.4, 60, 24);
   for(auto& p : needles.points)
     p[2] *= 30.;
   check_all_kinds_of_sources(needles, "needles");
-  Indexed_triangle_mesh rough = torus(30, 12);
+  Mesh_data rough = torus(1., 0.4, 30, 12);
   for(auto& p : rough.points)
     for(double& x : p)
       x += 0.08 * random(generator);
   check_all_kinds_of_sources(rough, "saddles everywhere");
-  Indexed_triangle_mesh crumpled = sphere(6);
+  Mesh_data crumpled = sphere_of_squares(6);
   for(auto& p : crumpled.points)
   {
     const double s = 1. + 0.4 * random(generator);
@@ -90,20 +96,21 @@ TEST(Direction_topology, bad_shapes)
 
 TEST(Direction_topology, boundary)
 {
-  const Indexed_triangle_mesh ball = sphere(8);
-  const Indexed_triangle_mesh cap = without_ball(ball, {{0., 0., 1.}}, 0.5);
+  const Mesh_data ball = sphere_of_squares(8);
+  const Mesh_data cap = without_ball(ball, {{0., 0., 1.}}, 0.5);
   check_all_kinds_of_sources(cap, "sphere with a hole");
-  const Indexed_triangle_mesh band = without_ball(without_ball(cap, {{0., 0., -1.}}, 0.5), {{1., 0., 0.}}, 0.4);
-  check_all_kinds_of_sources(band, "sphere with three holes");
+  const Mesh_data band_data = without_ball(without_ball(cap, {{0., 0., -1.}}, 0.5), {{1., 0., 0.}}, 0.4);
+  check_all_kinds_of_sources(band_data, "sphere with three holes");
+  const Indexed_triangle_mesh band = indexed(band_data);
   for(Index v = 0; v < band.number_of_vertices(); v += 37)
     expect_invariants(band, at_vertex(band, v), "sphere with three holes");
-  check_all_kinds_of_sources(without_ball(torus(40, 16), {{1.4, 0., 0.}}, 0.3), "torus with a hole");
-  check_all_kinds_of_sources(without_ball(plate_with_holes(2, 4), {{0., 0., 0.5}}, 0.3),
+  check_all_kinds_of_sources(without_ball(torus(1., 0.4, 40, 16), {{1.4, 0., 0.}}, 0.3), "torus with a hole");
+  check_all_kinds_of_sources(without_ball(plate_with_holes(2, 1, 4, Diagonals::PARALLEL), {{0., 0., 0.5}}, 0.3),
                              "plate with a hole at a corner");
   check_all_kinds_of_sources(revolution(20, {{{0.3, 0.}}, {{0.6, 0.}}, {{1., 0.}}, {{1.4, 0.}}}), "flat annulus");
   check_all_kinds_of_sources(revolution(20, {{{0., 0.}}, {{0.6, 0.}}, {{1., 0.}}, {{1.4, 0.}}}), "flat disk");
-  expect_invariants(indexed({{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}}, {{{0, 1, 2}}}), in_face(0, 0.3, 0.3, 0.4),
-                    "one triangle");
+  expect_invariants(indexed(Mesh_data{{{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}}, {{{0, 1, 2}}}}),
+                    in_face(0, 0.3, 0.3, 0.4), "one triangle");
 }
 
 // The number of vertices that lie on the other side of the cycles than their shortest path, up to crossings within three
@@ -158,7 +165,7 @@ TEST(Direction_topology, shortest_paths_do_not_cross_the_cycles)
         for(int j = 0; j < 9; ++j)
           if(i % spacing != 1 || j % spacing != 1)
             cells.insert({{i, j, 0}});
-      Indexed_triangle_mesh plate = cubes(cells, n);
+      Indexed_triangle_mesh plate = indexed(voxel_surface(cells, n, Diagonals::PARALLEL));
       for(auto& p : plate.points)
         for(double& x : p)
           x += random(generator) / n; // no ties
@@ -175,8 +182,8 @@ TEST(Direction_topology, shortest_paths_do_not_cross_the_cycles)
 
 TEST(Direction_topology, sphere_is_cut_at_a_point)
 {
-  const Indexed_triangle_mesh ball = sphere(20);
-  const Index v = nearest_vertex(ball, {{0., 0., 1.}});
+  const Indexed_triangle_mesh ball = indexed(sphere_of_squares(20));
+  const Index v = static_cast<Index>(nearest_vertex(ball.points, {{0., 0., 1.}}));
   const Solved solved(ball, at_vertex(ball, v));
   const double h = solved.solver->connectivity().mean_edge_length;
   for(const auto& node : solved.through_faces().nodes)

@@ -6,7 +6,8 @@
 
 // All of the cut locus of convex polyhedra, against what is known of it.
 
-#include "direction_meshes.h"
+#include "direction_results.h"
+#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
@@ -17,6 +18,7 @@ namespace test_exact_tree_convex {
 namespace {
 
 using namespace direction_test;
+using namespace test_meshes;
 using namespace CGAL::Cut_loci;
 
 struct Polyhedral
@@ -61,17 +63,17 @@ TEST(Polyhedral_cut_locus, trees)
 {
   const double s = std::sqrt(3.);
   const Indexed_triangle_mesh tetrahedron =
-    indexed({{{1., 0., 0.}}, {{-0.5, s / 2., 0.}}, {{-0.5, -s / 2., 0.}}, {{0., 0., std::sqrt(2.)}}},
-            {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}});
-  const Indexed_triangle_mesh prism = revolution(3, {{{0., 0.}}, {{1., 0.}}, {{1., 2.}}, {{0., 2.}}});
+    indexed(Mesh_data{{{{1., 0., 0.}}, {{-0.5, s / 2., 0.}}, {{-0.5, -s / 2., 0.}}, {{0., 0., std::sqrt(2.)}}},
+                      {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}}});
+  const Indexed_triangle_mesh prism = indexed(revolution(3, {{{0., 0.}}, {{1., 0.}}, {{1., 2.}}, {{0., 2.}}}));
   std::vector<std::pair<std::string, Indexed_triangle_mesh>> meshes = {
     {"tetrahedron", tetrahedron},
     {"prism", prism},
-    {"double pyramid", revolution(5, {{{0., -1.}}, {{1., -0.5}}, {{0., 1.}}})}};
+    {"double pyramid", indexed(revolution(5, {{{0., -1.}}, {{1., -0.5}}, {{0., 1.}}}))}};
   for(int n : {1, 2, 3})
   {
-    meshes.push_back({"cube", box(n)});
-    meshes.push_back({"box", box(n, {{3., 1., 0.4}})});
+    meshes.push_back({"cube", indexed(cube(n, Diagonals::PARALLEL))});
+    meshes.push_back({"box", indexed(cuboid({{3., 1., 0.4}}, n, Diagonals::PARALLEL))});
   }
   for(const auto& m : meshes)
   {
@@ -100,8 +102,8 @@ TEST(Polyhedral_cut_locus, cube_in_closed_form)
 {
   for(int n : {2, 4})
   {
-    const Indexed_triangle_mesh mesh = box(n);
-    const Polyhedral p(mesh, at_vertex(mesh, nearest_vertex(mesh, {{0.5, 0.5, 0.}})));
+    const Indexed_triangle_mesh mesh = indexed(cube(n, Diagonals::PARALLEL));
+    const Polyhedral p(mesh, at_vertex(mesh, static_cast<Index>(nearest_vertex(mesh.points, {{0.5, 0.5, 0.}}))));
     EXPECT_NEAR(length(mesh, p.graph), 4. + 2. * std::sqrt(2.), 1e-6);
     EXPECT_EQ(leaves(p.graph).size(), 4u);
     for(const auto& node : p.graph.nodes)
@@ -119,7 +121,8 @@ TEST(Polyhedral_cut_locus, public_interface)
 {
   namespace params = CGAL::parameters;
   Mesh mesh;
-  CGAL::make_tetrahedron(Point(0., 0., 0.), Point(1., 0., 0.), Point(0., 1., 0.), Point(0., 0., 1.), mesh);
+  CGAL::make_tetrahedron(Mesh::Point(0., 0., 0.), Mesh::Point(1., 0., 0.), Mesh::Point(0., 1., 0.),
+                         Mesh::Point(0., 0., 1.), mesh);
   CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(Method::POLYHEDRAL));
   solver.set_source(*mesh.vertices().begin());
   const auto result = solver.cut_locus();

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_TEST_DIRECTION_MESHES_H
-#define CGAL_CUT_LOCI_TEST_DIRECTION_MESHES_H
+#ifndef CGAL_CUT_LOCI_TEST_DIRECTION_RESULTS_H
+#define CGAL_CUT_LOCI_TEST_DIRECTION_RESULTS_H
 
 #include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Simple_cartesian.h>
@@ -14,15 +14,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
+#include <cstddef>
 #include <functional>
-#include <map>
-#include <random>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
-// Meshes with known cut loci or in degenerate positions, and what must hold for every result.
+// Cut loci on dense arrays from the exact distances, and what must hold for every result.
 namespace direction_test {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
@@ -31,178 +30,6 @@ using CGAL::Cut_loci::Index;
 using CGAL::Cut_loci::Indexed_cut_locus;
 using CGAL::Cut_loci::Indexed_triangle_mesh;
 using CGAL::Cut_loci::null_index;
-
-constexpr double pi = 3.14159265358979323846;
-
-inline Indexed_triangle_mesh indexed(const std::vector<std::array<double, 3>>& points,
-                                     const std::vector<std::array<Index, 3>>& triangles)
-{
-  Indexed_triangle_mesh mesh;
-  mesh.points = points;
-  mesh.triangles = triangles;
-  std::map<std::pair<Index, Index>, Index> halfedge;
-  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-    halfedge[{mesh.source(h), mesh.target(h)}] = h;
-  mesh.opposite.assign(mesh.number_of_halfedges(), null_index);
-  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-  {
-    const auto found = halfedge.find({mesh.target(h), mesh.source(h)});
-    if(found != halfedge.end())
-      mesh.opposite[h] = found->second;
-  }
-  return mesh;
-}
-
-// The surface of unit cubes at integer positions, each square cut into n x n, stretched by `scale`.
-inline Indexed_triangle_mesh cubes(const std::set<std::array<int, 3>>& cells, int n,
-                                   const std::array<double, 3>& scale = {{1., 1., 1.}})
-{
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::array<Index, 3>> triangles;
-  std::map<std::array<int, 3>, Index> index;
-  const auto at = [&](const std::array<int, 3>& p)
-  {
-    const auto inserted = index.insert({p, static_cast<Index>(points.size())});
-    if(inserted.second)
-      points.push_back({{scale[0] * p[0] / n, scale[1] * p[1] / n, scale[2] * p[2] / n}});
-    return inserted.first->second;
-  };
-  for(const std::array<int, 3>& c : cells)
-    for(int axis = 0; axis < 3; ++axis)
-      for(int side = 0; side < 2; ++side)
-      {
-        std::array<int, 3> other = c;
-        other[axis] += side == 0 ? -1 : 1;
-        if(cells.count(other) != 0)
-          continue;
-        for(int i = 0; i < n; ++i)
-          for(int j = 0; j < n; ++j)
-          {
-            const auto corner = [&](int di, int dj)
-            {
-              std::array<int, 3> p;
-              p[axis] = n * (c[axis] + side);
-              p[(axis + 1) % 3] = n * c[(axis + 1) % 3] + i + di;
-              p[(axis + 2) % 3] = n * c[(axis + 2) % 3] + j + dj;
-              return at(p);
-            };
-            const Index a = corner(0, 0), b = corner(1, 0), d = corner(1, 1), e = corner(0, 1);
-            if(side == 1)
-              triangles.insert(triangles.end(), {{{a, b, d}}, {{a, d, e}}});
-            else
-              triangles.insert(triangles.end(), {{{a, d, b}}, {{a, e, d}}});
-          }
-      }
-  return indexed(points, triangles);
-}
-
-inline Indexed_triangle_mesh box(int n, const std::array<double, 3>& scale = {{1., 1., 1.}})
-{
-  return cubes({{{0, 0, 0}}}, n, scale);
-}
-
-// a plate with `holes` square holes: of this genus
-inline Indexed_triangle_mesh plate_with_holes(int holes, int n)
-{
-  std::set<std::array<int, 3>> cells;
-  for(int i = 0; i < 2 * holes + 1; ++i)
-    for(int j = 0; j < 3; ++j)
-      if(j != 1 || i % 2 == 0)
-        cells.insert({{i, j, 0}});
-  return cubes(cells, n);
-}
-
-inline Indexed_triangle_mesh sphere(int n)
-{
-  Indexed_triangle_mesh mesh = box(n);
-  for(auto& p : mesh.points)
-  {
-    double norm = 0.;
-    for(double& x : p)
-    {
-      x = std::tan(0.5 * pi * (x - 0.5)); // even angles
-      norm += x * x;
-    }
-    for(double& x : p)
-      x /= std::sqrt(norm);
-  }
-  return mesh;
-}
-
-// rows of `nu` points for each of the profile's (radius, height); closed by a point at each end of the profile where
-// the radius is zero, and open where it is not
-inline Indexed_triangle_mesh revolution(int nu, const std::vector<std::array<double, 2>>& profile)
-{
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::array<Index, 3>> triangles;
-  std::vector<std::vector<Index>> rows;
-  for(const auto& p : profile)
-  {
-    std::vector<Index> row;
-    const int n = p[0] == 0. ? 1 : nu;
-    for(int i = 0; i < n; ++i)
-    {
-      row.push_back(static_cast<Index>(points.size()));
-      points.push_back({{p[0] * std::cos(2. * pi * i / nu), p[0] * std::sin(2. * pi * i / nu), p[1]}});
-    }
-    rows.push_back(row);
-  }
-  for(std::size_t k = 1; k < rows.size(); ++k)
-    for(int i = 0; i < nu; ++i)
-    {
-      const auto at = [&](std::size_t r, int j) { return rows[r][rows[r].size() == 1 ? 0 : j % nu]; };
-      if(rows[k - 1].size() > 1)
-        triangles.push_back({{at(k - 1, i), at(k - 1, i + 1), at(k, i + 1)}});
-      if(rows[k].size() > 1)
-        triangles.push_back({{at(k - 1, i), at(k, i + 1), at(k, i)}});
-    }
-  return indexed(points, triangles);
-}
-
-inline Indexed_triangle_mesh torus(int nu, int nw, double R = 1., double r = 0.4)
-{
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::array<Index, 3>> triangles;
-  for(int i = 0; i < nu; ++i)
-    for(int j = 0; j < nw; ++j)
-    {
-      const double u = 2. * pi * i / nu, w = 2. * pi * j / nw;
-      points.push_back({{(R + r * std::cos(w)) * std::cos(u), (R + r * std::cos(w)) * std::sin(u), r * std::sin(w)}});
-    }
-  const auto at = [&](int i, int j) { return static_cast<Index>((i % nu) * nw + j % nw); };
-  for(int i = 0; i < nu; ++i)
-    for(int j = 0; j < nw; ++j)
-    {
-      triangles.push_back({{at(i, j), at(i + 1, j), at(i + 1, j + 1)}});
-      triangles.push_back({{at(i, j), at(i + 1, j + 1), at(i, j + 1)}});
-    }
-  return indexed(points, triangles);
-}
-
-// without the faces with a corner in a ball
-inline Indexed_triangle_mesh without_ball(const Indexed_triangle_mesh& mesh, const std::array<double, 3>& center,
-                                          double radius)
-{
-  std::vector<std::array<Index, 3>> triangles;
-  std::vector<Index> index(mesh.number_of_vertices(), null_index);
-  std::vector<std::array<double, 3>> points;
-  using namespace CGAL::Cut_loci::internal;
-  for(const auto& t : mesh.triangles)
-    if(norm(mesh.points[t[0]] - center) > radius && norm(mesh.points[t[1]] - center) > radius &&
-       norm(mesh.points[t[2]] - center) > radius)
-      triangles.push_back(t);
-  for(auto& t : triangles)
-    for(Index& v : t)
-    {
-      if(index[v] == null_index)
-      {
-        index[v] = static_cast<Index>(points.size());
-        points.push_back(mesh.points[v]);
-      }
-      v = index[v];
-    }
-  return indexed(points, triangles);
-}
 
 inline CGAL::Cut_loci::Indexed_source at_vertex(const Indexed_triangle_mesh& mesh, Index v)
 {
@@ -225,16 +52,6 @@ inline CGAL::Cut_loci::Indexed_source in_face(Index f, double a, double b, doubl
   source.location.face = f;
   source.location.coordinates = {{a, b, c}};
   return source;
-}
-
-inline Index nearest_vertex(const Indexed_triangle_mesh& mesh, const std::array<double, 3>& p)
-{
-  using namespace CGAL::Cut_loci::internal;
-  Index best = 0;
-  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-    if(norm(mesh.points[v] - p) < norm(mesh.points[best] - p))
-      best = v;
-  return best;
 }
 
 inline std::array<double, 3> point_at(const Indexed_triangle_mesh& mesh,
@@ -416,4 +233,4 @@ inline void expect_invariants(const Indexed_triangle_mesh& mesh, const CGAL::Cut
 
 } // namespace direction_test
 
-#endif // CGAL_CUT_LOCI_TEST_DIRECTION_MESHES_H
+#endif // CGAL_CUT_LOCI_TEST_DIRECTION_RESULTS_H
