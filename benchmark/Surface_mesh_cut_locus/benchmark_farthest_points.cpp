@@ -10,14 +10,13 @@
 // first ten take beside each other, once the mesh has been read.
 
 #include "jittered_torus.h"
+#include "mesh_files.h"
 
 #include <CGAL/Surface_mesh_cut_locus.h>
 #include <CGAL/Surface_mesh_exact_geodesics.h>
 
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/helpers.h>
 
 #include <boost/program_options.hpp>
 
@@ -173,12 +172,7 @@ int main(int argc, char** argv)
       measure_all("jittered_torus", jittered_torus<Mesh>(5 * m / 2, m));
     }
     for(const std::string& file : files)
-    {
-      Mesh mesh;
-      if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh))
-        throw std::runtime_error("'" + file + "' holds no triangle mesh");
-      measure_all(file.substr(file.find_last_of('/') + 1), mesh);
-    }
+      measure_all(file.substr(file.find_last_of('/') + 1), test_meshes::read_surface_mesh<Mesh>(file));
   }
   catch(const std::exception& error)
   {

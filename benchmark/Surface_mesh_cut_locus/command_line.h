@@ -8,9 +8,7 @@
 #define SURFACE_MESH_CUT_LOCUS_BENCHMARK_COMMAND_LINE_H
 
 #include "jittered_torus.h"
-
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/boost/graph/helpers.h>
+#include "mesh_files.h"
 
 #include <boost/program_options.hpp>
 
@@ -61,10 +59,14 @@ inline boost::program_options::variables_map read(int argc, char** argv,
 template <typename Mesh>
 Mesh read_mesh(const std::string& file)
 {
-  Mesh mesh;
-  if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh))
-    fail("'" + file + "' holds no triangle mesh");
-  return mesh;
+  try
+  {
+    return test_meshes::read_surface_mesh<Mesh>(file);
+  }
+  catch(const std::exception& error)
+  {
+    fail(error.what());
+  }
 }
 
 // Calls `measure(name, mesh)` for jittered tori of about so many faces, and for files.
