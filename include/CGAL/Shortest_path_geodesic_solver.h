@@ -26,7 +26,7 @@ namespace CGAL {
  * \ingroup PkgSurfaceMeshCutLocusSolvers
  *
  * computes exact geodesic distances with `CGAL::Surface_mesh_shortest_path` \cgalCite{Xin2009Improvingchenandhan}.
- * Exact on the polyhedron, and slow: a sequence tree for 100 000 faces takes many seconds.
+ * Exact on the polyhedron, unless it has faces without area, and slow: a sequence tree for 100 000 faces takes many seconds.
  *
  * It gives no directions, so the default of the parameter `cut_locus_method` is `Cut_loci::Method::LAPLACIAN`:
  * directions that are estimated from distances put the ends of branches off by up to 2.8 edges, where those of

@@ -255,10 +255,10 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * Faces without area are taken, but for `Cut_loci::Method::LAPLACIAN`: see Section \ref Surface_mesh_cut_locus_robustness.
+   * Faces without area are taken: see Section \ref Surface_mesh_cut_locus_robustness.
    *
-   * @throws Cut_loci::Invalid_input if the source is null, isolated or not in the mesh, if a face of its component
-   *         has no area that the method needs, if a vertex of its component is not manifold, if a distance is not a
+   * @throws Cut_loci::Invalid_input if the source is null, isolated or not in the mesh, if no face of its component
+   *         has an area, if a vertex of its component is not manifold, if a distance is not a
    *         finite number, if a parameter is given that has no meaning for the method, or if there is a
    *         `maximum_relative_error` that is out of its range, or not zero where the distances are not those of
    *         `Exact_geodesic_solver` or the method is `Cut_loci::Method::POLYHEDRAL`

@@ -11,9 +11,13 @@
 #include "curve_topology.h"
 #include "test_meshes.h"
 
+#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/mollified_lengths.h>
+#include <CGAL/Exact_geodesic_solver.h>
+#include <CGAL/Graph_geodesic_solver.h>
+#include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
@@ -177,6 +181,63 @@ TEST(Faces_without_area, at_which_paths_meet_leave_a_disk)
         << "needles at corner " << i % 3 << " of face " << i / 3 << ", from " << v;
     }
   }
+}
+
+// Returns the distances of the solver.
+template <typename GeodesicSolver>
+std::vector<double> laplacian_by(const Built& built, const GeodesicSolver& geodesic_solver)
+{
+  CGAL::Surface_mesh_cut_locus<Mesh> solver(
+    built.mesh, params::cut_locus_method(Method::LAPLACIAN).geodesic_solver(geodesic_solver));
+  solver.set_source(built.vertices[0]);
+  const auto edges = solver.cut_locus();
+  EXPECT_EQ(fault_of(built, edges, 0, {0}, Method::LAPLACIAN), "");
+  const auto straight = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+  for(const auto v : CGAL::make_range(vertices(straight.graph())))
+    EXPECT_TRUE(std::isfinite(straight.graph()[v].point.x()) && std::isfinite(straight.graph()[v].distance));
+  std::vector<double> result;
+  for(const auto v : built.vertices)
+    result.push_back(edges.distance(v));
+  return result;
+}
+
+TEST(Faces_without_area, are_taken_by_laplacian_with_any_distances)
+{
+  for(const Mesh_data& data : clean_meshes())
+    for(unsigned seed = 1; seed <= 3; ++seed)
+    {
+      const Built flat(with_flat_faces(data, 12, seed));
+      const std::vector<double> exact = distances(flat, 0);
+      const std::vector<double> by_exact = laplacian_by(flat, CGAL::Exact_geodesic_solver()),
+                                by_graph = laplacian_by(flat, CGAL::Graph_geodesic_solver());
+      for(std::size_t v = 0; v < exact.size(); ++v)
+      {
+        EXPECT_NEAR(by_exact[v], exact[v], 1e-12);
+        EXPECT_GE(by_graph[v], exact[v] - 1e-5); // paths of the surface, in single precision
+      }
+    }
+}
+
+// CGAL's class takes points: where its flips do not end or its distances are no numbers, it is refused.
+TEST(Faces_without_area, are_taken_with_the_heat_method_or_refused_by_it)
+{
+  int solved = 0;
+  for(const Mesh_data& data : clean_meshes())
+    for(std::size_t number : {1, 2, 12})
+      try
+      {
+        const Built flat(with_flat_faces(data, number, 3));
+        for(double d : laplacian_by(flat, CGAL::Heat_method_geodesic_solver()))
+          EXPECT_TRUE(std::isfinite(d));
+        ++solved;
+      }
+      catch(const CGAL::Cut_loci::Invalid_input& error)
+      {
+        const auto cause = error.cause();
+        EXPECT_TRUE(cause == CGAL::Cut_loci::Cause::TOO_INACCURATE || cause == CGAL::Cut_loci::Cause::INVALID_DISTANCE)
+          << error.what();
+      }
+  EXPECT_GT(solved, 0);
 }
 
 TEST(Faces_without_area, can_be_cut_and_refined_along_a_cut_locus)
