@@ -37,6 +37,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -376,6 +377,9 @@ public:
    * returns the part of the cut locus that passes the thresholds, in time proportional to its size. `set_source()` or
    * `set_sources()` must have been called. Each method has thresholds of its own: one of another method is refused, not ignored.
    *
+   * The result depends on the mesh, the sources and these parameters alone, and not on earlier calls. Several threads may
+   * call it at once; one waits for the other, so copies of the object are faster.
+   *
    * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
    *
    * \cgalNamedParamsBegin
@@ -390,7 +394,7 @@ public:
    *                       `Cut_loci::Method::POLYHEDRAL`, or if there is a `minimum_branch_gap`, 0}
    *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. Where branches meet, those that are shorter than a third of
    *                     it are left out, too. A smaller one than the default takes a computation for the source once
-   *                     more.}
+   *                     more, which is kept for those of about its size.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{minimum_branch_gap}
    *     \cgalParamDescription{the least angle at the source, or where they part, between the two shortest paths to the
@@ -490,9 +494,10 @@ public:
     if(!curves_.empty() && method_ != Cut_loci::Method::LAPLACIAN)
       refuse_mesh_edges(np);
 
+    const Curve_parameters curve = read_curve(np, method_, !curves_.empty());
+    std::unique_lock<std::mutex> lock(component_->in_use); // what has been measured once is kept
     const Stage_scope scope(visitor_, Cut_loci::Stage::FILTER);
     report(*component_, Cut_loci::Stage::FILTER); // what has been left out may be computed
-    const Curve_parameters curve = read_curve(np, method_, !curves_.empty());
     Cut_loci::Indexed_cut_locus found, mesh_edges;
     if(method_ == Cut_loci::Method::LAPLACIAN)
     {
@@ -504,12 +509,9 @@ public:
     }
     else
     {
-      Exact_tree_method& solver = *component_->exact_tree;
-      Exact_tree_thresholds thresholds =
-        read_exact_tree_thresholds(np, default_thresholds(solver), component_->diagonal);
-      thresholds.width = (std::max)(thresholds.width, component_->least_width);
-      found = solver.filter(thresholds, curve.curve, mesh_edges);
+      found = component_->exact_tree->filter(thresholds_of(*component_, np), curve.curve, mesh_edges);
     }
+    lock.unlock();
     mark_edges(mesh_edges, parameters::get_parameter(np, internal_np::edge_is_constrained));
     return Builder(tm_, vpm_, read_, *component_)(found, points_of_sources(), source_result_);
   }
@@ -581,6 +583,15 @@ private:
                                                    : solver.default_thresholds();
   }
 
+  template <typename NamedParameters>
+  Cut_loci::internal::Exact_tree_thresholds thresholds_of(const Component& component, const NamedParameters& np) const
+  {
+    Cut_loci::internal::Exact_tree_thresholds result =
+      Cut_loci::internal::read_exact_tree_thresholds(np, default_thresholds(*component.exact_tree), component.diagonal);
+    result.width = (std::max)(result.width, component.least_width);
+    return result;
+  }
+
   // those of the two parameters
   template <typename NamedParameters>
   std::vector<Cut_loci::Indexed_curve> read_curves(const NamedParameters& np) const
@@ -627,7 +638,7 @@ private:
     else
     {
       component.exact_tree->set_maximum_relative_error(error);
-      component.exact_tree->expect(default_thresholds(*component.exact_tree));
+      component.exact_tree->expect(thresholds_of(component, parameters::default_values()));
       solve(component, *component.exact_tree, np);
     }
   }

@@ -224,13 +224,17 @@ public:
   }
   float shown_width(Index edge) const { return shown_width_[edge]; }
 
-  /// whether labels say of all these edges where they are, and not the topology alone that there is something
-  bool is_known(const std::vector<Tree_branches::Edge>& edges) const
+  /// those of the edges of which labels do not say where they are, and the topology alone that there is something
+  std::vector<Index> unknown(const std::vector<Tree_branches::Edge>& edges) const
   {
-    return std::all_of(edges.begin(), edges.end(),
-                       [this](const Tree_branches::Edge& b)
-                       { return graph_->edges[b.edge].piece != null_index || graph_->edges[b.edge].is_virtual; });
+    std::vector<Index> result;
+    for(const Tree_branches::Edge& b : edges)
+      if(graph_->edges[b.edge].piece == null_index && !graph_->edges[b.edge].is_virtual)
+        result.push_back(b.edge);
+    std::sort(result.begin(), result.end());
+    return result;
   }
+  bool is_known(const std::vector<Tree_branches::Edge>& edges) const { return unknown(edges).empty(); }
 
 private:
   /// Of all pieces in the faces that have been drawn, few are on strong branches.

@@ -32,6 +32,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <limits>
@@ -65,7 +66,7 @@ public:
   const Exact_tree_thresholds& default_thresholds() const override { return surface_->thresholds; }
 
   // What does not pass may be left out; `filter()` computes it if it is asked for.
-  void expect(const Branch_strength& least) override { least_ = least; }
+  void expect(const Branch_strength& least) override { start_ = expected_ = least; }
 
   // for all sources that follow
   void set_maximum_relative_error(double error) override { maximum_relative_error_ = error; }
@@ -80,10 +81,12 @@ public:
   // once per source, or set of sources, in four parts
   void compute_distance(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves) override
   {
+    least_ = start_;
     refuse_error_without_strength(least_);
     sources_ = points;
     tree_.reset();
     divided_.reset();
+    other_.reset();
     curves_ = curves;
     if(!curves.empty() || (has_source_off_vertices() && points.size() > 1))
       divided_.reset(new Divided_surface(mesh_, points, curves, progress_.part(0., 0.1)));
@@ -134,17 +137,101 @@ public:
   void close_cycles() override
   {
     tree_->prepare_widths();
-    is_complete_ = true;
+    see_all_of(expected_, progress_);
   }
 
-  // once per threshold; `edges` becomes the curve of mesh edges, whichever curve is asked for
+  // once per threshold; `edges` becomes the curve of mesh edges, whichever curve is asked for. What it returns does not
+  // depend on what has been asked before.
   Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges) override
   {
     const Progress all = progress_;
-    if(thresholds.is_weaker_than(least_) || !is_complete_)
-      compute_more(thresholds, 0, all.part(0., 0.4));
-    std::vector<Tree_branches::Edge> kept = tree_->kept(thresholds, all.part(0.4, 0.5));
-    see_all_of(kept, thresholds, all.part(0.5, 0.7));
+    std::vector<Tree_branches::Edge> kept;
+    Exact_tree_solver& solver = solver_for(thresholds, kept, all.part(0., 0.7));
+    return solver.curve_of(kept, thresholds, curve, edges, all);
+  }
+
+  const Mesh_connectivity& connectivity() const { return connectivity_; }
+  const Exact_geodesic_propagation& geodesics() const { return divided_ != nullptr ? divided_->geodesics : geodesics_; }
+  Exact_tree& tree() { return *tree_; }
+  const std::vector<double>& distance() const override { return distance_; }
+  Index farthest() const override { return farthest_; }
+  Index number_of_border_loops() const override { return connectivity_.number_of_border_loops; }
+  Index genus() const override { return connectivity_.genus(mesh_); }
+  // the farthest vertex: on a closed surface it is on the cut locus
+  Index root() const override { return farthest_; }
+  std::vector<Index> nearest_sources() const override { return nearest_source_; }
+
+private:
+  static constexpr int most_moves = 2; // of a source: what one leaves doubtful, another one decides
+
+  // The solver that has all that is asked for, as it is after the source has been set: this one, or one for weaker branches.
+  // It is never a tree that other questions have completed in places, as that would be another one. Weaker branches are
+  // computed in levels, so that a slider needs a new one seldom.
+  Exact_tree_solver& solver_for(const Branch_strength& asked, std::vector<Tree_branches::Edge>& kept,
+                                const Progress& progress)
+  {
+    const bool is_weaker = asked.is_weaker_than(least_);
+    const Branch_strength level = is_weaker ? level_below(asked) : start_;
+    if(other_ && other_->is_for(level, asked))
+      return other_->with_kept(asked, kept, progress);
+    if(is_weaker)
+      compute_other(level, level, progress.part(0., 0.4));
+    Exact_tree_solver& first = is_weaker ? *other_ : *this;
+    first.with_kept(asked, kept, progress.part(0.4, 0.5));
+    if(first.has_seen(asked, kept))
+      return first;
+    compute_other(level, asked, progress.part(0.5, 0.9));
+    return other_->with_kept(asked, kept, progress.part(0.9, 1.));
+  }
+
+  bool is_for(const Branch_strength& least, const Branch_strength& expected) const
+  {
+    return start_ == least && expected_ == expected;
+  }
+
+  Exact_tree_solver& with_kept(const Branch_strength& asked, std::vector<Tree_branches::Edge>& kept,
+                               const Progress& progress)
+  {
+    kept = tree_->kept(asked, progress);
+    return *this;
+  }
+
+  void compute_other(const Branch_strength& least, const Branch_strength& expected, const Progress& progress)
+  {
+    if(other_ && other_->is_for(least, expected))
+      return;
+    other_.reset();
+    std::unique_ptr<Exact_tree_solver> solver(new Exact_tree_solver(mesh_, surface_));
+    solver->threads_ = threads_;
+    solver->maximum_relative_error_ = maximum_relative_error_;
+    solver->start_ = least;
+    solver->expected_ = expected;
+    solver->progress_ = progress.part(0., 0.5);
+    solver->compute_distance(sources_, curves_);
+    solver->report_to(progress.part(0.5, 0.6));
+    solver->compute_strengths();
+    solver->report_to(progress.part(0.6, 0.8));
+    solver->grow_tree();
+    solver->report_to(progress.part(0.8, 1.));
+    solver->close_cycles();
+    other_ = std::move(solver);
+  }
+
+  // at most half as strong, and the same for many
+  Branch_strength level_below(const Branch_strength& asked) const
+  {
+    const auto rounded = [](double value, double unit)
+    { return value > 0. ? unit * std::exp2(std::floor(std::log2(value / unit))) : 0.; };
+    Branch_strength result = asked;
+    result.gap = rounded(asked.gap, 1.);
+    result.width = rounded(asked.width, surface_->extent);
+    result.spur = asked.spur > 0. ? asked.spur * (result.width / asked.width) : 0.;
+    return result;
+  }
+
+  Indexed_cut_locus curve_of(std::vector<Tree_branches::Edge>& kept, const Exact_tree_thresholds& thresholds,
+                             Curve curve, Indexed_cut_locus& edges, const Progress& all)
+  {
     tree_->measure_widths(kept, all.part(0.7, 0.8));
     if(has_curves())
       return curve == Curve::MESH_EDGES ? edges = mesh_edges_between_curves(mesh_, sources_, curves_, distance_,
@@ -179,20 +266,6 @@ public:
     return std::move(result.graph);
   }
 
-  const Mesh_connectivity& connectivity() const { return connectivity_; }
-  const Exact_geodesic_propagation& geodesics() const { return divided_ != nullptr ? divided_->geodesics : geodesics_; }
-  Exact_tree& tree() { return *tree_; }
-  const std::vector<double>& distance() const override { return distance_; }
-  Index farthest() const override { return farthest_; }
-  Index number_of_border_loops() const override { return connectivity_.number_of_border_loops; }
-  Index genus() const override { return connectivity_.genus(mesh_); }
-  // the farthest vertex: on a closed surface it is on the cut locus
-  Index root() const override { return farthest_; }
-  std::vector<Index> nearest_sources() const override { return nearest_source_; }
-
-private:
-  static constexpr int most_moves = 2; // of a source: what one leaves doubtful, another one decides
-
   // With a vertex at each source, and cut open along curves.
   struct Divided_surface : public Mesh_with_sources
   {
@@ -216,7 +289,6 @@ private:
   // `number` other than 0: with the sources moved, each time elsewhere
   void start(int number = 0)
   {
-    is_complete_ = false;
     if(number > 0 && has_curves())
       divided_.reset(new Divided_surface(mesh_, sources_, curves_, Progress(), number + 1));
     if(divided_ != nullptr)
@@ -252,30 +324,42 @@ private:
    * comes back. A symmetric source leaves it to rounding where it is: then the source is moved, if there is one only, as
    * what is between several depends on where they are.
    */
-  void see_all_of(std::vector<Tree_branches::Edge>& kept, const Exact_tree_thresholds& thresholds,
-                  const Progress& progress)
+  void see_all_of(const Branch_strength& asked, const Progress& progress)
   {
-    if(least_.is_none() || maximum_relative_error_ > 0.)
+    not_found_.clear();
+    if(!can_see_more())
       return;
+    std::vector<Tree_branches::Edge> kept = tree_->kept(asked);
     if(has_curves() && !tree_->is_known(kept))
     {
       compute_more(Branch_strength(), 0, progress);
-      kept = tree_->kept(thresholds);
       return;
     }
-    look_where_paths_part(kept, thresholds, 0, progress.part(0., 0.4));
+    look_where_paths_part(kept, asked, 0, progress.part(0., 0.4));
     for(int number = 1; number <= most_moves && sources_.size() == 1 && !tree_->is_known(kept); ++number)
     {
       const Progress part = progress.part(0.4 + 0.3 * (number - 1), 0.4 + 0.3 * number);
       compute_more(least_, number, part.part(0., 0.5));
-      kept = tree_->kept(thresholds);
-      look_where_paths_part(kept, thresholds, number, part.part(0.5, 1.));
+      kept = tree_->kept(asked);
+      look_where_paths_part(kept, asked, number, part.part(0.5, 1.));
     }
+    not_found_ = tree_->unknown(kept);
+  }
+
+  bool can_see_more() const { return !least_.is_none() && maximum_relative_error_ == 0.; }
+
+  // whether all that is asked for is known, or has been looked for in vain
+  bool has_seen(const Branch_strength& asked, const std::vector<Tree_branches::Edge>& kept) const
+  {
+    if(!can_see_more() || asked == expected_)
+      return true;
+    const std::vector<Index> unknown = tree_->unknown(kept);
+    return std::includes(not_found_.begin(), not_found_.end(), unknown.begin(), unknown.end());
   }
 
   // A branch may leave the faces that are seen, and come back: more and more are seen around it, each time.
-  void look_where_paths_part(std::vector<Tree_branches::Edge>& kept, const Exact_tree_thresholds& thresholds,
-                             int number, const Progress& progress)
+  void look_where_paths_part(std::vector<Tree_branches::Edge>& kept, const Branch_strength& asked, int number,
+                             const Progress& progress)
   {
     double done = 0.;
     for(Index rings = 0; !tree_->is_known(kept); rings = 2 * rings + 1)
@@ -283,14 +367,10 @@ private:
       const Progress part = progress.part(done, 0.5 * (1. + done));
       report_to(part.part(0., 0.6));
       done = 0.5 * (1. + done);
-      is_complete_ = false;
       if(!tree_->propagate_once_more(kept, rings))
-      {
-        is_complete_ = true;
         return;
-      }
       finish(number, part.part(0.6, 0.95));
-      kept = tree_->kept(thresholds, part.part(0.95, 1.));
+      kept = tree_->kept(asked, part.part(0.95, 1.));
     }
   }
 
@@ -312,7 +392,7 @@ private:
     grow_tree();
     if(number > 0)
       remove_branches_to_sources();
-    close_cycles();
+    tree_->prepare_widths();
   }
 
   void remove_branches_to_sources()
@@ -446,6 +526,7 @@ private:
   std::shared_ptr<const Surface> surface_;
   const Mesh_connectivity& connectivity_; // of that
   Exact_geodesic_propagation geodesics_;
+  Branch_strength start_, expected_;   // of the first tree, and of those for which it is completed
   Branch_strength least_;              // of what the tree has
   double maximum_relative_error_ = 0.; // of the distances
 
@@ -456,7 +537,8 @@ private:
   std::vector<Index> nearest_source_; // of each vertex, if there are several
   Index farthest_ = null_index;
   std::unique_ptr<Exact_tree> tree_;
-  bool is_complete_ = false; // and not left at an exception of the progress
+  std::vector<Index> not_found_;             // of the edges of the tree: where they are is not known
+  std::unique_ptr<Exact_tree_solver> other_; // for the same sources and other thresholds, the last that needed one
   Progress progress_;
   Threads threads_;
 };

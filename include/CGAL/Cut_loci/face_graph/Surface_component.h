@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,7 @@ struct Surface_component
   std::unique_ptr<Laplacian_method> laplacian;
   std::unique_ptr<Exact_tree_method> exact_tree;
   Geodesic_solver_handle geodesic_solver;
+  std::mutex in_use; // by a function that is const
 
   // Component `id` of the mesh whose faces have the components `component_of_face`.
   Surface_component(const Indexed_triangle_mesh& whole, const std::vector<Index>& component_of_face, Index id,

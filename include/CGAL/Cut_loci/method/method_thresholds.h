@@ -69,6 +69,10 @@ struct Branch_strength
   double spur = 0.; // a length: of branches that meet, those that are shorter are none
 
   bool is_none() const { return gap == 0. && width == 0.; }
+  bool operator==(const Branch_strength& other) const
+  {
+    return gap == other.gap && width == other.width && counts_meeting == other.counts_meeting && spur == other.spur;
+  }
   bool is_weaker_than(const Branch_strength& other) const
   {
     return gap < other.gap || width < other.width || (counts_meeting && !other.counts_meeting);

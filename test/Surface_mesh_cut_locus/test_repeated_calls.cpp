@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "built_mesh.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_cut_locus.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <future>
+#include <utility>
+#include <vector>
+
+// A cut locus is a function of the surface, the source and the thresholds: neither earlier calls nor other threads change it.
+
+namespace {
+
+using namespace test_meshes;
+using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+using Built = Built_mesh<Mesh>;
+using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
+using Result = Solver::Result;
+namespace params = CGAL::parameters;
+
+// all points and distances, and what they are joined to
+std::vector<double> numbers(const Result& result)
+{
+  std::vector<double> all;
+  const auto& graph = result.graph();
+  for(const auto v : CGAL::make_range(vertices(graph)))
+    for(double x : {graph[v].point.x(), graph[v].point.y(), graph[v].point.z(), graph[v].distance})
+      all.push_back(x);
+  for(const auto e : CGAL::make_range(edges(graph)))
+    for(double x : {double(source(e, graph)), double(target(e, graph)), graph[e].width})
+      all.push_back(x);
+  return all;
+}
+
+// widths below the default and above, from none on
+const std::vector<double> widths = {0., 0.001, 0.02, 0.3};
+
+std::vector<Mesh_data> tori()
+{
+  return {torus(1., 0.5, 20, 10), torus(1., 0.4, 24, 12), torus(2., 0.5, 30, 9)};
+}
+
+TEST(Repeated_calls, have_the_result_of_the_first_one)
+{
+  for(const Mesh_data& data : tori())
+  {
+    const Built built(data);
+    Solver solver(built.mesh), first(built.mesh);
+    for(std::size_t s = 0; s < data.points.size() / 2; s += 17)
+    {
+      solver.set_source(built.vertices[s]);
+      const std::vector<double> by_default = numbers(solver.cut_locus());
+      for(double width : widths)
+      {
+        const auto np = params::minimum_branch_width(width);
+        first.set_source(built.vertices[s]);
+        EXPECT_EQ(numbers(first.cut_locus(np)), numbers(solver.cut_locus(np))) << width << " from " << s;
+        EXPECT_EQ(numbers(solver.cut_locus()), by_default) << "after " << width << " from " << s;
+      }
+      EXPECT_EQ(numbers(first.cut_locus()), by_default) << s;
+    }
+  }
+}
+
+TEST(Repeated_calls, may_come_from_several_threads)
+{
+  const Built built(torus(1., 0.5, 20, 10));
+  Solver solver(built.mesh);
+  solver.set_source(built.vertices[3]);
+  const Solver& shared = solver;
+  const auto ask = [&shared]
+  {
+    std::vector<std::vector<double>> all;
+    for(double width : widths)
+      all.push_back(numbers(shared.cut_locus(params::minimum_branch_width(width))));
+    return all;
+  };
+  auto other = std::async(std::launch::async, ask);
+  const auto here = ask();
+  EXPECT_EQ(here, other.get());
+  EXPECT_EQ(here, ask());
+}
+
+} // namespace
