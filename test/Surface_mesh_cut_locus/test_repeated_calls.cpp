@@ -19,6 +19,8 @@
 
 // A cut locus is a function of the surface, the source and the thresholds: neither earlier calls nor other threads change it.
 
+namespace test_repeated_calls {
+
 namespace {
 
 using namespace test_meshes;
@@ -92,3 +94,5 @@ TEST(Repeated_calls, may_come_from_several_threads)
 }
 
 } // namespace
+
+} // namespace test_repeated_calls
