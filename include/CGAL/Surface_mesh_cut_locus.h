@@ -250,7 +250,8 @@ public:
    *                     see Section \ref Surface_mesh_cut_locus_error.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{snapping_tolerance}
-   *     \cgalParamDescription{a barycentric coordinate of the source up to this value is taken for zero}
+   *     \cgalParamDescription{a barycentric coordinate of the source up to this value is taken for zero, once they sum up
+   *                           to one}
    *     \cgalParamType{`FT`}
    *     \cgalParamDefault{1e-10: far above rounding errors, and 1e-10 edges are far below the accuracy of the method}
    *   \cgalParamNEnd
@@ -260,9 +261,10 @@ public:
    *
    * @throws Cut_loci::Invalid_input if the source is null, isolated or not in the mesh, if no face of its component
    *         has an area, if a vertex of its component is not manifold, if a distance is not a
-   *         finite number, if a parameter is given that has no meaning for the method, or if there is a
-   *         `maximum_relative_error` that is out of its range, or not zero where the distances are not those of
-   *         `Exact_geodesic_solver` or the method is `Cut_loci::Method::POLYHEDRAL`
+   *         finite number, if a `vertex_distance_map` has the same one everywhere, if a parameter is given that has no
+   *         meaning for the method, or if there is a `maximum_relative_error` or `snapping_tolerance` that is out of its
+   *         range, or an error that is not zero where the distances are not those of `Exact_geodesic_solver` or the method
+   *         is `Cut_loci::Method::POLYHEDRAL`
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_source(vertex_descriptor v, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -385,8 +387,8 @@ public:
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{minimum_branch_width}
    *     \cgalParamDescription{the least value, over the points of a branch, of the largest separation of the two shortest
-   *                           paths to them, in units of the diagonal of the bounding box of the source's component, or,
-   *                           with an `edge_length_map`, of the square root of its area: how
+   *                           paths to them, in units of the diagonal of the bounding box of the source's component, and
+   *                           1 at most, or, with an `edge_length_map`, in units of the square root of its area: how
    *                           large what the branch goes around is}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{with `Cut_loci::Method::DIRECTION` what the mesh and its noise explain, see
@@ -529,7 +531,10 @@ public:
   /// the default of `minimum_branch_width` for the current source, if it has one
   double minimum_branch_width() const
   {
-    return has_exact_tree() ? default_thresholds(*component_->exact_tree).width / component_->diagonal : 0.;
+    if(!has_exact_tree())
+      return 0.;
+    const double width = default_thresholds(*component_->exact_tree).width / component_->diagonal;
+    return component_->mesh->is_intrinsic ? width : (std::min)(width, 1.); // no branch is as wide, and none is wider
   }
   /// the default of `minimum_branch_gap` for the current source, if it has one
   double minimum_branch_gap() const { return has_exact_tree() ? default_thresholds(*component_->exact_tree).gap : 0.; }
@@ -558,8 +563,8 @@ private:
   template <typename NamedParameters>
   static double snapping_tolerance(const NamedParameters& np)
   {
-    return to_double(
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::snapping_tolerance), FT(1e-10)));
+    return Cut_loci::internal::checked_snapping_tolerance(to_double(
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::snapping_tolerance), FT(1e-10))));
   }
 
   // a curve has its first vertex
@@ -586,8 +591,8 @@ private:
   template <typename NamedParameters>
   Cut_loci::internal::Exact_tree_thresholds thresholds_of(const Component& component, const NamedParameters& np) const
   {
-    Cut_loci::internal::Exact_tree_thresholds result =
-      Cut_loci::internal::read_exact_tree_thresholds(np, default_thresholds(*component.exact_tree), component.diagonal);
+    Cut_loci::internal::Exact_tree_thresholds result = Cut_loci::internal::read_exact_tree_thresholds(
+      np, default_thresholds(*component.exact_tree), component.diagonal, component.mesh->is_intrinsic);
     result.width = (std::max)(result.width, component.least_width);
     return result;
   }
@@ -752,6 +757,7 @@ private:
       distance[v] = to_double(get(internal_np::get_reference(map), read_->vertices[component.vertex(v)])) / read_->unit;
     Cut_loci::internal::check_distances(distance, component, read_->positions, "the vertex distance map holds");
     Cut_loci::internal::check_range(distance, component, read_->positions);
+    Cut_loci::internal::check_is_not_constant(distance, *component.mesh, points_, curves_);
     return nullptr;
   }
 

@@ -22,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -210,7 +211,10 @@ public:
     if(options_.directions && options_.maximum_relative_error > 0.)
       throw Cut_loci::Invalid_input(Cut_loci::Cause::PARAMETER_OF_OTHER_METHOD,
                                     "directions need exact distances: the maximum relative error must be zero");
+    is_computed_ = false;
+    has_centroids_ = options_.all_centroids;
     geodesics_.run(sources_, options_);
+    is_computed_ = true;
   }
 
   /// the same with `source`, a vertex or a face location, as the only source
@@ -223,21 +227,22 @@ public:
   }
 
   /// \name Distances
-  /// They are infinite for what has not been reached.
+  /// They are infinite for what has not been reached. Before the first call of `compute()` these functions, and all that
+  /// follow, throw `Cut_loci::Invalid_input`, and so does what has been asked for after the last one.
   /// @{
 
   /// the distance from `v` to the nearest source
   FT distance(vertex_descriptor v) const
   {
     const Cut_loci::Index i = index(v);
-    return i == Cut_loci::null_index ? infinity() : geodesics_.distance(i);
+    return i == Cut_loci::null_index ? infinity() : computed().distance(i);
   }
 
   /// how much longer than the exact distance `distance(v)` may be; zero if no error has been allowed
   FT distance_error(vertex_descriptor v) const
   {
     const Cut_loci::Index i = index(v);
-    return i == Cut_loci::null_index ? 0. : geodesics_.distance_error(i);
+    return i == Cut_loci::null_index ? 0. : computed().distance_error(i);
   }
 
   /// writes the distances of all vertices
@@ -247,7 +252,7 @@ public:
   void distances(VertexDistanceMap vdm) const
   {
     for(Cut_loci::Index i = 0; i < read_.vertices.size(); ++i)
-      put(vdm, read_.vertices[i], geodesics_.distance(i));
+      put(vdm, read_.vertices[i], computed().distance(i));
     if(read_.vertices.size() != num_vertices(*mesh_))
       for(vertex_descriptor v : CGAL::make_range(vertices(*mesh_)))
         if(index(v) == Cut_loci::null_index)
@@ -255,11 +260,11 @@ public:
   }
 
   /// the distance to query location number `i`
-  FT query_distance(std::size_t i) const { return geodesics_.query_distance(i); }
+  FT query_distance(std::size_t i) const { return computed().query_distance(query(i)); }
 
   /// the distance to the centroid of `f`
   /// \pre centroids have been asked for
-  FT centroid_distance(face_descriptor f) const { return geodesics_.query_distance(centroid(f)); }
+  FT centroid_distance(face_descriptor f) const { return computed().query_distance(centroid(f)); }
 
   /// @}
 
@@ -268,7 +273,7 @@ public:
 
   /// the number of the source nearest to `v`, in the order in which sources were added
   /// \pre `v` is reached
-  std::size_t nearest_source(vertex_descriptor v) const { return geodesics_.nearest_source(index(v)); }
+  std::size_t nearest_source(vertex_descriptor v) const { return computed().nearest_source(index(v)); }
 
   /// the direction at its source in which the shortest path to `v` starts
   ///
@@ -279,18 +284,18 @@ public:
   FT direction_at_source(vertex_descriptor v) const
   {
     require_exact();
-    return geodesics_.direction_at_source(index(v));
+    return computed().direction_at_source(index(v));
   }
 
   /// the same for query location number `i`
   FT query_direction_at_source(std::size_t i) const
   {
     require_exact();
-    return geodesics_.query_direction_at_source(i);
+    return computed().query_direction_at_source(query(i));
   }
 
   /// the sum of the angles around source number `i`; \f$2\pi\f$ in faces
-  FT source_angle(std::size_t i = 0) const { return geodesics_.source_angle(i); }
+  FT source_angle(std::size_t i = 0) const { return computed().source_angle(i); }
 
   /// the halfedge along which the direction at source number `i` is zero
   ///
@@ -299,7 +304,7 @@ public:
   /// location; and in a face `f`, `halfedge(f, tm)`.
   halfedge_descriptor source_halfedge(std::size_t i = 0) const
   {
-    return read_.halfedges[geodesics_.source_halfedge(i)];
+    return read_.halfedges[computed().source_halfedge(i)];
   }
 
   /// the direction at `v` in which the shortest path to it leads back to its source
@@ -307,7 +312,7 @@ public:
   Direction arrival_direction(vertex_descriptor v) const
   {
     require_exact();
-    const Cut_loci::internal::Geodesic_arrival_direction direction = geodesics_.arrival_direction(index(v));
+    const Cut_loci::internal::Geodesic_arrival_direction direction = computed().arrival_direction(index(v));
     return Direction(read_.halfedges[direction.halfedge], direction.angle);
   }
 
@@ -328,7 +333,7 @@ public:
     const Cut_loci::Index i = index(v);
     if(i == Cut_loci::null_index)
       return out;
-    return write(Cut_loci::internal::Geodesic_path_tracing(geodesics_).path_from_vertex(i), out);
+    return write(Cut_loci::internal::Geodesic_path_tracing(computed()).path_from_vertex(i), out);
   }
 
   /// writes the shortest path from query location number `i` to its source
@@ -336,7 +341,7 @@ public:
   OutputIterator query_shortest_path(std::size_t i, OutputIterator out) const
   {
     require_exact();
-    return write(Cut_loci::internal::Geodesic_path_tracing(geodesics_).path_from_query(i), out);
+    return write(Cut_loci::internal::Geodesic_path_tracing(computed()).path_from_query(query(i)), out);
   }
 
   /// writes the shortest path from the centroid of `f` to its source
@@ -350,7 +355,7 @@ public:
   /// @}
 
   /// the number of windows that the last call of `compute()` has taken across a face
-  std::size_t number_of_windows() const { return geodesics_.number_of_windows(); }
+  std::size_t number_of_windows() const { return computed().number_of_windows(); }
 
 private:
   using Read = Cut_loci::internal::Read_triangle_mesh<TriangleMesh>;
@@ -373,8 +378,26 @@ private:
 
   static constexpr FT infinity() { return (std::numeric_limits<FT>::infinity)(); }
 
+  const Cut_loci::internal::Exact_geodesic_propagation& computed() const
+  {
+    if(!is_computed_)
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::NO_SOURCE, "nothing has been computed: compute() comes before");
+    return geodesics_;
+  }
+
+  // the number of a query location
+  std::size_t query(std::size_t i) const
+  {
+    if(i < computed().number_of_queries())
+      return i;
+    throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
+                                  "query location " + std::to_string(i) +
+                                    " has not been computed: add_query() comes before compute()");
+  }
+
   void require_exact() const
   {
+    computed();
     if(geodesics_.is_approximate())
       throw Cut_loci::Invalid_input(Cut_loci::Cause::PARAMETER_OF_OTHER_METHOD,
                                     "directions and paths need exact distances: "
@@ -385,7 +408,10 @@ private:
 
   std::size_t centroid(face_descriptor f) const
   {
-    return geodesics_.number_of_queries() - geodesics_.faces().number_of_faces() + get(read_.index_of_face, f);
+    if(!has_centroids_)
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
+                                    "centroids have not been computed: set_centroids() comes before compute()");
+    return computed().number_of_queries() - geodesics_.faces().number_of_faces() + get(read_.index_of_face, f);
   }
 
   Cut_loci::Indexed_location to_indexed(const Face_location& location) const
@@ -412,6 +438,7 @@ private:
   Cut_loci::internal::Exact_geodesic_propagation geodesics_;
   Cut_loci::internal::Exact_geodesic_options options_;
   std::vector<Cut_loci::Indexed_location> sources_;
+  bool is_computed_ = false, has_centroids_ = false; // by the last call of `compute()`
 };
 
 } // namespace CGAL

@@ -91,7 +91,7 @@ public:
     }
     for(Filter_policy policy : {Filter_policy::PRUNING, Filter_policy::GROWING})
     {
-      for(double angle : {0., 0.05, 0.2, 0.5, 1., 2., 3., pi, 10.})
+      for(double angle : {0., 0.05, 0.2, 0.5, 1., 2., 3., pi})
         for(std::size_t edges : {0, 3, 10})
           expect_valid(
             built,
@@ -153,14 +153,14 @@ TYPED_TEST(Cut_locus_test, keeps_the_root_alone_or_the_homology_where_the_thresh
   {
     const auto cut_locus = CGAL::compute_cut_locus(
       sphere.mesh, sphere.vertices[3],
-      CGAL::parameters::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(10.).filter_policy(policy));
+      CGAL::parameters::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(pi).filter_policy(policy));
     EXPECT_EQ(num_vertices(cut_locus.graph()), 1u);
     EXPECT_EQ(num_edges(cut_locus.graph()), 0u);
     EXPECT_EQ(cut_locus.graph()[cut_locus.root()].mesh_vertex, cut_locus.farthest_vertex());
     Fixture::expect_valid(sphere, cut_locus, Fixture::at_vertex(ball, 3), Method::LAPLACIAN);
   }
   const auto point =
-    CGAL::compute_cut_locus(sphere.mesh, sphere.vertices[3], CGAL::parameters::minimum_branch_width(1e9));
+    CGAL::compute_cut_locus(sphere.mesh, sphere.vertices[3], CGAL::parameters::minimum_branch_width(1.));
   EXPECT_EQ(num_vertices(point.graph()), 1u);
   EXPECT_EQ(num_edges(point.graph()), 0u);
   Fixture::expect_valid(sphere, point, Fixture::at_vertex(ball, 3), Method::DIRECTION);
@@ -175,11 +175,10 @@ TYPED_TEST(Cut_locus_test, keeps_the_root_alone_or_the_homology_where_the_thresh
       leaves += out_degree(v, cut_locus.graph()) == 1 && v != cut_locus.root() ? 1 : 0;
     EXPECT_EQ(leaves, 0u);
   };
+  expect_cycles_alone(CGAL::compute_cut_locus(
+    built.mesh, built.vertices[0], CGAL::parameters::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(pi)));
   expect_cycles_alone(
-    CGAL::compute_cut_locus(built.mesh, built.vertices[0],
-                            CGAL::parameters::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(10.)));
-  expect_cycles_alone(
-    CGAL::compute_cut_locus(built.mesh, built.vertices[0], CGAL::parameters::minimum_branch_width(1e9)));
+    CGAL::compute_cut_locus(built.mesh, built.vertices[0], CGAL::parameters::minimum_branch_width(1.)));
 }
 
 TYPED_TEST(Cut_locus_test, can_have_its_source_inside_a_face_or_on_an_edge)

@@ -107,7 +107,7 @@ void expect_sound_from_everywhere(const Mesh_data& data, std::size_t number_of_f
   const auto expect_sound = [&](const auto& source, std::size_t face, const std::vector<std::size_t>& corners)
   {
     by_laplacian.set_source(source);
-    for(double angle : {0., 0.5, 4.})
+    for(double angle : {0., 0.5, 3.14})
       for(auto policy : {CGAL::Cut_loci::Filter_policy::PRUNING, CGAL::Cut_loci::Filter_policy::GROWING})
       {
         const auto result = by_laplacian.cut_locus(params::gradient_angle_threshold(angle).filter_policy(policy));
@@ -115,7 +115,7 @@ void expect_sound_from_everywhere(const Mesh_data& data, std::size_t number_of_f
         expect_finite(result);
       }
     by_direction.set_source(source);
-    for(double width : {1e9, 0.1, 0.})
+    for(double width : {1., 0.1, 0.})
       for(std::size_t edges : {0, 4})
       {
         const auto np = params::minimum_branch_width(width).minimum_branch_edges(edges);
@@ -311,16 +311,17 @@ TEST(Bad_input, thresholds_that_are_not_in_their_range_are_refused)
   expect_refused([&] { solver.cut_locus(); }, Cause::NO_SOURCE, {"no source", "set_source()"});
   solver.set_source(built.vertices[0]);
   expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(not_a_number)); }, Cause::INVALID_PARAMETER,
-                 {"gradient angle", "not negative"});
+                 {"gradient angle", "from 0 to pi"});
   expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(-0.1)); }, Cause::INVALID_PARAMETER,
-                 {"gradient angle", "not negative"});
+                 {"gradient angle", "from 0 to pi"});
   expect_refused([&] { solver.cut_locus(params::laplacian_threshold(not_a_number)); }, Cause::INVALID_PARAMETER,
                  {"Laplacian", "not a number"});
   expect_refused([&] { solver.cut_locus(params::minimum_branch_length(not_a_number)); }, Cause::INVALID_PARAMETER,
                  {"minimum length", "not negative"});
   expect_refused([&] { solver.cut_locus(params::minimum_branch_length(-1.)); }, Cause::INVALID_PARAMETER,
                  {"minimum length", "not negative"});
-  EXPECT_EQ(message_of([&] { solver.cut_locus(params::gradient_angle_threshold(infinity)); }), "nothing was thrown");
+  expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(3.15)); }, Cause::INVALID_PARAMETER,
+                 {"gradient angle", "from 0 to pi"});
   EXPECT_EQ(message_of([&] { solver.cut_locus(params::laplacian_threshold(-infinity)); }), "nothing was thrown");
   expect_refused([&] { solver.cut_locus(params::minimum_branch_edges(-1)); }, Cause::INVALID_PARAMETER,
                  {"minimum_branch_edges", "negative"});
@@ -331,6 +332,8 @@ TEST(Bad_input, thresholds_that_are_not_in_their_range_are_refused)
   by_direction.set_source(built.vertices[0]);
   expect_refused([&] { by_direction.cut_locus(params::minimum_branch_width(not_a_number)); }, Cause::INVALID_PARAMETER,
                  {"minimum width", "not negative"});
+  expect_refused([&] { by_direction.cut_locus(params::minimum_branch_width(1.1)); }, Cause::INVALID_PARAMETER,
+                 {"minimum width", "no larger than 1"});
   expect_refused([&] { by_direction.cut_locus(params::minimum_branch_gap(4.)); }, Cause::INVALID_PARAMETER,
                  {"minimum gap", "from 0 to pi"});
   expect_refused([&] { by_direction.cut_locus(params::minimum_branch_length(-1.)); }, Cause::INVALID_PARAMETER,

@@ -87,7 +87,7 @@ void expect_cut_open(const Mesh_data& data, std::size_t source)
   {
     Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
     solver.set_source(built.vertices[source]);
-    for(double angle : {0., 0.2, 0.7, 2., 10.})
+    for(double angle : {0., 0.2, 0.7, 2., 3.14})
       for(std::size_t edges : {0, 3})
       {
         SCOPED_TRACE("angle " + std::to_string(angle) + ", " + std::to_string(edges) + " edges");
@@ -97,7 +97,7 @@ void expect_cut_open(const Mesh_data& data, std::size_t source)
   }
   Solver solver(built.mesh, params::cut_locus_method(Method::DIRECTION));
   solver.set_source(built.vertices[source]);
-  for(double width : {1e9, 0.1, 0.03, 0.})
+  for(double width : {1., 0.1, 0.03, 0.})
   {
     SCOPED_TRACE("width " + std::to_string(width));
     expect_cut_open(built.mesh, solver.cut_locus(params::minimum_branch_width(width)));
@@ -149,7 +149,7 @@ TEST(Cut_open, Single_vertex_is_cut_by_two_edges_that_avoid_the_source)
     Mesh& mesh = built.mesh;
     const Mesh::Vertex_index source = built.vertices[3];
     const Cut_locus point =
-      CGAL::compute_cut_locus(mesh, source, params::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(10.));
+      CGAL::compute_cut_locus(mesh, source, params::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(3.14));
     ASSERT_EQ(num_edges(point.graph()), 0u);
     Edge_map seam_edges = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam").first;
     Vertex_map seam_vertices = mesh.add_property_map<Mesh::Vertex_index, bool>("v:seam").first;

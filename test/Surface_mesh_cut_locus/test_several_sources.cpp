@@ -381,7 +381,7 @@ TEST(Several_sources, no_threshold_removes_what_is_between_two)
     const auto number = [&](const Result& result) { return voronoi_points(result).size() / 2; };
     const std::size_t all = number(solver.cut_locus(params::cut_locus_curve(curve).minimum_branch_width(0.1)));
     EXPECT_GT(all, 0u);
-    for(const auto& np : {params::cut_locus_curve(curve).minimum_branch_width(10.).minimum_branch_edges(100)})
+    for(const auto& np : {params::cut_locus_curve(curve).minimum_branch_width(1.).minimum_branch_edges(100)})
     {
       const Result result = solver.cut_locus(np);
       EXPECT_EQ(number(result), all);

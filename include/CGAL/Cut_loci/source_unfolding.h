@@ -297,8 +297,10 @@ auto source_unfolding(const TriangleMesh& tm, const Source& source,
   const Vertex_point_map vpm =
     choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
   const auto read = internal::read_triangle_mesh(tm, vpm);
-  const Indexed_source in_mesh = internal::read_source(
-    tm, read, source, to_double(choose_parameter(get_parameter(np, internal_np::snapping_tolerance), 1e-10)));
+  const Indexed_source in_mesh =
+    internal::read_source(tm, read, source,
+                          internal::checked_snapping_tolerance(
+                            to_double(choose_parameter(get_parameter(np, internal_np::snapping_tolerance), 1e-10))));
 
   Index number_of_components = 0;
   const std::vector<Index> labels = internal::face_components(read.mesh, number_of_components);

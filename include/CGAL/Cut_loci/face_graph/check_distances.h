@@ -12,6 +12,7 @@
 #include <CGAL/Cut_loci/face_graph/Surface_component.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -47,6 +48,25 @@ inline void check_range(const std::vector<double>& distance, const Surface_compo
                             std::string(distance[v] < 0. ? "negative" : "longer than all edges together") + " for " +
                             vertex_name(positions[component.vertex(v)]) +
                             ": it must hold the geodesic distances to the source, in the unit of the points");
+}
+
+/// Throws if all distances in a `vertex_distance_map` are the same, though not all vertices are on sources.
+inline void check_is_not_constant(const std::vector<double>& distance, const Indexed_triangle_mesh& mesh,
+                                  const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves)
+{
+  if(!std::equal(distance.begin() + 1, distance.end(), distance.begin()))
+    return;
+  std::vector<unsigned char> is_source(distance.size(), 0);
+  for(const Indexed_source& point : points)
+    if(point.vertex != null_index)
+      is_source[point.vertex] = 1;
+  for(const Indexed_curve& curve : curves)
+    for(Index h : curve.halfedges)
+      is_source[mesh.source(h)] = is_source[mesh.target(h)] = 1;
+  if(std::count(is_source.begin(), is_source.end(), 0) > 0)
+    throw Invalid_input(Cause::INVALID_DISTANCE,
+                        "the vertex distance map holds the same distance for all vertices: it must hold the geodesic "
+                        "distances to the source");
 }
 
 } // namespace internal

@@ -115,8 +115,9 @@ void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
 template <typename Number>
 std::size_t to_count(Number value, const char* name)
 {
-  if(static_cast<double>(value) < 0.)
-    throw Invalid_input(Cause::INVALID_PARAMETER, std::string("the parameter ") + name + " must not be negative");
+  if(!(static_cast<double>(value) >= 0.))
+    throw Invalid_input(Cause::INVALID_PARAMETER,
+                        std::string("the parameter ") + name + " must be a number, and must not be negative");
   return static_cast<std::size_t>(value);
 }
 
@@ -146,9 +147,8 @@ Branch_thresholds read_branch_thresholds(const NamedParameters& np, double defau
   result.gradient_angle = choose_parameter(get_parameter(np, internal_np::gradient_angle_threshold), default_angle);
   result.laplacian = choose_parameter(get_parameter(np, internal_np::laplacian_threshold), result.laplacian);
   result.policy = choose_parameter(get_parameter(np, internal_np::filter_policy), result.policy);
-  if(!(result.gradient_angle >= 0.))
-    throw Invalid_input(Cause::INVALID_PARAMETER,
-                        "the threshold for the gradient angle must be a number that is not negative");
+  if(!(result.gradient_angle >= 0. && result.gradient_angle <= geodesic_pi))
+    throw Invalid_input(Cause::INVALID_PARAMETER, "the threshold for the gradient angle must be an angle from 0 to pi");
   if(std::isnan(result.laplacian))
     throw Invalid_input(Cause::INVALID_PARAMETER, "the threshold for the Laplacian is not a number");
   read_least_branch(np, default_edges, diagonal, result);
@@ -171,10 +171,10 @@ Kept_parts read_kept_parts(const NamedParameters& np)
 }
 
 // The width is in units of `diagonal`, but for that of `by_default`, a length. Who asks for one of both gets all that
-// passes it.
+// passes it. No two points in space are farther apart than 1; of lengths alone nothing is known.
 template <typename NamedParameters>
 Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, const Exact_tree_thresholds& by_default,
-                                                 double diagonal)
+                                                 double diagonal, bool is_intrinsic)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -185,13 +185,16 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
   {
     result.counts_meeting = false;
     result.gap = choose_parameter(get_parameter(np, internal_np::minimum_branch_gap), 0.);
-    result.width = diagonal * choose_parameter(get_parameter(np, internal_np::minimum_branch_width), 0.);
+    const double width = choose_parameter(get_parameter(np, internal_np::minimum_branch_width), 0.);
+    if(!(width >= 0. && width <= (is_intrinsic ? (std::numeric_limits<double>::max)() / diagonal : 1.)))
+      throw Invalid_input(
+        Cause::INVALID_PARAMETER,
+        "the minimum width of a branch must be a number that is not negative, and no larger than 1, the "
+        "diagonal of the bounding box, if the mesh is in space");
+    result.width = diagonal * width;
   }
   if(!(result.gap >= 0. && result.gap <= geodesic_pi))
     throw Invalid_input(Cause::INVALID_PARAMETER, "the minimum gap of a branch must be an angle from 0 to pi");
-  if(!(result.width >= 0. && result.width <= (std::numeric_limits<double>::max)()))
-    throw Invalid_input(Cause::INVALID_PARAMETER,
-                        "the minimum width of a branch must be a number that is not negative");
   result.spur = result.width / 3.; // a mesh resolves what is three edges wide, and one edge long
   read_least_branch(np, 0, diagonal, result);
   static_cast<Kept_parts&>(result) = read_kept_parts(np);

@@ -67,7 +67,16 @@ Indexed_source source_at_vertex(const TriangleMesh& tm, const Read_triangle_mesh
   return {location_on(outgoing_halfedge(tm, read, index)), index};
 }
 
-// A point of the face with the number `face`. A coordinate up to `tolerance` is taken for zero; their sum becomes one.
+inline double checked_snapping_tolerance(double tolerance)
+{
+  if(!(tolerance >= 0. && tolerance < 1. / 3.)) // else no coordinate of a centroid would be left
+    throw Invalid_input(Cause::INVALID_PARAMETER,
+                        "the snapping tolerance must be a number from 0 to less than a third");
+  return tolerance;
+}
+
+// A point of the face with the number `face`. The sum of the coordinates becomes one, and then each of them that is no
+// larger than `tolerance` zero.
 template <typename FT>
 Indexed_source source_at(const Indexed_triangle_mesh& mesh, Index face, const std::array<FT, 3>& coordinates,
                          double tolerance)
@@ -81,23 +90,18 @@ Indexed_source source_at(const Indexed_triangle_mesh& mesh, Index face, const st
     c[i] = to_double(coordinates[i]);
     if(!std::isfinite(c[i]))
       throw Invalid_input(Cause::INVALID_SOURCE, "a barycentric coordinate of the source is not finite");
-    if(c[i] < -tolerance)
-      throw Invalid_input(Cause::INVALID_SOURCE,
-                          "a barycentric coordinate of the source is negative: it is outside its face");
-    if(c[i] <= tolerance)
-      c[i] = 0.;
     sum += c[i];
   }
   if(!std::isfinite(sum))
     throw Invalid_input(Cause::INVALID_SOURCE, "the sum of the barycentric coordinates of the source is not finite");
   if(!(sum > 0.))
     throw Invalid_input(Cause::INVALID_SOURCE, "the barycentric coordinates of the source sum up to zero");
-  for(int i = 0; i < 3; ++i)
-  {
-    c[i] /= sum;
-    if(c[i] == 1.)
-      source.vertex = mesh.triangles[face][i];
-  }
+  for(double& x : c)
+    if((x /= sum) < -tolerance)
+      throw Invalid_input(Cause::INVALID_SOURCE,
+                          "a barycentric coordinate of the source is negative: it is outside its face");
+  snap(source.location, tolerance);
+  source.vertex = vertex_of(mesh, source.location);
   return source;
 }
 

@@ -18,12 +18,12 @@ namespace internal {
 // stage, and far above rounding errors: points that are not the same differ by more than these.
 constexpr double snapping_tolerance = 1e-6;
 
-inline void snap(Indexed_location& location)
+inline void snap(Indexed_location& location, double tolerance = snapping_tolerance)
 {
   double sum = 0.;
   for(double& c : location.coordinates)
   {
-    if(!(c > snapping_tolerance))
+    if(!(c > tolerance))
       c = 0.;
     sum += c;
   }
