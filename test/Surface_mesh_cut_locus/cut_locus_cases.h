@@ -389,8 +389,15 @@ TYPED_TEST(Cut_locus_test, is_a_cut_locus_by_its_topology_even_for_distances_tha
       for(unsigned seed = 0; seed < 4; ++seed)
       {
         std::mt19937 engine(seed);
+        bool is_first = true; // the same number everywhere is refused
         for(const auto v : CGAL::make_range(vertices(built.mesh)))
-          put(distance, v, seed == 0 ? 0. : seed == 1 ? double(engine() % 3) : 1. + random_unit(engine));
+        {
+          put(distance, v,
+              seed == 0   ? (is_first ? 1. : 0.)
+              : seed == 1 ? double(engine() % 3)
+                          : 1. + random_unit(engine));
+          is_first = false;
+        }
         const std::size_t v = engine() % data.points.size(), f = engine() % data.triangles.size();
         if(seed == 3)
           put(distance, built.vertices[v], 5.);
