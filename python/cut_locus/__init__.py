@@ -13,6 +13,7 @@ from ._cut_locus import CutLocus, Result, compute
 from ._cut_loci import compute_cut_loci
 from ._disk import Disk, cut_open
 from ._geodesics import ExactGeodesics, Path, exact_geodesic_distances, shortest_paths
+from ._input import weld
 
 __version__ = "0.2.0"
 
@@ -29,4 +30,5 @@ __all__ = [
     "cut_open",
     "exact_geodesic_distances",
     "shortest_paths",
+    "weld",
 ]

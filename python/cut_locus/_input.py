@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import operator
+import warnings
 from typing import Any, Dict, List, Optional, Sequence, SupportsIndex, Tuple, TypeVar, Union
 
 import numpy as np
@@ -22,11 +23,34 @@ Numbers = Union[int, Tuple[int, Tuple[float, float, float]]]
 Name = TypeVar("Name")
 
 
+def weld(vertices: npt.ArrayLike, faces: npt.ArrayLike
+         ) -> Tuple[npt.NDArray[np.float64], npt.NDArray[np.int64], npt.NDArray[np.int64]]:
+    """Make one surface of faces that belong together, as the program does with files.
+
+    Files repeat vertices for each face, at hard edges and along the seams of textures. Border edges that lie on each
+    other, up to 1e-7 of the diagonal, are joined; faces are turned so that neighbors agree; faces that are there twice,
+    or have a vertex twice, and vertices without a face are left out.
+
+    Returns the vertices, the faces, and for each vertex that was given its new number, or -1 if it has none: what is
+    known of the welded vertices, as `result.vertex_distance`, is known of the given ones by `[number]`.
+    """
+    return _core.weld(*_arrays(vertices, faces))
+
+
 def read_mesh(vertices: npt.ArrayLike, faces: npt.ArrayLike) -> _core.Mesh:
+    mesh = _core.Mesh(*_arrays(vertices, faces))
+    count = mesh.number_of_weldable_vertices
+    if count > 0:
+        warnings.warn(f"{count} vertices on borders lie at the places of others: the surface is cut open there. "
+                      "vertices, faces, number = cut_locus.weld(vertices, faces) joins them", stacklevel=4)
+    return mesh
+
+
+def _arrays(vertices: npt.ArrayLike, faces: npt.ArrayLike) -> Tuple[npt.NDArray[Any], npt.NDArray[Any]]:
     faces = np.asarray(faces)
     if faces.size == 0 and faces.dtype == np.float64:  # NumPy's type for an empty list
         faces = faces.astype(np.int64)
-    return _core.Mesh(np.asarray(vertices), faces)
+    return np.asarray(vertices), faces
 
 
 def read_curves(curves: Optional[Curves]) -> List[List[Tuple[int, int]]]:

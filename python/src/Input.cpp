@@ -6,9 +6,14 @@
 
 #include "Input.h"
 
+#include "../../demo/Surface_mesh_cut_locus/Input_mesh.h"
+#include "../../demo/Surface_mesh_cut_locus/weld.h"
+
 #include <CGAL/Cut_loci/Invalid_input.h>
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 using CGAL::Cut_loci::Cause;
@@ -48,6 +53,17 @@ void check_index(std::int64_t i, std::size_t size, const std::string& kind, cons
                                                  std::to_string(size) + " " + plural);
 }
 
+template <typename Faces>
+Polygon_soup polygon_soup(std::vector<Kernel::Point_3> points, const Faces& faces)
+{
+  Polygon_soup soup;
+  soup.points = std::move(points);
+  soup.polygons.reserve(faces.size());
+  for(const auto& face : faces)
+    soup.polygons.emplace_back(face.begin(), face.end());
+  return soup;
+}
+
 Mesh::Vertex_index vertex_at(const Mesh& mesh, std::int64_t v)
 {
   check_index(v, mesh.number_of_vertices(), "vertex", "vertices");
@@ -79,6 +95,60 @@ std::shared_ptr<const Mesh> make_mesh(const Arrays& arrays)
     mesh->set_halfedge(face, h);
   }
   return mesh;
+}
+
+Welded weld(const Arrays& arrays)
+{
+  Welded result;
+  try
+  {
+    const Input_mesh input = make_mesh(polygon_soup(arrays.points, arrays.faces), Repair::WELD, "the faces");
+    const Mesh& mesh = input.mesh;
+    std::vector<std::int64_t> number(mesh.number_of_vertices(), -1); // without vertices of no face
+    for(const Mesh::Vertex_index v : mesh.vertices())
+      if(!mesh.is_isolated(v))
+      {
+        number[v] = static_cast<std::int64_t>(result.arrays.points.size());
+        result.arrays.points.push_back(mesh.point(v));
+      }
+    for(const Mesh::Vertex_index v : input.vertex)
+      result.vertex.push_back(v == Mesh::null_vertex() ? -1 : number[v]);
+    for(const Mesh::Face_index f : mesh.faces())
+    {
+      std::array<std::uint32_t, 3> face;
+      std::size_t corners = 0;
+      for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+        face[corners++] = static_cast<std::uint32_t>(number[v]);
+      result.arrays.faces.push_back(face);
+    }
+  }
+  catch(const Invalid_input&)
+  {
+    throw;
+  }
+  catch(const std::runtime_error& error) // in the program's words: "'the faces': ..."
+  {
+    throw Invalid_input(Cause::OTHER, error.what());
+  }
+  return result;
+}
+
+std::size_t number_of_weldable_vertices(const Mesh& mesh)
+{
+  const auto is_at_border = [&](Mesh::Halfedge_index h) { return mesh.is_border(h); };
+  const auto is_finite = [](const Kernel::Point_3& p)
+  { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); };
+  if(std::none_of(mesh.halfedges().begin(), mesh.halfedges().end(), is_at_border) ||
+     !std::all_of(mesh.points().begin(), mesh.points().end(), is_finite)) // which is refused later
+    return 0;
+  std::vector<std::array<std::size_t, 3>> faces;
+  faces.reserve(mesh.number_of_faces());
+  for(const Mesh::Face_index f : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    faces.push_back({{mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))}});
+  }
+  return weld(polygon_soup({mesh.points().begin(), mesh.points().end()}, faces)).merged_vertices;
 }
 
 std::vector<Source> read_sources(const Mesh& mesh, const std::vector<Source_numbers>& numbers)

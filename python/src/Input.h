@@ -27,6 +27,18 @@ struct Arrays
 // at the first vertex of the face. Throws Invalid_input if they are not those of a mesh.
 std::shared_ptr<const Mesh> make_mesh(const Arrays& arrays);
 
+// What the program makes of a file: border edges that lie on each other are joined, faces turned so that neighbors agree.
+// `vertex` has the new number of each vertex, or -1 if no face has it. Throws Invalid_input if there is no surface.
+struct Welded
+{
+  Arrays arrays;
+  std::vector<std::int64_t> vertex;
+};
+Welded weld(const Arrays& arrays);
+
+// How many vertices on borders lie at the places of others that `weld()` would join them with.
+std::size_t number_of_weldable_vertices(const Mesh& mesh);
+
 // A vertex, or a face and barycentric coordinates, by numbers that may be wrong.
 using Source_numbers = std::variant<std::int64_t, std::pair<std::int64_t, std::array<double, 3>>>;
 using Source = std::variant<Mesh::Vertex_index, Location>;

@@ -45,6 +45,24 @@ Mesh_handle read_mesh(const py::array& vertices, const py::array& faces)
   return {make_mesh(arrays)};
 }
 
+py::tuple weld_arrays(const py::array& vertices, const py::array& faces)
+{
+  const Arrays arrays = read_arrays(vertices, faces);
+  Welded welded;
+  {
+    const py::gil_scoped_release no_gil;
+    welded = weld(arrays);
+  }
+  std::vector<double> coordinates;
+  for(const Kernel::Point_3& p : welded.arrays.points)
+    coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+  std::vector<std::int64_t> corners;
+  for(const auto& face : welded.arrays.faces)
+    corners.insert(corners.end(), face.begin(), face.end());
+  return py::make_tuple(to_array(std::move(coordinates), 3), to_array(std::move(corners), 3),
+                        to_array(std::move(welded.vertex)));
+}
+
 // A solver with the mesh that it refers to.
 struct Computation
 {
@@ -159,7 +177,10 @@ PYBIND11_MODULE(_core, m)
     }
     catch(const loci::Invalid_input& error)
     {
-      const py::object raised = py::object(invalid_input)(in_python(error.what()));
+      const std::string way_out = error.cause() == loci::Cause::NON_MANIFOLD
+                                    ? ". cut_locus.weld(vertices, faces) makes a mesh of such faces"
+                                    : "";
+      const py::object raised = py::object(invalid_input)(in_python(error.what()) + way_out);
       raised.attr("cause") = py::cast(error.cause());
       PyErr_SetObject(invalid_input.ptr(), raised.ptr());
     }
@@ -169,7 +190,10 @@ PYBIND11_MODULE(_core, m)
     .def(py::init(&read_mesh), "vertices"_a, "faces"_a)
     .def_property_readonly("number_of_vertices",
                            [](const Mesh_handle& handle) { return handle.mesh->number_of_vertices(); })
-    .def_property_readonly("number_of_faces", [](const Mesh_handle& handle) { return handle.mesh->number_of_faces(); });
+    .def_property_readonly("number_of_faces", [](const Mesh_handle& handle) { return handle.mesh->number_of_faces(); })
+    .def_property_readonly("number_of_weldable_vertices",
+                           [](const Mesh_handle& handle) { return number_of_weldable_vertices(*handle.mesh); });
+  m.def("weld", &weld_arrays, "vertices"_a, "faces"_a);
 
   py::enum_<loci::Method>(m, "Method")
     .value("direction", loci::Method::DIRECTION)

@@ -207,3 +207,50 @@ def test_parameters_of_disk():
         cut_locus.cut_open(POINTS, FACES, 0, parameterization="flat")
     with pytest.raises(cut_locus.InvalidInput, match="several sources"):
         cut_locus.cut_open(POINTS, FACES, [0, 1])
+
+
+def soup_of(points, faces):
+    """Each face with vertices of its own."""
+    return points[faces].reshape(-1, 3), np.arange(faces.size).reshape(-1, 3)
+
+
+def test_weld_joins_a_soup():
+    points, faces = meshes.icosphere(2)
+    soup = soup_of(points, faces)
+    rounded = soup[0] + np.random.default_rng(1).uniform(-1e-9, 1e-9, soup[0].shape)
+    turned = np.where(np.arange(len(faces))[:, None] % 3 == 0, soup[1][:, ::-1], soup[1])
+    for given in (soup[0], soup[1]), (rounded, turned), (rounded.astype(np.float32), soup[1].astype(np.uint32)):
+        V, F, number = cut_locus.weld(*given)
+        assert V.shape == points.shape and F.shape == faces.shape and number.shape == (len(given[0]),)
+        assert np.abs(V[number] - given[0]).max() < 1e-7
+        result = cut_locus.compute(V, F, number[0], method="polyhedral")
+        expected = cut_locus.compute(points, faces, faces[0, 0], method="polyhedral")
+        assert abs(result.injectivity_radius - expected.injectivity_radius) < 1e-6
+        assert np.abs(result.vertex_distance[number] - expected.vertex_distance[faces].ravel()).max() < 1e-6
+
+
+def test_weld_leaves_what_is_a_mesh():
+    for points, faces in (meshes.octahedron(), meshes.icosphere(1)):
+        V, F, number = cut_locus.weld(points, faces)
+        assert (V == points).all() and (np.sort(F, axis=1) == np.sort(faces, axis=1)).all()
+        assert (number == np.arange(len(points))).all()
+    V, F, number = cut_locus.weld(np.vstack([POINTS, [[5., 5., 5.]]]), FACES)
+    assert len(V) == len(POINTS) and number[-1] == -1
+
+
+def test_weld_of_nothing():
+    for points, faces, cause in ((np.zeros((0, 3)), np.zeros((0, 3), dtype=int), "no vertices"),
+                                 (POINTS, np.zeros((0, 3), dtype=int), "no faces"), (0. * POINTS, FACES, "area"),
+                                 (with_value(POINTS, 0, np.nan), FACES, "not finite")):
+        with pytest.raises(cut_locus.InvalidInput, match=cause):
+            cut_locus.weld(points, faces)
+
+
+def test_a_soup_is_warned_of():
+    soup = soup_of(*meshes.icosphere(1))
+    with pytest.warns(UserWarning, match="cut_locus.weld"):
+        cut_locus.compute(*soup, 0)
+    with pytest.warns(UserWarning, match="cut_locus.weld"):
+        cut_locus.exact_geodesic_distances(*soup, 0)
+    with pytest.raises(cut_locus.InvalidInput, match="cut_locus.weld"):
+        cut_locus.compute(POINTS, with_value(FACES, 4, FACES[4, ::-1]), 1)

@@ -54,7 +54,7 @@ def test_stubs():
     """The stubs of the C++ part name what it has, and nothing else."""
     stubs = ast.parse((pathlib.Path(cut_locus.__file__).parent / "_core.pyi").read_text())
     classes = {node.name: node for node in stubs.body if isinstance(node, ast.ClassDef) and node.name[0] != "_"}
-    assert set(classes) | {"solver_names"} == {name for name in vars(_core) if name[0] != "_"}
+    assert set(classes) | {"solver_names", "weld"} == {name for name in vars(_core) if name[0] != "_"}
     for name, node in classes.items():
         functions = {f.name for f in node.body if isinstance(f, ast.FunctionDef)}
         if node.bases:  # enumerations and errors
