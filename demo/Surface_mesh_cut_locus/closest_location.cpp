@@ -8,7 +8,59 @@
 
 #include <CGAL/Polygon_mesh_processing/locate.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace {
+
+using Coordinates = std::array<double, 3>;
+
+bool are_inside(const Coordinates& coordinates)
+{
+  return std::all_of(coordinates.begin(), coordinates.end(), [](double c) { return c >= 0. && c <= 1.; });
+}
+
+// where a line from `a` to `b` is closest to a point: 0 at `a`, 1 at `b`
+double closest_share(const Kernel::Point_3& a, const Kernel::Point_3& b, const Kernel::Point_3& p)
+{
+  const Kernel::Vector_3 along = b - a;
+  const double length = along.squared_length();
+  return length > 0. ? (std::min)((std::max)(along * (p - a) / length, 0.), 1.) : 0.;
+}
+
+} // namespace
+
+// In a face that is flat, barycentric coordinates by areas are no numbers: there it is the closest point of the sides.
 Location closest_location(const Mesh& mesh, const Kernel::Point_3& p)
 {
-  return CGAL::Polygon_mesh_processing::locate(p, mesh);
+  const Location found = CGAL::Polygon_mesh_processing::locate(p, mesh);
+  std::array<Kernel::Point_3, 3> corners;
+  std::size_t n = 0;
+  for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(found.first)))
+    corners[n++] = mesh.point(v);
+
+  Location result = found;
+  double least = (std::numeric_limits<double>::infinity)();
+  const auto take_closer = [&](const Coordinates& c)
+  {
+    const Kernel::Vector_3 from_first = c[1] * (corners[1] - corners[0]) + c[2] * (corners[2] - corners[0]);
+    const double distance = (p - corners[0] - from_first).squared_length();
+    if(!(distance < least))
+      return;
+    least = distance;
+    result.second = c;
+  };
+  if(are_inside(found.second))
+    take_closer(found.second);
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    Coordinates c = {{0., 0., 0.}};
+    c[(i + 1) % 3] = closest_share(corners[i], corners[(i + 1) % 3], p);
+    c[i] = 1. - c[(i + 1) % 3];
+    take_closer(c);
+  }
+  return result;
 }

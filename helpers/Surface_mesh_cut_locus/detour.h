@@ -297,7 +297,9 @@ inline void set_detour(const std::vector<double>& before, const std::vector<doub
  * Voronoi diagram of several sources alone. Sources that are curves have to be given, in their order.
  *
  * The faces that a curve runs through are split first. To keep the solver from faces without area the curve is rounded
- * to 2^-16 of an edge, or more coarsely if that is not enough; if no rounding helps, `measuring_failed` says why.
+ * to 2^-16 of an edge, or more coarsely if that is not enough; if no rounding helps, `measuring_failed` says why. Where
+ * vertices are as close to each other as that, rounding is what leads paths astray: then less of it is tried, too, and the
+ * least detour counts.
  *
  * `exact` keeps the exact distances of the vertices in the component of the source: they are computed if it is empty.
  */
@@ -315,24 +317,34 @@ Measures measure(const TriangleMesh& tm, const CGAL::Cut_locus<TriangleMesh, Poi
     const double unit = CGAL::Cut_loci::Mesh_connectivity(on.component.mesh).mean_edge_length;
     if(exact.empty())
       exact = internal::distances(set, on);
-    for(const Index resolution : {Index(1) << 16, Index(1) << 12, Index(1) << 8})
+    const auto at_resolution = [&](Index resolution)
+    {
+      Measures measures;
       try
       {
-        result = Measures();
         internal::Prepared split = internal::prepared(on, resolution);
-        result.topology_fault = internal::topology_fault(set, on, split);
+        measures.topology_fault = internal::topology_fault(set, on, split);
         const bool is_one = set.points.size() + set.curves.size() == 1;
         internal::open_pockets(split.mesh, is_one ? std::vector<Index>() : faces_at(set, on, split), split.seams);
-        internal::set_detour(exact, internal::distances_cut_open(set, on, split), unit, result);
-        result.worst = read.positions[on.component.vertices[result.worst]];
-        return result;
+        internal::set_detour(exact, internal::distances_cut_open(set, on, split), unit, measures);
+        measures.worst = read.positions[on.component.vertices[measures.worst]];
       }
       catch(const CGAL::Cut_loci::Invalid_input& error)
       {
-        result.measuring_failed = error.what();
-        if(on.curve.is_of_mesh_edges)
-          break;
+        measures.measuring_failed = error.what();
       }
+      return measures;
+    };
+    constexpr double least = 1e-6; // a detour that is none
+    const bool rounds = !on.curve.is_of_mesh_edges;
+    const Index usual = 16, fine = 30, coarsest = 8, step = 4; // binary digits
+    result = at_resolution(Index(1) << usual);
+    for(Index digits = usual - step; rounds && !result.measuring_failed.empty() && digits >= coarsest; digits -= step)
+      result = at_resolution(Index(1) << digits);
+    if(rounds && !(result.max < least))
+      if(const Measures finer = at_resolution(Index(1) << fine);
+         finer.measuring_failed.empty() && finer.max < result.max)
+        result = finer;
   }
   catch(const CGAL::Cut_loci::Invalid_input& error)
   {

@@ -359,7 +359,7 @@ public:
    * \cgalNamedParamsEnd
    *
    * @throws Cut_loci::Invalid_input where `set_source()` throws it for one of the sources, and if there is none, if two
-   *         are at the same point or in different components, or if the method is `Cut_loci::Method::LAPLACIAN` and one of
+   *         are at the same point, closer to each other than 1e-5 of an edge, or in different components, or if the method is `Cut_loci::Method::LAPLACIAN` and one of
    *         several has no face to itself; for curves, also if one has no edges or is not connected, if there is a
    *         `maximum_relative_error`, or if the mesh has no border that could be a source
    */

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iomanip>
 #include <random>
 #include <sstream>
 #include <string>
@@ -181,6 +182,23 @@ TEST_F(Surface, Flat_faces_are_taken_as_they_are)
       EXPECT_EQ(files("weld"), files("none")) << off(soup);
     }
   while(std::next_permutation(on_line.begin(), on_line.end()));
+}
+
+TEST_F(Surface, Source_points_on_flat_faces_are_points)
+{
+  // five vertices on an edge of a tetrahedron, as decimals that are not on a line exactly
+  Soup soup;
+  soup.points = {{{0., 0., 0.}}, {{3., 0.3, 0.}}, {{1., 3., 0.}}, {{1., 1., 3.}}, {{1., 0.1, 0.}}, {{1.1, 0.11, 0.}}};
+  soup.faces = {{0, 2, 1}, {0, 1, 4}, {4, 1, 5}, {0, 4, 3}, {4, 5, 3}, {5, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  for(double share = 0.; share <= 1.; share += 0.0625)
+  {
+    std::ostringstream point;
+    point << std::setprecision(17) << 3. * share << "," << 0.3 * share << ",0";
+    const Json all = report(soup, "--source-point " + point.str() + " --curve faces");
+    const Json at = all.at("source_point");
+    EXPECT_NEAR(at.at(0).get<double>(), 3. * share, 1e-9);
+    EXPECT_NEAR(at.at(1).get<double>(), 0.3 * share, 1e-9);
+  }
 }
 
 // Of the surface of a scan, where a flat face is beside a vertex at which sheets touch.

@@ -9,6 +9,7 @@
 
 #include "built_mesh.h"
 #include "curve_topology.h"
+#include "detour.h"
 #include "test_meshes.h"
 
 #include <CGAL/Cut_loci/Invalid_input.h>
@@ -179,6 +180,45 @@ TEST(Faces_without_area, at_which_paths_meet_leave_a_disk)
       const auto on = lib::on_component(read.mesh, lib::curve_on_mesh(read, built.mesh, curve));
       EXPECT_EQ(curve_measures::internal::Curve_topology(on.component.mesh, on.curve.graph).fault(), "")
         << "needles at corner " << i % 3 << " of face " << i / 3 << ", from " << v;
+    }
+  }
+}
+
+// A point of a face beside one of its corners or edges, by a share of it: three faces, of which two or one are thin.
+void add_beside(Mesh_data& m, double share, std::mt19937& engine)
+{
+  using test_meshes::operator*, test_meshes::operator+;
+  const std::size_t f = engine() % m.triangles.size();
+  const Triangle t = m.triangles[f];
+  const double along = engine() % 2 == 0 ? 0. : test_meshes::random_unit(engine); // of the first edge
+  const double a = (1. - share) * (1. - along) + 0.2 * share, b = (1. - share) * along + 0.3 * share;
+  const std::size_t v = m.points.size();
+  m.points.push_back(a * m.points[t[0]] + b * m.points[t[1]] + (1. - a - b) * m.points[t[2]]);
+  m.triangles[f] = {{t[0], t[1], v}};
+  m.triangles.push_back({{t[1], t[2], v}});
+  m.triangles.push_back({{t[2], t[0], v}});
+}
+
+TEST(Faces_without_area, or_nearly_so_block_no_path)
+{
+  for(unsigned seed = 0; seed < 60; ++seed)
+  {
+    std::mt19937 engine(seed);
+    Mesh_data data = seed % 2 == 0 ? test_meshes::random_convex_polyhedron(6 + seed % 9, seed)
+                                   : test_meshes::torus(1., 0.4, 3 + seed % 5, 3 + seed % 3, 0.1, seed);
+    const double share = std::pow(10., -9.5 - 3. * test_meshes::random_unit(engine));
+    for(unsigned i = 0; i < 1 + seed % 5; ++i)
+      add_beside(data, share, engine);
+    const Built built(data);
+    for(const Method method : {Method::DIRECTION, Method::POLYHEDRAL})
+    {
+      const auto curve =
+        CGAL::compute_cut_locus(built.mesh, built.vertices[engine() % built.vertices.size()],
+                                params::cut_locus_method(method).cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+      const auto measures = curve_measures::measure(built.mesh, curve);
+      EXPECT_EQ(measures.topology_fault, "") << "seed " << seed;
+      EXPECT_EQ(measures.measuring_failed, "") << "seed " << seed;
+      EXPECT_LT(measures.max, 1e-4) << "seed " << seed;
     }
   }
 }

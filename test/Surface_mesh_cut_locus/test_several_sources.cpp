@@ -496,6 +496,11 @@ TEST(Several_sources, that_can_not_be_used_are_refused_by_their_numbers)
   EXPECT_NE(message({on(h, 0.25), on(o, 0.75)}).find("at the same point"), std::string::npos);
   EXPECT_NE(message({on(h, 1.), v[3]}).find("at the same point"), std::string::npos);
   EXPECT_EQ(message({on(h, 0.25), on(o, 0.25)}), "nothing was thrown");
+  // and nearly so
+  EXPECT_NE(message({on(h, 0.25), on(o, 0.75 - 1e-8)}).find("sources 0 and 1 are closer to each other than 1e-5"),
+            std::string::npos);
+  EXPECT_NE(message({on(h, 1. - 1e-6), v[3]}).find("closer to each other than 1e-5"), std::string::npos);
+  EXPECT_EQ(message({on(h, 0.25), on(o, 0.75 - 1e-4)}), "nothing was thrown");
   EXPECT_NE(message_of(
               [&] {
     CGAL::compute_cut_locus(built.mesh, std::vector<Source>{on(h, 0.3), on(h, 0.5), on(h, 0.7)});

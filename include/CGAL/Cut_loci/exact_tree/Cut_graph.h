@@ -70,6 +70,8 @@ public:
     : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), changes_(changes), ridges_(ridges),
       has_several_sources_(source_vertices.size() > 1 || geodesics.has_lines())
   {
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+      largest_distance_ = (std::max)(largest_distance_, geodesics.distance(v));
     number_nodes();
     number_intervals(progress.part(0., 0.2));
     if(has_several_sources_)
@@ -285,6 +287,7 @@ private:
       progress(e, connectivity_.number_of_edges());
       if(geodesics_.line_at(connectivity_.halfedge_of_edge[e]) != null_index)
         continue;
+      const Index h = connectivity_.halfedge_of_edge[e];
       bool is_crossed = false;
       for(Index c = changes_.first(e); c < changes_.first(e + 1); ++c)
         if(is_real(c))
@@ -292,17 +295,27 @@ private:
           is_crossed = true;
           links.push_back({c, true});
           const bool is_between_sources = has_several_sources_ && changes_[c].is_between_sources;
-          weight.push_back(is_between_sources ? last : angle(changes_[c]));
+          weight.push_back(is_between_sources ? last : known_weight(angle(changes_[c]), h));
         }
       if(!is_crossed)
       {
         links.push_back({e, false});
-        const Index h = connectivity_.halfedge_of_edge[e];
         const bool is_between_sources = has_several_sources_ && geodesics_.nearest_source(mesh_.source(h)) !=
                                                                   geodesics_.nearest_source(mesh_.target(h));
-        weight.push_back(is_between_sources ? last : changes_.bend(h));
+        weight.push_back(is_between_sources ? last : known_weight(changes_.bend(h), h));
       }
     }
+  }
+
+  /// Angles that rounding may have made tell nothing: there the cut locus is rather what is farther from the source.
+  float known_weight(float angle, Index h) const
+  {
+    constexpr float rounding = 1e-9f;
+    constexpr int least_exponent = -96; // of the weight at the source: four digits in each, see `roughly_sorted()`
+    if(angle > rounding)
+      return angle;
+    const double distance = (std::min)(geodesics_.distance(mesh_.source(h)), geodesics_.distance(mesh_.target(h)));
+    return rounding * static_cast<float>(std::exp2(least_exponent * (1. - distance / largest_distance_)));
   }
 
   static float angle(const Edge_crossing& c)
@@ -345,6 +358,7 @@ private:
   const Geodesic_results& geodesics_;
   const Label_changes& changes_;
   const Ridges& ridges_;
+  double largest_distance_ = 0.;
   std::vector<Index> record_, first_extra_;
   std::vector<std::array<Index, 2>> nodes_of_crossing_; // in the faces on the two sides
   std::vector<Index> before_, behind_;                  // the primal nodes beside each crossing that is real

@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/insert_vertex.h>
+#include <CGAL/Cut_loci/surface/mollified_lengths.h>
 
 #include <algorithm>
 #include <array>
@@ -46,6 +47,8 @@ public:
       if(source.vertex == null_index)
         insert(source.location);
     }
+    if(!inserted_.empty() && needs_mollification(mesh_)) // sources that are close to each other, or to an edge
+      mesh_.lengths = Mollification(mesh_).lengths;
     list_parts();
   }
 

@@ -163,31 +163,31 @@ std::vector<Indexed_source> read_sources(const TriangleMesh& tm, const Read_tria
   return result;
 }
 
-// Whether two locations are the same point, up to `tolerance` of their coordinates: they may be on an edge that they name
-// by different faces.
-inline bool is_same_point(const Indexed_triangle_mesh& mesh, const Indexed_source& a, const Indexed_source& b,
-                          double tolerance)
+// The largest difference of the coordinates of two locations in a face, or on an edge that they name by different faces; 1 if
+// they have no face or edge in common.
+inline double difference(const Indexed_triangle_mesh& mesh, const Indexed_location& a, const Indexed_location& b)
 {
-  if(a.vertex != null_index || b.vertex != null_index)
-    return a.vertex == b.vertex;
+  double result = 0.;
   for(std::size_t i = 0; i < 3; ++i)
   {
     double same = 0.; // the coordinate of `b` for the same vertex
     for(std::size_t j = 0; j < 3; ++j)
-      if(mesh.triangles[b.location.face][j] == mesh.triangles[a.location.face][i])
-        same = b.location.coordinates[j];
-    if(std::fabs(same - a.location.coordinates[i]) > tolerance)
-      return false;
+      if(mesh.triangles[b.face][j] == mesh.triangles[a.face][i])
+        same = b.coordinates[j];
+    result = (std::max)(result, std::fabs(same - a.coordinates[i]));
   }
-  return true;
+  return result;
 }
 
-// Throws if two sources are at the same point, or in different components.
+// Throws if two sources are at the same point, up to `tolerance` of their coordinates, closer to each other than rounding lets
+// their cells be told apart, or in different components.
 inline void check_sources(const Indexed_triangle_mesh& mesh, const std::vector<Indexed_source>& sources,
                           const std::vector<Index>& component_of_face, double tolerance)
 {
+  // Paths are known to 1e-9 of an edge, so that the cells of two sources end to 1e-4 of it then; closer ones do not.
+  constexpr double least_difference = 1e-5;
   const auto name = [](Index i, Index k) { return "sources " + std::to_string(i) + " and " + std::to_string(k); };
-  std::unordered_map<Index, std::vector<Index>> at_vertex; // the sources whose smallest vertex it is
+  std::unordered_map<Index, std::vector<Index>> at_vertex; // the sources in its faces
   for(Index i = 0; i < sources.size(); ++i)
   {
     const Indexed_location& at = sources[i].location;
@@ -195,14 +195,21 @@ inline void check_sources(const Indexed_triangle_mesh& mesh, const std::vector<I
       throw Invalid_input(Cause::SOURCES_APART,
                           name(0, i) + " are in different components of the mesh: each component is a surface of its "
                                        "own, whose cut locus has to be computed for the sources in it");
-    Index smallest = null_index;
+    const auto largest = std::max_element(at.coordinates.begin(), at.coordinates.end()) - at.coordinates.begin();
+    for(Index k : at_vertex[mesh.triangles[at.face][static_cast<std::size_t>(largest)]])
+    {
+      const double apart = difference(mesh, sources[k].location, at);
+      if(apart <= tolerance)
+        throw Invalid_input(Cause::SAME_SOURCES, name(k, i) + " are at the same point");
+      if(apart < least_difference)
+        throw Invalid_input(Cause::TOO_INACCURATE,
+                            name(k, i) +
+                              " are closer to each other than 1e-5 of an edge: where the cell of one ends can "
+                              "not be told from rounding; leave one of them away");
+    }
     for(std::size_t k = 0; k < 3; ++k)
       if(at.coordinates[k] > 0.)
-        smallest = (std::min)(smallest, mesh.triangles[at.face][k]);
-    for(Index k : at_vertex[smallest])
-      if(is_same_point(mesh, sources[k], sources[i], tolerance))
-        throw Invalid_input(Cause::SAME_SOURCES, name(k, i) + " are at the same point");
-    at_vertex[smallest].push_back(i);
+        at_vertex[mesh.triangles[at.face][k]].push_back(i);
   }
 }
 

@@ -22,9 +22,9 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-// The size of `twice_area` over the square of the longest edge below which a face has no shape to compute with: the
-// rounding of its coordinates decides it.
-constexpr double least_relative_area = 1e-13;
+// The size of `twice_area` over the square of the longest edge below which a face has no shape to compute with: paths at
+// 1e-9 of an edge from its end are taken for ones through that, so that what is less high can not be told from a line.
+constexpr double least_relative_area = 1e-9;
 
 inline std::array<double, 3> edge_lengths(const Indexed_triangle_mesh& mesh, Index f)
 {
@@ -41,7 +41,7 @@ inline bool has_area(const Indexed_triangle_mesh& mesh, Index f)
 }
 
 /*!
- * gives faces without area some, so that they have angles.
+ * gives faces that are flat, or nearly so, some area, so that they have angles.
  *
  * - Edges that are shorter than a millionth of another one of their faces get this length: paths at a distance of 1e-9 of an
  *   edge from its end are taken for ones through that, so that on shorter edges nothing could be told apart.
@@ -67,8 +67,8 @@ public:
 private:
   // far above the 1e-9 at which vertices are passed, and far below what matters
   static constexpr double shortest = 1e-6;
-  // above what decides on area in a needle, whose area is its slack times its length, with a digit to spare
-  static constexpr double slack = 10. * least_relative_area;
+  // of a needle, whose height is then the root of twice that: 1.4e-6 of its length, as that of short edges
+  static constexpr double slack = 1e-12;
 
   static double longest(const std::array<double, 3>& length) { return *std::max_element(length.begin(), length.end()); }
 
