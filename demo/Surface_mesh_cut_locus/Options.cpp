@@ -208,8 +208,8 @@ po::options_description visible_options()
      "  polyhedral: all of the cut locus of the polyhedron; with the solver exact\n"
      "  laplacian: valleys of the Laplacian of the distance, with any solver")
       .c_str())("curve", po::value<std::string>()->value_name("edges|faces"),
-                "the curve is made of edges of the mesh, or of segments through its faces (default: with the methods "
-                "direction and polyhedral the files of -o get segments through the faces; all else is about edges)")(
+                "the curve that all outputs are about is made of segments through the faces of the mesh, or of its "
+                "edges (default: faces; edges with --edges, --uv and --smooth 0)")(
     "min-branch-width", po::value<std::string>()->value_name("W"),
     "the two shortest paths to a branch must be as far apart as this somewhere, in units of the diagonal of the "
     "bounding box, at most 1, with the methods direction and polyhedral (default: with direction what the mesh "
@@ -232,7 +232,8 @@ po::options_description visible_options()
     "branches that are shorter are removed, in units of the diagonal of the bounding box (default: 0)")(
     "smooth", po::value<std::string>()->value_name("N"),
     "N steps that move the curves off the edges of the mesh, onto the cut locus, with the method laplacian (default: "
-    "0, or 4 with --curve faces; 4 are enough, 1000 the most)")(
+    "4, "
+    "which are enough, or 0 with --curve edges; 1000 are the most)")(
     "output,o", po::value<std::vector<std::string>>()->value_name("FILE")->composing(),
     ("write the cut locus; may be given several times. By extension:\n" + output_descriptions()).c_str())(
     "view", po::value<std::string>()->value_name("X,Y,Z"),
@@ -509,7 +510,11 @@ Options parse_command_line(int argc, char* argv[])
       throw Usage_error("--view takes a direction, not '" + text("view") + "'");
   }
   if(given.count("edges"))
+  {
     check_output_path(options.edges = text("edges"), "--edges");
+    if(options.curve == CGAL::Cut_loci::Curve::THROUGH_FACES || options.smoothing.value_or(0) > 0)
+      throw Usage_error("--edges writes a curve of edges of the mesh: not with --curve faces or --smooth");
+  }
   if(given.count("cells"))
   {
     check_output_path(options.cells = text("cells"), "--cells");

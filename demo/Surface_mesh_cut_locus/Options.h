@@ -43,7 +43,7 @@ struct Options
   std::optional<double> minimum_branch_gap;
   std::optional<double> minimum_branch_width;
   std::optional<std::size_t> smoothing;       // iterations
-  std::optional<CGAL::Cut_loci::Curve> curve; // null: through the faces in files of curves, where the method has it
+  std::optional<CGAL::Cut_loci::Curve> curve; // null: see `curve_of()`
   CGAL::Cut_loci::Method method = CGAL::Cut_loci::Method::DIRECTION;
   std::string method_name;
   std::vector<std::string> outputs;

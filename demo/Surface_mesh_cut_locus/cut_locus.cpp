@@ -69,17 +69,8 @@ bool run(const Options& options)
   if(is_each_source)
     return compute_each_source(options, input, *solver, progress);
   const std::vector<std::vector<Mesh::Edge_index>> source_curves = set_source(options, input, *solver);
-  // the curve that all is about but files that are for one of the two
-  const Curve curve = options.curve.value_or(
-    options.smoothing.value_or(0) > 0 || has_curves(options) ? Curve::THROUGH_FACES : Curve::MESH_EDGES);
+  const Curve curve = curve_of(options);
   const Cut_locus cut_locus = apply_thresholds(options, *solver, curve);
-  const auto along = [&](Curve wanted)
-  { return wanted == curve ? cut_locus : apply_thresholds(options, *solver, wanted); };
-  std::optional<Cut_locus> drawn, mesh_edges;
-  if(!options.outputs.empty())
-    drawn = along(curve_of_files(options));
-  if(!options.edges.empty())
-    mesh_edges = along(Curve::MESH_EDGES);
   std::optional<Cells> cells;
   const bool has_picture = std::any_of(options.outputs.begin(), options.outputs.end(), is_picture_name);
   if(!options.cells.empty() || (has_picture && cut_locus.number_of_sources() > 1))
@@ -87,12 +78,11 @@ bool run(const Options& options)
   progress.run("write",
                [&]()
                {
-    if(drawn)
-      write_outputs(options.outputs, *drawn, input, source_curves, cells, options.view);
+    write_outputs(options.outputs, cut_locus, input, source_curves, cells, options.view);
     if(!options.cells.empty())
       write_cells(options.cells, *cells);
-    if(mesh_edges)
-      write_edges(options.edges, *mesh_edges, input);
+    if(!options.edges.empty())
+      write_edges(options.edges, cut_locus, input);
   });
   std::optional<Atlas> atlas;
   if(!options.uv.empty())

@@ -132,7 +132,7 @@ struct Run
   Run(const Options& o, const Input_mesh& i) : options(o), input(i)
   {
     Json all;
-    add_method(all, options, curve_of_files(options));
+    add_method(all, options, curve_of(options));
     add_parameters(all, options);
     std::size_t seed = 0;
     for(Mesh::Vertex_index v : input.mesh.vertices())
@@ -163,7 +163,7 @@ Source_result compute(const Named_source& named, const Source& source, const Run
   {
     solver.set_sources(std::array<Source, 1>{{source}},
                        CGAL::parameters::maximum_relative_error(options.maximum_relative_error.value_or(0.)));
-    return describe(apply_thresholds(options, solver, curve_of_files(options)), run.input, line);
+    return describe(apply_thresholds(options, solver, curve_of(options)), run.input, line);
   }
   catch(const std::bad_alloc&)
   {
@@ -285,7 +285,7 @@ void write_report_of_sources(const Options& options, const Input_mesh& input, st
   report["failed"] = summary.failed;
   report["smallest_injectivity_radius"] = summary.smallest;
   report["largest_injectivity_radius"] = summary.largest;
-  add_method(report, options, curve_of_files(options));
+  add_method(report, options, curve_of(options));
   report["threads"] = options.threads;
   for(const auto& [stage, seconds] : progress.seconds())
     report["seconds"][stage] = seconds;

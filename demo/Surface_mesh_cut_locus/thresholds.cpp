@@ -53,8 +53,7 @@ Options fill_in_defaults(Options options, const Cut_locus_solver& solver)
   {
     fill_in(options.angle, solver.gradient_angle_threshold());
     fill_in(options.grow, false);
-    const Curve by_default = has_curves(options) ? Curve::THROUGH_FACES : Curve::MESH_EDGES;
-    fill_in(options.smoothing, options.curve.value_or(by_default) == Curve::THROUGH_FACES ? enough_smoothing : 0);
+    fill_in(options.smoothing, curve_of(options) == Curve::THROUGH_FACES ? enough_smoothing : 0);
   }
   else if(options.minimum_branch_gap || options.minimum_branch_width)
   {
@@ -99,9 +98,9 @@ Cut_locus voronoi_diagram(const Cut_locus_solver& solver)
   return solver.cut_locus(CGAL::parameters::cut_locus_curve(Curve::THROUGH_FACES).voronoi(true));
 }
 
-Curve curve_of_files(const Options& options)
+Curve curve_of(const Options& options)
 {
-  const bool smooths = options.smoothing ? *options.smoothing > 0 : has_curves(options);
-  const Curve by_default = options.method != Method::LAPLACIAN || smooths ? Curve::THROUGH_FACES : Curve::MESH_EDGES;
-  return options.curve.value_or(by_default);
+  const bool is_of_edges =
+    !options.edges.empty() || !options.uv.empty() || (options.smoothing && *options.smoothing == 0);
+  return options.curve.value_or(is_of_edges ? Curve::MESH_EDGES : Curve::THROUGH_FACES);
 }

@@ -26,7 +26,7 @@ Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solve
 // That of several sources, through the faces.
 Cut_locus voronoi_diagram(const Cut_locus_solver& solver);
 
-// The curve that files of curves get.
-CGAL::Cut_loci::Curve curve_of_files(const Options& options);
+// The curve that all outputs are about: through the faces, unless edges of the mesh are asked for, or needed for seams.
+CGAL::Cut_loci::Curve curve_of(const Options& options);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_THRESHOLDS_H

@@ -262,45 +262,56 @@ TEST_F(Program, Thresholds_in_the_report)
   EXPECT_EQ(tetrahedron().at("min_branch_gap"), 0.5);
 }
 
-// Files of curves have segments through the faces if the method finds them; --edges has edges of the mesh in any case.
-TEST_F(Program, Curves)
+// Files, report and messages are about one curve, which runs through the faces unless there is a need for edges.
+TEST_F(Program, One_curve)
 {
-  const auto points = [&](const std::string& arguments)
+  const auto all = [&](const std::string& arguments)
   {
-    const Outcome outcome = run_on_torus("--quiet " + arguments + " -o " + quoted(path("c.obj")) + " --edges " +
-                                         quoted(path("e.txt")) + " --report " + quoted(path("r.json")));
+    const Outcome outcome =
+      run_on_torus(arguments + " -o " + quoted(path("c.obj")) + " --report " + quoted(path("r.json")));
     EXPECT_EQ(outcome.status, 0) << arguments << ": " << outcome.messages;
-    std::set<std::array<double, 3>> result;
+    const nlohmann::json report = nlohmann::json::parse(read_file(path("r.json")));
+    // the figures of the report are those of the file
+    std::vector<std::array<double, 3>> points;
+    double length = 0.;
     std::istringstream obj(read_file(path("c.obj")));
     for(std::string line; std::getline(obj, line);)
     {
       std::istringstream words(line);
       std::string key;
+      words >> key;
       std::array<double, 3> p;
-      if(words >> key && key == "v" && words >> p[0] >> p[1] >> p[2])
-        result.insert(p);
+      if(key == "v" && words >> p[0] >> p[1] >> p[2])
+        points.push_back(p);
+      std::size_t previous = 0, next = 0;
+      if(key == "l")
+        for(words >> previous; words >> next; previous = next)
+          length +=
+            std::hypot(points[next - 1][0] - points[previous - 1][0], points[next - 1][1] - points[previous - 1][1],
+                       points[next - 1][2] - points[previous - 1][2]);
     }
-    return result;
+    EXPECT_NEAR(report.at("length").get<double>(), length, 1e-6 * length) << arguments;
+    const std::string words = report.at("curve") == "edges" ? "mesh edges" : "through faces";
+    EXPECT_NE(outcome.messages.find(words), std::string::npos) << outcome.messages;
+    return std::make_pair(report.at("curve").get<std::string>(), length);
   };
-  const auto curve = [&]() { return nlohmann::json::parse(read_file(path("r.json"))).at("curve"); };
-  for(const std::string method : {"--method direction", "--method polyhedral", "--method laplacian"})
+  for(const std::string method : {"--method direction", "--method polyhedral", "--method laplacian", "--solver heat"})
   {
     SCOPED_TRACE(method);
-    const auto edges = points(method + " --curve edges");
-    const std::string along = read_file(path("e.txt"));
-    EXPECT_GT(along.size(), 10u);
-    EXPECT_EQ(curve(), "edges");
-    const auto faces = points(method + " --curve faces");
-    EXPECT_EQ(curve(), "faces");
-    EXPECT_NE(edges, faces);
-    EXPECT_EQ(read_file(path("e.txt")), along);
-    EXPECT_EQ(points(method), method == "--method laplacian" ? edges : faces);
-    EXPECT_EQ(curve(), "edges");
-    EXPECT_EQ(read_file(path("e.txt")), along);
+    const auto edges = all(method + " --curve edges"), faces = all(method + " --curve faces");
+    EXPECT_EQ(edges.first, "edges");
+    EXPECT_EQ(faces.first, "faces");
+    EXPECT_GT(edges.second, faces.second);
+    EXPECT_EQ(all(method), faces);
+    EXPECT_EQ(all(method + " --edges " + quoted(path("e.txt"))), edges);
+    EXPECT_EQ(all(method + " --uv " + quoted(path("u.obj"))), edges);
   }
-  const auto smooth = points("--method laplacian --smooth 4");
-  EXPECT_EQ(curve(), "faces");
-  EXPECT_EQ(smooth, points("--method laplacian --curve faces"));
+  EXPECT_EQ(all("--method laplacian --smooth 4"), all("--method laplacian"));
+  EXPECT_EQ(all("--method laplacian --smooth 0"), all("--method laplacian --curve edges"));
+  const std::string to_edges = " --edges " + quoted(path("e.txt"));
+  EXPECT_NE(run_on_torus("--curve faces" + to_edges).messages.find("--edges writes"), std::string::npos);
+  EXPECT_NE(run_on_torus("--method laplacian --smooth 4" + to_edges).messages.find("--edges writes"),
+            std::string::npos);
 }
 
 TEST_F(Program, Default_methods)
