@@ -213,14 +213,13 @@ po::options_description visible_options()
     "min-branch-width", po::value<std::string>()->value_name("W"),
     "the two shortest paths to a branch must be as far apart as this somewhere, in units of the diagonal of the "
     "bounding box, at most 1, with the methods direction and polyhedral (default: with direction what the mesh "
-    "resolves; 0 "
-    "with polyhedral, or if there is a --min-branch-gap)")(
+    "resolves, or a quarter of that in limbs and at corners; 0 with polyhedral, or if there is a --min-branch-gap)")(
     "min-branch-gap", po::value<std::string>()->value_name("RAD"),
-    "least angle, in radians, between these paths where they part (default: 0.5 with direction on a mesh of few, sharp "
-    "vertices, instead of a width; else 0)")("angle", po::value<std::string>()->value_name("RAD"),
-                                             "least angle, in radians, above 0 and at most pi, at which shortest paths "
-                                             "meet, with the method laplacian (default: 0.7; 0.4 with the "
-                                             "heat method)")(
+    "least angle, in radians, between these paths where they part (default: 0)")(
+    "angle", po::value<std::string>()->value_name("RAD"),
+    "least angle, in radians, above 0 and at most pi, at which shortest paths "
+    "meet, with the method laplacian (default: 0.7; 0.4 with the "
+    "heat method)")(
     "laplacian", po::value<std::string>()->value_name("L"),
     "least value of minus the Laplacian of the distance times the mean edge length, with the method laplacian "
     "(default: none)")(

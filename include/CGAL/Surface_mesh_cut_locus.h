@@ -392,7 +392,8 @@ public:
    *                           large what the branch goes around is}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{with `Cut_loci::Method::DIRECTION` what the mesh and its noise explain, see
-   *                       `minimum_branch_width()`: about three edges on a smooth mesh; with
+   *                       `minimum_branch_width()`: about three edges on a smooth mesh, or a quarter of that where the
+   *                       two paths enclose more curvature than the mesh and noise do, as in a limb or a corner; with
    *                       `Cut_loci::Method::POLYHEDRAL`, or if there is a `minimum_branch_gap`, 0}
    *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. Where branches meet, those that are shorter than a third of
    *                     it are left out, too. A smaller one than the default takes a computation for the source once
@@ -402,9 +403,7 @@ public:
    *     \cgalParamDescription{the least angle at the source, or where they part, between the two shortest paths to the
    *                           points of a branch, in radians in [0, pi]; it grows from the tips of branches inward}
    *     \cgalParamType{`double`}
-   *     \cgalParamDefault{0; with `Cut_loci::Method::DIRECTION` on a polyhedron whose curvature is for the most part in a
-   *                       few sharp vertices 0.5, for the branches of these; where there is no other, as on a cube, for
-   *                       the sum of this angle and the one at which the paths meet, up to the vertices}
+   *     \cgalParamDefault{0}
    *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. With both thresholds, a branch must pass both.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{gradient_angle_threshold}
@@ -536,7 +535,7 @@ public:
     const double width = default_thresholds(*component_->exact_tree).width / component_->diagonal;
     return component_->mesh->is_intrinsic ? width : (std::min)(width, 1.); // no branch is as wide, and none is wider
   }
-  /// the default of `minimum_branch_gap` for the current source, if it has one
+  /// the default of `minimum_branch_gap` for the current source
   double minimum_branch_gap() const { return has_exact_tree() ? default_thresholds(*component_->exact_tree).gap : 0.; }
   /// the default of `minimum_branch_edges` with `Cut_loci::Method::LAPLACIAN`
   static std::size_t default_minimum_branch_edges() { return 3; }
@@ -594,6 +593,7 @@ private:
     Cut_loci::internal::Exact_tree_thresholds result = Cut_loci::internal::read_exact_tree_thresholds(
       np, default_thresholds(*component.exact_tree), component.diagonal, component.mesh->is_intrinsic);
     result.width = (std::max)(result.width, component.least_width);
+    result.narrow = (std::max)(result.narrow, component.least_width);
     return result;
   }
 

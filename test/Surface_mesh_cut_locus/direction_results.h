@@ -79,6 +79,15 @@ inline std::vector<Index> leaves(const Indexed_cut_locus& graph)
   return result;
 }
 
+inline double total_length(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& graph)
+{
+  using namespace CGAL::Cut_loci::internal;
+  double result = 0.;
+  for(const auto& e : graph.edges)
+    result += norm(point_at(mesh, graph.nodes[e.source].location) - point_at(mesh, graph.nodes[e.target].location));
+  return result;
+}
+
 // Connected, 2g cycles, border loops being points: the Betti numbers of the graph.
 inline void expect_graph_topology(const Indexed_triangle_mesh& mesh, const CGAL::Cut_loci::Mesh_connectivity& c,
                                   const Indexed_cut_locus& graph)

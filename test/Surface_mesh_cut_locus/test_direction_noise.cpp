@@ -84,14 +84,6 @@ double farthest(const std::vector<Vector>& from, const std::vector<Vector>& to)
   return result;
 }
 
-double total_length(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& graph)
-{
-  double result = 0.;
-  for(const auto& e : graph.edges)
-    result += norm(point_at(mesh, graph.nodes[e.source].location) - point_at(mesh, graph.nodes[e.target].location));
-  return result;
-}
-
 TEST(Direction_noise, ellipsoids)
 {
   for(int n : {20, 35, 50})

@@ -16,9 +16,6 @@ const angle = (label) => ({
   place: (radians) => radians / Math.PI,
 });
 
-// Where the gap between shortest paths decides, and not their width, it is what is shown.
-export function branchScale({ method, parameters }, defaults) {
-  if (method === 'laplacian') return angle('Angle of the branches');
-  const byGap = method === 'direction' && parameters.width === null && defaults && defaults.gap > 0;
-  return byGap ? angle('Gap of the branches') : width;
+export function branchScale({ method }) {
+  return method === 'laplacian' ? angle('Angle of the branches') : width;
 }

@@ -9,12 +9,16 @@
 
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
+#include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/extent.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -26,79 +30,136 @@ namespace internal {
  * stands for.
  *
  * Every vertex of positive curvature has a branch. By Gauss-Bonnet, the two shortest paths to a point of a branch
- * enclose a curvature: that of the shape, of single vertices, or of noise.
+ * enclose a curvature: that of the shape, of single vertices, or of noise. A branch is one of the shape if its paths get
+ * farther apart than the mesh and noise explain, or enclose more, and are not next to each other. Flat vertices tell
+ * nothing of the surface: h is the mean length of edges if there were none.
  *
- * - A mesh resolves nothing that is narrower than about three edges: two paths that are never farther apart may enclose
- *   a single vertex.
- * - Noise bends the two by random angles. As the noise of the angle sums of neighbors cancels, these come from the
- *   boundary of what they enclose: with a standard deviation &sigma; on the length h of an edge, two paths of the
- *   length L get apart by s = h &sigma; (L/h)<sup>3/2</sup> / &radic;3, as a sum of random bends does. If that is more
- *   than h, paths refocus on the way and the shortest of many is taken; then distances between shortest paths in a
- *   random medium grow by the power 2/3 of the length \cgalCite{cgal:kpz-dsgi-86}, from h on at the length where s = h:
- *   that is h (s/h)<sup>4/9</sup>.
+ * - A mesh resolves nothing that is narrower than about three edges.
+ * - It takes a dozen edges around it for a surface to be smooth, and then a vertex bends it by half a radian at most. A
+ *   quarter of the width has room for two of these, so that two and a half are of the shape: each limb, and each corner
+ *   of a block.
+ * - Noise bends paths by random angles. As the noise of the angle sums of neighbors cancels, these come from the
+ *   boundary of what the paths enclose: with a standard deviation &sigma; on each edge, a closed way that is as long as
+ *   two paths of the length L turns by 2 &sigma; &radic;(L/h), 1.4 standard deviations.
+ * - Two paths of the length L get apart by s = h &sigma; (L/h)<sup>3/2</sup> / &radic;3, as a sum of random bends does.
+ *   If that is more than h, paths refocus on the way and the shortest of many is taken; then distances between shortest
+ *   paths in a random medium grow by the power 2/3 of the length \cgalCite{cgal:kpz-dsgi-86}, from h on at the length
+ *   where s = h: that is h (s/h)<sup>4/9</sup>. Twice that is the width, but no more than a quarter of L: what is as
+ *   large is the shape, as noise has left it.
+ * - No path turns by more than a right angle at an edge, whichever way, so that &sigma; is that of all angles in between
+ *   at most.
  *
- * What the mesh and noise explain are independent and add as squares do: the width is h &radic;(9 + t<sup>2</sup>), where
- * t is twice (s/h)<sup>4/9</sup>, and L the diagonal of the bounding box. A polyhedron of which more than half of the
- * curvature is in a few sharp vertices stands for itself: there branches count at any width, if the paths part at as much
- * as one of these bends them, or if there is no other curvature, if they enclose that much.
+ * The widths are independent and add as squares do. The curvature that a mesh puts into a narrow strip is of one sign, and
+ * what noise does to it comes on top.
  */
 class Default_branch_strength
 {
 public:
-  /// the angle of a sharp vertex: a smooth surface with such vertices has a dozen edges around it
-  static constexpr double sharp = 0.5;
+  Branch_strength strength;
 
-  double width = 0.;           ///< a length
-  double gap = 0.;             ///< an angle
-  bool counts_meeting = false; ///< see `Branch_strength`
-
-  /// @param diagonal of the bounding box
+  /// @param extent see `internal::extent()`
   Default_branch_strength(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                          const Geodesic_faces& faces, double diagonal, const Progress& progress = {})
-    : mesh_(mesh), connectivity_(connectivity), faces_(faces)
+                          const Geodesic_faces& faces, double extent, const Progress& progress = {})
+    : mesh_(mesh), connectivity_(connectivity)
   {
-    const double share = sharp_share(progress.part(0., 0.2));
-    if(share >= 0.5)
-    {
-      gap = sharp;
-      counts_meeting = share > 0.999; // the rest comes from coordinates of a few digits
-      return;
-    }
-    const double h = connectivity_.mean_edge_length;
-    const double apart = noise(progress.part(0.2, 1.)) * std::pow(diagonal / h, 1.5) / std::sqrt(3.);
-    width = h * std::hypot(3., 2. * std::pow(apart, 4. / 9.));
+    read_deficits(faces, progress.part(0., 0.1));
+    length_ = spread(mesh, extent) / edge_;
+    constexpr double all = (std::numeric_limits<double>::infinity)();
+    const double any_turn = geodesic_pi / std::sqrt(12.);
+    const double sigma = (std::min)(any_turn, noise(all, progress.part(0.1, 1.)));
+    const double apart = sigma * std::pow(length_, 1.5) / std::sqrt(3.);
+    strength.width = edge_ * std::hypot(3., (std::min)(2. * std::pow(apart, 4. / 9.), 0.25 * length_));
+    strength.narrow = 0.25 * strength.width;
+    strength.enclosed = 2.5 * sharp + bends(sigma);
+    let_corners_count(ramp(2. * geodesic_pi - bends(sigma), 0., 0.5 * geodesic_pi));
   }
 
 private:
+  void read_deficits(const Geodesic_faces& faces, const Progress& progress)
+  {
+    const Index n = mesh_.number_of_vertices();
+    deficit_.assign(n, 0.);
+    double sum = 0., inner = 0., bent = 0.;
+    for(Index v = 0; v < n; ++v)
+    {
+      progress(v, n);
+      if(connectivity_.is_border(v))
+        continue;
+      deficit_[v] = 2. * geodesic_pi - faces.total_angle(v);
+      sum += std::fabs(deficit_[v]);
+      ++inner;
+    }
+    flat_ = (std::max)(rounding, 0.01 * sum / (std::max)(1., inner));
+    for(double d : deficit_)
+      bent += is_bent(d) ? 1. : 0.;
+    edge_ = connectivity_.mean_edge_length * (bent > 0. ? std::sqrt(inner / bent) : 1.);
+  }
+
+  bool is_bent(double deficit) const { return std::fabs(deficit) > flat_; }
+
+  /// the angle by which noise turns a closed way of twice the length of the surface
+  double bends(double sigma) const { return 2. * sigma * std::sqrt(length_); }
+
+  /*
+   * Where some vertices have many times the deficit of all others, the polyhedron stands for itself: the others are flat,
+   * or smooth, or noise, and what encloses as much as one of these, but for a tenth, is strong at any width. Rounded
+   * numbers and noise change ratios, so that there is a ramp and no limit.
+   *
+   * `share` is less than 1 where there are so many of them that the sum of their bends may be a full turn: then they are
+   * noise themselves, as the corners of voxels are.
+   */
+  void let_corners_count(double share)
+  {
+    std::vector<double> sizes;
+    double next = 0.;
+    for(double d : deficit_)
+      if(std::fabs(d) >= 0.8 * sharp)
+        sizes.push_back(std::fabs(d));
+      else if(is_bent(d))
+        next = (std::max)(next, std::fabs(d));
+    std::sort(sizes.begin(), sizes.end(), std::greater<double>());
+    sizes.push_back(next);
+    const Branch_strength of_all = strength;
+    for(std::size_t i = 0; i + 1 < sizes.size(); ++i)
+    {
+      const double part =
+        share * ramp(sizes[i], 0.8 * sharp, sharp) * ramp(sizes[i], 3. * sizes[i + 1], 11. * sizes[i + 1]);
+      if(part == 0.)
+        continue;
+      const double enough = (std::min)(of_all.enclosed, (std::max)(0.9 * sizes[i], bends(noise(sizes[i + 1]))));
+      strength.enclosed = (std::min)(strength.enclosed, of_all.enclosed + part * (enough - of_all.enclosed));
+      strength.narrow = (std::min)(strength.narrow, (1. - part) * of_all.narrow);
+    }
+  }
+
+  /// 0 up to `from`, 1 from `to` on
+  static double ramp(double x, double from, double to)
+  {
+    return x >= to ? 1. : (std::max)(0., (x - from) / (to - from));
+  }
+
   /*
    * The standard deviation of the part of the angle sums around vertices that is noise, from what a vertex tells of its
    * neighbors: their mean follows that of a wave of three edges, which is about the shortest that a mesh resolves, by
    * J0(2 pi / 3) = .17, and if vertices are displaced independently on a regular mesh, it is -5/21 of the vertex' own.
-   * Medians and cut values are for vertices of features.
+   * Medians and cut values are for vertices of features. Deficits above `most` are left out.
    */
-  double noise(const Progress& progress) const
+  double noise(double most, const Progress& progress = {}) const
   {
-    const Progress reading = progress.part(0., 0.7);
-    std::vector<double> own, around, deviations;
-    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
-    {
-      reading(v, mesh_.number_of_vertices());
-      double mean;
-      if(connectivity_.is_border(v) || !mean_around(v, mean))
-        continue;
-      own.push_back(deficit(v));
-      around.push_back(mean);
-      deviations.push_back(std::fabs(deficit(v) - mean));
-    }
+    std::vector<double> own, around, deviations, sizes;
+    read_neighbors(most, own, around, progress.part(0., 0.7));
     if(own.empty())
       return 0.;
+    for(std::size_t i = 0; i < own.size(); ++i)
+    {
+      deviations.push_back(std::fabs(own[i] - around[i]));
+      sizes.push_back(std::fabs(own[i]));
+    }
     constexpr double of_median = 1.4826; // of the sizes of normally distributed numbers: their standard deviation
-    std::vector<double> sizes(own.size());
-    std::transform(own.begin(), own.end(), sizes.begin(), [](double d) { return std::fabs(d); });
     progress(0.7);
-    const double most = 3. * of_median * median(sizes);
+    const double largest = 3. * of_median * median(sizes);
     progress(0.75);
-    const auto cut = [&](double d) { return (std::max)(-most, (std::min)(d, most)); };
+    const auto cut = [&](double d) { return (std::max)(-largest, (std::min)(d, largest)); };
     double square = 0., product = 0.;
     for(std::size_t i = 0; i < own.size(); ++i)
     {
@@ -112,6 +173,58 @@ private:
     return std::sqrt((std::max)(0., (std::min)(share, 1.))) * of_median * median(deviations);
   }
 
+  /// the deficits of bent vertices, and the means of those of their neighbors
+  void read_neighbors(double most, std::vector<double>& own, std::vector<double>& around,
+                      const Progress& progress) const
+  {
+    const Index n = mesh_.number_of_vertices();
+    const std::vector<Index> stands_for = nearest_bent(most);
+    std::vector<double> sum(n, 0.), number(n, 0.);
+    for(Index h : connectivity_.halfedge_of_edge)
+    {
+      const Index a = stands_for[mesh_.source(h)], b = stands_for[mesh_.target(h)];
+      if(a == b || a == null_index || b == null_index)
+        continue;
+      sum[a] += deficit_[b];
+      sum[b] += deficit_[a];
+      ++number[a];
+      ++number[b];
+    }
+    for(Index v = 0; v < n; ++v)
+    {
+      progress(v, n);
+      if(number[v] == 0.)
+        continue;
+      own.push_back(deficit_[v]);
+      around.push_back(sum[v] / number[v]);
+    }
+  }
+
+  /// of each vertex: so that neighbors are the same, however flat parts are divided
+  std::vector<Index> nearest_bent(double most) const
+  {
+    const Index n = mesh_.number_of_vertices();
+    std::vector<Index> result(n, null_index), reached;
+    reached.reserve(n);
+    for(Index v = 0; v < n; ++v)
+      if(is_bent(deficit_[v]) && std::fabs(deficit_[v]) <= most)
+      {
+        result[v] = v;
+        reached.push_back(v);
+      }
+    for(std::size_t i = 0; i < reached.size() && reached.size() < n; ++i)
+      for(Index k = connectivity_.ring_begin[reached[i]]; k < connectivity_.ring_begin[reached[i] + std::size_t(1)];
+          ++k)
+      {
+        const Index w = connectivity_.ring_vertex[k];
+        if(result[w] != null_index || connectivity_.is_border(w))
+          continue;
+        result[w] = result[reached[i]];
+        reached.push_back(w);
+      }
+    return result;
+  }
+
   static double median(std::vector<double>& values)
   {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -119,43 +232,15 @@ private:
     return *middle;
   }
 
-  bool mean_around(Index v, double& mean) const
-  {
-    double sum = 0.;
-    Index number = 0;
-    for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + std::size_t(1)]; ++k)
-    {
-      const Index w = mesh_.target(connectivity_.ring_halfedge[k]);
-      if(connectivity_.is_border(w))
-        continue;
-      sum += deficit(w);
-      ++number;
-    }
-    mean = sum / (std::max)(number, Index(1));
-    return number > 0;
-  }
-
-  /// the part of the curvature that is in sharp vertices
-  double sharp_share(const Progress& progress) const
-  {
-    double in_sharp = 0., all = 0.;
-    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
-    {
-      progress(v, mesh_.number_of_vertices());
-      if(connectivity_.is_border(v))
-        continue;
-      const double curvature = std::fabs(deficit(v));
-      all += curvature;
-      in_sharp += curvature >= sharp ? curvature : 0.;
-    }
-    return all > 0. ? in_sharp / all : 1.;
-  }
-
-  double deficit(Index v) const { return 2. * geodesic_pi - faces_.total_angle(v); }
+  static constexpr double sharp = 0.5;     // of vertices: a smooth surface with such ones has a dozen edges around it
+  static constexpr double rounding = 1e-9; // of an angle, at most
 
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
-  const Geodesic_faces& faces_;
+  std::vector<double> deficit_; // of each vertex, from a full angle; 0 on the border
+  double flat_ = 0.;            // what is no larger
+  double edge_ = 0.;            // the mean length of edges if flat vertices were none
+  double length_ = 0.;          // of the surface, in these
 };
 
 } // namespace internal

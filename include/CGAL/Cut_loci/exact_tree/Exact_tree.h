@@ -165,14 +165,16 @@ public:
   Index root() const { return root_; }
   const Ridges& ridges() const { return ridges_; }
 
-  /// the edges of the graph whose branches are at least that strong: those that pass all thresholds, or have one behind
-  /// them that does. So they are connected, wherever a branch is weaker than it is farther out. No branch is a spur.
+  /// the edges of the graph whose branches are at least that strong: those that pass the thresholds, or have one behind
+  /// them that does. So they are connected, wherever a branch is weaker than it is farther out. No branch is a spur, but
+  /// those that enclose much.
   std::vector<Tree_branches::Edge> kept(const Branch_strength& least, const Progress& progress = {})
   {
     const auto can_be = [&](Index e) { return least.is_none() || is_a_branch(e, least); };
-    const auto is_strong = [&](Index e) { return least.width == 0. || width(e) >= least.width; };
-    const Strong_branches<decltype(can_be), decltype(is_strong)> strong(*graph_, connectivity_.number_of_border_loops,
-                                                                        can_be, is_strong, progress.part(0., 0.6));
+    const auto encloses = [&](Index e) { return enclosed(e) >= least.enclosed; };
+    const auto is_wide = [&](Index e, double width) { return width == 0. || this->width(e) >= width; };
+    const Strong_branches<decltype(can_be), decltype(encloses), decltype(is_wide)> strong(
+      *graph_, connectivity_.number_of_border_loops, least, can_be, encloses, is_wide, progress.part(0., 0.6));
     const std::vector<Index> edges = strong.edges();
     const Tree_branches branches(
       static_cast<Index>(graph_->nodes.size()), static_cast<Index>(edges.size()),
@@ -184,7 +186,7 @@ public:
       b.edge = edges[b.edge];
     remove_spurs(
       result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, root_,
-      [this](Index e) { return length(e); }, least.spur);
+      [&](Index e) { return strong.is_enclosing(e) ? (std::max)(length(e), least.spur) : length(e); }, least.spur);
     return result;
   }
 
@@ -255,10 +257,15 @@ private:
   bool is_a_branch(Index e, const Branch_strength& least) const
   {
     const Tree_graph::Edge& edge = graph_->edges[e];
-    // paths from curves part nowhere: their gap is the angle at which they meet
-    const bool counts_meeting = least.counts_meeting && options_.lines.empty() && edge.piece != null_index;
-    const double meeting = counts_meeting ? ridges_.meeting_angle(edge.piece) : 0.;
-    return !edge.is_between_sources() && edge.gap + meeting >= least.gap && graph_->can_be(e, least);
+    return !edge.is_between_sources() && edge.gap >= least.gap && graph_->can_be(e, least);
+  }
+
+  /// the curvature that the paths to an edge enclose; those from curves part nowhere, and their gap is the angle at which
+  /// they meet
+  double enclosed(Index e) const
+  {
+    const Tree_graph::Edge& edge = graph_->edges[e];
+    return edge.gap + (options_.lines.empty() ? ridges_.meeting_angle(edge.piece) : 0.);
   }
 
   /// nothing is known of what the topology alone has added

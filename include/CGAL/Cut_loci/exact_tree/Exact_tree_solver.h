@@ -507,10 +507,8 @@ private:
         checked_mesh(mesh, *connectivity, progress.part(0.3, 0.4)); // has more to say than the faces
         faces = std::make_shared<const Geodesic_faces>(mesh, nullptr, progress.part(0.4, 0.8));
       }
-      const Default_branch_strength strength(mesh, *connectivity, *faces, extent, progress.part(0.8, 1.));
-      thresholds.gap = strength.gap;
-      thresholds.width = strength.width;
-      thresholds.counts_meeting = strength.counts_meeting;
+      static_cast<Branch_strength&>(thresholds) =
+        Default_branch_strength(mesh, *connectivity, *faces, extent, progress.part(0.8, 1.)).strength;
       progress(1.);
     }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/exact_tree/Tree_graph.h>
 #include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
+#include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
@@ -29,18 +30,19 @@ namespace internal {
  * no edge has to be known as the root.
  *
  * @tparam Can_be tells quickly whether an edge may be strong
- * @tparam Is_strong tells whether it is
+ * @tparam Encloses tells quickly whether it encloses so much that it may be narrow
+ * @tparam Is_wide tells whether it has a width
  */
-template <typename Can_be, typename Is_strong>
+template <typename Can_be, typename Encloses, typename Is_wide>
 class Strong_branches
 {
 public:
-  Strong_branches(const Tree_graph& graph, Index number_of_loops, const Can_be& can_be, const Is_strong& is_strong,
-                  const Progress& progress = {})
-    : graph_(graph), can_be_(can_be), is_strong_(is_strong),
+  Strong_branches(const Tree_graph& graph, Index number_of_loops, const Branch_strength& least, const Can_be& can_be,
+                  const Encloses& encloses, const Is_wide& is_wide, const Progress& progress = {})
+    : graph_(graph), least_(least), can_be_(can_be), encloses_(encloses), is_wide_(is_wide),
       left_(
         graph.nodes.size(), graph.edges.size(), [&](Index e) { return graph.edges[e].nodes; }, progress.part(0., 0.3)),
-      is_kept_(graph.edges.size(), 1)
+      is_kept_(graph.edges.size(), 1), is_enclosing_(graph.edges.size(), 0)
   {
     const Progress cutting = progress.part(0.3, 1.);
     for(Index i = 0; i < number_of_loops; ++i)
@@ -68,6 +70,9 @@ public:
         result.push_back(e);
     return result;
   }
+
+  /// whether it is kept for what it encloses alone, at the end of a branch
+  bool is_enclosing(Index e) const { return is_enclosing_[e] != 0; }
 
 private:
   void cut_row(Index leaf)
@@ -120,47 +125,61 @@ private:
   std::size_t outermost_strong()
   {
     known_.clear();
+    enclosing_.clear();
     for(std::size_t i = 0; i < row_.size(); ++i)
       if(graph_.edges[row_[i]].piece != null_index && (!known_.empty() || can_be_(row_[i])))
+      {
         known_.push_back(i);
+        if(encloses_(row_[i]))
+          enclosing_.push_back(i);
+      }
+    const std::size_t enclosing = outermost_of_width(enclosing_, least_.narrow);
+    if(enclosing < row_.size() && !is_wide_(row_[enclosing], least_.width))
+      is_enclosing_[row_[enclosing]] = 1;
+    known_.erase(std::lower_bound(known_.begin(), known_.end(), enclosing), known_.end());
+    return (std::min)(enclosing, outermost_of_width(known_, least_.width));
+  }
+
+  /// the same for positions in the row, of edges that have that width
+  std::size_t outermost_of_width(const std::vector<std::size_t>& positions, double width) const
+  {
+    const auto is_wide = [&](std::size_t k) { return is_wide_(row_[positions[k]], width); };
     std::size_t tries = 0;
-    for(std::size_t n = known_.size(); n > 0; n /= 2)
+    for(std::size_t n = positions.size(); n > 0; n /= 2)
       ++tries;
     std::size_t begin = 0;
     for(std::size_t k = 1; k <= tries; ++k)
     {
-      const std::size_t last = known_.size() * k / tries - 1;
-      if(is_strong(last))
-        return known_[first_strong(begin, last)];
-      begin = last + 1;
+      std::size_t last = positions.size() * k / tries - 1;
+      if(!is_wide(last))
+      {
+        begin = last + 1;
+        continue;
+      }
+      while(begin < last)
+      {
+        const std::size_t middle = (begin + last) / 2;
+        if(is_wide(middle))
+          last = middle;
+        else
+          begin = middle + 1;
+      }
+      return positions[last];
     }
     return row_.size();
   }
 
-  /// from `begin` on, if the last is strong
-  std::size_t first_strong(std::size_t begin, std::size_t last) const
-  {
-    while(begin < last)
-    {
-      const std::size_t middle = (begin + last) / 2;
-      if(is_strong(middle))
-        last = middle;
-      else
-        begin = middle + 1;
-    }
-    return last;
-  }
-
-  bool is_strong(std::size_t k) const { return is_strong_(row_[known_[k]]); }
-
   const Tree_graph& graph_;
+  const Branch_strength& least_;
   const Can_be& can_be_;
-  const Is_strong& is_strong_;
+  const Encloses& encloses_;
+  const Is_wide& is_wide_;
   Edges_left left_;
-  std::vector<unsigned char> is_kept_; // by edge
+  std::vector<unsigned char> is_kept_, is_enclosing_; // by edge
   std::vector<Index> leaves_;
-  std::vector<Index> row_;         // in work, from the leaf on
-  std::vector<std::size_t> known_; // positions in it, from the first that may be strong, of edges that are known
+  std::vector<Index> row_; // in work, from the leaf on
+  // positions in it, from the first that may be strong, of edges that are known, and of those that enclose much
+  std::vector<std::size_t> known_, enclosing_;
 };
 
 } // namespace internal

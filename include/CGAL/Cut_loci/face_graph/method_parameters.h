@@ -183,7 +183,7 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
   Exact_tree_thresholds result = by_default;
   if(is_asked)
   {
-    result.counts_meeting = false;
+    result.enclosed = (std::numeric_limits<double>::infinity)();
     result.gap = choose_parameter(get_parameter(np, internal_np::minimum_branch_gap), 0.);
     const double width = choose_parameter(get_parameter(np, internal_np::minimum_branch_width), 0.);
     if(!(width >= 0. && width <= (is_intrinsic ? (std::numeric_limits<double>::max)() / diagonal : 1.)))

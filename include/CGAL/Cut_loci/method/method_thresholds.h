@@ -63,20 +63,21 @@ struct Branch_strength
 {
   double gap = 0.;   // an angle
   double width = 0.; // a length
-  // The gap is that of the two paths where they part and where they meet: by Gauss-Bonnet the curvature that they
-  // enclose. On a branch that goes around one vertex it is that of the vertex from the tip on, where they part at none.
-  bool counts_meeting = false;
+  // What encloses that much curvature is strong enough even if it is only as wide as `narrow`. By Gauss-Bonnet it is the
+  // angle at which the two paths part and the one at which they meet: on a branch that goes around one vertex, that of
+  // the vertex, from the tip on, where they part at none.
+  double enclosed = (std::numeric_limits<double>::infinity)();
+  double narrow = 0.;
   double spur = 0.; // a length: of branches that meet, those that are shorter are none
 
   bool is_none() const { return gap == 0. && width == 0.; }
   bool operator==(const Branch_strength& other) const
   {
-    return gap == other.gap && width == other.width && counts_meeting == other.counts_meeting && spur == other.spur;
+    return gap == other.gap && width == other.width && enclosed == other.enclosed && narrow == other.narrow &&
+           spur == other.spur;
   }
-  bool is_weaker_than(const Branch_strength& other) const
-  {
-    return gap < other.gap || width < other.width || (counts_meeting && !other.counts_meeting);
-  }
+  /// whether it needs angles that the other one does not: those of what encloses much are never small
+  bool is_weaker_than(const Branch_strength& other) const { return gap < other.gap || width < other.width; }
 
   /*
    * Of the gap, at this distance from where the paths part. Where the curvature is not negative, two paths of the length

@@ -44,6 +44,27 @@ inline double extent(const Indexed_triangle_mesh& mesh)
   return norm(high - low);
 }
 
+// About how far points of a surface are apart, whatever its position: of a rod its length, of a cube the 2.24 edges between
+// opposite corners, of a sphere 1.1 times the way from pole to pole. It is the diagonal of the bounding box of the
+// ellipsoid that has the same second moment. Of lengths alone, the extent.
+inline double spread(const Indexed_triangle_mesh& mesh, double extent)
+{
+  if(mesh.is_intrinsic)
+    return extent;
+  double area = 0., second = 0.;
+  Vector first = {{0., 0., 0.}};
+  const auto corner = [&](Index v) { return (1. / extent) * (mesh.points[v] - mesh.points.front()); };
+  for(const auto& t : mesh.triangles)
+  {
+    const Vector a = corner(t[0]), b = corner(t[1]), c = corner(t[2]), sum = a + b + c;
+    const double weight = norm(cross(b - a, c - a));
+    area += weight;
+    first = first + (weight / 3.) * sum;
+    second += weight / 12. * (dot(a, a) + dot(b, b) + dot(c, c) + dot(sum, sum));
+  }
+  return extent * std::sqrt((std::max)(0., 12. * (second / area - dot(first, first) / (area * area))));
+}
+
 } // namespace internal
 } // namespace Cut_loci
 } // namespace CGAL
