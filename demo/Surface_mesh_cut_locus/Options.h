@@ -41,6 +41,7 @@ struct Options
   std::optional<std::size_t> minimum_branch_edges;
   std::optional<double> minimum_branch_length;
   std::optional<double> minimum_branch_gap;
+  std::optional<double> minimum_branch_curvature; // the default, where it counts
   std::optional<double> minimum_branch_width;
   std::optional<std::size_t> smoothing;       // iterations
   std::optional<CGAL::Cut_loci::Curve> curve; // null: see `curve_of()`

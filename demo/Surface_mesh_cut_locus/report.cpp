@@ -128,6 +128,7 @@ void add_parameters(Json& parameters, const Options& options)
   parameters["min_branch_length"] = to_json(options.minimum_branch_length);
   parameters["min_branch_gap"] = to_json(options.minimum_branch_gap);
   parameters["min_branch_width"] = to_json(options.minimum_branch_width);
+  parameters["min_branch_curvature"] = to_json(options.minimum_branch_curvature);
   parameters["smooth"] = to_json(options.smoothing);
 }
 
@@ -202,6 +203,7 @@ std::string basis_of_radius(const Options& options, CGAL::Cut_loci::Curve curve)
   add("angle", options.angle);
   add("laplacian", options.laplacian);
   add("width", options.minimum_branch_width);
+  add("curvature", options.minimum_branch_curvature);
   add("gap", options.minimum_branch_gap);
   return text.str();
 }

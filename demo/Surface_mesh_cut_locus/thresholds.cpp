@@ -64,6 +64,7 @@ Options fill_in_defaults(Options options, const Cut_locus_solver& solver)
   {
     options.minimum_branch_gap = solver.minimum_branch_gap();
     options.minimum_branch_width = solver.minimum_branch_width();
+    options.minimum_branch_curvature = solver.minimum_branch_curvature();
   }
   fill_in(options.minimum_branch_edges, is_laplacian ? solver.default_minimum_branch_edges() : 0);
   fill_in(options.minimum_branch_length, 0.);

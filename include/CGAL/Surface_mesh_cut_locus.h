@@ -537,6 +537,14 @@ public:
   }
   /// the default of `minimum_branch_gap` for the current source
   double minimum_branch_gap() const { return has_exact_tree() ? default_thresholds(*component_->exact_tree).gap : 0.; }
+  /// the curvature, in radians, that two shortest paths have to enclose for a branch of a quarter of the default width to be
+  /// shown by default with `Cut_loci::Method::DIRECTION`, or of no width at the corners of a polyhedron; else 0
+  double minimum_branch_curvature() const
+  {
+    return has_exact_tree() && method_ == Cut_loci::Method::DIRECTION
+             ? default_thresholds(*component_->exact_tree).enclosed
+             : 0.;
+  }
   /// the default of `minimum_branch_edges` with `Cut_loci::Method::LAPLACIAN`
   static std::size_t default_minimum_branch_edges() { return 3; }
 

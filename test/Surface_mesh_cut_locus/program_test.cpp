@@ -231,6 +231,7 @@ TEST_F(Program, Thresholds_in_the_report)
   EXPECT_GT(standard.at("min_branch_width").get<double>(), 0.01);
   EXPECT_LT(standard.at("min_branch_width").get<double>(), 1.);
   EXPECT_EQ(standard.at("min_branch_gap"), 0.);
+  EXPECT_GE(standard.at("min_branch_curvature").get<double>(), 1.25);
   EXPECT_EQ(standard.at("min_branch_edges"), 0);
   EXPECT_EQ(standard.at("min_branch_length"), 0.);
   for(const char* name : {"angle", "laplacian", "policy", "smooth"})
@@ -244,6 +245,7 @@ TEST_F(Program, Thresholds_in_the_report)
   const auto gap = parameters("--min-branch-gap 0.25");
   EXPECT_EQ(gap.at("min_branch_width"), 0.);
   EXPECT_EQ(gap.at("min_branch_gap"), 0.25);
+  EXPECT_TRUE(gap.at("min_branch_curvature").is_null());
 
   const auto laplacian = parameters("--method laplacian --curve faces");
   EXPECT_EQ(laplacian.at("angle"), 0.7);
@@ -258,8 +260,10 @@ TEST_F(Program, Thresholds_in_the_report)
     EXPECT_EQ(run("--quiet " + quoted(path("t.off")) + " --report " + quoted(path("r.json"))).status, 0);
     return nlohmann::json::parse(read_file(path("r.json"))).at("parameters");
   };
-  EXPECT_EQ(tetrahedron().at("min_branch_width"), 0.);
-  EXPECT_EQ(tetrahedron().at("min_branch_gap"), 0.5);
+  // no branch is as wide as three edges, and all of them enclose nine tenths of the least of its corners, pi / 2
+  EXPECT_EQ(tetrahedron().at("min_branch_width"), 1.);
+  EXPECT_EQ(tetrahedron().at("min_branch_gap"), 0.);
+  EXPECT_LE(tetrahedron().at("min_branch_curvature").get<double>(), 0.9 * 1.5708);
 }
 
 // Files, report and messages are about one curve, which runs through the faces unless there is a need for edges.

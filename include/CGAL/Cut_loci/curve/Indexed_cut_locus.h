@@ -41,6 +41,7 @@ struct Indexed_cut_locus
     Index origin = null_index;   ///< the edge of the graph of mesh edges that it replaces, or is
     float width = 0.f;           ///< the largest separation of the two shortest paths, a length; if the method knows it
     std::array<Index, 2> sources = {{0, 0}}; ///< the numbers of the nearest sources on its two sides
+    float curvature = 0.f;                   ///< that the two shortest paths enclose; if the method knows it
   };
 
   std::vector<Node> nodes; ///< the root first

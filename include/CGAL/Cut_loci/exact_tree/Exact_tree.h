@@ -171,7 +171,7 @@ public:
   std::vector<Tree_branches::Edge> kept(const Branch_strength& least, const Progress& progress = {})
   {
     const auto can_be = [&](Index e) { return least.is_none() || is_a_branch(e, least); };
-    const auto encloses = [&](Index e) { return enclosed(e) >= least.enclosed; };
+    const auto encloses = [&](Index e) { return curvature(e) >= least.enclosed; };
     const auto is_wide = [&](Index e, double width) { return width == 0. || this->width(e) >= width; };
     const Strong_branches<decltype(can_be), decltype(encloses), decltype(is_wide)> strong(
       *graph_, connectivity_.number_of_border_loops, least, can_be, encloses, is_wide, progress.part(0., 0.6));
@@ -211,6 +211,16 @@ public:
       }
     }
     return result;
+  }
+
+  /// the curvature that the paths to an edge enclose; those from curves part nowhere, and their gap is the angle at which
+  /// they meet
+  double curvature(Index e) const
+  {
+    const Tree_graph::Edge& edge = graph_->edges[e];
+    if(edge.piece == null_index || edge.is_between_sources())
+      return 0.;
+    return edge.gap + (options_.lines.empty() ? ridges_.meeting_angle(edge.piece) : 0.);
   }
 
   /// finds what `shown_width()` returns, for edges that are kept
@@ -258,14 +268,6 @@ private:
   {
     const Tree_graph::Edge& edge = graph_->edges[e];
     return !edge.is_between_sources() && edge.gap >= least.gap && graph_->can_be(e, least);
-  }
-
-  /// the curvature that the paths to an edge enclose; those from curves part nowhere, and their gap is the angle at which
-  /// they meet
-  double enclosed(Index e) const
-  {
-    const Tree_graph::Edge& edge = graph_->edges[e];
-    return edge.gap + (options_.lines.empty() ? ridges_.meeting_angle(edge.piece) : 0.);
   }
 
   /// nothing is known of what the topology alone has added

@@ -480,18 +480,17 @@ private:
 
   void draw(const Chain& c)
   {
-    const Tree_graph::Edge& e = tree_.graph().edges[c.widest];
-    const float width = tree_.shown_width(c.widest);
     const Index last = node(c.end);
     Index previous = node(c.begin);
     for(std::size_t i = c.first_point + 1; i + 1 < c.end_point; ++i)
     {
       const Index next = static_cast<Index>(graph.nodes.size());
-      graph.nodes.push_back({location(e.face, points_[i].point), null_index, points_[i].distance});
-      add_segment(previous, next, e, width);
+      graph.nodes.push_back(
+        {location(tree_.graph().edges[c.widest].face, points_[i].point), null_index, points_[i].distance});
+      add_segment(previous, next, c.widest);
       previous = next;
     }
-    add_segment(previous, last, e, width);
+    add_segment(previous, last, c.widest);
   }
 
   bool are_on_one_edge(Index i, Index j) const
@@ -530,11 +529,13 @@ private:
     simplify(farthest, last, tolerance);
   }
 
-  void add_segment(Index i, Index j, const Tree_graph::Edge& e, float width)
+  void add_segment(Index i, Index j, Index widest)
   {
+    const Tree_graph::Edge& e = tree_.graph().edges[widest];
     Indexed_cut_locus::Edge edge{i, j, mesh_edge(graph.nodes[i].vertex, graph.nodes[j].vertex, e.face),
                                  e.is_between_sources() ? gap_between_sources : static_cast<float>(e.gap), null_index};
-    edge.width = width;
+    edge.width = tree_.shown_width(widest);
+    edge.curvature = static_cast<float>(tree_.curvature(widest));
     edge.sources = e.sources;
     graph.edges.push_back(edge);
     face.push_back(e.face);

@@ -58,6 +58,7 @@ public:
       typename Result::Edge edge;
       edge.strength = e.strength;
       edge.width = read_->unit * e.width;
+      edge.curvature = e.curvature;
       edge.origin = e.origin;
       edge.sources = {{e.sources[0], e.sources[1]}};
       if(e.halfedge != null_index)
