@@ -258,6 +258,31 @@ TEST(Default_strength, shows_each_limb_of_a_coarse_mesh)
   }
 }
 
+// The first is up to a hundredth of what it is, and both are those of a piece next to the end.
+TEST(Default_strength, is_told_by_the_edges_at_the_tips)
+{
+  int number_of_narrow = 0;
+  for(const Mesh_data& m : {with_limbs(14, {{{1., 0., 0.}}, {{0., 0.6, 0.8}}}), irregular_bumpy_sphere(12, 0.3, 2)})
+  {
+    const Solved solved(indexed(m), in_face(static_cast<Index>(m.triangles.size() / 3), 0.21, 0.33, 0.46));
+    const Branch_strength least = solved.solver->default_thresholds();
+    const Indexed_cut_locus curve = solved.through_faces();
+    std::vector<int> degree(curve.nodes.size(), 0);
+    for(const auto& e : curve.edges)
+      for(Index i : {e.source, e.target})
+        ++degree[i];
+    for(const auto& e : curve.edges)
+    {
+      if(degree[e.source] > 1 && degree[e.target] > 1)
+        continue;
+      const bool is_wide = e.width >= 0.98 * least.width;
+      EXPECT_TRUE(is_wide || (e.curvature >= 0.98 * least.enclosed && e.width >= 0.98 * least.narrow));
+      number_of_narrow += !is_wide;
+    }
+  }
+  EXPECT_GT(number_of_narrow, 0);
+}
+
 // A block that is round below, so that a half of its curvature is in four corners.
 TEST(Default_strength, shows_each_corner_of_a_part)
 {

@@ -27,30 +27,18 @@ namespace internal {
 
 /*!
  * tells how strong a branch of the cut locus of a polyhedron has to be, to be one of the surface that the polyhedron
- * stands for.
+ * stands for: its paths get farther apart than the mesh and noise explain, or enclose more curvature and are not next to
+ * each other. The user manual derives it.
  *
- * Every vertex of positive curvature has a branch. By Gauss-Bonnet, the two shortest paths to a point of a branch
- * enclose a curvature: that of the shape, of single vertices, or of noise. A branch is one of the shape if its paths get
- * farther apart than the mesh and noise explain, or enclose more, and are not next to each other. Flat vertices tell
- * nothing of the surface: h is the mean length of edges if there were none.
+ * - A mesh resolves three edges. A surface with a dozen edges around has vertices of half a radian, and a quarter of that
+ *   width has room for two of them: two and a half are of the shape.
+ * - Noise bends paths by &sigma; on each edge. On a closed way along two paths of the length L, bends sum to
+ *   2 &sigma; &radic;(L/h), 1.4 standard deviations. They take the two s = h &sigma; (L/h)<sup>3/2</sup> / &radic;3 apart,
+ *   or, as the shortest of many is taken \cgalCite{cgal:kpz-dsgi-86}, h (s/h)<sup>4/9</sup>; the width is twice that.
+ * - No path turns by more than a right angle at an edge, and what is as wide as a quarter of L is the shape, as noise has
+ *   left it.
  *
- * - A mesh resolves nothing that is narrower than about three edges.
- * - It takes a dozen edges around it for a surface to be smooth, and then a vertex bends it by half a radian at most. A
- *   quarter of the width has room for two of these, so that two and a half are of the shape: each limb, and each corner
- *   of a block.
- * - Noise bends paths by random angles. As the noise of the angle sums of neighbors cancels, these come from the
- *   boundary of what the paths enclose: with a standard deviation &sigma; on each edge, a closed way that is as long as
- *   two paths of the length L turns by 2 &sigma; &radic;(L/h), 1.4 standard deviations.
- * - Two paths of the length L get apart by s = h &sigma; (L/h)<sup>3/2</sup> / &radic;3, as a sum of random bends does.
- *   If that is more than h, paths refocus on the way and the shortest of many is taken; then distances between shortest
- *   paths in a random medium grow by the power 2/3 of the length \cgalCite{cgal:kpz-dsgi-86}, from h on at the length
- *   where s = h: that is h (s/h)<sup>4/9</sup>. Twice that is the width, but no more than a quarter of L: what is as
- *   large is the shape, as noise has left it.
- * - No path turns by more than a right angle at an edge, whichever way, so that &sigma; is that of all angles in between
- *   at most.
- *
- * The widths are independent and add as squares do. The curvature that a mesh puts into a narrow strip is of one sign, and
- * what noise does to it comes on top.
+ * Flat vertices tell nothing of the surface: h is the mean length of edges if there were none.
  */
 class Default_branch_strength
 {
