@@ -18,9 +18,15 @@ namespace {
 
 using Coordinates = std::array<double, 3>;
 
-bool are_inside(const Coordinates& coordinates)
+// Whether they are numbers; then they are inside.
+bool take_inside(Coordinates& coordinates)
 {
-  return std::all_of(coordinates.begin(), coordinates.end(), [](double c) { return c >= 0. && c <= 1.; });
+  double sum = 0.;
+  for(double& c : coordinates)
+    sum += c = (std::max)(c, 0.);
+  for(double& c : coordinates)
+    c /= sum;
+  return std::isfinite(sum) && sum > 0.;
 }
 
 // where a line from `a` to `b` is closest to a point: 0 at `a`, 1 at `b`
@@ -53,8 +59,8 @@ Location closest_location(const Mesh& mesh, const Kernel::Point_3& p)
     least = distance;
     result.second = c;
   };
-  if(are_inside(found.second))
-    take_closer(found.second);
+  if(Coordinates inside = found.second; take_inside(inside))
+    take_closer(inside);
   for(std::size_t i = 0; i < 3; ++i)
   {
     Coordinates c = {{0., 0., 0.}};

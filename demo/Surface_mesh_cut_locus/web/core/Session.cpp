@@ -201,7 +201,6 @@ void Session::read_source(const Cut_locus& cut_locus)
                     double(cut_locus.genus()),
                     solver_->gradient_angle_threshold(),
                     solver_->minimum_branch_width(),
-                    solver_->minimum_branch_gap(),
                     double(cut_locus.number_of_sources())};
   for(std::size_t i = 0; i < points_.size(); ++i)
     for(int k = 0; k < 3; ++k)

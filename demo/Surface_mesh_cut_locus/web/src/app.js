@@ -299,11 +299,12 @@ export class App {
   }
 
   takeSources({ sourceNumbers, borderSegments, nearestSource }) {
-    const [fx, fy, fz, farthestDistance, borderLoops, genus, angle, width, gap, total, ...points] = sourceNumbers;
+    const [fx, fy, fz, farthestDistance, borderLoops, genus, angle, width, total, ...points] = sourceNumbers;
     const hasBorder = borderSegments.length > 0;
     this.source = { points: [], border: borderSegments, hasBorder, total, nearest: nearestSource, farthest: [fx, fy, fz], farthestDistance, borderLoops, genus };
     for (let i = 0; i < points.length; i += 3) this.source.points.push(points.slice(i, i + 3));
-    this.defaults = { angle, width, gap };
+    // a width that no branch has: all of the tree of a plain polyhedron is shown for what it encloses
+    this.defaults = { angle, width: width < 1 ? width : 0 };
     this.viewer.setSources(this.source.points.map((point) => this.toView(point)));
     this.viewer.setMarker(this.viewer.farthestMarker, this.toView(this.source.farthest));
     this.viewer.setSourceLines(borderSegments);
@@ -364,7 +365,7 @@ export class App {
   // percent, or for its default.
   angleFor(width) {
     if (!this.defaults || this.state.method !== 'direction') return 0;
-    return width === null ? Math.max(0.5 * this.defaults.width, 0.1 * this.defaults.gap) : 0.5 * width / 100;
+    return width === null ? 0.125 * this.defaults.width : 0.5 * width / 100;
   }
 
   get needsMoreBranches() {

@@ -45,7 +45,7 @@ export function doubts({ curve, lacksEdgeCurve, source, faceCount, state, defaul
   if (method === 'direction' && width !== null && defaults.width > 0 && width < 0.6 * defaults.width)
     result.push(`Branches narrower than ${number(100 * defaults.width)} % may come from the mesh instead of the shape. `
       + '“Auto” leaves them out.');
-  else if (method === 'direction' && faceCount < coarse && !(defaults.gap > 0))
+  else if (method === 'direction' && faceCount < coarse && defaults.width > 0)
     result.push(`With ${count(faceCount)} faces the shape is rough: branches are where they are to about an edge. A finer `
       + 'mesh says more.');
   if (method === 'polyhedral' && leaves > 40 && width === null)

@@ -295,32 +295,31 @@ private:
           is_crossed = true;
           links.push_back({c, true});
           const bool is_between_sources = has_several_sources_ && changes_[c].is_between_sources;
-          weight.push_back(is_between_sources ? last : known_weight(angle(changes_[c]), h));
+          weight.push_back(is_between_sources ? last : angle(changes_[c]));
         }
       if(!is_crossed)
       {
         links.push_back({e, false});
         const bool is_between_sources = has_several_sources_ && geodesics_.nearest_source(mesh_.source(h)) !=
                                                                   geodesics_.nearest_source(mesh_.target(h));
-        weight.push_back(is_between_sources ? last : known_weight(changes_.bend(h), h));
+        weight.push_back(is_between_sources ? last : changes_.bend(h) > 0.f ? changes_.bend(h) : weight_of_place(h));
       }
     }
   }
 
-  /// Angles that rounding may have made tell nothing: there the cut locus is rather what is farther from the source.
-  float known_weight(float angle, Index h) const
+  /// Where nothing tells which edges the cut locus crosses, it is rather those farther from the source: below all angles,
+  /// with four digits in each power of two, see `roughly_sorted()`.
+  float weight_of_place(Index h) const
   {
-    constexpr float rounding = 1e-9f;
-    constexpr int least_exponent = -96; // of the weight at the source: four digits in each, see `roughly_sorted()`
-    if(angle > rounding)
-      return angle;
+    constexpr double exponent = -100., range = 24.;
     const double distance = (std::min)(geodesics_.distance(mesh_.source(h)), geodesics_.distance(mesh_.target(h)));
-    return rounding * static_cast<float>(std::exp2(least_exponent * (1. - distance / largest_distance_)));
+    return static_cast<float>(std::exp2(exponent - range * (1. - distance / largest_distance_)));
   }
 
   static float angle(const Edge_crossing& c)
   {
-    return static_cast<float>((std::min)((std::max)(c.angle, c.gap), geodesic_pi));
+    constexpr double least = 1e-29; // above `weight_of_place()`
+    return static_cast<float>((std::min)((std::max)({c.angle, c.gap, least}), geodesic_pi));
   }
 
   /// the node on the side of `h`, an edge without crossing

@@ -424,37 +424,11 @@ private:
       const Indexed_location at =
         divided_ != nullptr ? divided_->geodesics.vertex_location(divided_->vertices()[i]) : sources_[i].location;
       const double share = static_cast<double>(i) / static_cast<double>(sources_.size());
-      result.push_back(number == 0 ? at : moved(at, 1e-6 * number * (1. + share) * shortness(i, at.face)));
+      result.push_back(number == 0 ? at : moved(at, 1e-6 * number * (1. + share)));
     }
     if(has_curves())
       result.insert(result.end(), divided_->with_curves->points().begin(), divided_->with_curves->points().end());
     return result;
-  }
-
-  // The shortest edge at a source as a share of the longest of its face: a source moves by far less than to another one, or
-  // to any vertex.
-  double shortness(std::size_t source, Index f) const
-  {
-    const Geodesic_faces& faces = geodesics().faces();
-    double longest = 0., shortest = (std::numeric_limits<double>::infinity)();
-    const auto look_at = [&](Index face)
-    {
-      for(Index h = 3 * face; h < 3 * face + 3; ++h)
-      {
-        longest = face == f ? (std::max)(longest, faces.length(h)) : longest;
-        shortest = (std::min)(shortest, faces.length(h));
-      }
-    };
-    look_at(f);
-    const Index v = divided_ != nullptr ? divided_->vertices()[source] : sources_[source].vertex;
-    const Index first = v != null_index ? faces.first_halfedge(v) : null_index;
-    for(Index h = first; h != null_index;)
-    {
-      look_at(h / 3);
-      h = faces.next_around_source(h);
-      h = h == first ? null_index : h;
-    }
-    return shortest / longest;
   }
 
   // in the interior of its face, by a share of it, in a direction without any symmetry
