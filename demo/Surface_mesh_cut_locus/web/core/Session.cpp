@@ -170,7 +170,9 @@ double Session::default_width() const
 {
   if(!has_sources_)
     throw std::runtime_error("there is no source yet");
-  return method_name_ == "laplacian" ? 0. : solver_->minimum_branch_width();
+  // of a plain polyhedron, all of whose tree is shown for what it encloses, it is one that no branch has
+  const double width = method_name_ == "laplacian" ? 0. : solver_->minimum_branch_width();
+  return width < 1. ? width : 0.;
 }
 
 // What all curves for a source have in common.
@@ -200,7 +202,7 @@ void Session::read_source(const Cut_locus& cut_locus)
                     double(cut_locus.number_of_border_loops()),
                     double(cut_locus.genus()),
                     solver_->gradient_angle_threshold(),
-                    solver_->minimum_branch_width(),
+                    default_width(),
                     double(cut_locus.number_of_sources())};
   for(std::size_t i = 0; i < points_.size(); ++i)
     for(int k = 0; k < 3; ++k)

@@ -42,7 +42,7 @@ public:
   void set_sources(const std::vector<Location>& points, bool with_border, double relative_error);
   void compute_curve(Curve_index index, const Thresholds& thresholds);
   const Cut_locus& result(Curve_index index) const { return *results_[index]; } // the last one
-  double default_width() const; // the branches that the mesh resolves, as a part of the diagonal
+  double default_width() const; // what the mesh resolves, as a part of the diagonal; 0 if nothing depends on it
   void compute_laplacian();
   void compute_gradient();
   // Along one of the curves; if the border is a source, only the one through the faces is there.

@@ -303,8 +303,7 @@ export class App {
     const hasBorder = borderSegments.length > 0;
     this.source = { points: [], border: borderSegments, hasBorder, total, nearest: nearestSource, farthest: [fx, fy, fz], farthestDistance, borderLoops, genus };
     for (let i = 0; i < points.length; i += 3) this.source.points.push(points.slice(i, i + 3));
-    // a width that no branch has: all of the tree of a plain polyhedron is shown for what it encloses
-    this.defaults = { angle, width: width < 1 ? width : 0 };
+    this.defaults = { angle, width };
     this.viewer.setSources(this.source.points.map((point) => this.toView(point)));
     this.viewer.setMarker(this.viewer.farthestMarker, this.toView(this.source.farthest));
     this.viewer.setSourceLines(borderSegments);

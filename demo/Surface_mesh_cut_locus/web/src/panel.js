@@ -205,13 +205,13 @@ export class Panel {
   }
 
   // What the library takes for the thresholds that are left to it.
-  setDefaults({ angle, width, gap }, method) {
+  setDefaults({ angle, width }, method) {
     this.sliders.angle.setInitial(angle);
     const percent = number(100 * width, 3);
     const note = method === 'polyhedral' ? 'Automatic: all branches.'
       : width > 0 ? `Automatic: ${percent} %, what this mesh resolves.`
-        : `Automatic: a gap of ${number(gap, 3)} radians between the paths where they part, as this mesh has few, sharp corners.`;
-    this.sliders.width.setInitial(width > 0 || !(gap > 0) ? 100 * width : NaN, note);
+        : 'Automatic: what the few, sharp corners of this mesh cause, however narrow.';
+    this.sliders.width.setInitial(width > 0 || method !== 'direction' ? 100 * width : NaN, note);
   }
 
   setScale({ label }) {

@@ -155,12 +155,12 @@ export const tests = {
     const { page } = d;
     await d.open('#sample=torus&faces=5000');
     assert.equal(await d.openFile('cube.off', cube()), null);
-    assert.match(await page.innerText('#width-note'), /a gap of 0.5 radians/);
+    assert.match(await page.innerText('#width-note'), /few, sharp corners of this mesh/);
     assert.equal(await page.inputValue('#width-number'), '');
     const { edges, leaves } = await d.result();
     assert.ok(edges >= 8 && leaves >= 4, `${edges} edges, ${leaves} leaves`);
     await page.check('#show-width');
-    assert.match(await page.innerText('#legend'), /π radians/);
+    assert.match(await page.innerText('#legend'), /50\s% of the diagonal/);
     await page.selectOption('#method', 'polyhedral');
     await d.settle();
     assert.match(await page.innerText('#legend'), /0.5\s%[^]*50\s% of the diagonal/);
@@ -190,7 +190,7 @@ export const tests = {
   async 'what makes a result doubtful is told, with what to do about it'() {
     const told = ({ leaves = 4, corridors = 0, borderLoops = 0, faceCount = 5000, solver = 'exact', method = 'direction' }) => doubts({
       curve: { numbers: [100, 2, leaves, 2, 1, 1, 0, 0, 0, 0, corridors] }, source: { hasBorder: false, borderLoops }, faceCount,
-      state: { method, solver, parameters: { width: null } }, defaults: { width: 0.03, gap: 0 } }).join(' ');
+      state: { method, solver, parameters: { width: null } }, defaults: { width: 0.03 } }).join(' ');
     assert.equal(told({}), '');
     assert.match(told({ borderLoops: 3, leaves: 20 }), /go around the 3 holes[^]*should be filled first/);
     assert.equal(told({ borderLoops: 3 }), '');
