@@ -43,10 +43,9 @@ double closest_share(const Kernel::Point_3& a, const Kernel::Point_3& b, const K
 Location closest_location(const Mesh& mesh, const Kernel::Point_3& p)
 {
   const Location found = CGAL::Polygon_mesh_processing::locate(p, mesh);
-  std::array<Kernel::Point_3, 3> corners;
-  std::size_t n = 0;
-  for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(found.first)))
-    corners[n++] = mesh.point(v);
+  const Mesh::Halfedge_index h = mesh.halfedge(found.first); // coordinates start with its source
+  const std::array<Kernel::Point_3, 3> corners = {
+    {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))}};
 
   Location result = found;
   double least = (std::numeric_limits<double>::infinity)();

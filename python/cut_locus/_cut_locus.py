@@ -268,7 +268,8 @@ class CutLocus:
         source_curves : sequence of (k,) or (k, 2) whole numbers, optional
             Curves along edges of the mesh, which are sources too, numbered behind the points: of each one the vertices
             along it, or the pairs of vertices that its edges join. Each is connected, and no two have a vertex in
-            common. The method "laplacian" starts with such edges, and needs a vertex between sources.
+            common. The cut locus runs through the faces then, unless `curve` asks for edges of the mesh. The method
+            "laplacian" starts with such edges, and needs a vertex between sources.
         source_border : bool
             Whether each border loop is a source, behind all others: of a flat region, that gives its medial axis.
         distances : (n,) real numbers, optional
@@ -301,7 +302,8 @@ class CutLocus:
         Parameters
         ----------
         curve : str, optional
-            "faces": the result is made of segments through the faces of the mesh (default); or "edges": of its edges.
+            "edges": the result is made of edges of the mesh (default); or "faces": of segments through its faces
+            (default of the method "polyhedral", and what there is for sources that are curves).
         minimum_branch_width : float, optional
             The least separation of the two shortest paths that a branch reaches, in diagonals of the bounding box of
             the source's component; not for "laplacian". Default: see the property of this name.

@@ -70,7 +70,6 @@ def cut_open(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *,
     from ._cut_locus import compute
 
     _check(parameterization)  # before what takes long
-    parameters.setdefault("curve", "edges")
     return compute(vertices, faces, source, **parameters).cut_open(parameterization=parameterization)
 
 

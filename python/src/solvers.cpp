@@ -95,7 +95,8 @@ Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t, const Named
 // Sources that are curves have no curve of mesh edges: its parameters are passed on, to be refused, if they are given.
 Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t, bool has_curves)
 {
-  const Curve curve = t.curve.value_or(Curve::THROUGH_FACES);
+  const Curve curve =
+    t.curve.value_or(solver.method() == Method::POLYHEDRAL || has_curves ? Curve::THROUGH_FACES : Curve::MESH_EDGES);
   const auto given = np::cut_locus_curve(curve).voronoi(t.voronoi.value_or(false)).medial(t.medial.value_or(false));
   if(has_curves && !t.minimum_branch_edges && !t.minimum_branch_length)
     return exact_cut_locus(solver, t, given);
@@ -104,7 +105,7 @@ Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t, bool has_cu
                            .minimum_branch_length(t.minimum_branch_length.value_or(0.)));
 }
 
-Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& t)
+Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& t, bool has_curves)
 {
   const auto given =
     np::gradient_angle_threshold(t.gradient_angle_threshold.value_or(solver.gradient_angle_threshold()))
@@ -114,7 +115,7 @@ Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& t)
       .minimum_branch_length(t.minimum_branch_length.value_or(0.))
       .voronoi(t.voronoi.value_or(false))
       .medial(t.medial.value_or(false));
-  const Curve curve = t.curve.value_or(Curve::THROUGH_FACES);
+  const Curve curve = t.curve.value_or(has_curves ? Curve::THROUGH_FACES : Curve::MESH_EDGES);
   if(t.curve && t.number_of_iterations)
     return solver.cut_locus(given.number_of_iterations(*t.number_of_iterations).cut_locus_curve(curve));
   if(t.number_of_iterations)
@@ -172,6 +173,6 @@ void set_sources(Solver& solver, const std::vector<Source>& sources, const Sourc
 Cut_locus compute_cut_locus(const Solver& solver, const Thresholds& thresholds, bool has_curves)
 {
   refuse_thresholds_of_other_methods(solver.method(), thresholds);
-  return solver.method() == Method::LAPLACIAN ? laplacian_cut_locus(solver, thresholds)
+  return solver.method() == Method::LAPLACIAN ? laplacian_cut_locus(solver, thresholds, has_curves)
                                               : exact_cut_locus(solver, thresholds, has_curves);
 }
