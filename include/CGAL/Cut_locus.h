@@ -82,6 +82,7 @@ struct Source_result
   Index farthest = null_index;
   Index genus = 0;
   Index number_of_border_loops = 0;
+  Index number_of_curves = 0; // the last of the sources
 };
 
 } // namespace internal
@@ -150,6 +151,9 @@ public:
 
   /// source number `i`, in the order in which they were given, points first; of a curve, one of its vertices
   const Vertex& source(std::size_t i) const { return sources_[i]; }
+
+  /// whether source number `i` is a curve
+  bool is_curve(std::size_t i) const { return i + result_->number_of_curves >= sources_.size(); }
 
   /// the vertex of the mesh that is farthest from the source, or from the nearest one
   mesh_vertex_descriptor farthest_vertex() const { return farthest_; }

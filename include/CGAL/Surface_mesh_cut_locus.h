@@ -342,7 +342,7 @@ public:
    *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as value type}
    *     \cgalParamDefault{none}
    *     \cgalParamExtra{Each of them must be connected, and no two sources may have a vertex in common. Distances to them are
-   *                     wrong by up to about 1e-4 of their longest edge. Polylines through the faces become such
+   *                     wrong by up to about a millionth of their longest edge. Polylines through the faces become such
    *                     edges by `refine_along_polylines()`.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{source_border}
@@ -697,6 +697,7 @@ private:
     result->farthest = component.vertex(solver.farthest());
     result->genus = solver.genus();
     result->number_of_border_loops = solver.number_of_border_loops();
+    result->number_of_curves = static_cast<Index>(curves_.size());
     const std::size_t n = read_->vertices.size();
     result->distance = component.in_whole(solver.distance(), n, (std::numeric_limits<double>::infinity)());
     result->nearest_source = component.in_whole(solver.nearest_sources(), n, Cut_loci::null_index);

@@ -52,7 +52,8 @@ struct Injectivity_radius
  * The distance between the ends of an edge of length l, with distances a and b, is taken to be that to a point of a
  * plane: the square of the distance is a parabola, and its minimum is the foot of the perpendicular. That is exact
  * where the shortest paths to the edge run through the same faces, and a lower bound on a convex surface, where several
- * such parts join. It is at most l^2 / (4 (a + b)) below the ends.
+ * such parts join. It is at most l^2 / (4 (a + b)) below the ends. Beside sources that are curves it is the smallest
+ * distance at a vertex of the graph: waves of their edges are straight.
  *
  * A cut locus of edges of the mesh is off the true one by a part of an edge, and so is the radius. Where that matters,
  * use `Cut_loci::Curve::THROUGH_FACES`: where the radius is reached inside of a curve, the error then falls with the
@@ -79,6 +80,8 @@ Injectivity_radius<TriangleMesh, Point_3> injectivity_radius(const Cut_locus<Tri
     }
   for(auto e : CGAL::make_range(edges(graph)))
   {
+    if(cut_locus.is_curve(graph[e].sources[0]) || cut_locus.is_curve(graph[e].sources[1]))
+      continue; // the distance to a line is no larger between two points than at both
     const auto s = source(e, graph), t = target(e, graph);
     const Point_3 &p = graph[s].point, &q = graph[t].point;
     const double a = graph[s].distance, b = graph[t].distance;

@@ -24,14 +24,17 @@ namespace internal {
  * weak.
  *
  * It is at the vertex farthest from the sources, on the border if that is no source, as all of a curve would be joined to
- * it; or in a face, if sources have all vertices.
+ * it; if sources have all vertices, on an edge of that border or in a face.
  *
  * @param face of each edge of the curve
  * @param distance of each vertex
+ * @param is_source whether a halfedge on the border is
+ * @param distance_at returns that of any location
  */
-inline void add_lone_nodes(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+template <typename Is_source, typename Distance_at>
+void add_lone_nodes(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                            const std::vector<double>& distance, const std::vector<Index>& face,
-                           Indexed_cut_locus& curve)
+                           const Is_source& is_source, const Distance_at& distance_at, Indexed_cut_locus& curve)
 {
   Union_find parts(mesh.number_of_faces());
   for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
@@ -46,9 +49,15 @@ inline void add_lone_nodes(const Indexed_triangle_mesh& mesh, const Mesh_connect
     const bool is_border = connectivity.is_border(v) && distance[v] > 0.;
     return is_border != (connectivity.is_border(w) && distance[w] > 0.) ? is_border : distance[v] > distance[w];
   };
+  std::vector<Index> border(mesh.number_of_faces(), null_index); // a halfedge of it that is no source
   for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-    if(Index& found = best[parts.find(h / 3)]; found == null_index || is_better(mesh.source(h), mesh.source(found)))
-      found = h;
+  {
+    const Index part = parts.find(h / 3);
+    if(best[part] == null_index || is_better(mesh.source(h), mesh.source(best[part])))
+      best[part] = h;
+    if(mesh.is_border_edge(h) && !is_source(h))
+      border[part] = h;
+  }
   for(Index part = 0; part < mesh.number_of_faces(); ++part)
   {
     const Index h = best[part];
@@ -63,7 +72,12 @@ inline void add_lone_nodes(const Indexed_triangle_mesh& mesh, const Mesh_connect
       node.vertex = mesh.source(h);
     }
     else
+    {
       node.location.coordinates = {{1. / 3., 1. / 3., 1. / 3.}};
+      if(border[part] != null_index)
+        node.location = location_on(border[part], 0.5);
+      node.distance = distance_at(node.location);
+    }
     curve.nodes.push_back(node);
   }
 }

@@ -84,6 +84,7 @@ inline void Exact_geodesic_propagation::propagate()
         bend<columns>(item - faces_.number_of_halfedges());
     }
   } while(reach_beside_windows());
+  find_true_distances();
   finish_queries();
   if(maximum_distance_ < infinity)
     cut_off(maximum_distance_);

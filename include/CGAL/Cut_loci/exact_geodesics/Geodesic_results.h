@@ -37,8 +37,20 @@ class Geodesic_results : public Geodesic_sources
 {
 public:
   /// the distance of each vertex, infinite if not reached
-  const std::vector<double>& distances() const { return distance_; }
+  const std::vector<double>& distances() const { return has_lines() ? true_distance_ : distance_; }
+  double true_distance(Index v) const { return distances()[v]; }
+  /// the same by the images of lines, which is what windows and labels have
   double distance(Index v) const { return distance_[v]; }
+  /// the length of a path of the length `d` by its image, which leaves its origin in some direction
+  double true_length(Index origin, double d, double direction) const
+  {
+    if(!has_lines())
+      return d;
+    if(is_source(origin))
+      return is_line(origin) ? distance_to_line(origin, d, direction) : d;
+    const Index v = vertex_of_origin(origin);
+    return d + (true_distance_[v] - distance_[v]);
+  }
   /// by how much the distance of `v` may be too long, if an error is allowed; it is never too short. With directions it is
   /// the other way round: a distance is the one to the image from which the direction comes.
   double distance_error(Index v) const
@@ -114,7 +126,14 @@ public:
   /// the number of query locations: those of the options, then one per face if centroids have been asked for
   std::size_t number_of_queries() const { return queries_.size(); }
   const Indexed_location& query(std::size_t i) const { return queries_[i].location; }
-  double query_distance(std::size_t i) const { return queries_[i].distance; }
+  double query_distance(std::size_t i) const
+  {
+    const Geodesic_queries::Query& query = queries_[i];
+    return has_lines() && query.distance < infinity
+             ? true_length(query.arrival, faces_.in_frame(query.arrival.halfedge, query.location.coordinates),
+                           query.distance)
+             : query.distance;
+  }
   double query_direction_at_source(std::size_t i) const
   {
     const Geodesic_queries::Query& query = queries_[i];
@@ -245,6 +264,26 @@ protected:
     distance_[v] = d;
     arrival_[v] = arrival;
     return true;
+  }
+
+  /// finds the distances that those by images stand for, from the lines on
+  void find_true_distances()
+  {
+    if(!has_lines())
+      return;
+    true_distance_ = distance_;
+    std::vector<Index> order;
+    for(Index v = 0; v < distance_.size(); ++v)
+      if(is_reached(v) && distance_[v] != 0.)
+        order.push_back(v);
+    std::sort(order.begin(), order.end(), [this](Index a, Index b) { return distance_[a] < distance_[b]; });
+    for(Index v : order)
+      true_distance_[v] = true_length(arrival_[v], end_in_frame(arrival_[v], v), distance_[v]);
+  }
+
+  double true_length(const Geodesic_arrival& arrival, const Plane_point& end, double d) const
+  {
+    return true_length(arrival.origin, d, direction_at_origin(arrival, end));
   }
 
   /// forgets what is further away than `maximum_distance`
@@ -393,6 +432,7 @@ private:
 
 protected:
   std::vector<double> distance_;
+  std::vector<double> true_distance_; // if there are lines
   std::vector<Geodesic_arrival> arrival_;
   std::vector<Bend> bends_; // of each vertex, with directions or several sources
   bool has_directions_ = false;

@@ -31,8 +31,8 @@ namespace internal {
  * holds the sources of a run of `Exact_geodesic_propagation`: points, and edges on the border, called lines.
  *
  * The waves of a line are parallel. They are those of an image far behind it, at the same distance D from both of its
- * ends, and `sigma` is -D: so distances are zero at the ends of a line of the length l, and in between down to
- * -l^2 / (8 D), as sqrt(D^2 - l^2 / 4) says. A path of the image starts somewhere on the line, and is too short by no more.
+ * ends, and `sigma` is -D: so by the image, distances are zero at the ends of a line of the length l, and in between down to
+ * -l^2 / (8 D), as sqrt(D^2 - l^2 / 4) says. By its direction, `distance_to_line()` gives the distance that is meant.
  *
  * Paths start at origins: sources, or vertices at which they bend.
  */
@@ -110,8 +110,8 @@ public:
   Index first_line(Index v) const { return line_at(faces_.first_halfedge(v)); }
   Index last_line(Index v) const { return line_at(Mesh::previous(last_halfedge(v))); }
 
-  /// of the images of lines from the ends of their edges, in units of the longest edge. A distance is too short by up to
-  /// 1/65536 of that edge then, and known to 1e-12 of it: both are far below what else is known.
+  /// of the images of lines from the ends of their edges, in units of the longest edge. By an image, a distance is too short by
+  /// up to 1/65536 of that edge then, and known to 1e-12 of it.
   static constexpr double line_reach = 8192.;
   double line_distance() const { return line_distance_; }
   /// half of the angle between the outer rays of a source: zero for a point
@@ -125,6 +125,12 @@ public:
   {
     const double half = 0.5 * faces_.length(sources_[source].line);
     return {half, -std::sqrt((line_distance_ - half) * (line_distance_ + half))};
+  }
+  /// the distance from a line of the end of a path that leaves its image in some direction and has the length `d` by that
+  double distance_to_line(Index source, double d, double direction) const
+  {
+    const double depth = -line_image(source).y;
+    return (std::max)((d + line_distance_) * std::sin(direction) - depth, 0.);
   }
   /// Of a vertex on lines, the directions from the first halfedge between the outer rays of the lines: in between, paths
   /// start at the vertex. If the second one is smaller, the lines see all points first.

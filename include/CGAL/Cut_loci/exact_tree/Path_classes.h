@@ -201,7 +201,7 @@ private:
     Geodesic_path_tracing tracing(geodesics_);
     for(Index v : order)
     {
-      if(!(geodesics_.distance(v) > 0.))
+      if(geodesics_.distance(v) == 0.)
         continue;
       Index begin = null_index;
       const std::vector<Indexed_location>& piece = tracing.last_piece(v, begin);

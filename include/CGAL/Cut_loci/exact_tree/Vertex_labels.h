@@ -56,7 +56,7 @@ public:
     std::vector<Change> result;
     if(geodesics_.is_on_line(v))
       add_changes_on_line(v, result);
-    if(!(geodesics_.distance(v) > 0.))
+    if(geodesics_.distance(v) == 0.)
       return result;
     if(faces_.is_pseudo_source(v))
     {

@@ -17,6 +17,7 @@
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
+#include <CGAL/Cut_loci/method/distance_off_vertices.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -61,7 +62,9 @@ mesh_edges_between_curves(const Indexed_triangle_mesh& mesh, const std::vector<I
   std::vector<Index> face;
   for(const Indexed_cut_locus::Edge& e : result.edges)
     face.push_back(e.halfedge / 3);
-  add_lone_nodes(beside.mesh(), beside.connectivity(), distance, face, result);
+  add_lone_nodes(
+    beside.mesh(), beside.connectivity(), distance, face, [&](Index h) { return beside.parts().is_on_source(h); },
+    [&](const Indexed_location& at) { return distance_off_vertices(beside.mesh(), points, beside.parts(), at); }, result);
   filter.remove_other_parts(result);
   beside.close(result);
   return result;
@@ -78,7 +81,11 @@ inline Indexed_cut_locus curve_between_curves(const Indexed_triangle_mesh& mesh,
   Tree_curve result(tree.mesh(), tree.connectivity(), tree.geodesics(), tree, kept, lone);
   if(result.graph.edges.empty())
     result.graph.nodes.clear();
-  add_lone_nodes(tree.mesh(), tree.connectivity(), tree.geodesics().distances(), result.face, result.graph);
+  add_lone_nodes(
+    tree.mesh(), tree.connectivity(), tree.geodesics().distances(), result.face,
+    [&](Index h) { return tree.geodesics().line_at(h) != null_index; },
+    [&](const Indexed_location& at) { return distance_off_vertices(tree.mesh(), tree.sources(), with_curves.lines(), at); },
+    result.graph);
   with_curves.close(result.graph);
   divided.remove_sources(result.graph, result.face);
   for(Index i = 0; i < result.graph.edges.size(); ++i)
