@@ -10,8 +10,7 @@
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_options.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/exact_tree/Mesh_with_curves.h>
-#include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
+#include <CGAL/Cut_loci/exact_tree/distances_from_curves.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
@@ -69,21 +68,7 @@ public:
   void compute_distances(const std::vector<Cut_loci::Indexed_source>& points,
                          const std::vector<Cut_loci::Indexed_curve>& curves, std::vector<double>& distances)
   {
-    using namespace Cut_loci::internal;
-    const Mesh_with_sources with_points(*mesh_, points);
-    const Mesh_with_curves with_curves(*mesh_, with_points, curves);
-    Exact_geodesic_propagation propagation(with_curves.mesh(), nullptr, progress_.part(0., 0.));
-    Exact_geodesic_options options;
-    options.directions = true;
-    options.progress = progress_;
-    options.lines = with_curves.lines();
-    options.owners = with_curves.owners();
-    std::vector<Cut_loci::Indexed_location> locations;
-    for(Cut_loci::Index v : with_points.vertices())
-      locations.push_back(propagation.vertex_location(v));
-    locations.insert(locations.end(), with_curves.points().begin(), with_curves.points().end());
-    propagation.run(locations, options);
-    distances.assign(propagation.distances().begin(), propagation.distances().begin() + mesh_->number_of_vertices());
+    distances = Cut_loci::internal::distances_from_curves(*mesh_, points, curves, {}, progress_).of_vertices;
   }
 
 #ifndef DOXYGEN_RUNNING

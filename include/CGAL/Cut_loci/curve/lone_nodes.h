@@ -29,12 +29,12 @@ namespace internal {
  * @param face of each edge of the curve
  * @param distance of each vertex
  * @param is_source whether a halfedge on the border is
- * @param distance_at returns that of any location
+ * @return whether one has been added that is at no vertex, so that its distance is not known
  */
-template <typename Is_source, typename Distance_at>
-void add_lone_nodes(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+template <typename Is_source>
+bool add_lone_nodes(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                            const std::vector<double>& distance, const std::vector<Index>& face,
-                           const Is_source& is_source, const Distance_at& distance_at, Indexed_cut_locus& curve)
+                           const Is_source& is_source, Indexed_cut_locus& curve)
 {
   Union_find parts(mesh.number_of_faces());
   for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
@@ -58,6 +58,7 @@ void add_lone_nodes(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& 
     if(mesh.is_border_edge(h) && !is_source(h))
       border[part] = h;
   }
+  bool result = false;
   for(Index part = 0; part < mesh.number_of_faces(); ++part)
   {
     const Index h = best[part];
@@ -73,13 +74,14 @@ void add_lone_nodes(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& 
     }
     else
     {
+      result = true;
       node.location.coordinates = {{1. / 3., 1. / 3., 1. / 3.}};
       if(border[part] != null_index)
         node.location = location_on(border[part], 0.5);
-      node.distance = distance_at(node.location);
     }
     curve.nodes.push_back(node);
   }
+  return result;
 }
 
 } // namespace internal

@@ -35,6 +35,8 @@ struct Exact_geodesic_options
   std::vector<Indexed_location> queries; ///< further points whose distance is wanted
   std::vector<Geodesic_line> lines;      ///< sources that are edges; with directions, and without an error
   std::vector<Index> owners;             ///< of the sources that are points, see `Geodesic_line`; empty: its own number
+  /// how far behind its edge the image of a line is, in units of the longest one, see `Geodesic_sources`
+  double line_reach = 8192.;
   Progress progress; ///< is told, every few milliseconds, the share of the vertices that are reached
 };
 

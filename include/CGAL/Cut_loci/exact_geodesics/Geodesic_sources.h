@@ -110,9 +110,8 @@ public:
   Index first_line(Index v) const { return line_at(faces_.first_halfedge(v)); }
   Index last_line(Index v) const { return line_at(Mesh::previous(last_halfedge(v))); }
 
-  /// of the images of lines from the ends of their edges, in units of the longest edge. By an image, a distance is too short by
-  /// up to 1/65536 of that edge then, and known to 1e-12 of it.
-  static constexpr double line_reach = 8192.;
+  /// of the images of lines from the ends of their edges. At 8192 times the longest edge, a distance by an image is too short
+  /// by up to 1/65536 of that, and known to 1e-12 of it.
   double line_distance() const { return line_distance_; }
   /// half of the angle between the outer rays of a source: zero for a point
   double half_opening(Index source) const
@@ -156,7 +155,7 @@ public:
   /// for corners that are no larger than that.
   bool is_seam(Index a, Index b, double meeting_angle) const
   {
-    return has_lines() && meeting_angle <= 2. / line_reach && are_neighbors(a, b);
+    return has_lines() && meeting_angle <= 2. / line_reach_ && are_neighbors(a, b);
   }
 
   // -- frames ------------------------------------------------------------------------------------------------------------
@@ -229,6 +228,7 @@ protected:
       sources_.push_back(classify(location));
     for(std::size_t i = 0; i < sources_.size(); ++i)
       sources_[i].owner = options.owners.empty() ? static_cast<Index>(i) : options.owners[i];
+    line_reach_ = options.line_reach;
     prepare_lines(options.lines);
   }
 
@@ -281,7 +281,7 @@ private:
       Source source{location_on(line.halfedge, 0.5), null_index, null_index, geodesic_pi, line.owner, line.halfedge};
       sources_.push_back(source);
     }
-    line_distance_ = line_reach * longest;
+    line_distance_ = line_reach_ * longest;
   }
 
   /// that leaves `v`, a vertex of the border: the last one counterclockwise
@@ -302,7 +302,7 @@ private:
 
   std::shared_ptr<const Geodesic_faces> shared_faces_; // with others for the same mesh
   std::vector<Index> line_at_;                         // by halfedge; empty without lines
-  double line_distance_ = 0.;
+  double line_reach_ = 0., line_distance_ = 0.;
 
 protected:
   const Geodesic_faces& faces_;

@@ -43,8 +43,7 @@ inline Edge_crossing edge_crossing(const Geodesic_results& geodesics, Index h, I
                                    bool is_shadow)
 {
   const bool is_between_sources = geodesics.source_of_origin(left.origin) != geodesics.source_of_origin(right.origin);
-  const double distance = geodesics.true_length(left.origin, left.distance(t), left.direction(t));
-  return {h, label, t, gap, angle, distance, is_shadow, is_between_sources};
+  return {h, label, t, gap, angle, left.distance(t), is_shadow, is_between_sources};
 }
 
 /// is the numbers of the first and the last label of an edge of the mesh.

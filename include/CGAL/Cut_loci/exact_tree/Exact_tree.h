@@ -78,8 +78,6 @@ public:
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
   const Mesh_connectivity& connectivity() const { return connectivity_; }
   const Exact_geodesic_propagation& geodesics() const { return geodesics_; }
-  /// those that are points
-  const std::vector<Indexed_location>& sources() const { return sources_; }
 
   /// computes the distances, and where the cut locus crosses the edges of the mesh
   ///

@@ -21,6 +21,7 @@
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
 #include <CGAL/Cut_loci/exact_tree/cut_locus_of_curves.h>
+#include <CGAL/Cut_loci/exact_tree/distances_from_curves.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
@@ -93,7 +94,7 @@ public:
     const Progress all = progress_;
     report_to(divided_ != nullptr ? all.part(0.1, 1.) : all);
     start();
-    distance_ = geodesics().distances();
+    distance_ = curves.empty() ? geodesics().distances() : distances_from_curves(mesh_, points, curves, {}).of_vertices;
     for(Index v = 0; v < distance_.size() && maximum_relative_error_ > 0.; ++v)
       distance_[v] += geodesics().distance_error(v);
     distance_.resize(mesh_.number_of_vertices());
@@ -236,7 +237,7 @@ private:
     if(has_curves())
       return curve == Curve::MESH_EDGES ? edges = mesh_edges_between_curves(mesh_, sources_, curves_, distance_,
                                                                             *divided_, *tree_, kept, thresholds)
-                                        : curve_between_curves(mesh_, connectivity_, *divided_, *divided_->with_curves,
+                                        : curve_between_curves(mesh_, connectivity_, sources_, curves_, *divided_, *divided_->with_curves,
                                                                *tree_, kept, thresholds, lone_vertex());
     const Source_faces at_sources(mesh_, connectivity_, sources_);
     if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
@@ -276,7 +277,7 @@ private:
     Divided_surface(const Indexed_triangle_mesh& without, const std::vector<Indexed_source>& points,
                     const std::vector<Indexed_curve>& curves, const Progress& progress, int number = 1)
       : Mesh_with_sources(without, points),
-        with_curves(curves.empty() ? nullptr : new Mesh_with_curves(without, *this, curves, 1e-5 * number)),
+        with_curves(curves.empty() ? nullptr : new Mesh_with_curves(without, *this, curves, 1e-6 * number)),
         connectivity(surface(), progress.part(0., 0.5)), geodesics(surface(), nullptr, progress.part(0.5, 1.))
     {
     }

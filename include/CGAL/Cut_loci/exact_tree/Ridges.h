@@ -130,13 +130,6 @@ public:
     return result;
   }
 
-  /// of a point of a face from an image
-  double distance(const Image& image, const Plane_point& p, Index f) const
-  {
-    const double d = image.distance(p);
-    return geodesics_->has_lines() ? geodesics_->true_length(image.origin, d, image.direction_to(p, layout(f))) : d;
-  }
-
   /// the corners of a face in the frame of its first halfedge
   std::array<Plane_point, 3> layout(Index f) const { return Face_boundary::layout(*geodesics_, f); }
 
@@ -322,8 +315,7 @@ private:
     for(int k = 0; k < 2; ++k)
     {
       Node& node = nodes_[face.first_node + piece.nodes[k]];
-      node.distance = 0.5 * (distance(piece.images[0], node.point, face.face) +
-                             distance(piece.images[1], node.point, face.face));
+      node.distance = 0.5 * (piece.images[0].distance(node.point) + piece.images[1].distance(node.point));
       if(node.crossing != null_index)
         piece.gaps[k] = (*changes_)[node.crossing].gap;
       else if(node.vertex == null_index)

@@ -74,7 +74,7 @@ public:
 private:
   Indexed_cut_locus::Node lone_node(Index v) const
   {
-    return {location_of_vertex(connectivity_, v), v, geodesics_.true_distance(v)};
+    return {location_of_vertex(connectivity_, v), v, geodesics_.distance(v)};
   }
 
   /// Where more pieces than two meet, or at a vertex, pieces of no length may be between them: they become one node.
@@ -472,7 +472,7 @@ private:
     if(std::hypot(p.x - q.x, p.y - q.y) > std::hypot(p.x - r.x, p.y - r.y))
       std::reverse(samples_.begin(), samples_.end());
     for(const Plane_point& s : samples_)
-      all_points_.push_back({inside(e.face, s), tree_.ridges().distance(piece.images[0], s, e.face)});
+      all_points_.push_back({inside(e.face, s), piece.images[0].distance(s)});
   }
 
   /// by which the curve leaves the cut locus at most: small beside what a face differs from any surface it stands for

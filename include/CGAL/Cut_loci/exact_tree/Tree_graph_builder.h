@@ -215,7 +215,7 @@ private:
     node.face = face.face;
     node.point = from.point;
     node.vertex = from.vertex != null_index ? from.vertex : vertex_at(face.face, from.point);
-    node.distance = node.vertex != null_index ? geodesics_.true_distance(node.vertex) : from.distance;
+    node.distance = node.vertex != null_index ? geodesics_.distance(node.vertex) : from.distance;
     return add_node(node);
   }
 
@@ -265,7 +265,7 @@ private:
         continue;
       const Index h = connectivity_.halfedge_of_edge[joint.element];
       Node node = node_on_edge(h, 0.5 * geodesics_.faces().length(h));
-      node.distance = 0.5 * (geodesics_.true_distance(mesh_.source(h)) + geodesics_.true_distance(mesh_.target(h)));
+      node.distance = 0.5 * (geodesics_.distance(mesh_.source(h)) + geodesics_.distance(mesh_.target(h)));
       node_of_joint_[j] = add_node(node);
       if(node.loop != null_index)
         add_joint(node_of_joint_[j], node.loop, null_index, joint);
@@ -334,7 +334,7 @@ private:
         node.point.y += p.y / 3.;
       }
       for(Index v : mesh_.triangles[f])
-        node.distance += geodesics_.true_distance(v) / 3.;
+        node.distance += geodesics_.distance(v) / 3.;
       const Index center = add_node(node);
       for(Index j : at)
         add_joint(center, node_of(j), f, cut_.joints[j]);
@@ -394,7 +394,7 @@ private:
         node.face = face.face;
         node.point = from.point;
         node.vertex = from.vertex;
-        node.distance = from.vertex != null_index ? geodesics_.true_distance(from.vertex) : from.distance;
+        node.distance = from.vertex != null_index ? geodesics_.distance(from.vertex) : from.distance;
         found[k] = add_node(node);
         if(from.vertex != null_index)
           node_at_vertex.insert({from.vertex, found[k]});

@@ -17,7 +17,7 @@
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
-#include <CGAL/Cut_loci/method/distance_off_vertices.h>
+#include <CGAL/Cut_loci/exact_tree/distances_from_curves.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -62,9 +62,9 @@ mesh_edges_between_curves(const Indexed_triangle_mesh& mesh, const std::vector<I
   std::vector<Index> face;
   for(const Indexed_cut_locus::Edge& e : result.edges)
     face.push_back(e.halfedge / 3);
-  add_lone_nodes(
-    beside.mesh(), beside.connectivity(), distance, face, [&](Index h) { return beside.parts().is_on_source(h); },
-    [&](const Indexed_location& at) { return distance_off_vertices(beside.mesh(), points, beside.parts(), at); }, result);
+  if(add_lone_nodes(beside.mesh(), beside.connectivity(), distance, face,
+                    [&](Index h) { return beside.parts().is_on_source(h); }, result))
+    set_distances_from_curves(mesh, points, curves, result);
   filter.remove_other_parts(result);
   beside.close(result);
   return result;
@@ -74,6 +74,8 @@ mesh_edges_between_curves(const Indexed_triangle_mesh& mesh, const std::vector<I
 ///
 /// @param lone the vertex that is left if nothing else is
 inline Indexed_cut_locus curve_between_curves(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                                              const std::vector<Indexed_source>& points,
+                                              const std::vector<Indexed_curve>& curves,
                                               const Mesh_with_sources& divided, const Mesh_with_curves& with_curves,
                                               Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept,
                                               const Exact_tree_thresholds& thresholds, Index lone)
@@ -81,16 +83,14 @@ inline Indexed_cut_locus curve_between_curves(const Indexed_triangle_mesh& mesh,
   Tree_curve result(tree.mesh(), tree.connectivity(), tree.geodesics(), tree, kept, lone);
   if(result.graph.edges.empty())
     result.graph.nodes.clear();
-  add_lone_nodes(
-    tree.mesh(), tree.connectivity(), tree.geodesics().distances(), result.face,
-    [&](Index h) { return tree.geodesics().line_at(h) != null_index; },
-    [&](const Indexed_location& at) { return distance_off_vertices(tree.mesh(), tree.sources(), with_curves.lines(), at); },
-    result.graph);
+  add_lone_nodes(tree.mesh(), tree.connectivity(), tree.geodesics().distances(), result.face,
+                 [&](Index h) { return tree.geodesics().line_at(h) != null_index; }, result.graph);
   with_curves.close(result.graph);
   divided.remove_sources(result.graph, result.face);
   for(Index i = 0; i < result.graph.edges.size(); ++i)
     result.graph.edges[i].origin = i;
   Curve_filter(mesh, connectivity, thresholds).remove_other_parts(result.graph);
+  set_distances_from_curves(mesh, points, curves, result.graph);
   return std::move(result.graph);
 }
 

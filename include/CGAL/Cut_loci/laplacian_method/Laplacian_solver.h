@@ -28,7 +28,7 @@
 #include <CGAL/Cut_loci/laplacian_method/smoothing.h>
 #include <CGAL/Cut_loci/laplacian_method/thinning.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
-#include <CGAL/Cut_loci/method/distance_off_vertices.h>
+#include <CGAL/Cut_loci/method/distances_from_lines.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/Source_faces.h>
@@ -260,10 +260,9 @@ private:
     else
     {
       graph = Indexed_cut_locus();
-      add_lone_nodes(
-        mesh_, connectivity_, distance_, {}, [this](Index h) { return roots_.parts().is_on_source(h); },
-        [this](const Indexed_location& at)
-        { return distance_off_vertices(mesh_, roots_.points(), roots_.parts(), at); }, graph);
+      if(add_lone_nodes(mesh_, connectivity_, distance_, {},
+                        [this](Index h) { return roots_.parts().is_on_source(h); }, graph))
+        set_distances_from_parts(mesh_, roots_.points(), roots_.parts(), graph);
     }
     for(Index i = 0; i < graph.edges.size(); ++i)
       graph.edges[i].origin = i;

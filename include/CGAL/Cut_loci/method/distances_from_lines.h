@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_METHOD_DISTANCES_FROM_LINES_H
+#define CGAL_CUT_LOCI_METHOD_DISTANCES_FROM_LINES_H
+
+#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Source_parts.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+struct Distances_from_lines
+{
+  std::vector<double> of_vertices, of_queries;
+};
+
+/// exact distances from sources that are points, among them the ends of lines, and from those lines
+inline Distances_from_lines distances_from_lines(const Indexed_triangle_mesh& mesh,
+                                                 const std::vector<Indexed_location>& points,
+                                                 const std::vector<Geodesic_line>& lines,
+                                                 const std::vector<Indexed_location>& queries,
+                                                 const Progress& progress = {})
+{
+  Exact_geodesic_propagation propagation(mesh, nullptr, progress.part(0., 0.));
+  Exact_geodesic_options options;
+  options.directions = true;
+  options.progress = progress;
+  options.lines = lines;
+  options.line_reach = 1048576.; // which of two lines is nearer is known to 1e-7 of their length then
+  options.owners.assign(points.size(), 0);
+  options.queries = queries;
+  propagation.run(points, options);
+  Distances_from_lines result{propagation.distances(), {}};
+  for(std::size_t i = 0; i < queries.size(); ++i)
+    result.of_queries.push_back(propagation.query_distance(i));
+  return result;
+}
+
+inline std::vector<Indexed_location> locations_of_nodes(const Indexed_cut_locus& curve)
+{
+  std::vector<Indexed_location> result;
+  for(const Indexed_cut_locus::Node& node : curve.nodes)
+    result.push_back(node.location);
+  return result;
+}
+
+/// gives the nodes of a curve their distances from points and parts of the border
+inline void set_distances_from_parts(const Indexed_triangle_mesh& mesh, const std::vector<Indexed_source>& points,
+                                     const Source_parts& parts, Indexed_cut_locus& curve)
+{
+  std::vector<Indexed_location> sources;
+  for(const Indexed_source& point : points)
+    sources.push_back(point.location);
+  std::vector<Geodesic_line> lines;
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    if(parts.is_on_source(h))
+    {
+      lines.push_back({h, 0});
+      sources.push_back(location_on(h));
+      sources.push_back(location_on(h, 1.));
+    }
+  const Distances_from_lines distances = distances_from_lines(mesh, sources, lines, locations_of_nodes(curve));
+  for(std::size_t i = 0; i < curve.nodes.size(); ++i)
+    curve.nodes[i].distance = distances.of_queries[i];
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_METHOD_DISTANCES_FROM_LINES_H
