@@ -24,7 +24,7 @@ namespace internal {
  * weak.
  *
  * It is at the vertex farthest from the sources, on the border if that is no source, as all of a curve would be joined to
- * it; if sources have all vertices, on an edge of that border or in a face.
+ * it; if sources have all vertices of that border, on an edge of it, and if they have all vertices, in a face.
  *
  * @param face of each edge of the curve
  * @param distance of each vertex
@@ -33,8 +33,8 @@ namespace internal {
  */
 template <typename Is_source>
 bool add_lone_nodes(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                           const std::vector<double>& distance, const std::vector<Index>& face,
-                           const Is_source& is_source, Indexed_cut_locus& curve)
+                    const std::vector<double>& distance, const std::vector<Index>& face, const Is_source& is_source,
+                    Indexed_cut_locus& curve)
 {
   Union_find parts(mesh.number_of_faces());
   for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
@@ -67,7 +67,7 @@ bool add_lone_nodes(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& 
     Indexed_cut_locus::Node node;
     node.location.face = h / 3;
     node.distance = distance[mesh.source(h)];
-    if(node.distance > 0.)
+    if(node.distance > 0. && (border[part] == null_index || connectivity.is_border(mesh.source(h))))
     {
       node.location.coordinates[h % 3] = 1.;
       node.vertex = mesh.source(h);

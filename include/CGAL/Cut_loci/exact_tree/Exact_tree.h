@@ -161,6 +161,8 @@ public:
   const Tree_graph& graph() const { return *graph_; }
   /// whether the labels decided on everything
   bool is_sure() const { return graph_->is_sure(); }
+  /// whether pieces are somewhere in their face, as labels did not fit each other
+  bool has_doubtful_faces() const { return ridges_.number_of_doubtful() > 0; }
   /// a node of those that have been kept at last, or null if there is none
   Index root() const { return root_; }
   const Ridges& ridges() const { return ridges_; }

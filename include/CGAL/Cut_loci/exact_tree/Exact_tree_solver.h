@@ -113,7 +113,8 @@ public:
    * need a symmetric placement of the source. Then it is moved, unless what is left out matters more: by far less than
    * the accuracy of any mesh, and far more than that of the windows. Of several sources all are moved, each one by
    * another length, as they may be symmetric to each other too. Vertices of curves are always moved, as the waves of the
-   * edges at a corner are symmetric to each other often.
+   * edges at a corner are symmetric to each other often, and once more where a face could be drawn by its labels only:
+   * that may be where edges face each other.
    */
   void grow_tree() override
   {
@@ -122,7 +123,9 @@ public:
     report_to(all.part(0., first));
     tree_->join();
     const int most = has_curves() ? 4 : most_moves;
-    for(int number = 1; number <= most && least_.is_none() && !tree_->is_sure(); ++number)
+    const auto needs_move = [this]
+    { return (least_.is_none() && !tree_->is_sure()) || (has_curves() && tree_->has_doubtful_faces()); };
+    for(int number = 1; number <= most && needs_move(); ++number)
     {
       const Progress part = all.part(first + (1. - first) * (number - 1) / most, first + (1. - first) * number / most);
       report_to(part.part(0., 0.6));
@@ -235,10 +238,11 @@ private:
   {
     tree_->measure_widths(kept, all.part(0.7, 0.8));
     if(has_curves())
-      return curve == Curve::MESH_EDGES ? edges = mesh_edges_between_curves(mesh_, sources_, curves_, distance_,
-                                                                            *divided_, *tree_, kept, thresholds)
-                                        : curve_between_curves(mesh_, connectivity_, sources_, curves_, *divided_, *divided_->with_curves,
-                                                               *tree_, kept, thresholds, lone_vertex());
+      return curve == Curve::MESH_EDGES
+               ? edges =
+                   mesh_edges_between_curves(mesh_, sources_, curves_, distance_, *divided_, *tree_, kept, thresholds)
+               : curve_between_curves(mesh_, connectivity_, sources_, curves_, *divided_, *divided_->with_curves,
+                                      *tree_, kept, thresholds, lone_vertex());
     const Source_faces at_sources(mesh_, connectivity_, sources_);
     if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
       Source_faces::throw_source_without_face(at_sources.first_without_face(),

@@ -60,7 +60,8 @@ inline std::size_t equidistant_points(const Image& a, const Image& b, const Imag
 {
   // an image far behind a line would take digits from the others
   if(squared_norm(b) > (std::min)(squared_norm(a), squared_norm(c)))
-    return squared_norm(a) < squared_norm(c) ? equidistant_points(b, a, c, points) : equidistant_points(a, c, b, points);
+    return squared_norm(a) < squared_norm(c) ? equidistant_points(b, a, c, points)
+                                             : equidistant_points(a, c, b, points);
   // With `b` as the origin, and the distance rho from it as the third coordinate, two of the three equations are linear.
   // Their line is computed from its direction: images that are on one line, as the vertices of a straight edge are, leave
   // neither the point as a function of rho nor any other coordinate that could be taken for a parameter.

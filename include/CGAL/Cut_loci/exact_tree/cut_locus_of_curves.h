@@ -62,8 +62,9 @@ mesh_edges_between_curves(const Indexed_triangle_mesh& mesh, const std::vector<I
   std::vector<Index> face;
   for(const Indexed_cut_locus::Edge& e : result.edges)
     face.push_back(e.halfedge / 3);
-  if(add_lone_nodes(beside.mesh(), beside.connectivity(), distance, face,
-                    [&](Index h) { return beside.parts().is_on_source(h); }, result))
+  if(add_lone_nodes(
+       beside.mesh(), beside.connectivity(), distance, face, [&](Index h) { return beside.parts().is_on_source(h); },
+       result))
     set_distances_from_curves(mesh, points, curves, result);
   filter.remove_other_parts(result);
   beside.close(result);
@@ -83,8 +84,9 @@ inline Indexed_cut_locus curve_between_curves(const Indexed_triangle_mesh& mesh,
   Tree_curve result(tree.mesh(), tree.connectivity(), tree.geodesics(), tree, kept, lone);
   if(result.graph.edges.empty())
     result.graph.nodes.clear();
-  add_lone_nodes(tree.mesh(), tree.connectivity(), tree.geodesics().distances(), result.face,
-                 [&](Index h) { return tree.geodesics().line_at(h) != null_index; }, result.graph);
+  add_lone_nodes(
+    tree.mesh(), tree.connectivity(), tree.geodesics().distances(), result.face,
+    [&](Index h) { return tree.geodesics().line_at(h) != null_index; }, result.graph);
   with_curves.close(result.graph);
   divided.remove_sources(result.graph, result.face);
   for(Index i = 0; i < result.graph.edges.size(); ++i)

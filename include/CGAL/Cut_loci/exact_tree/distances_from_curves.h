@@ -34,7 +34,8 @@ inline Distances_from_lines distances_from_curves(const Indexed_triangle_mesh& m
   std::vector<Indexed_location> sources = with_curves.points();
   for(const Indexed_source& point : points)
     sources.push_back(point.location);
-  Distances_from_lines result = distances_from_lines(with_curves.mesh(), sources, with_curves.lines(), queries, progress);
+  Distances_from_lines result =
+    distances_from_lines(with_curves.mesh(), sources, with_curves.lines(), queries, progress);
   result.of_vertices.resize(mesh.number_of_vertices());
   return result;
 }

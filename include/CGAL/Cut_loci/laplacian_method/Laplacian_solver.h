@@ -260,8 +260,8 @@ private:
     else
     {
       graph = Indexed_cut_locus();
-      if(add_lone_nodes(mesh_, connectivity_, distance_, {},
-                        [this](Index h) { return roots_.parts().is_on_source(h); }, graph))
+      if(add_lone_nodes(
+           mesh_, connectivity_, distance_, {}, [this](Index h) { return roots_.parts().is_on_source(h); }, graph))
         set_distances_from_parts(mesh_, roots_.points(), roots_.parts(), graph);
     }
     for(Index i = 0; i < graph.edges.size(); ++i)
