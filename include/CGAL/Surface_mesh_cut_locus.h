@@ -341,9 +341,9 @@ public:
    *     \cgalParamType{a model of `ConstRange` of models of `ConstRange` with
    *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as value type}
    *     \cgalParamDefault{none}
-   *     \cgalParamExtra{Each of them must be connected, and no two sources may have a vertex in common. Distances to them are
-   *                     wrong by up to about a millionth of their longest edge. Polylines through the faces become such
-   *                     edges by `refine_along_polylines()`.}
+   *     \cgalParamExtra{Each of them must be connected, and no two sources may have a vertex in common. The cut locus is
+   *                     moved by up to about 1e-5 of their longest edge, the distances are those at its place. Polylines
+   *                     through the faces become such edges by `refine_along_polylines()`.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{source_border}
    *     \cgalParamDescription{whether each border loop is a source, behind all others}

@@ -50,6 +50,7 @@ inline Distances_from_lines distances_from_lines(const Indexed_triangle_mesh& me
 inline std::vector<Indexed_location> locations_of_nodes(const Indexed_cut_locus& curve)
 {
   std::vector<Indexed_location> result;
+  result.reserve(curve.nodes.size());
   for(const Indexed_cut_locus::Node& node : curve.nodes)
     result.push_back(node.location);
   return result;
@@ -60,6 +61,7 @@ inline void set_distances_from_parts(const Indexed_triangle_mesh& mesh, const st
                                      const Source_parts& parts, Indexed_cut_locus& curve)
 {
   std::vector<Indexed_location> sources;
+  sources.reserve(points.size());
   for(const Indexed_source& point : points)
     sources.push_back(point.location);
   std::vector<Geodesic_line> lines;
