@@ -281,7 +281,8 @@ private:
     Divided_surface(const Indexed_triangle_mesh& without, const std::vector<Indexed_source>& points,
                     const std::vector<Indexed_curve>& curves, const Progress& progress, int number = 1)
       : Mesh_with_sources(without, points),
-        with_curves(curves.empty() ? nullptr : new Mesh_with_curves(without, *this, curves, 1e-6 * number)),
+        with_curves(curves.empty() ? nullptr
+                                   : new Mesh_with_curves(without, *this, curves, 1e-6 * std::pow(2.5, number - 1))),
         connectivity(surface(), progress.part(0., 0.5)), geodesics(surface(), nullptr, progress.part(0.5, 1.))
     {
     }

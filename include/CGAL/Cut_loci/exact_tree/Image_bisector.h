@@ -10,7 +10,6 @@
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -49,19 +48,15 @@ inline bool is_same_image(const Image& a, const Image& b)
   return a.origin == b.origin && std::fabs(a.x - b.x) + std::fabs(a.y - b.y) <= 1e-9 * scale;
 }
 
-inline double squared_norm(const Image& a)
-{
-  return a.x * a.x + a.y * a.y;
-}
-
 /// the points at the same distance from three images, in which three pieces of the cut locus meet; up to two
 inline std::size_t equidistant_points(const Image& a, const Image& b, const Image& c,
                                       std::array<Plane_point, 2>& points)
 {
-  // an image far behind a line would take digits from the others
-  if(squared_norm(b) > (std::min)(squared_norm(a), squared_norm(c)))
-    return squared_norm(a) < squared_norm(c) ? equidistant_points(b, a, c, points)
-                                             : equidistant_points(a, c, b, points);
+  // the image of a line, far behind it, would take digits from the others
+  if(b.sigma < 0. && a.sigma >= 0.)
+    return equidistant_points(b, a, c, points);
+  if(b.sigma < 0. && c.sigma >= 0.)
+    return equidistant_points(a, c, b, points);
   // With `b` as the origin, and the distance rho from it as the third coordinate, two of the three equations are linear.
   // Their line is computed from its direction: images that are on one line, as the vertices of a straight edge are, leave
   // neither the point as a function of rho nor any other coordinate that could be taken for a parameter.
@@ -103,7 +98,7 @@ inline std::size_t equidistant_points(const Plane_point& p, const Plane_point& q
   const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y, k = a.sigma - b.sigma;
   const double pa = ax * dx + ay * dy, pb = bx * dx + by * dy;
   const double na = ax * ax + ay * ay, nb = bx * bx + by * by;
-  if(na > nb) // as for three
+  if(a.sigma < 0. && b.sigma >= 0.) // as for three
     return equidistant_points(p, q, b, a, points);
   // (r + k)^2 = s^2 - 2 s b + |b|^2, so that 2 k r = e - 2 m s
   const double m = pb - pa, e = nb - na - k * k;
