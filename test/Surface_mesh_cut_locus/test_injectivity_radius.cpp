@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,7 +51,7 @@ Cut_locus made_of(const std::vector<Kernel::Point_3>& points, const std::vector<
   }
   for(const auto& e : edges)
     add_edge(e.first, e.second, Cut_locus::Edge(), graph);
-  return Cut_locus(graph, {}, {}, nullptr, {});
+  return Cut_locus(graph, {}, {}, std::make_shared<const CGAL::Cut_loci::internal::Source_result>(), {});
 }
 
 TEST(Injectivity_radius, Is_reached_at_a_vertex_or_within_an_edge)
