@@ -167,6 +167,7 @@ public:
     has_fixed_method_ = Cut_loci::internal::is_given<CGAL_NP_CLASS, internal_np::cut_locus_method_t>();
     fixed_method_ = choose_parameter(get_parameter(np, internal_np::cut_locus_method), fixed_method_);
     method_ = method_for(np);
+    admit_laplacian<CGAL_NP_CLASS>();
     Cut_loci::internal::refuse_parameters_of_other_methods(method_, np);
     constexpr bool has_lengths = Cut_loci::internal::has_edge_lengths<CGAL_NP_CLASS>();
     if(has_lengths && has_own_solver_)
@@ -195,8 +196,9 @@ public:
    */
   Surface_mesh_cut_locus(const Surface_mesh_cut_locus& other)
     : tm_(other.tm_), vpm_(other.vpm_), laplacian_operator_(other.laplacian_operator_),
-      has_fixed_method_(other.has_fixed_method_), fixed_method_(other.fixed_method_), method_(other.method_),
-      has_own_solver_(other.has_own_solver_), solver_(other.solver_), visitor_(other.visitor_), read_(other.read_),
+      make_laplacian_(other.make_laplacian_), has_fixed_method_(other.has_fixed_method_),
+      fixed_method_(other.fixed_method_), method_(other.method_), has_own_solver_(other.has_own_solver_),
+      solver_(other.solver_), visitor_(other.visitor_), read_(other.read_),
       component_of_face_(other.component_of_face_), number_of_components_(other.number_of_components_)
   {
     for(const auto& component : other.components_)
@@ -221,6 +223,7 @@ public:
   void prepare(const SourceRange& sources, const CGAL_NP_CLASS& np = parameters::default_values())
   {
     const Cut_loci::Method method = method_for(np);
+    admit_laplacian<CGAL_NP_CLASS>();
     Cut_loci::internal::refuse_parameters_of_other_methods(method, np);
     for(const auto& source : Cut_loci::internal::read_sources(tm_, *read_, sources, snapping_tolerance(np), true))
       component_at((*component_of_face_)[source.location.face], method);
@@ -567,6 +570,17 @@ private:
                                                                            : solver_.cut_locus_method();
   }
 
+  // Who passes none of these parameters does not compile `Method::LAPLACIAN`, which is a third of the code.
+  template <typename NamedParameters>
+  void admit_laplacian()
+  {
+    using Cut_loci::internal::is_given;
+    if constexpr(is_given<NamedParameters, internal_np::cut_locus_method_t>() ||
+                 is_given<NamedParameters, internal_np::geodesic_solver_t>() ||
+                 is_given<NamedParameters, internal_np::vertex_distance_map_t>())
+      make_laplacian_ = &Cut_loci::internal::make_laplacian_solver;
+  }
+
   template <typename NamedParameters>
   static double snapping_tolerance(const NamedParameters& np)
   {
@@ -622,6 +636,7 @@ private:
              const std::vector<Cut_loci::Indexed_curve>& curves = {})
   {
     const Cut_loci::Method method = method_for(np);
+    admit_laplacian<NamedParameters>();
     Cut_loci::internal::refuse_parameters_of_other_methods(method, np);
     const double error = Cut_loci::internal::read_maximum_relative_error(np);
     refuse_lengths(read_->mesh.is_intrinsic, method);
@@ -646,14 +661,21 @@ private:
     if(error > 0. && !runs_solver)
       Cut_loci::internal::refuse_error();
     maximum_relative_error_ = error;
-    if(method_ == Cut_loci::Method::LAPLACIAN)
-      solve(component, *component.laplacian, np);
-    else
+    if(method_ != Cut_loci::Method::LAPLACIAN)
     {
       component.exact_tree->set_maximum_relative_error(error);
       component.exact_tree->expect(thresholds_of(component, parameters::default_values()));
-      solve(component, *component.exact_tree, np);
     }
+    {
+      const Stage_scope scope(visitor_, Cut_loci::Stage::DISTANCE);
+      report(component, Cut_loci::Stage::DISTANCE);
+      const auto map = parameters::get_parameter(np, internal_np::vertex_distance_map);
+      if(method_ == Cut_loci::Method::LAPLACIAN)
+        set_distances(component, *component.laplacian, map);
+      else
+        set_distances(component, *component.exact_tree, map);
+    }
+    finish(component, *component.solver(method_));
   }
 
   // lets the visitor know how far the stage is that follows
@@ -668,14 +690,9 @@ private:
       Cut_loci::internal::refuse_lengths("the method " + std::string(Cut_loci::name_of(method)));
   }
 
-  template <typename Solver, typename NamedParameters>
-  void solve(Component& component, Solver& solver, const NamedParameters& np)
+  // The solver is of any method: where its type says which, compilers take in the code of the only class that it can be.
+  void finish(Component& component, Cut_loci::internal::Method_solver& solver)
   {
-    {
-      const Stage_scope scope(visitor_, Cut_loci::Stage::DISTANCE);
-      report(component, Cut_loci::Stage::DISTANCE);
-      set_distances(component, solver, parameters::get_parameter(np, internal_np::vertex_distance_map));
-    }
     {
       const Stage_scope scope(visitor_, Cut_loci::Stage::STRENGTH);
       report(component, Cut_loci::Stage::STRENGTH);
@@ -736,7 +753,7 @@ private:
     if(!component)
       component.reset(new Component(read_->mesh, *component_of_face_, id, number_of_components_));
     visitor_.progress(Cut_loci::Stage::PREPROCESSING)(0.);
-    component->make_solver(method, laplacian_operator_, threads_, read_->mesh, read_->positions,
+    component->make_solver(method, make_laplacian_, laplacian_operator_, threads_, read_->mesh, read_->positions,
                            visitor_.progress(Cut_loci::Stage::PREPROCESSING));
     return *component;
   }
@@ -783,7 +800,8 @@ private:
   const TriangleMesh& tm_;
   Vertex_point_map vpm_;
   Cut_loci::Laplacian_operator laplacian_operator_;
-  bool has_fixed_method_ = false; // by the named parameter
+  decltype(&Cut_loci::internal::make_laplacian_solver) make_laplacian_ = nullptr; // unless that method can be in force
+  bool has_fixed_method_ = false;                                                 // by the named parameter
   Cut_loci::Method fixed_method_ = Cut_loci::Method::DIRECTION;
   Cut_loci::Method method_ = Cut_loci::Method::DIRECTION; // in force
   bool has_own_solver_;                                   // another one than the package's exact one

@@ -137,14 +137,15 @@ struct Surface_component
   }
 
   // `positions` of the vertices of the whole mesh, for messages.
-  void make_solver(Method method, Laplacian_operator laplacian_operator, const Threads& threads,
-                   const Indexed_triangle_mesh& whole, const std::vector<Index>& positions, const Progress& progress)
+  void make_solver(Method method, decltype(&make_laplacian_solver) make_laplacian,
+                   Laplacian_operator laplacian_operator, const Threads& threads, const Indexed_triangle_mesh& whole,
+                   const std::vector<Index>& positions, const Progress& progress)
   {
     name_faults(whole, positions,
                 [&]
                 {
       if(method == Method::LAPLACIAN)
-        laplacian = make_laplacian_solver(measured(), laplacian_operator, threads, progress);
+        laplacian = make_laplacian(measured(), laplacian_operator, threads, progress);
       else
         exact_tree = make_exact_tree_solver(measured(), threads, progress);
     });
