@@ -6,6 +6,8 @@
 
 #include "mesh_files.h"
 
+#include "mesh_data_of.h"
+
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -21,16 +23,7 @@ Mesh_data read_mesh(const std::string& file)
   Mesh mesh;
   if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh))
     throw std::runtime_error("'" + file + "' holds no triangle mesh");
-  Mesh_data result;
-  for(Mesh::Vertex_index v : mesh.vertices())
-    result.points.push_back({{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()}});
-  for(Mesh::Face_index f : mesh.faces())
-  {
-    const Mesh::Halfedge_index h = mesh.halfedge(f);
-    result.triangles.push_back(
-      {{std::size_t(mesh.source(h)), std::size_t(mesh.target(h)), std::size_t(mesh.target(mesh.next(h)))}});
-  }
-  return result;
+  return mesh_data_of(mesh);
 }
 
 } // namespace test_meshes

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "test_meshes.h"
+#include "mesh_data_of.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
@@ -73,16 +73,7 @@ Mesh_data remeshed(const Mesh_data& m, double length)
   CGAL::Polygon_mesh_processing::isotropic_remeshing(faces(mesh), length, mesh,
                                                      CGAL::parameters::number_of_iterations(5));
   mesh.collect_garbage();
-  Mesh_data result;
-  for(Mesh::Vertex_index v : mesh.vertices())
-    result.points.push_back({{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()}});
-  for(Mesh::Face_index f : mesh.faces())
-  {
-    const Mesh::Halfedge_index h = mesh.halfedge(f);
-    result.triangles.push_back(
-      {{std::size_t(mesh.source(h)), std::size_t(mesh.target(h)), std::size_t(mesh.target(mesh.next(h)))}});
-  }
-  return result;
+  return mesh_data_of(mesh);
 }
 
 Mesh_data remeshed(const Mesh_data& m)
