@@ -117,6 +117,17 @@ void add_seconds(Json& seconds, const Progress& progress)
   seconds["total"] = total;
 }
 
+// a node, or a vertex where branches are left out
+void add_farthest_point(Json& report, const Mesh& mesh, const Cut_locus& cut_locus)
+{
+  const Mesh::Vertex_index vertex = cut_locus.farthest_vertex();
+  const Cut_locus::vertex_descriptor node = cut_locus.farthest_node();
+  const bool is_node = node != boost::graph_traits<Cut_locus::Graph>::null_vertex() &&
+                       cut_locus.graph()[node].distance >= cut_locus.distance(vertex);
+  report["farthest_point"] = to_json(is_node ? cut_locus.graph()[node].point : mesh.point(vertex));
+  report["farthest_point_distance"] = is_node ? cut_locus.graph()[node].distance : cut_locus.distance(vertex);
+}
+
 } // namespace
 
 void add_parameters(Json& parameters, const Options& options)
@@ -164,6 +175,7 @@ void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Inp
   }
   report["farthest"] = number(farthest);
   report["farthest_distance"] = cut_locus.distance(farthest);
+  add_farthest_point(report, mesh, cut_locus);
   report["root"] = number(root);
 
   report["note"] = CGAL::Cut_loci::description(statistics.status);

@@ -13,6 +13,7 @@
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/graph_traits.hpp>
+#include <boost/range/iterator_range.hpp>
 
 #include <array>
 #include <cmath>
@@ -157,6 +158,17 @@ public:
 
   /// the vertex of the mesh that is farthest from the source, or from the nearest one
   mesh_vertex_descriptor farthest_vertex() const { return farthest_; }
+
+  /// the vertex of the graph that is farthest from the source, or from the nearest one: on a closed surface no point is
+  /// farther, but at branches that are left out. It is the null vertex if there is none
+  vertex_descriptor farthest_node() const
+  {
+    vertex_descriptor result = boost::graph_traits<Graph>::null_vertex();
+    for(auto v : boost::make_iterator_range(vertices(graph_)))
+      if(result == boost::graph_traits<Graph>::null_vertex() || graph_[v].distance > graph_[result].distance)
+        result = v;
+    return result;
+  }
 
   /// the geodesic distance of a mesh vertex to the source, or to the nearest one; infinity if no path leads there
   double distance(mesh_vertex_descriptor v) const { return distance_(v); }

@@ -570,7 +570,7 @@ private:
                                                                            : solver_.cut_locus_method();
   }
 
-  // Who passes none of these parameters does not compile `Method::LAPLACIAN`, which is a third of the code.
+  // Who passes none of these parameters does not compile `Method::LAPLACIAN`.
   template <typename NamedParameters>
   void admit_laplacian()
   {

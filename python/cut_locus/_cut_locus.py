@@ -116,6 +116,11 @@ class Result:
         """The vertex of the mesh that is farthest from the source, or from the nearest one."""
         return self._core.farthest_vertex
 
+    @property
+    def farthest_node(self) -> int:
+        """The node that is farthest from the source: on a closed surface no point is farther, but at branches left out."""
+        return int(self.distance.argmax())
+
     # -- the k sources
 
     @cached_property

@@ -56,6 +56,7 @@ def test_arrays(bumpy, curve):
     assert meshes.length_of(result.points, result.edges).sum() == pytest.approx(result.length)
     assert 0. < result.injectivity_radius <= result.distance.min()
     assert result.vertex_distance.argmax() == result.farthest_vertex
+    assert result.distance[result.farthest_node] == result.distance.max()
     assert np.all(result.width > 0.) and np.all(result.strength > 0.)
     assert not result.is_on_border.any() and not result.edge_sources.any()
     assert result.status == "branches" and result.method == "direction"

@@ -203,6 +203,29 @@ TEST(Injectivity_radius, Converges_by_the_method_of_the_Laplacian_unless_a_thres
   }
 }
 
+// From a corner of the box 1 x 1 x 2, farthest is not the opposite corner, which is 2 sqrt(2) away, but a point that is a
+// quarter beside it.
+TEST(Farthest_node, Is_beyond_the_opposite_corner_of_a_box)
+{
+  for(const int n : {1, 2, 4, 5})
+  {
+    const Mesh_data data = cuboid({{1., 1., 2.}}, n);
+    const Built_mesh<Mesh> built(data);
+    for(const Method method : {Method::DIRECTION, Method::POLYHEDRAL})
+    {
+      CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, params::cut_locus_method(method));
+      solver.set_source(built.vertices[nearest_vertex(data, {{0., 0., 0.}})]);
+      const auto cut_locus = solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES));
+      const auto& farthest = cut_locus.graph()[cut_locus.farthest_node()];
+      EXPECT_NEAR(farthest.distance, std::sqrt(130.) / 4., 1e-5) << n;
+      EXPECT_NEAR(farthest.point.z(), 2., 1e-5);
+      EXPECT_NEAR(farthest.point.x(), 0.75, 1e-5);
+      EXPECT_NEAR(farthest.point.y(), 0.75, 1e-5);
+      EXPECT_LE(cut_locus.distance(cut_locus.farthest_vertex()), farthest.distance + 1e-12);
+    }
+  }
+}
+
 } // namespace
 
 } // namespace test_injectivity_radius
