@@ -80,6 +80,8 @@ TEST_F(Program, Report_and_edges)
     EXPECT_EQ(report.at("solver"), solver);
     EXPECT_GT(report.at("injectivity_radius").get<double>(), 0.5);
     EXPECT_LE(report.at("injectivity_radius").get<double>(), report.at("farthest_distance").get<double>());
+    EXPECT_GE(report.at("farthest_point_distance").get<double>(), report.at("farthest_distance").get<double>());
+    EXPECT_EQ(report.at("farthest_point").size(), 3u);
     for(const char* key : {"farthest", "leaves", "branchings", "root", "border_loops"})
       EXPECT_TRUE(report.at(key).is_number_unsigned()) << key;
     for(const char* stage :

@@ -87,9 +87,16 @@ TEST(Laplacian_curves, the_borders_of_a_ring_have_the_circle_between_them)
         const Built built(annulus(0.5, 1.5, nu, nr));
         const Result result = cut_locus_of_border(built, curve);
         expect_topology(built, border_loops(built), result, "ring");
-        // both sides of the row are equally far: rounding says on which one the curve starts
-        EXPECT_NEAR(length(result), 2. * pi, curve == Curve::THROUGH_FACES ? 0.25 : 6.5 / double(nr))
-          << nu << ' ' << nr;
+        if(nr % 2 == 0)
+        {
+          EXPECT_NEAR(length(result), 2. * pi, curve == Curve::THROUGH_FACES ? 5. / double(nu) : 0.02)
+            << nu << ' ' << nr;
+        }
+        else // both sides of the row are equally far: rounding says on which one the curve starts
+        {
+          EXPECT_NEAR(length(result), 2. * pi, curve == Curve::THROUGH_FACES ? 0.25 : 6.5 / double(nr))
+            << nu << ' ' << nr;
+        }
         if(curve == Curve::THROUGH_FACES)
           error += std::fabs(length(result) - 2. * pi) / 25.;
         for(const auto e : CGAL::make_range(edges(result.graph())))
