@@ -398,9 +398,18 @@ public:
    *                       `minimum_branch_width()`: about three edges on a smooth mesh, or a quarter of that where the
    *                       two paths enclose more curvature than the mesh and noise do, as in a limb or a corner; with
    *                       `Cut_loci::Method::POLYHEDRAL`, or if there is a `minimum_branch_gap`, 0}
-   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. Where branches meet, those that are shorter than a third of
-   *                     it are left out, too. A smaller one than the default takes a computation for the source once
+   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. With `Cut_loci::Method::DIRECTION`, low branches are left out
+   *                     where they meet others. A smaller one than the default takes a computation for the source once
    *                     more, which is kept for those of about its size.}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{minimum_branch_curvature}
+   *     \cgalParamDescription{the curvature that the two shortest paths to the points of a branch have to enclose, with its
+   *                           tip, for the branch to be kept at a quarter of the width: in radians in [0, 4 pi]; a
+   *                           limb encloses almost 2 pi, the corner of a box pi / 2}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{see `minimum_branch_curvature()`; if there is a `minimum_branch_width` or `minimum_branch_gap`,
+   *                       the width alone counts}
+   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{minimum_branch_gap}
    *     \cgalParamDescription{the least angle at the source, or where they part, between the two shortest paths to the

@@ -110,6 +110,7 @@ class Computation:
                     border: bool, snapping_tolerance: float, maximum_relative_error: float,
                     distances: Optional[npt.NDArray[Any]]) -> None: ...
     def cut_locus(self, *, minimum_branch_width: Optional[float], minimum_branch_gap: Optional[float],
+                  minimum_branch_curvature: Optional[float],
                   gradient_angle_threshold: Optional[float], laplacian_threshold: Optional[float],
                   filter_policy: Optional[FilterPolicy], minimum_branch_edges: Optional[int],
                   number_of_iterations: Optional[int], minimum_branch_length: Optional[float],
@@ -123,6 +124,8 @@ class Computation:
     def minimum_branch_width(self) -> float: ...
     @property
     def minimum_branch_gap(self) -> float: ...
+    @property
+    def minimum_branch_curvature(self) -> float: ...
 
 class Geodesics:
     def __init__(self, mesh: Mesh) -> None: ...

@@ -297,7 +297,8 @@ class CutLocus:
                                None if distances is None else np.asarray(distances))
 
     def cut_locus(self, *, curve: Optional[str] = None, minimum_branch_width: Optional[float] = None,
-                  minimum_branch_gap: Optional[float] = None, gradient_angle_threshold: Optional[float] = None,
+                  minimum_branch_gap: Optional[float] = None, minimum_branch_curvature: Optional[float] = None,
+                  gradient_angle_threshold: Optional[float] = None,
                   laplacian_threshold: Optional[float] = None, filter_policy: Optional[str] = None,
                   minimum_branch_edges: Optional[int] = None, minimum_branch_length: Optional[float] = None,
                   number_of_iterations: Optional[int] = None, voronoi: Optional[bool] = None,
@@ -314,6 +315,10 @@ class CutLocus:
             the source's component; not for "laplacian". Default: see the property of this name.
         minimum_branch_gap : float, optional
             The least angle at the source between them, in radians in [0, pi]; not for "laplacian".
+        minimum_branch_curvature : float, optional
+            The curvature that these paths have to enclose, with the tip of the branch, for it to be kept at a quarter
+            of the width: in radians in [0, 4 pi]; not for "laplacian". Default: see the property of this name; if a
+            width or a gap is given, the width alone counts.
         gradient_angle_threshold : float, optional
             The angle at which shortest paths must meet, in radians in [0, pi]; for "laplacian".
         laplacian_threshold : float, optional
@@ -333,6 +338,7 @@ class CutLocus:
         """
         core = self._core.cut_locus(
             minimum_branch_width=minimum_branch_width, minimum_branch_gap=minimum_branch_gap,
+            minimum_branch_curvature=minimum_branch_curvature,
             gradient_angle_threshold=gradient_angle_threshold, laplacian_threshold=laplacian_threshold,
             filter_policy=value_of(_core.FilterPolicy, filter_policy, "filter_policy"),
             minimum_branch_edges=minimum_branch_edges, number_of_iterations=number_of_iterations,
@@ -363,6 +369,11 @@ class CutLocus:
         return self._core.minimum_branch_gap
 
     @property
+    def minimum_branch_curvature(self) -> float:
+        """The default of this threshold for the current source, in radians; 0 if it has none."""
+        return self._core.minimum_branch_curvature
+
+    @property
     def gradient_angle_threshold(self) -> float:
         """The default of this threshold for the current source with the method "laplacian", in radians."""
         return self._core.gradient_angle_threshold
@@ -374,6 +385,7 @@ def compute(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Optional[Sour
             edge_lengths: Optional[npt.ArrayLike] = None, distances: Optional[npt.ArrayLike] = None,
             snapping_tolerance: float = 1e-10, maximum_relative_error: float = 0.,
             minimum_branch_width: Optional[float] = None, minimum_branch_gap: Optional[float] = None,
+            minimum_branch_curvature: Optional[float] = None,
             gradient_angle_threshold: Optional[float] = None, laplacian_threshold: Optional[float] = None,
             filter_policy: Optional[str] = None, minimum_branch_edges: Optional[int] = None,
             minimum_branch_length: Optional[float] = None, number_of_iterations: Optional[int] = None,
@@ -395,7 +407,7 @@ def compute(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Optional[Sour
         As in `CutLocus`.
     source_curves, source_border, distances, snapping_tolerance, maximum_relative_error
         As in `CutLocus.set_source()`.
-    curve, minimum_branch_width, minimum_branch_gap, gradient_angle_threshold, laplacian_threshold, filter_policy, \
+    curve, minimum_branch_width, minimum_branch_gap, minimum_branch_curvature, gradient_angle_threshold, laplacian_threshold, filter_policy, \
     minimum_branch_edges, minimum_branch_length, number_of_iterations, voronoi, medial
         As in `CutLocus.cut_locus()`.
 
@@ -417,7 +429,7 @@ def compute(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Optional[Sour
                            snapping_tolerance=snapping_tolerance, maximum_relative_error=maximum_relative_error)
     return computation.cut_locus(
         curve=curve, minimum_branch_width=minimum_branch_width, minimum_branch_gap=minimum_branch_gap,
-        gradient_angle_threshold=gradient_angle_threshold, laplacian_threshold=laplacian_threshold,
+        minimum_branch_curvature=minimum_branch_curvature, gradient_angle_threshold=gradient_angle_threshold, laplacian_threshold=laplacian_threshold,
         filter_policy=filter_policy, minimum_branch_edges=minimum_branch_edges,
         minimum_branch_length=minimum_branch_length, number_of_iterations=number_of_iterations, voronoi=voronoi,
         medial=medial)

@@ -263,13 +263,15 @@ PYBIND11_MODULE(_core, m)
     .def(
       "cut_locus",
       [](Computation& c, std::optional<double> minimum_branch_width, std::optional<double> minimum_branch_gap,
-         std::optional<double> gradient_angle_threshold, std::optional<double> laplacian_threshold,
-         std::optional<loci::Filter_policy> filter_policy, std::optional<long> minimum_branch_edges,
-         std::optional<long> number_of_iterations, std::optional<double> minimum_branch_length,
-         std::optional<loci::Curve> curve, std::optional<bool> voronoi, std::optional<bool> medial)
+         std::optional<double> minimum_branch_curvature, std::optional<double> gradient_angle_threshold,
+         std::optional<double> laplacian_threshold, std::optional<loci::Filter_policy> filter_policy,
+         std::optional<long> minimum_branch_edges, std::optional<long> number_of_iterations,
+         std::optional<double> minimum_branch_length, std::optional<loci::Curve> curve, std::optional<bool> voronoi,
+         std::optional<bool> medial)
       {
     const Thresholds thresholds = {minimum_branch_width,
                                    minimum_branch_gap,
+                                   minimum_branch_curvature,
                                    gradient_angle_threshold,
                                    laplacian_threshold,
                                    filter_policy,
@@ -283,9 +285,9 @@ PYBIND11_MODULE(_core, m)
     c.run([&] { result = std::make_unique<Result>(c.mesh, compute_cut_locus(*c.solver, thresholds, c.has_curves)); });
     return result;
       },
-      py::kw_only(), "minimum_branch_width"_a, "minimum_branch_gap"_a, "gradient_angle_threshold"_a,
-      "laplacian_threshold"_a, "filter_policy"_a, "minimum_branch_edges"_a, "number_of_iterations"_a,
-      "minimum_branch_length"_a, "curve"_a, "voronoi"_a, "medial"_a)
+      py::kw_only(), "minimum_branch_width"_a, "minimum_branch_gap"_a, "minimum_branch_curvature"_a,
+      "gradient_angle_threshold"_a, "laplacian_threshold"_a, "filter_policy"_a, "minimum_branch_edges"_a,
+      "number_of_iterations"_a, "minimum_branch_length"_a, "curve"_a, "voronoi"_a, "medial"_a)
     // they wait for what runs, as it may change them
     .def_property_readonly("method", [](Computation& c) { return c.exclusive.run([&] { return c.solver->method(); }); })
     .def_property_readonly("gradient_angle_threshold", [](Computation& c)
@@ -293,7 +295,9 @@ PYBIND11_MODULE(_core, m)
     .def_property_readonly("minimum_branch_width", [](Computation& c)
                            { return c.exclusive.run([&] { return c.solver->minimum_branch_width(); }); })
     .def_property_readonly("minimum_branch_gap", [](Computation& c)
-                           { return c.exclusive.run([&] { return c.solver->minimum_branch_gap(); }); });
+                           { return c.exclusive.run([&] { return c.solver->minimum_branch_gap(); }); })
+    .def_property_readonly("minimum_branch_curvature", [](Computation& c)
+                           { return c.exclusive.run([&] { return c.solver->minimum_branch_curvature(); }); });
 
   bind_result(m);
 

@@ -73,6 +73,8 @@ void refuse_thresholds_of_other_methods(Method method, const Thresholds& t)
     refuse_parameters_of_other_methods(method, np::minimum_branch_width(0.));
   if(t.minimum_branch_gap)
     refuse_parameters_of_other_methods(method, np::minimum_branch_gap(0.));
+  if(t.minimum_branch_curvature)
+    refuse_parameters_of_other_methods(method, np::minimum_branch_curvature(0.));
   if(t.gradient_angle_threshold)
     refuse_parameters_of_other_methods(method, np::gradient_angle_threshold(0.));
   if(t.laplacian_threshold)
@@ -86,10 +88,16 @@ void refuse_thresholds_of_other_methods(Method method, const Thresholds& t)
 template <typename NamedParameters>
 Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t, const NamedParameters& given)
 {
+  const auto with_curvature = [&](const auto& parameters)
+  {
+    return t.minimum_branch_curvature
+             ? solver.cut_locus(parameters.minimum_branch_curvature(*t.minimum_branch_curvature))
+             : solver.cut_locus(parameters);
+  };
   if(t.minimum_branch_width || t.minimum_branch_gap)
-    return solver.cut_locus(given.minimum_branch_width(t.minimum_branch_width.value_or(0.))
-                              .minimum_branch_gap(t.minimum_branch_gap.value_or(0.)));
-  return solver.cut_locus(given);
+    return with_curvature(given.minimum_branch_width(t.minimum_branch_width.value_or(0.))
+                            .minimum_branch_gap(t.minimum_branch_gap.value_or(0.)));
+  return with_curvature(given);
 }
 
 // Sources that are curves have no curve of mesh edges: its parameters are passed on, to be refused, if they are given.

@@ -23,7 +23,7 @@ using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
 // The parameters of `Surface_mesh_cut_locus::cut_locus()`; those that are not given have the library's defaults.
 struct Thresholds
 {
-  std::optional<double> minimum_branch_width, minimum_branch_gap;
+  std::optional<double> minimum_branch_width, minimum_branch_gap, minimum_branch_curvature;
   std::optional<double> gradient_angle_threshold, laplacian_threshold;
   std::optional<CGAL::Cut_loci::Filter_policy> filter_policy;
   std::optional<long> minimum_branch_edges, number_of_iterations;

@@ -157,6 +157,8 @@ def test_sources_in_different_components():
     ({"solver": "heat", "method": "direction"}, "needs the paths"),
     ({"minimum_branch_width": -1.}, "width of a branch must be a number that is not negative"),
     ({"minimum_branch_gap": 4.}, "angle from 0 to pi"),
+    ({"minimum_branch_curvature": 13.}, "angle from 0 to 4 pi"),
+    ({"method": "laplacian", "minimum_branch_curvature": 1.}, "minimum_branch_curvature has no meaning"),
     ({"minimum_branch_edges": -1}, "must not be negative"),
     ({"minimum_branch_length": float("nan")}, "minimum length of a branch"),
     ({"distances": np.zeros(5)}, r"distances must be an array of the shape \(6,\), and not \(5,\)"),

@@ -112,6 +112,13 @@ public:
     return std::hypot(p.x - q.x, p.y - q.y);
   }
 
+  // by how much a way along it is longer than the distance grows
+  double height(Index e)
+  {
+    const Tree_graph::Edge& edge = graph().edges[e];
+    return edge.piece == null_index ? 0. : length(e) * (1. - std::cos(0.5 * tree().ridges().meeting_angle(edge.piece)));
+  }
+
   // of what is kept; what only holds it together may be shorter if less has been looked for
   double length_of_strong(const Branch_strength& least)
   {
@@ -172,7 +179,60 @@ TEST(Branch_thresholds, Nothing_that_is_strong_is_missing)
   }
 }
 
-// Of those that meet, one may be as short: it continues another one.
+// Gauss and Bonnet: on a convex polyhedron, whose vertices are the leaves, two paths enclose the deficits of the leaves
+// beyond. Where these are more than a half turn at the source, the gap is the other side's.
+TEST(Branch_thresholds, What_paths_enclose_is_the_curvature_of_the_vertices_beyond)
+{
+  const double pi = std::acos(-1.);
+  std::vector<Mesh_data> bodies = {test_meshes::random_convex_polyhedron(60, 4)};
+  bodies.push_back(bodies.back()); // and as a tower, at whose top paths come from below
+  for(test_meshes::Point& p : bodies.back().points)
+    p[2] *= 5.;
+  for(const bool is_tower : {false, true})
+  {
+    const Mesh_data& body = bodies[is_tower];
+    const Indexed_triangle_mesh mesh = indexed(body);
+    std::vector<double> beyond_vertex(mesh.number_of_vertices(), 2. * pi);
+    for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    {
+      const auto& p = mesh.points[mesh.source(h)];
+      const auto& q = mesh.points[mesh.target(h)];
+      const auto& r = mesh.points[mesh.target(Indexed_triangle_mesh::next(h))];
+      const test_meshes::Point a = {{q[0] - p[0], q[1] - p[1], q[2] - p[2]}},
+                               b = {{r[0] - p[0], r[1] - p[1], r[2] - p[2]}};
+      beyond_vertex[mesh.source(h)] -=
+        std::acos(test_meshes::dot(test_meshes::normalized(a), test_meshes::normalized(b)));
+    }
+    const Index lowest = static_cast<Index>(std::min_element(mesh.points.begin(), mesh.points.end(),
+                                                             [](const auto& p, const auto& q) { return p[2] < q[2]; }) -
+                                            mesh.points.begin());
+    Solved full(mesh, lowest, {});
+    const auto kept = full.tree().kept({});
+    std::vector<double> beyond(full.graph().nodes.size(), 0.);
+    for(std::size_t i = 0; i < beyond.size(); ++i)
+      if(full.graph().nodes[i].vertex != null_index)
+        beyond[i] = beyond_vertex[full.graph().nodes[i].vertex];
+    int number = 0, from_behind = 0;
+    for(auto b = kept.rbegin(); b != kept.rend(); ++b)
+    {
+      const Tree_graph::Edge& edge = full.graph().edges[b->edge];
+      if(edge.piece != null_index && full.length(b->edge) > 1e-6)
+      {
+        const double found = full.tree().curvature(b->edge, b->outer);
+        const double truth = beyond[b->outer];
+        const double of_other_side = found + 2. * pi - beyond_vertex[lowest] - 2. * edge.gap;
+        EXPECT_LT((std::min)(std::fabs(found - truth), std::fabs(of_other_side - truth)), 1e-6) << truth;
+        ++number;
+        from_behind += found > pi + edge.gap;
+      }
+      beyond[b->inner] += beyond[b->outer];
+    }
+    EXPECT_GT(number, 60);
+    EXPECT_GT(from_behind, is_tower ? 3 : -1);
+  }
+}
+
+// Of those that meet, one may be as low: it continues another one.
 TEST(Branch_thresholds, Of_branches_that_meet_none_is_a_spur)
 {
   for(const Case& c : cases())
@@ -181,7 +241,7 @@ TEST(Branch_thresholds, Of_branches_that_meet_none_is_a_spur)
     Solved full(mesh, mesh.number_of_vertices() / 2, {});
     for(Branch_strength least : thresholds(test_meshes::mean_edge_length(c.data)))
     {
-      least.spur = least.width / 3.;
+      least.spur = 0.1 * least.width;
       SCOPED_TRACE(c.name + ", gap " + std::to_string(least.gap) + ", width " + std::to_string(least.width));
       std::map<Index, std::vector<Index>> around;
       for(const auto& b : full.tree().kept(least))
@@ -192,18 +252,18 @@ TEST(Branch_thresholds, Of_branches_that_meet_none_is_a_spur)
       {
         if(edges.size() != 1 || full.graph().nodes[leaf].face == null_index)
           continue;
-        double way = 0.;
+        double height = 0.;
         Index i = leaf, e = edges[0];
         for(;;)
         {
-          way += full.length(e);
+          height += full.height(e);
           const auto& ends = full.graph().edges[e].nodes;
           i = ends[0] == i ? ends[1] : ends[0];
           if(around[i].size() != 2)
             break;
           e = around[i][0] == e ? around[i][1] : around[i][0];
         }
-        spurs[i] += around[i].size() > 2 && way < (1. - 1e-9) * least.spur;
+        spurs[i] += around[i].size() > 2 && height < (1. - 1e-9) * least.spur;
       }
       for(const auto& [i, number] : spurs)
         EXPECT_LE(number, 1);
@@ -301,6 +361,40 @@ TEST(Branch_thresholds, Every_limb_has_its_branch)
       EXPECT_LE(length(strong, 0.), 1.1 * length(all, 3.6 * h));
     }
   }
+}
+
+// Limbs are narrower than the width asked for, and enclose more than half a sphere; less is asked for, more is kept.
+TEST(Branch_thresholds, What_encloses_enough_may_be_narrower)
+{
+  const Mesh_data data = limbed(16, 3);
+  const Built_mesh<Mesh> built(data);
+  CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh);
+  for(std::size_t source : {0, 700})
+  {
+    SCOPED_TRACE(source);
+    solver.set_source(built.vertices[source]);
+    const auto faces = params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES).minimum_branch_width(0.25);
+    double last = length(solver.cut_locus(faces), 0.);
+    const double of_width = last;
+    for(double enclosed : {12., 6., 4., 2., 1., 0.1, 0.})
+    {
+      const double now = length(solver.cut_locus(faces.minimum_branch_curvature(enclosed)), 0.);
+      EXPECT_GE(now, (1. - 1e-6) * last) << enclosed;
+      last = now;
+      if(enclosed == 4.)
+        EXPECT_GT(now, 1.2 * of_width);
+    }
+    // at last a quarter of the width is what counts
+    const double narrow = length(
+      solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES).minimum_branch_width(0.0625)), 0.);
+    EXPECT_NEAR(last, narrow, 0.05 * narrow);
+    const auto by_default = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+    const auto asked = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)
+                                          .minimum_branch_curvature(solver.minimum_branch_curvature()));
+    EXPECT_EQ(num_edges(by_default.graph()), num_edges(asked.graph()));
+  }
+  for(double wrong : {-1., 13., std::nan("")})
+    EXPECT_THROW(solver.cut_locus(params::minimum_branch_curvature(wrong)), CGAL::Cut_loci::Invalid_input);
 }
 
 // Paths along the edges of a mesh lead through vertices.

@@ -38,6 +38,8 @@ namespace internal {
  * - No path turns by more than a right angle at an edge, and what is as wide as a quarter of L is the shape, as noise has
  *   left it.
  *
+ * - A path that is led aside by the width w on its way is longer by w^2 / (2 L): a branch that is no higher is none.
+ *
  * Flat vertices tell nothing of the surface: h is the mean length of edges if there were none.
  */
 class Default_branch_strength
@@ -58,6 +60,7 @@ public:
     const double apart = sigma * std::pow(length_, 1.5) / std::sqrt(3.);
     strength.width = edge_ * std::hypot(3., (std::min)(2. * std::pow(apart, 4. / 9.), 0.25 * length_));
     strength.narrow = 0.25 * strength.width;
+    strength.spur = strength.width * strength.width / (2. * length_ * edge_);
     strength.enclosed = 2.5 * sharp + bends(sigma);
     let_corners_count(ramp(2. * geodesic_pi - bends(sigma), 0., 0.5 * geodesic_pi));
   }

@@ -173,7 +173,7 @@ public:
   std::vector<Tree_branches::Edge> kept(const Branch_strength& least, const Progress& progress = {})
   {
     const auto can_be = [&](Index e) { return least.is_none() || is_a_branch(e, least); };
-    const auto encloses = [&](Index e) { return curvature(e) >= least.enclosed; };
+    const auto encloses = [&](Index e, Index outer) { return curvature(e, outer) >= least.enclosed; };
     const auto is_wide = [&](Index e, double width) { return width == 0. || this->width(e) >= width; };
     const Strong_branches<decltype(can_be), decltype(encloses), decltype(is_wide)> strong(
       *graph_, connectivity_.number_of_border_loops, least, can_be, encloses, is_wide, progress.part(0., 0.6));
@@ -188,7 +188,7 @@ public:
       b.edge = edges[b.edge];
     remove_spurs(
       result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, root_,
-      [&](Index e) { return strong.is_enclosing(e) ? (std::max)(length(e), least.spur) : length(e); }, least.spur);
+      [&](Index e) { return strong.is_enclosing(e) ? (std::max)(height(e), least.spur) : height(e); }, least.spur);
     return result;
   }
 
@@ -215,28 +215,32 @@ public:
     return result;
   }
 
-  /// the curvature that the paths to an edge enclose; those from curves part nowhere, and their gap is the angle at which
-  /// they meet
-  double curvature(Index e) const
+  /// the curvature that the paths to an edge enclose, with what is beyond its node `outer`; those from curves part nowhere,
+  /// and their gap is the angle at which they meet
+  double curvature(Index e, Index outer) const
   {
     const Tree_graph::Edge& edge = graph_->edges[e];
     if(edge.piece == null_index || edge.is_between_sources())
       return 0.;
-    return edge.gap + (options_.lines.empty() ? ridges_.meeting_angle(edge.piece) : 0.);
+    return options_.lines.empty() ? ridges_.curvature_beyond(edge.piece, edge.nodes[1] == outer) : edge.gap;
   }
 
-  /// finds what `shown_width()` returns, for edges that are kept
+  /// finds what `shown_width()` and `shown_curvature()` return, for edges that are kept
   void measure_widths(const std::vector<Tree_branches::Edge>& edges, const Progress& progress = {})
   {
     const auto measure = [this](Index e) { return static_cast<float>(width(e)); };
     // some faces: in each it crosses, a branch has about as many pieces as there are on average
     const std::size_t most = 1 + 16 * edges.size() / (std::max)(ridges_.number_of_faces(), Index(1));
     shown_width_.assign(graph_->edges.size(), 0.f);
+    shown_curvature_.assign(graph_->edges.size(), 0.f);
+    for(const Tree_branches::Edge& b : edges)
+      shown_curvature_[b.edge] = static_cast<float>(curvature(b.edge, b.outer));
     const auto length_of = [this](Index e) { return length(e); };
     Branch_widths<decltype(measure), decltype(length_of)>(edges, static_cast<Index>(graph_->nodes.size()), most,
                                                           measure, length_of, shown_width_, progress);
   }
   float shown_width(Index edge) const { return shown_width_[edge]; }
+  float shown_curvature(Index edge) const { return shown_curvature_[edge]; }
 
   /// those of the edges of which labels do not say where they are, and the topology alone that there is something
   std::vector<Index> unknown(const std::vector<Tree_branches::Edge>& edges) const
@@ -270,6 +274,13 @@ private:
   {
     const Tree_graph::Edge& edge = graph_->edges[e];
     return !edge.is_between_sources() && edge.gap >= least.gap && graph_->can_be(e, least);
+  }
+
+  /// by how much a way along a piece is longer than the distance grows there; see `remove_spurs()`
+  double height(Index edge) const
+  {
+    const Index p = graph_->edges[edge].piece;
+    return p == null_index ? 0. : length(edge) * (1. - std::cos(0.5 * ridges_.meeting_angle(p)));
   }
 
   /// nothing is known of what the topology alone has added
@@ -410,7 +421,7 @@ private:
   std::unique_ptr<Tree_graph> graph_;
   Index root_ = null_index;
   std::vector<float> width_; // of each edge, negative as long as nobody has asked for it
-  std::vector<float> shown_width_;
+  std::vector<float> shown_width_, shown_curvature_;
   std::unique_ptr<Digon_width> measure_;
   std::unique_ptr<Shot_width> shots_; // for distances with an error
 };

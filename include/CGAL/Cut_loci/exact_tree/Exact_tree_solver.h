@@ -229,7 +229,7 @@ private:
     Branch_strength result = asked;
     result.gap = rounded(asked.gap, 1.);
     result.width = rounded(asked.width, surface_->extent);
-    result.spur = asked.spur > 0. ? asked.spur * (result.width / asked.width) : 0.;
+    result.spur = asked.spur > 0. ? asked.spur * std::pow(result.width / asked.width, 2) : 0.;
     return result;
   }
 
@@ -263,6 +263,8 @@ private:
                       all.part(0.9, 1.));
     if(divided_ != nullptr)
       divided_->remove_sources(result.graph, result.face);
+    if(!tree_->is_known(kept)) // pieces that the topology alone has added have no paths to tell it
+      set_distances_from_curves(mesh_, sources_, {}, result.graph);
     set_origins(mesh_, connectivity_, edges, result.face, result.graph);
     if(drops_branches)
       filter.remove_short_branches(edges, result);

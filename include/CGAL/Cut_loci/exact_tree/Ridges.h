@@ -130,6 +130,27 @@ public:
     return result;
   }
 
+  /// the curvature that the two paths to a point of the piece enclose, on the side beyond its end `outer_end`: the angles at
+  /// which they part and meet there; more than pi if the paths come from the other side. At the end where it is larger.
+  double curvature_beyond(std::size_t i, int outer_end) const
+  {
+    const Plane_point outer = piece_end(i, outer_end), inner = piece_end(i, 1 - outer_end);
+    const Image &a = pieces_[i].images[0], &b = pieces_[i].images[1];
+    const double dx = outer.x - inner.x, dy = outer.y - inner.y;
+    // the bisector goes straight away from both images or towards them; a short piece may not, by rounding
+    const double along = dx * (b.y - a.y) - dy * (b.x - a.x);
+    if(!(std::fabs(along) > 0.5 * std::hypot(dx, dy) * std::hypot(b.x - a.x, b.y - a.y)))
+      return (std::max)(pieces_[i].gaps[0], pieces_[i].gaps[1]) + meeting_angle(i);
+    double result = 0.;
+    for(int end : {0, 1})
+    {
+      const Plane_point p = piece_end(i, end);
+      const double meeting = angle_between(a.x - p.x, a.y - p.y, dx, dy) + angle_between(b.x - p.x, b.y - p.y, dx, dy);
+      result = (std::max)(result, pieces_[i].gaps[end] + meeting);
+    }
+    return result;
+  }
+
   /// the corners of a face in the frame of its first halfedge
   std::array<Plane_point, 3> layout(Index f) const { return Face_boundary::layout(*geodesics_, f); }
 
@@ -316,6 +337,9 @@ private:
     {
       Node& node = nodes_[face.first_node + piece.nodes[k]];
       node.distance = 0.5 * (piece.images[0].distance(node.point) + piece.images[1].distance(node.point));
+      if(work.drawing.is_doubtful && node.crossing == null_index && node.vertex == null_index)
+        if(const double d = work.drawing.shortest_to(node.point); std::isfinite(d))
+          node.distance = d;
       if(node.crossing != null_index)
         piece.gaps[k] = (*changes_)[node.crossing].gap;
       else if(node.vertex == null_index)

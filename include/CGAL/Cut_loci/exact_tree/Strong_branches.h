@@ -91,6 +91,9 @@ private:
       return;
     row_.erase(row_.begin(), row_.begin() + static_cast<std::ptrdiff_t>(first));
     std::reverse(row_.begin(), row_.end());
+    outer_.assign(1, end);
+    for(std::size_t i = 0; i + 1 < row_.size(); ++i)
+      outer_.push_back(Edges_left::other(graph_.edges[row_[i]].nodes, outer_.back()));
     remove(end, outermost_strong());
   }
 
@@ -98,10 +101,12 @@ private:
   Index find_row(Index leaf)
   {
     row_.clear();
+    outer_.clear();
     Index i = leaf, e = left_.last(leaf);
     for(;;)
     {
       row_.push_back(e);
+      outer_.push_back(i);
       i = Edges_left::other(graph_.edges[e].nodes, i);
       if(left_.degree(i) != 2)
         return i;
@@ -130,7 +135,7 @@ private:
       if(graph_.edges[row_[i]].piece != null_index && (!known_.empty() || can_be_(row_[i])))
       {
         known_.push_back(i);
-        if(encloses_(row_[i]))
+        if(encloses_(row_[i], outer_[i]))
           enclosing_.push_back(i);
       }
     const std::size_t enclosing = outermost_of_width(enclosing_, least_.narrow);
@@ -177,7 +182,7 @@ private:
   Edges_left left_;
   std::vector<unsigned char> is_kept_, is_enclosing_; // by edge
   std::vector<Index> leaves_;
-  std::vector<Index> row_; // in work, from the leaf on
+  std::vector<Index> row_, outer_; // in work, from the leaf on: edges, and their nodes there
   // positions in it, from the first that may be strong, of edges that are known, and of those that enclose much
   std::vector<std::size_t> known_, enclosing_;
 };

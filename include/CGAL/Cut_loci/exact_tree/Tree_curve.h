@@ -107,9 +107,10 @@ private:
     if(rank(i) == 1 && rank(j) == 1 && a.halfedge != b.halfedge)
     {
       // at the vertex between two edges, but at none of the border: what passes there does not end there
-      vertex_[i] = common_vertex(a.halfedge, b.halfedge);
-      if(vertex_[i] == null_index)
+      const Index v = common_vertex(a.halfedge, b.halfedge);
+      if(v == null_index || !is_at(a, v) || !is_at(b, v))
         return false;
+      vertex_[i] = v;
     }
     merged_[j] = i;
     return true;
@@ -128,6 +129,14 @@ private:
       return mesh_.source(n.halfedge) == v || mesh_.target(n.halfedge) == v;
     const std::array<Index, 3>& t = mesh_.triangles[n.face];
     return std::find(t.begin(), t.end(), v) != t.end();
+  }
+
+  /// whether a node on an edge is at its end: the edges of a thin face are next to each other elsewhere, too
+  bool is_at(const Tree_graph::Node& n, Index v) const
+  {
+    constexpr double accuracy = 1e-6; // of nodes, in lengths of the edge
+    const double length = geodesics_.faces().length(n.halfedge);
+    return (mesh_.source(n.halfedge) == v ? n.t : length - n.t) <= accuracy * length;
   }
 
   /// of two edges, if it is not on the border
@@ -535,7 +544,7 @@ private:
     Indexed_cut_locus::Edge edge{i, j, mesh_edge(graph.nodes[i].vertex, graph.nodes[j].vertex, e.face),
                                  e.is_between_sources() ? gap_between_sources : static_cast<float>(e.gap), null_index};
     edge.width = tree_.shown_width(widest);
-    edge.curvature = static_cast<float>(tree_.curvature(widest));
+    edge.curvature = tree_.shown_curvature(widest);
     edge.sources = e.sources;
     graph.edges.push_back(edge);
     face.push_back(e.face);

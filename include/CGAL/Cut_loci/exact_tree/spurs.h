@@ -21,23 +21,25 @@ namespace Cut_loci {
 namespace internal {
 
 /*!
- * removes branches that are shorter than `least`. Where branches meet, the longest one continues and the others end; at
+ * removes branches that are not as high as `least`. Where branches meet, the highest one continues and the others end; at
  * cycles, and at the first `terminals` nodes, all of them end.
  *
- * Near its end, a branch of a smooth surface is divided between vertices of the polyhedron, and what two paths enclose
- * may be divided in two parts that are wide enough, each.
+ * The height of a branch is by how much a way along it is longer than the distance grows from one end to the other: where
+ * two paths meet at the angle &theta;, that grows by cos(&theta;/2) for each unit of length. If noise may lengthen paths
+ * by as much, it may have made the branch: near the end of another one, which the polyhedron divides between its
+ * vertices, or around the antipode of a part that is nearly a sphere, where all paths meet.
  *
  * @param edges as in `Tree_branches::edges()`
  * @param root of a tree without cycles and terminals: two branches are one there
- * @param length of an edge
+ * @param height of an edge, of which branches sum it up
  */
-template <typename Length>
+template <typename Height>
 void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes, Index terminals, Index root,
-                  const Length& length, double least)
+                  const Height& height, double least)
 {
-  struct Ways // outward from a node: the two longest
+  struct Ways // outward from a node: the two highest
   {
-    std::array<double, 2> length = {{0., 0.}};
+    std::array<double, 2> height = {{0., 0.}};
     std::array<Index, 2> edge = {{null_index, null_index}};
     bool is_in_core = false;
   };
@@ -55,15 +57,15 @@ void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes
       at.is_in_core = ways[b.outer].is_in_core = true;
       continue;
     }
-    const double way = ways[b.outer].length[0] + length(b.edge);
-    if(at.edge[1] == null_index || way > at.length[1])
+    const double way = ways[b.outer].height[0] + height(b.edge);
+    if(at.edge[1] == null_index || way > at.height[1])
     {
-      at.length[1] = way;
+      at.height[1] = way;
       at.edge[1] = b.edge;
     }
-    if(at.edge[0] == null_index || at.length[1] > at.length[0])
+    if(at.edge[0] == null_index || at.height[1] > at.height[0])
     {
-      std::swap(at.length[0], at.length[1]);
+      std::swap(at.height[0], at.height[1]);
       std::swap(at.edge[0], at.edge[1]);
     }
   }
@@ -74,7 +76,7 @@ void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes
     const Ways& at = ways[b.inner];
     const bool continues = !at.is_in_core && (b.edge == at.edge[0] || (b.inner == root && b.edge == at.edge[1]));
     const bool is_kept =
-      is_in_core(b) || (!is_gone[b.inner] && (continues || !(ways[b.outer].length[0] + length(b.edge) < least)));
+      is_in_core(b) || (!is_gone[b.inner] && (continues || !(ways[b.outer].height[0] + height(b.edge) < least)));
     if(is_kept)
       edges[size++] = b;
     else

@@ -110,6 +110,8 @@ void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
     refuse_unless(!is_laplacian, "minimum_branch_gap", use_paths);
   if(is_given<NamedParameters, np::minimum_branch_width_t>())
     refuse_unless(!is_laplacian, "minimum_branch_width", use_paths);
+  if(is_given<NamedParameters, np::minimum_branch_curvature_t>())
+    refuse_unless(!is_laplacian, "minimum_branch_curvature", use_paths);
 }
 
 template <typename Number>
@@ -180,10 +182,11 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
   using parameters::get_parameter;
   constexpr bool is_asked = is_given<NamedParameters, internal_np::minimum_branch_gap_t>() ||
                             is_given<NamedParameters, internal_np::minimum_branch_width_t>();
+  constexpr double infinity = (std::numeric_limits<double>::infinity)();
   Exact_tree_thresholds result = by_default;
   if(is_asked)
   {
-    result.enclosed = (std::numeric_limits<double>::infinity)();
+    result.enclosed = infinity;
     result.gap = choose_parameter(get_parameter(np, internal_np::minimum_branch_gap), 0.);
     const double width = choose_parameter(get_parameter(np, internal_np::minimum_branch_width), 0.);
     if(!(width >= 0. && width <= (is_intrinsic ? (std::numeric_limits<double>::max)() / diagonal : 1.)))
@@ -192,10 +195,19 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
         "the minimum width of a branch must be a number that is not negative, and no larger than 1, the "
         "diagonal of the bounding box, if the mesh is in space");
     result.width = diagonal * width;
+    result.narrow = 0.25 * result.width;
+  }
+  if(is_given<NamedParameters, internal_np::minimum_branch_curvature_t>())
+  {
+    result.enclosed = choose_parameter(get_parameter(np, internal_np::minimum_branch_curvature), infinity);
+    if(!(result.enclosed >= 0. && result.enclosed <= 4. * geodesic_pi))
+      throw Invalid_input(Cause::INVALID_PARAMETER,
+                          "the minimum curvature of a branch must be an angle from 0 to 4 pi, that of a sphere");
   }
   if(!(result.gap >= 0. && result.gap <= geodesic_pi))
     throw Invalid_input(Cause::INVALID_PARAMETER, "the minimum gap of a branch must be an angle from 0 to pi");
-  result.spur = result.width / 3.; // a mesh resolves what is three edges wide, and one edge long
+  if(result.width < by_default.width)
+    result.spur *= std::pow(result.width / by_default.width, 2);
   read_least_branch(np, 0, diagonal, result);
   static_cast<Kept_parts&>(result) = read_kept_parts(np);
   return result;

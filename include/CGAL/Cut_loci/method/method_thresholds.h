@@ -68,7 +68,7 @@ struct Branch_strength
   // the vertex, from the tip on, where they part at none.
   double enclosed = (std::numeric_limits<double>::infinity)();
   double narrow = 0.;
-  double spur = 0.; // a length: of branches that meet, those that are shorter are none
+  double spur = 0.; // a length: of branches that meet, those that are not as high are none; see `remove_spurs()`
 
   bool is_none() const { return gap == 0. && width == 0.; }
   bool operator==(const Branch_strength& other) const
@@ -77,18 +77,25 @@ struct Branch_strength
            spur == other.spur;
   }
   /// whether it needs angles that the other one does not: those of what encloses much are never small
-  bool is_weaker_than(const Branch_strength& other) const { return gap < other.gap || width < other.width; }
+  bool is_weaker_than(const Branch_strength& other) const
+  {
+    return gap < other.gap || width < other.width || (enclosed < 2. * usual_angle && enclosed < other.enclosed);
+  }
 
   /*
    * Of the gap, at this distance from where the paths part. Where the curvature is not negative, two paths of the length
    * d that part at an angle are never farther apart than that angle times d. Half of it is for places where it is. A gap
    * needs no such margin, but cycles, which stay whatever the strength, have weak parts; a tenth of a radian finds most
-   * of them.
+   * of them. Of the two angles that enclose a curvature one is half of it.
    */
   double least_angle(double distance) const
   {
-    return (std::min)(0.1, (std::max)(0.1 * gap, distance > 0. ? 0.5 * width / distance : 0.));
+    return (std::min)(
+      {usual_angle, 0.5 * enclosed, (std::max)(0.1 * gap, distance > 0. ? 0.5 * width / distance : 0.)});
   }
+
+private:
+  static constexpr double usual_angle = 0.1;
 };
 
 struct Exact_tree_thresholds : Branch_strength, Kept_parts
