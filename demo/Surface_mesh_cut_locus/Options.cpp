@@ -214,6 +214,11 @@ po::options_description visible_options()
     "the two shortest paths to a branch must be as far apart as this somewhere, in units of the diagonal of the "
     "bounding box, at most 1, with the methods direction and polyhedral (default: with direction what the mesh "
     "resolves, or a quarter of that in limbs and at corners; 0 with polyhedral, or if there is a --min-branch-gap)")(
+    "min-branch-curvature", po::value<std::string>()->value_name("RAD"),
+    "what encloses as much curvature is kept at a quarter of the width, in radians, at most 4 pi: a limb encloses "
+    "almost 2 pi, the corner of a box pi / 2, with the methods direction and polyhedral (default: what mesh and noise "
+    "do "
+    "not explain; the width alone counts if one is given)")(
     "min-branch-gap", po::value<std::string>()->value_name("RAD"),
     "least angle, in radians, between these paths where they part (default: 0)")(
     "angle", po::value<std::string>()->value_name("RAD"),
@@ -256,10 +261,12 @@ po::options_description visible_options()
     "sides with the same number are glued")("report", po::value<std::string>()->value_name("FILE"),
                                             "write figures and times as JSON")(
     "check", po::bool_switch(),
-    "check the topology of the result, also with --quiet, and by how much cutting along it lengthens shortest paths, "
-    "in mean edge "
-    "lengths; costs two exact computations of distances more. With several sources, distances are those to the "
-    "nearest. The program fails if the topology is wrong")("quiet", po::bool_switch(), "no progress on stderr")(
+    "check the topology of the result, also with --quiet, by how much cutting along it lengthens shortest paths, "
+    "and how far its distances are from exact ones, in mean edge lengths; costs three exact computations of "
+    "distances more. With several sources, distances are those to the nearest. The program fails if the topology is "
+    "wrong")("check-completeness", po::bool_switch(),
+             "check as well how much of what is wide in the cut locus of the polyhedron is near the result, and the "
+             "reverse; computes all of that cut locus")("quiet", po::bool_switch(), "no progress on stderr")(
     "help,h", po::bool_switch(), "print this text");
   return description;
 }
@@ -301,7 +308,7 @@ void check_options_of_method(const po::variables_map& given, const Options& opti
     throw Usage_error("--smooth is for --method laplacian: the method " + options.method_name +
                       " needs no smoothing, --curve faces gives its curve through the faces");
   if(options.method == Method::LAPLACIAN)
-    for(const char* option : {"min-branch-gap", "min-branch-width"})
+    for(const char* option : {"min-branch-gap", "min-branch-width", "min-branch-curvature"})
       refuse(option, "direction or polyhedral");
 }
 
@@ -359,7 +366,8 @@ void read_each_source(const po::variables_map& given, Options& options)
     return;
   }
   options.each_source = text("each-source");
-  for(const char* name : {"source", "source-point", "edges", "cells", "uv", "unfold", "check", "view"})
+  for(const char* name :
+      {"source", "source-point", "edges", "cells", "uv", "unfold", "check", "check-completeness", "view"})
     if(given.count(name) && !given[name].defaulted())
       throw Usage_error("--each-source and --" + std::string(name) + " exclude each other");
   if(given.count("part"))
@@ -419,7 +427,8 @@ Options parse_command_line(int argc, char* argv[])
   if(options.help)
     return options;
   options.is_quiet = given["quiet"].as<bool>();
-  options.check = given["check"].as<bool>();
+  options.check_completeness = given["check-completeness"].as<bool>();
+  options.check = options.check_completeness || given["check"].as<bool>();
 
   const auto text = [&](const char* name) { return given[name].as<std::string>(); };
   if(!given.count("mesh"))
@@ -457,7 +466,7 @@ Options parse_command_line(int argc, char* argv[])
                         "--curve edges only");
   if(given.count("keep"))
     options.kept = to_part(text("keep"));
-  for(const char* name : {"uv", "check"})
+  for(const char* name : {"uv", "check", "check-completeness"})
     if(options.kept != Kept_part::ALL && given.count(name) && !given[name].defaulted())
       throw Usage_error("--" + std::string(name) +
                         " is about all of the cut locus, and not about a part: leave --keep away");
@@ -484,6 +493,9 @@ Options parse_command_line(int argc, char* argv[])
     options.minimum_branch_length = to_number_in_range(text("min-branch-length"), "--min-branch-length", 1000.);
   if(given.count("min-branch-gap"))
     options.minimum_branch_gap = to_number_in_range(text("min-branch-gap"), "--min-branch-gap", pi);
+  if(given.count("min-branch-curvature"))
+    options.minimum_branch_curvature =
+      to_number_in_range(text("min-branch-curvature"), "--min-branch-curvature", 4. * pi);
   if(given.count("min-branch-width"))
     options.minimum_branch_width = to_number_in_range(text("min-branch-width"), "--min-branch-width", 1.);
   if(given.count("smooth"))

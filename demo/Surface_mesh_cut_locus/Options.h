@@ -41,7 +41,7 @@ struct Options
   std::optional<std::size_t> minimum_branch_edges;
   std::optional<double> minimum_branch_length;
   std::optional<double> minimum_branch_gap;
-  std::optional<double> minimum_branch_curvature; // the default, where it counts
+  std::optional<double> minimum_branch_curvature;
   std::optional<double> minimum_branch_width;
   std::optional<std::size_t> smoothing;       // iterations
   std::optional<CGAL::Cut_loci::Curve> curve; // null: see `curve_of()`
@@ -56,7 +56,8 @@ struct Options
   std::string unfold;
   std::string report;
   Kept_part kept = Kept_part::ALL;
-  bool check = false; // the topology and the detour of the result
+  bool check = false;              // the topology, the detour and the distances of the result
+  bool check_completeness = false; // and what it lacks
   bool is_quiet = false;
   bool help = false;
 };

@@ -54,6 +54,24 @@ std::string component_note(const Options& options, const Input_mesh& input, cons
          std::to_string(input.mesh.number_of_faces());
 }
 
+// How much of the polyhedron's cut locus is there, of what is as wide as the thresholds ask for.
+Completeness check_completeness(const Options& options, const Input_mesh& input, const Cut_locus& cut_locus)
+{
+  const bool has_threads = options.threads > 1;
+  const auto full = make_solver("exact", Method::POLYHEDRAL, input.mesh, nullptr, has_threads);
+  set_source(options, input, *full);
+  double width = options.minimum_branch_width.value_or(0.);
+  if(width == 0.)
+  {
+    const auto usual = make_solver("exact", Method::DIRECTION, input.mesh, nullptr, has_threads);
+    set_source(options, input, *usual);
+    width = usual->minimum_branch_width();
+  }
+  const auto faces = CGAL::parameters::cut_locus_curve(Curve::THROUGH_FACES);
+  return {width, share_near(input.mesh, full->cut_locus(faces.minimum_branch_width(width)), cut_locus),
+          share_near(input.mesh, cut_locus, full->cut_locus(faces))};
+}
+
 // whether the result is right, as far as it is checked
 bool run(const Options& options)
 {
@@ -104,7 +122,13 @@ bool run(const Options& options)
     });
   std::optional<Check> checked;
   if(options.check)
-    progress.run("check", [&]() { checked = check(mesh, cut_locus, source_curves); });
+    progress.run("check",
+                 [&]()
+                 {
+      checked = check(mesh, cut_locus, source_curves);
+      if(options.check_completeness)
+        checked->completeness = check_completeness(options, input, cut_locus);
+    });
   if(!options.report.empty())
     write_report(fill_in_defaults(options, *solver), curve, input, cut_locus, atlas, checked, progress);
   const bool is_right = !checked || checked->topology_fault.empty();

@@ -114,8 +114,7 @@ Json to_json(const std::vector<std::vector<Kernel::Point_3>>& polylines)
 Source_result describe(const Cut_locus& cut_locus, const Input_mesh& input, Json line)
 {
   const CGAL::Cut_loci::Cut_locus_statistics statistics = CGAL::Cut_loci::compute_statistics(cut_locus);
-  line["farthest"] = input.number[cut_locus.farthest_vertex()];
-  line["farthest_distance"] = cut_locus.distance(cut_locus.farthest_vertex());
+  add_farthest(line, input, cut_locus);
   line["edges"] = statistics.edges;
   line["cycles"] = statistics.cycles;
   line["leaves"] = statistics.leaves;

@@ -11,7 +11,6 @@
 #include <CGAL/Cut_loci/statistics.h>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -43,14 +42,6 @@ template <typename T>
 Json to_json(const std::optional<T>& value)
 {
   return value ? Json(*value) : Json(nullptr);
-}
-
-double mean_edge_length(const Mesh& mesh)
-{
-  double sum = 0.;
-  for(Mesh::Edge_index e : mesh.edges())
-    sum += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
-  return sum / static_cast<double>(mesh.number_of_edges());
 }
 
 Json to_json(const Repairs& repairs, Repair repair)
@@ -85,6 +76,17 @@ void add_check(Json& report, const Check& check)
   report["detour_max"] = figure(check.detour_max);
   if(!check.failed.empty())
     report["detour_failed"] = check.failed;
+  const auto distance = [&](double x) { return check.nodes_failed.empty() ? Json(x) : Json(nullptr); };
+  report["node_distance_error_mean"] = distance(check.node_distance_mean);
+  report["node_distance_error_max"] = distance(check.node_distance_max);
+  if(!check.nodes_failed.empty())
+    report["node_distances_failed"] = check.nodes_failed;
+  if(check.completeness)
+    report["completeness"] = {{"width", check.completeness->width},
+                              {"found", check.completeness->found},
+                              {"confirmed", check.completeness->confirmed}};
+  else
+    report["not_checked"] = {"completeness"};
 }
 
 void add_atlas(Json& report, const Atlas& atlas, const std::optional<double>& short_cut_graph_distance)
@@ -117,18 +119,21 @@ void add_seconds(Json& seconds, const Progress& progress)
   seconds["total"] = total;
 }
 
-// a node, or a vertex where branches are left out
-void add_farthest_point(Json& report, const Mesh& mesh, const Cut_locus& cut_locus)
+} // namespace
+
+void add_farthest(Json& report, const Input_mesh& input, const Cut_locus& cut_locus)
 {
   const Mesh::Vertex_index vertex = cut_locus.farthest_vertex();
+  const double distance = cut_locus.distance(vertex);
+  report["farthest"] = input.number[vertex];
+  report["farthest_distance"] = distance;
+  // a node, or a vertex where branches are left out
   const Cut_locus::vertex_descriptor node = cut_locus.farthest_node();
-  const bool is_node = node != boost::graph_traits<Cut_locus::Graph>::null_vertex() &&
-                       cut_locus.graph()[node].distance >= cut_locus.distance(vertex);
-  report["farthest_point"] = to_json(is_node ? cut_locus.graph()[node].point : mesh.point(vertex));
-  report["farthest_point_distance"] = is_node ? cut_locus.graph()[node].distance : cut_locus.distance(vertex);
+  const bool is_node =
+    node != boost::graph_traits<Cut_locus::Graph>::null_vertex() && cut_locus.graph()[node].distance >= distance;
+  report["farthest_point"] = to_json(is_node ? cut_locus.graph()[node].point : input.mesh.point(vertex));
+  report["farthest_point_distance"] = is_node ? cut_locus.graph()[node].distance : distance;
 }
-
-} // namespace
 
 void add_parameters(Json& parameters, const Options& options)
 {
@@ -152,7 +157,6 @@ void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Inp
   { return v == Mesh::null_vertex() ? Json(nullptr) : Json(input.number[v]); };
   const CGAL::Cut_loci::Cut_locus_statistics statistics = CGAL::Cut_loci::compute_statistics(cut_locus);
   const Cut_locus::Vertex& source = cut_locus.source();
-  const Mesh::Vertex_index farthest = cut_locus.farthest_vertex();
   const Mesh::Vertex_index root = cut_locus.graph()[cut_locus.root()].mesh_vertex;
 
   Json report;
@@ -173,9 +177,7 @@ void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Inp
     report["sources"].push_back(number(cut_locus.source(i).mesh_vertex));
     report["source_points"].push_back(to_json(cut_locus.source(i).point));
   }
-  report["farthest"] = number(farthest);
-  report["farthest_distance"] = cut_locus.distance(farthest);
-  add_farthest_point(report, mesh, cut_locus);
+  add_farthest(report, input, cut_locus);
   report["root"] = number(root);
 
   report["note"] = CGAL::Cut_loci::description(statistics.status);

@@ -16,14 +16,20 @@ namespace {
 
 constexpr std::size_t enough_smoothing = 4; // steps
 
-// One of the two replaces the defaults of both.
+// Gap or width replace the defaults of all three, the curvature its own.
 template <typename NamedParameters>
 Cut_locus apply_exact_thresholds(const Options& options, const Cut_locus_solver& solver, const NamedParameters& np)
 {
+  const auto with_curvature = [&](const auto& parameters)
+  {
+    return options.minimum_branch_curvature
+             ? solver.cut_locus(parameters.minimum_branch_curvature(*options.minimum_branch_curvature))
+             : solver.cut_locus(parameters);
+  };
   return options.minimum_branch_gap || options.minimum_branch_width
-           ? solver.cut_locus(np.minimum_branch_gap(options.minimum_branch_gap.value_or(0.))
-                                .minimum_branch_width(options.minimum_branch_width.value_or(0.)))
-           : solver.cut_locus(np);
+           ? with_curvature(np.minimum_branch_gap(options.minimum_branch_gap.value_or(0.))
+                              .minimum_branch_width(options.minimum_branch_width.value_or(0.)))
+           : with_curvature(np);
 }
 
 } // namespace
@@ -64,7 +70,7 @@ Options fill_in_defaults(Options options, const Cut_locus_solver& solver)
   {
     options.minimum_branch_gap = solver.minimum_branch_gap();
     options.minimum_branch_width = solver.minimum_branch_width();
-    options.minimum_branch_curvature = solver.minimum_branch_curvature();
+    fill_in(options.minimum_branch_curvature, solver.minimum_branch_curvature());
   }
   fill_in(options.minimum_branch_edges, is_laplacian ? solver.default_minimum_branch_edges() : 0);
   fill_in(options.minimum_branch_length, 0.);

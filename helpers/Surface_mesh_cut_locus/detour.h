@@ -34,6 +34,7 @@
 #include <numeric>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 // How good a computed cut locus is on a mesh of which nobody knows the true one.
@@ -212,9 +213,18 @@ inline std::vector<CGAL::Cut_loci::Indexed_location> sources(const Source_set& s
   return result;
 }
 
-inline std::vector<double> exact_distances(const Indexed_mesh& mesh,
-                                           const std::vector<CGAL::Cut_loci::Indexed_location>& sources,
-                                           const std::vector<Index>& lines = {})
+// edges behind a line, from where its wave comes: it is straight to 1e-7 of an edge then
+constexpr double line_reach = 1048576.;
+
+struct Exact_distances
+{
+  std::vector<double> of_vertices, of_queries;
+};
+
+inline Exact_distances exact_distances(const Indexed_mesh& mesh,
+                                       const std::vector<CGAL::Cut_loci::Indexed_location>& sources,
+                                       const std::vector<Index>& lines = {},
+                                       const std::vector<CGAL::Cut_loci::Indexed_location>& queries = {})
 {
   Indexed_mesh measured = mesh;
   if(CGAL::Cut_loci::internal::needs_mollification(mesh))
@@ -224,38 +234,45 @@ inline std::vector<double> exact_distances(const Indexed_mesh& mesh,
   options.owners.assign(sources.size(), 0);
   for(Index h : lines)
     options.lines.push_back({h, 0});
+  options.line_reach = line_reach;
   options.directions = !lines.empty();
+  options.queries = queries;
   propagation.run(sources, options);
-  return propagation.distances();
+  Exact_distances result{propagation.distances(), {}};
+  for(std::size_t i = 0; i < queries.size(); ++i)
+    result.of_queries.push_back(propagation.query_distance(i));
+  return result;
 }
 
-// The smallest distance over the copies of each vertex of the component, on the mesh cut open along the seams and along
-// the curves that are sources, which no shortest path crosses.
-inline std::vector<double>
-distances_cut_open(const Source_set& set, const CGAL::Cut_loci::internal::Curve_on_component& on, const Prepared& split)
+// The smallest distance over the copies of each vertex of the component, and that of places, on the mesh cut open along the
+// seams and along the curves that are sources, which no shortest path crosses.
+inline Exact_distances distances_cut_open(const Source_set& set, const CGAL::Cut_loci::internal::Curve_on_component& on,
+                                          const Prepared& split,
+                                          const std::vector<CGAL::Cut_loci::Indexed_location>& places = {})
 {
   const std::vector<Index> lines = set.lines(on.component.mesh, split.mesh, split.faces);
   Seams seams = split.seams;
   for(Index h : lines)
     CGAL::Cut_loci::add_seam(split.mesh, h, seams);
-  const CGAL::Cut_loci::Cut_mesh cut = CGAL::Cut_loci::cut_open(split.mesh, seams);
-  const std::vector<double> distance = exact_distances(cut.mesh, sources(set, on, split, cut), lines);
-  std::vector<double> result(on.component.mesh.number_of_vertices(), (std::numeric_limits<double>::infinity)());
-  for(Index v = 0; v < distance.size(); ++v)
-    if(cut.vertices[v] < result.size())
-      result[cut.vertices[v]] = (std::min)(result[cut.vertices[v]], distance[v]);
+  const CGAL::Cut_loci::Cut_mesh cut = CGAL::Cut_loci::cut_open(split.mesh, seams); // faces keep their numbers
+  Exact_distances result = exact_distances(cut.mesh, sources(set, on, split, cut), lines, places);
+  const std::vector<double> of_copies = std::move(result.of_vertices);
+  result.of_vertices.assign(on.component.mesh.number_of_vertices(), (std::numeric_limits<double>::infinity)());
+  for(Index v = 0; v < of_copies.size(); ++v)
+    if(cut.vertices[v] < result.of_vertices.size())
+      result.of_vertices[cut.vertices[v]] = (std::min)(result.of_vertices[cut.vertices[v]], of_copies[v]);
   return result;
 }
 
-// the same with no seams
-inline std::vector<double> distances(const Source_set& set, const CGAL::Cut_loci::internal::Curve_on_component& on)
+// the component with no seams
+inline Prepared whole(const Indexed_mesh& mesh)
 {
-  Prepared whole;
-  whole.mesh = on.component.mesh;
-  whole.faces.resize(whole.mesh.number_of_faces());
-  std::iota(whole.faces.begin(), whole.faces.end(), Index(0));
-  whole.seams.assign(whole.mesh.number_of_halfedges(), 0);
-  return distances_cut_open(set, on, whole);
+  Prepared result;
+  result.mesh = mesh;
+  result.faces.resize(mesh.number_of_faces());
+  std::iota(result.faces.begin(), result.faces.end(), Index(0));
+  result.seams.assign(mesh.number_of_halfedges(), 0);
+  return result;
 }
 
 inline std::string topology_fault(const Source_set& set, const CGAL::Cut_loci::internal::Curve_on_component& on,
@@ -316,7 +333,7 @@ Measures measure(const TriangleMesh& tm, const CGAL::Cut_locus<TriangleMesh, Poi
     const internal::Source_set set = internal::source_set(tm, read, on, source_curves);
     const double unit = CGAL::Cut_loci::Mesh_connectivity(on.component.mesh).mean_edge_length;
     if(exact.empty())
-      exact = internal::distances(set, on);
+      exact = internal::distances_cut_open(set, on, internal::whole(on.component.mesh)).of_vertices;
     const auto at_resolution = [&](Index resolution)
     {
       Measures measures;
@@ -326,7 +343,7 @@ Measures measure(const TriangleMesh& tm, const CGAL::Cut_locus<TriangleMesh, Poi
         measures.topology_fault = internal::topology_fault(set, on, split);
         const bool is_one = set.points.size() + set.curves.size() == 1;
         internal::open_pockets(split.mesh, is_one ? std::vector<Index>() : faces_at(set, on, split), split.seams);
-        internal::set_detour(exact, internal::distances_cut_open(set, on, split), unit, measures);
+        internal::set_detour(exact, internal::distances_cut_open(set, on, split).of_vertices, unit, measures);
         measures.worst = read.positions[on.component.vertices[measures.worst]];
       }
       catch(const CGAL::Cut_loci::Invalid_input& error)

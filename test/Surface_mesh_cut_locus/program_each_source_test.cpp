@@ -80,8 +80,8 @@ TEST_F(Each_source, A_line_tells_what_a_run_for_this_source_tells)
     const std::string source = i == 2 ? "--source 203" : "--source-point 1.4,0,0";
     ASSERT_EQ(run_on_torus(source + " --curve faces --quiet --report " + quoted(path("report.json"))).status, 0);
     const Json report = Json::parse(read_file(path("report.json")));
-    for(const char* figure :
-        {"edges", "cycles", "leaves", "branchings", "length", "injectivity_radius", "farthest", "farthest_distance"})
+    for(const char* figure : {"edges", "cycles", "leaves", "branchings", "length", "injectivity_radius", "farthest",
+                              "farthest_distance", "farthest_point", "farthest_point_distance"})
       EXPECT_EQ(all[i][figure], report[figure]) << figure;
   }
   std::size_t number_of_edges = 0;

@@ -289,6 +289,7 @@ Words wrong_command_line(const fs::path& folder, Random& random, std::string& ki
                                 "--curve",
                                 "--min-branch-width",
                                 "--min-branch-gap",
+                                "--min-branch-curvature",
                                 "--angle",
                                 "--laplacian",
                                 "--policy",

@@ -41,6 +41,7 @@ TEST_F(Program, Help)
                             "--curve",
                             "--min-branch-width",
                             "--min-branch-gap",
+                            "--min-branch-curvature",
                             "--angle",
                             "--laplacian",
                             "--policy",
@@ -133,9 +134,31 @@ TEST_F(Program, Check)
     EXPECT_EQ(report.at("topology"), "right");
     EXPECT_LE(report.at("detour_mean").get<double>(), report.at("detour_max").get<double>());
     EXPECT_LE(report.at("detour_p99").get<double>(), report.at("detour_max").get<double>());
+    EXPECT_LE(report.at("node_distance_error_mean").get<double>(), report.at("node_distance_error_max").get<double>());
+    // LAPLACIAN knows distances at vertices, and interpolates
+    EXPECT_LT(report.at("node_distance_error_max").get<double>(),
+              std::string(curve).find("laplacian") == std::string::npos ? 1e-6 : 0.5);
+    EXPECT_EQ(report.at("not_checked"), nlohmann::json({"completeness"}));
     // through the faces no shortest path crosses the branches of the polyhedron
     EXPECT_LT(report.at("detour_max").get<double>(),
               std::string(curve).find("--curve faces") != std::string::npos ? 0.001 : 1.);
+  }
+}
+
+// A width that is asked for leaves out nothing that is wider; a curve of mesh edges is near that through the faces.
+TEST_F(Program, Check_of_completeness)
+{
+  for(const char* options : {"--min-branch-width 0.05", "", "--curve edges", "--method laplacian"})
+  {
+    SCOPED_TRACE(options);
+    const Outcome outcome = run_on_torus(std::string("--source 5 --check-completeness ") + options + " --report " +
+                                         quoted(path("report.json")));
+    ASSERT_EQ(outcome.status, 0) << outcome.messages;
+    EXPECT_EQ(outcome.messages.find("not checked"), std::string::npos) << outcome.messages;
+    const auto figures = nlohmann::json::parse(read_file(path("report.json"))).at("completeness");
+    EXPECT_GT(figures.at("width").get<double>(), 0.);
+    EXPECT_GE(figures.at("found").get<double>(), 0.99);
+    EXPECT_GE(figures.at("confirmed").get<double>(), 0.99);
   }
 }
 
@@ -800,6 +823,9 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--solver heat --min-branch-width 0.1"),
                  "--min-branch-width is for --method direction or polyhedral, and here the method is laplacian");
   expect_failure(run_on_torus("--min-branch-gap 3.5"), "--min-branch-gap takes a number from 0 to 3.14159");
+  expect_failure(run_on_torus("--min-branch-curvature 13"), "--min-branch-curvature takes a number from 0 to 12.5");
+  expect_failure(run_on_torus("--method laplacian --min-branch-curvature 1"),
+                 "--min-branch-curvature is for --method direction or polyhedral");
   for(const char* width : {"1.1", "5", "1e300"})
     expect_failure(run_on_torus(std::string("--min-branch-width ") + width),
                    "--min-branch-width takes a number from 0 to 1");

@@ -9,6 +9,7 @@
 #include "built_mesh.h"
 #include "completeness.h"
 #include "detour.h"
+#include "node_distances.h"
 #include "test_meshes.h"
 
 #include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
@@ -252,6 +253,24 @@ TEST(Detour, Wrong_topology_is_named)
   }
 }
 
+// The nodes of the wall say that their distance is 0: what is off is the distance itself.
+TEST(Node_distances, Are_compared_with_those_at_their_place)
+{
+  const std::size_t n = 10;
+  const Built_mesh<Mesh> built(square(n));
+  for(double x : {5., 5.25})
+  {
+    SCOPED_TRACE(x);
+    const Cut_locus lying = wall(built, n, x, 0, 5, {0});
+    const curve_measures::Node_distance_errors errors = curve_measures::node_distance_errors(built.mesh, lying);
+    EXPECT_NEAR(errors.max * mean_length(built.mesh), std::hypot(x, 5.), 1e-9);
+    double sum = 0.;
+    for(const auto v : CGAL::make_range(vertices(lying.graph())))
+      sum += std::hypot(lying.graph()[v].point.x(), lying.graph()[v].point.y());
+    EXPECT_NEAR(errors.mean * mean_length(built.mesh), sum / double(num_vertices(lying.graph())), 1e-9);
+  }
+}
+
 TEST(Detour, Vanishes_on_the_cut_locus_and_only_there)
 {
   const Built_mesh<Mesh> built(torus(1., 0.4, 60, 24, 0.2, 3));
@@ -269,6 +288,7 @@ TEST(Detour, Vanishes_on_the_cut_locus_and_only_there)
     EXPECT_EQ(m.measuring_failed, "");
     EXPECT_LT(m.max, 1.);
     EXPECT_LT(m.mean, 0.01);
+    EXPECT_LT(curve_measures::node_distance_errors(mesh, *curve).max, 1e-9);
   }
   // the curve of another source, which its distances find
   Mesh copy = mesh;
@@ -279,6 +299,7 @@ TEST(Detour, Vanishes_on_the_cut_locus_and_only_there)
   const Measures m = curve_measures::measure(copy, misled.cut_locus());
   EXPECT_EQ(m.measuring_failed, "");
   EXPECT_GT(m.max, 5.);
+  EXPECT_GT(curve_measures::node_distance_errors(copy, misled.cut_locus()).max, 5.);
 
   EXPECT_DOUBLE_EQ(curve_measures::completeness(right, right, 0.1), 1.);
   EXPECT_LT(curve_measures::completeness(right, misled.cut_locus(), 0.1), 0.7);

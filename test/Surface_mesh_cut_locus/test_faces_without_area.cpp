@@ -10,6 +10,7 @@
 #include "built_mesh.h"
 #include "curve_topology.h"
 #include "detour.h"
+#include "node_distances.h"
 #include "test_meshes.h"
 
 #include <CGAL/Cut_loci/Invalid_input.h>
@@ -219,6 +220,8 @@ TEST(Faces_without_area, or_nearly_so_block_hardly_a_path)
                                 params::cut_locus_method(method).cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
       const auto measures = curve_measures::measure(built.mesh, curve);
       EXPECT_EQ(measures.measuring_failed, "") << "seed " << seed;
+      // also where labels alone tell what is drawn
+      EXPECT_LT(curve_measures::node_distance_errors(built.mesh, curve).max, 1e-6) << "seed " << seed;
       ++runs;
       right += measures.topology_fault.empty() && measures.max < 1e-4;
     }
