@@ -398,8 +398,8 @@ public:
    *                       `minimum_branch_width()`: about three edges on a smooth mesh, or a quarter of that where the
    *                       two paths enclose more curvature than the mesh and noise do, as in a limb or a corner; with
    *                       `Cut_loci::Method::POLYHEDRAL`, or if there is a `minimum_branch_gap`, 0}
-   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. With `Cut_loci::Method::DIRECTION`, low branches are left out
-   *                     where they meet others. A smaller one than the default takes a computation for the source once
+   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. All branches that pass it are kept; by default, low ones are
+   *                     left out where they meet others. A smaller one than the default takes a computation for the source once
    *                     more, which is kept for those of about its size.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{minimum_branch_curvature}

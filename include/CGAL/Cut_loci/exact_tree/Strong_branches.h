@@ -71,7 +71,7 @@ public:
     return result;
   }
 
-  /// whether it is kept for what it encloses alone, at the end of a branch
+  /// whether it is kept for what it encloses, at the end of a branch
   bool is_enclosing(Index e) const { return is_enclosing_[e] != 0; }
 
 private:
@@ -139,7 +139,7 @@ private:
           enclosing_.push_back(i);
       }
     const std::size_t enclosing = outermost_of_width(enclosing_, least_.narrow);
-    if(enclosing < row_.size() && !is_wide_(row_[enclosing], least_.width))
+    if(enclosing < row_.size())
       is_enclosing_[row_[enclosing]] = 1;
     known_.erase(std::lower_bound(known_.begin(), known_.end(), enclosing), known_.end());
     return (std::min)(enclosing, outermost_of_width(known_, least_.width));

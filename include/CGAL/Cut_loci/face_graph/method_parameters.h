@@ -196,6 +196,7 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
         "diagonal of the bounding box, if the mesh is in space");
     result.width = diagonal * width;
     result.narrow = 0.25 * result.width;
+    result.spur = 0.;
   }
   if(is_given<NamedParameters, internal_np::minimum_branch_curvature_t>())
   {
@@ -206,8 +207,6 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
   }
   if(!(result.gap >= 0. && result.gap <= geodesic_pi))
     throw Invalid_input(Cause::INVALID_PARAMETER, "the minimum gap of a branch must be an angle from 0 to pi");
-  if(result.width < by_default.width)
-    result.spur *= std::pow(result.width / by_default.width, 2);
   read_least_branch(np, 0, diagonal, result);
   static_cast<Kept_parts&>(result) = read_kept_parts(np);
   return result;
