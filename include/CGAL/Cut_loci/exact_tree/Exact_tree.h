@@ -186,6 +186,8 @@ public:
     std::vector<Tree_branches::Edge> result = branches.edges();
     for(Tree_branches::Edge& b : result)
       b.edge = edges[b.edge];
+    if(geodesics_.is_approximate())
+      return result;
     remove_spurs(
       result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, root_,
       [&](Index e) { return strong.is_enclosing(e) ? (std::max)(height(e), least.spur) : height(e); }, least.spur);
@@ -222,6 +224,8 @@ public:
     const Tree_graph::Edge& edge = graph_->edges[e];
     if(edge.piece == null_index || edge.is_between_sources())
       return 0.;
+    if(geodesics_.is_approximate()) // the images of a piece are not where it is
+      return edge.gap + ridges_.meeting_angle(edge.piece);
     return options_.lines.empty() ? ridges_.curvature_beyond(edge.piece, edge.nodes[1] == outer) : edge.gap;
   }
 
