@@ -62,8 +62,9 @@ struct Cut_locus_edge
   /// way from one to the other through the edge
   double width = 0.;
   /// the curvature that the two shortest paths to a point of the edge enclose, on the side that is away from the root, in
-  /// radians: the sum of the angles at which they part and meet there. By default an edge is there for its width, for this, or for what is behind it, see
-  /// `Surface_mesh_cut_locus::minimum_branch_curvature()`. Zero with `Cut_loci::Method::LAPLACIAN`, and between two sources
+  /// radians: the sum of the angles at which they part and meet there. By default an edge is there for its width, for this,
+  /// or for what is behind it, see `Surface_mesh_cut_locus::minimum_branch_curvature()`. Zero with
+  /// `Cut_loci::Method::LAPLACIAN`, and between two sources
   double curvature = 0.;
   /// the numbers of the sources nearest to the points on its two sides, the smaller one first: they differ on the Voronoi
   /// diagram of several sources, and are the same within the cell of one

@@ -133,7 +133,7 @@ TEST(Bounded_error_cut_locus, is_near_to_the_exact_one)
       const Solved exact(mesh, source), bounded(mesh, source, 1e-5);
       Solved::Thresholds narrower = exact.solver->default_thresholds(), wider = narrower;
       narrower.width *= 0.5;
-      narrower.spur = 0.;
+      narrower.spur = 0.; // all that is as wide
       wider.width *= 1.5;
       const Indexed_cut_locus found = bounded.through_faces();
       const double h = exact.solver->connectivity().mean_edge_length;

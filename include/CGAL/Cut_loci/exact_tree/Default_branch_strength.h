@@ -37,7 +37,6 @@ namespace internal {
  *   or, as the shortest of many is taken \cgalCite{cgal:kpz-dsgi-86}, h (s/h)<sup>4/9</sup>; the width is twice that.
  * - No path turns by more than a right angle at an edge, and what is as wide as a quarter of L is the shape, as noise has
  *   left it.
- *
  * - A path that is led aside by the width w on its way is longer by w^2 / (2 L): a branch that is no higher is none.
  *
  * Flat vertices tell nothing of the surface: h is the mean length of edges if there were none.

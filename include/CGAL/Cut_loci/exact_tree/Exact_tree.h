@@ -186,11 +186,12 @@ public:
     std::vector<Tree_branches::Edge> result = branches.edges();
     for(Tree_branches::Edge& b : result)
       b.edge = edges[b.edge];
-    if(geodesics_.is_approximate())
-      return result;
     remove_spurs(
-      result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, root_,
-      [&](Index e) { return strong.is_enclosing(e) ? (std::max)(height(e), least.spur) : height(e); }, least.spur);
+      result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, root_, least.spur,
+      [this](Index e) { return height(e); },
+      [&](const Tree_branches::Edge& b) {
+      return graph_->edges[b.edge].piece != null_index && encloses(b.edge, b.outer) && is_wide(b.edge, least.narrow);
+      });
     return result;
   }
 
@@ -224,8 +225,6 @@ public:
     const Tree_graph::Edge& edge = graph_->edges[e];
     if(edge.piece == null_index || edge.is_between_sources())
       return 0.;
-    if(geodesics_.is_approximate()) // the images of a piece are not where it is
-      return edge.gap + ridges_.meeting_angle(edge.piece);
     return options_.lines.empty() ? ridges_.curvature_beyond(edge.piece, edge.nodes[1] == outer) : edge.gap;
   }
 
@@ -280,11 +279,11 @@ private:
     return !edge.is_between_sources() && edge.gap >= least.gap && graph_->can_be(e, least);
   }
 
-  /// by how much a way along a piece is longer than the distance grows there; see `remove_spurs()`
+  /// by how much a way along it is longer than the distance grows there; see `remove_spurs()`
   double height(Index edge) const
   {
-    const Index p = graph_->edges[edge].piece;
-    return p == null_index ? 0. : length(edge) * (1. - std::cos(0.5 * ridges_.meeting_angle(p)));
+    const auto& [a, b] = graph_->edges[edge].nodes;
+    return (std::max)(0., length(edge) - std::fabs(graph_->nodes[a].distance - graph_->nodes[b].distance));
   }
 
   /// nothing is known of what the topology alone has added

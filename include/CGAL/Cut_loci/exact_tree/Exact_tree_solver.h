@@ -226,10 +226,11 @@ private:
   {
     const auto rounded = [](double value, double unit)
     { return value > 0. ? unit * std::exp2(std::floor(std::log2(value / unit))) : 0.; };
-    Branch_strength result = asked;
+    Branch_strength result; // without spurs
     result.gap = rounded(asked.gap, 1.);
     result.width = rounded(asked.width, surface_->extent);
-    result.spur = asked.spur > 0. ? asked.spur * std::pow(result.width / asked.width, 2) : 0.;
+    result.enclosed = rounded(asked.enclosed, 1.);
+    result.narrow = 0.25 * result.width;
     return result;
   }
 

@@ -137,9 +137,11 @@ public:
     const Plane_point outer = piece_end(i, outer_end), inner = piece_end(i, 1 - outer_end);
     const Image &a = pieces_[i].images[0], &b = pieces_[i].images[1];
     const double dx = outer.x - inner.x, dy = outer.y - inner.y;
-    // the bisector goes straight away from both images or towards them; a short piece may not, by rounding
+    // the bisector goes straight away from both images or towards them; a short piece may not, by rounding, nor one whose
+    // images have an error
     const double along = dx * (b.y - a.y) - dy * (b.x - a.x);
-    if(!(std::fabs(along) > 0.5 * std::hypot(dx, dy) * std::hypot(b.x - a.x, b.y - a.y)))
+    if(geodesics_->is_approximate() ||
+       !(std::fabs(along) > 0.5 * std::hypot(dx, dy) * std::hypot(b.x - a.x, b.y - a.y)))
       return (std::max)(pieces_[i].gaps[0], pieces_[i].gaps[1]) + meeting_angle(i);
     double result = 0.;
     for(int end : {0, 1})

@@ -42,7 +42,7 @@ public:
     : graph_(graph), least_(least), can_be_(can_be), encloses_(encloses), is_wide_(is_wide),
       left_(
         graph.nodes.size(), graph.edges.size(), [&](Index e) { return graph.edges[e].nodes; }, progress.part(0., 0.3)),
-      is_kept_(graph.edges.size(), 1), is_enclosing_(graph.edges.size(), 0)
+      is_kept_(graph.edges.size(), 1)
   {
     const Progress cutting = progress.part(0.3, 1.);
     for(Index i = 0; i < number_of_loops; ++i)
@@ -70,9 +70,6 @@ public:
         result.push_back(e);
     return result;
   }
-
-  /// whether it is kept for what it encloses, at the end of a branch
-  bool is_enclosing(Index e) const { return is_enclosing_[e] != 0; }
 
 private:
   void cut_row(Index leaf)
@@ -139,8 +136,6 @@ private:
           enclosing_.push_back(i);
       }
     const std::size_t enclosing = outermost_of_width(enclosing_, least_.narrow);
-    if(enclosing < row_.size())
-      is_enclosing_[row_[enclosing]] = 1;
     known_.erase(std::lower_bound(known_.begin(), known_.end(), enclosing), known_.end());
     return (std::min)(enclosing, outermost_of_width(known_, least_.width));
   }
@@ -180,7 +175,7 @@ private:
   const Encloses& encloses_;
   const Is_wide& is_wide_;
   Edges_left left_;
-  std::vector<unsigned char> is_kept_, is_enclosing_; // by edge
+  std::vector<unsigned char> is_kept_; // by edge
   std::vector<Index> leaves_;
   std::vector<Index> row_, outer_; // in work, from the leaf on: edges, and their nodes there
   // positions in it, from the first that may be strong, of edges that are known, and of those that enclose much

@@ -24,18 +24,18 @@ namespace internal {
  * removes branches that are not as high as `least`. Where branches meet, the highest one continues and the others end; at
  * cycles, and at the first `terminals` nodes, all of them end.
  *
- * The height of a branch is by how much a way along it is longer than the distance grows from one end to the other: where
- * two paths meet at the angle &theta;, that grows by cos(&theta;/2) for each unit of length. If noise may lengthen paths
- * by as much, it may have made the branch: near the end of another one, which the polyhedron divides between its
- * vertices, or around the antipode of a part that is nearly a sphere, where all paths meet.
+ * The height of a branch is by how much a way along it is longer than the distance grows from one end to the other. If
+ * noise may lengthen paths by as much, it may have made the branch: near the end of another one, which the polyhedron
+ * divides between its vertices, or around the antipode of a part that is nearly a sphere, where all paths meet.
  *
  * @param edges as in `Tree_branches::edges()`
  * @param root of a tree without cycles and terminals: two branches are one there
  * @param height of an edge, of which branches sum it up
+ * @param is_none tells of an edge that no branch through it is a spur
  */
-template <typename Height>
+template <typename Height, typename Is_none>
 void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes, Index terminals, Index root,
-                  const Height& height, double least)
+                  double least, const Height& height, const Is_none& is_none)
 {
   struct Ways // outward from a node: the two highest
   {
@@ -48,6 +48,7 @@ void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes
     ways[i].is_in_core = true;
   const auto is_in_core = [](const Tree_branches::Edge& b)
   { return b.strength == (std::numeric_limits<float>::infinity)(); };
+  std::vector<unsigned char> is_high(edges.size(), 1);
   for(std::size_t i = edges.size(); i-- > 0;)
   {
     const Tree_branches::Edge& b = edges[i];
@@ -57,7 +58,10 @@ void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes
       at.is_in_core = ways[b.outer].is_in_core = true;
       continue;
     }
-    const double way = ways[b.outer].height[0] + height(b.edge);
+    double way = ways[b.outer].height[0] + height(b.edge);
+    if(way < least && is_none(b))
+      way = least;
+    is_high[i] = !(way < least);
     if(at.edge[1] == null_index || way > at.height[1])
     {
       at.height[1] = way;
@@ -71,13 +75,12 @@ void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes
   }
   std::vector<unsigned char> is_gone(number_of_nodes, 0);
   std::size_t size = 0;
-  for(const Tree_branches::Edge b : edges)
+  for(std::size_t i = 0; i < edges.size(); ++i)
   {
+    const Tree_branches::Edge b = edges[i];
     const Ways& at = ways[b.inner];
     const bool continues = !at.is_in_core && (b.edge == at.edge[0] || (b.inner == root && b.edge == at.edge[1]));
-    const bool is_kept =
-      is_in_core(b) || (!is_gone[b.inner] && (continues || !(ways[b.outer].height[0] + height(b.edge) < least)));
-    if(is_kept)
+    if(is_in_core(b) || (!is_gone[b.inner] && (continues || is_high[i])))
       edges[size++] = b;
     else
       is_gone[b.outer] = 1;
