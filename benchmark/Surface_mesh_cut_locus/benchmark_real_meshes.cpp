@@ -304,14 +304,6 @@ private:
     std::fflush(stdout);
   }
 
-  static double mean_edge_length(const Mesh& mesh)
-  {
-    double sum = 0.;
-    for(const auto e : mesh.edges())
-      sum += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
-    return sum / double(mesh.number_of_edges());
-  }
-
   const Settings settings_;
   const std::vector<Configuration> configurations_ = all_configurations();
   std::string name_;

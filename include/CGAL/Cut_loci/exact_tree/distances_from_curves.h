@@ -14,7 +14,6 @@
 #include <CGAL/Cut_loci/method/distances_from_lines.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -43,9 +42,7 @@ inline Distances_from_lines distances_from_curves(const Indexed_triangle_mesh& m
 inline void set_distances_from_curves(const Indexed_triangle_mesh& mesh, const std::vector<Indexed_source>& points,
                                       const std::vector<Indexed_curve>& curves, Indexed_cut_locus& curve)
 {
-  const Distances_from_lines distances = distances_from_curves(mesh, points, curves, locations_of_nodes(curve));
-  for(std::size_t i = 0; i < curve.nodes.size(); ++i)
-    curve.nodes[i].distance = distances.of_queries[i];
+  set_distances(distances_from_curves(mesh, points, curves, locations_of_nodes(curve)), curve);
 }
 
 } // namespace internal

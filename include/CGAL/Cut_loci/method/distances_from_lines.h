@@ -56,6 +56,12 @@ inline std::vector<Indexed_location> locations_of_nodes(const Indexed_cut_locus&
   return result;
 }
 
+inline void set_distances(const Distances_from_lines& at_nodes, Indexed_cut_locus& curve)
+{
+  for(std::size_t i = 0; i < curve.nodes.size(); ++i)
+    curve.nodes[i].distance = at_nodes.of_queries[i];
+}
+
 /// gives the nodes of a curve their distances from points and parts of the border
 inline void set_distances_from_parts(const Indexed_triangle_mesh& mesh, const std::vector<Indexed_source>& points,
                                      const Source_parts& parts, Indexed_cut_locus& curve)
@@ -72,9 +78,7 @@ inline void set_distances_from_parts(const Indexed_triangle_mesh& mesh, const st
       sources.push_back(location_on(h));
       sources.push_back(location_on(h, 1.));
     }
-  const Distances_from_lines distances = distances_from_lines(mesh, sources, lines, locations_of_nodes(curve));
-  for(std::size_t i = 0; i < curve.nodes.size(); ++i)
-    curve.nodes[i].distance = distances.of_queries[i];
+  set_distances(distances_from_lines(mesh, sources, lines, locations_of_nodes(curve)), curve);
 }
 
 } // namespace internal
