@@ -319,6 +319,34 @@ TEST(Branch_thresholds, Looking_for_strong_branches_alone_finds_the_same)
   }
 }
 
+// The default is what the tree of the whole polyhedron has at its strength: what is narrow and encloses much, what is weak
+// between two strong parts, and what is widest in the middle of all.
+TEST(Branch_thresholds, The_default_is_what_the_whole_tree_has_at_its_strength)
+{
+  for(const double noise : {0., 0.01, 0.03})
+    for(const std::size_t n : {14, 18})
+      for(unsigned seed = 1; seed <= 3; ++seed)
+      {
+        const Indexed_triangle_mesh mesh = indexed(limbed(n, seed, noise));
+        const Branch_strength strength = Exact_tree_solver(mesh).default_thresholds();
+        for(Index source = seed; source < mesh.number_of_vertices(); source += mesh.number_of_vertices() / 5)
+        {
+          SCOPED_TRACE("noise " + std::to_string(noise) + ", n " + std::to_string(n) + ", seed " +
+                       std::to_string(seed) + ", source " + std::to_string(source));
+          Solved full(mesh, source, {}), run(mesh, source, strength);
+          const auto length_of_kept = [&](Solved& solved)
+          {
+            double result = 0.;
+            for(const auto& b : solved.tree().kept(strength))
+              result += solved.length(b.edge);
+            return result;
+          };
+          const double of_full = length_of_kept(full);
+          EXPECT_NEAR(length_of_kept(run), of_full, 1e-3 * of_full);
+        }
+      }
+}
+
 // of the bounding box
 double diagonal_of(const Mesh_data& m)
 {

@@ -223,7 +223,7 @@ TEST(Weak_connections, are_found_where_they_are_though_what_is_weak_is_not_looke
         EXPECT_NEAR(found, expected, 0.01 * expected);
       }
   }
-  EXPECT_GE(number_of_weak, 5u);
+  EXPECT_GE(number_of_weak, 2u); // most are between faces that are drawn, and drawn with these
 }
 
 } // namespace

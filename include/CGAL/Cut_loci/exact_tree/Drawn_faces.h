@@ -34,8 +34,9 @@ public:
 
   Drawn_faces(Exact_geodesic_propagation& geodesics, const Branch_strength& least)
     : is_drawn(geodesics.faces().number_of_halfedges() / 3, 0), bend(geodesics.faces().number_of_halfedges(), 0.f),
-      geodesics_(geodesics), faces_(geodesics.faces()), jumps_(geodesics, least),
-      is_crossed_(faces_.number_of_halfedges(), 0)
+      geodesics_(geodesics), faces_(geodesics.faces()), jumps_(geodesics, least, 1.),
+      weak_jumps_(geodesics, least, 0.5), is_crossed_(faces_.number_of_halfedges(), 0),
+      is_weak_(faces_.number_of_halfedges(), 0)
   {
   }
 
@@ -45,8 +46,9 @@ public:
     is_crossed_[h] = 1;
     if(is_drawn[h / 3] && is_drawn[o / 3])
       return false;
-    jumps_.start(faces_.source(h), faces_.target(h), faces_.length(h));
-    if(geodesics_.is_approximate() ? has_jump<9>(h, o, list) : has_jump<7>(h, o, list))
+    unsigned char& is_weak = is_weak_[(std::min)(h, o)];
+    is_weak = is_weak || has_jump(weak_jumps_, h, o, list);
+    if(is_weak && has_jump(jumps_, h, o, list))
       is_drawn[h / 3] = is_drawn[o / 3] = 1;
     return false;
   }
@@ -61,36 +63,83 @@ public:
     geodesics_.release(list);
   }
 
+  /// the end of the propagation: A branch that is weak on the way from one such face to another one is drawn, too. All
+  /// other faces that are linked by weak jumps are taken away from their ends.
+  void finish()
+  {
+    std::vector<unsigned char> number(is_drawn.size(), 0);
+    std::vector<Index> ends;
+    for(Index f = 0; f < is_drawn.size(); ++f)
+    {
+      for_each_weak_neighbor(f, [&](Index) { ++number[f]; });
+      if(!is_drawn[f] && number[f] == 1)
+        ends.push_back(f);
+    }
+    while(!ends.empty())
+    {
+      const Index end = ends.back();
+      ends.pop_back();
+      number[end] = 0;
+      for_each_weak_neighbor(end,
+                             [&](Index f)
+                             {
+        if(!is_drawn[f] && number[f] > 0 && --number[f] == 1)
+          ends.push_back(f);
+      });
+    }
+    for(Index f = 0; f < is_drawn.size(); ++f)
+      is_drawn[f] = is_drawn[f] || number[f] > 0;
+  }
+
 private:
+  template <typename Function>
+  void for_each_weak_neighbor(Index f, const Function& function) const
+  {
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const Index o = faces_.opposite(h);
+      if(o != null_index && is_weak_[(std::min)(h, o)])
+        function(o / 3);
+    }
+  }
+
+  bool has_jump(Label_jumps& jumps, Index h, Index o, const Geodesic_window_list& list)
+  {
+    jumps.start(faces_.source(h), faces_.target(h), faces_.length(h));
+    return geodesics_.is_approximate() ? has_jump<9>(jumps, h, o, list) : has_jump<7>(jumps, h, o, list);
+  }
+
   template <int columns>
-  bool has_jump(Index h, Index o, const Geodesic_window_list& list)
+  bool has_jump(const Label_jumps& jumps, Index h, Index o, const Geodesic_window_list& list)
   {
     const bool is_second = is_crossed_[o] || geodesics_.waits(o);
-    return jumps_.between_windows<columns>(list) || has_jump_at_end<columns>(list, h, o) ||
-           (is_second && jumps_.is_mirrored(list.get<columns>(list.begin), list.get<columns>(list.end - 1)));
+    return jumps.between_windows<columns>(list) || has_jump_at_end<columns>(jumps, list, h, o) ||
+           (is_second && jumps.is_mirrored(list.get<columns>(list.begin), list.get<columns>(list.end - 1)));
   }
 
   template <int columns>
   bool has_jump_on_border(Index h, const Geodesic_window_list& list)
   {
-    return jumps_.between_windows<columns>(list) || has_jump_at_end<columns>(list, h, h);
+    return jumps_.between_windows<columns>(list) || has_jump_at_end<columns>(jumps_, list, h, h);
   }
 
   template <int columns>
-  bool has_jump_at_end(const Geodesic_window_list& list, Index h, Index o)
+  bool has_jump_at_end(const Label_jumps& jumps, const Geodesic_window_list& list, Index h, Index o)
   {
     const Geodesic_window first = list.get<columns>(list.begin), last = list.get<columns>(list.end - 1);
-    if(jumps_.at_ends(first, last))
+    if(jumps.at_ends(first, last))
       return true;
     float& known = bend[(std::min)(h, o)];
-    known = (std::max)(known, static_cast<float>(jumps_.bend(first, last)));
+    known = (std::max)(known, static_cast<float>(jumps.bend(first, last)));
     return false;
   }
 
   Exact_geodesic_propagation& geodesics_;
   const Geodesic_faces& faces_;
-  Label_jumps jumps_;
+  Label_jumps jumps_, weak_jumps_;
   std::vector<unsigned char> is_crossed_; // by halfedge: whether windows have come to it
+  std::vector<unsigned char>
+    is_weak_; // by that of smaller index: whether a jump there is half as large as it needs to be
 };
 
 } // namespace internal

@@ -91,11 +91,12 @@ public:
   }
 
   /// The same, with what `edges` need that are not known: `draw_ridges()` and what follows have to be called again. The
-  /// topology says how they are to be joined, and where shortest paths separate what they join.
+  /// topology says how they are to be joined.
   ///
   /// @param rings of faces around what is not known that are looked at, too
+  /// @param is_far whether also faces are, in which shortest paths separate what is to be joined
   /// @return false, and does nothing, if all is known in the faces that may matter
-  bool propagate_once_more(const std::vector<Tree_branches::Edge>& edges, Index rings)
+  bool propagate_once_more(const std::vector<Tree_branches::Edge>& edges, Index rings, bool is_far)
   {
     std::vector<unsigned char> is_drawn = changes_.drawn_faces();
     bool is_more = false;
@@ -106,14 +107,17 @@ public:
     };
     for(Index f : unknown_faces(edges, rings))
       draw(f);
-    const Path_classes classes(mesh_, connectivity_, geodesics_, known_parts(edges));
-    for(Index h : connectivity_.halfedge_of_edge)
-      if(classes.separates(h))
-      {
-        draw(h / 3);
-        if(mesh_.opposite[h] != null_index)
-          draw(mesh_.opposite[h] / 3);
-      }
+    if(is_far)
+    {
+      const Path_classes classes(mesh_, connectivity_, geodesics_, known_parts(edges));
+      for(Index h : connectivity_.halfedge_of_edge)
+        if(classes.separates(h))
+        {
+          draw(h / 3);
+          if(mesh_.opposite[h] != null_index)
+            draw(mesh_.opposite[h] / 3);
+        }
+    }
     if(!is_more)
       return false;
     is_drawn_.swap(is_drawn);
@@ -173,10 +177,10 @@ public:
   std::vector<Tree_branches::Edge> kept(const Branch_strength& least, const Progress& progress = {})
   {
     const auto can_be = [&](Index e) { return least.is_none() || is_a_branch(e, least); };
-    const auto encloses = [&](Index e, Index outer) { return curvature(e, outer) >= least.enclosed; };
+    const auto enclosed = [this](Index e, Index outer) { return curvature(e, outer); };
     const auto is_wide = [&](Index e, double width) { return width == 0. || this->width(e) >= width; };
-    const Strong_branches<decltype(can_be), decltype(encloses), decltype(is_wide)> strong(
-      *graph_, connectivity_.number_of_border_loops, least, can_be, encloses, is_wide, progress.part(0., 0.6));
+    const Strong_branches<decltype(can_be), decltype(enclosed), decltype(is_wide)> strong(
+      *graph_, connectivity_.number_of_border_loops, least, can_be, enclosed, is_wide, progress.part(0., 0.6));
     const std::vector<Index> edges = strong.edges();
     const Tree_branches branches(
       static_cast<Index>(graph_->nodes.size()), static_cast<Index>(edges.size()),
@@ -189,8 +193,10 @@ public:
     remove_spurs(
       result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, root_, least.spur,
       [this](Index e) { return height(e); },
-      [&](const Tree_branches::Edge& b) {
-      return graph_->edges[b.edge].piece != null_index && encloses(b.edge, b.outer) && is_wide(b.edge, least.narrow);
+      [&](const Tree_branches::Edge& b)
+      {
+      return graph_->edges[b.edge].piece != null_index && curvature(b.edge, b.outer) >= least.enclosed &&
+             is_wide(b.edge, least.narrow);
       });
     return result;
   }
@@ -399,6 +405,7 @@ private:
     Drawn_faces found(geodesics_, least_);
     options_.progress = progress_.part(0., 0.5);
     geodesics_.run(sources_, options_, found);
+    found.finish();
     // between sources at the ends of an edge there may be no windows
     for(Index f = 0; f < mesh_.number_of_faces() && sources_.size() > 1; ++f)
       for(Index v : mesh_.triangles[f])

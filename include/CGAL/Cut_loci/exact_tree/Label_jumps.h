@@ -27,8 +27,9 @@ namespace internal {
 class Label_jumps
 {
 public:
-  Label_jumps(const Geodesic_results& geodesics, const Branch_strength& least)
-    : geodesics_(geodesics), parting_angle_(geodesics), least_(least),
+  /// @param share of these angles
+  Label_jumps(const Geodesic_results& geodesics, const Branch_strength& least, double share)
+    : geodesics_(geodesics), parting_angle_(geodesics), least_(least), share_(share), steep_(share * steep),
       directions_(geodesics.faces().number_of_vertices(), {-1., 0.})
   {
   }
@@ -40,7 +41,7 @@ public:
     b_ = b;
     length_ = length;
     distance_ = (std::min)(geodesics_.distance(a), geodesics_.distance(b)) + length;
-    least_angle_ = least_.least_angle(distance_);
+    least_angle_ = share_ * least_.least_angle(distance_);
   }
 
   /// whether two neighbors in the list differ
@@ -61,7 +62,7 @@ public:
                          (cross * cross > least_meeting * least_meeting * uu * (vx * vx + y[i + 1] * y[i + 1]));
       const bool parts =
         (origin[i] == origin[i + 1]) &
-        ((std::fabs((turn[i + 1] - turn[i]) * uu + cross) > least_angle_ * uu) | (std::fabs(cross) > steep * uu));
+        ((std::fabs((turn[i + 1] - turn[i]) * uu + cross) > least_angle_ * uu) | (std::fabs(cross) > steep_ * uu));
       if((bends | parts) && differ(list.get<7>(i), list.get<7>(i + 1), b[i]))
         return true;
     }
@@ -136,14 +137,14 @@ private:
     const double meeting = meeting_angle(a, b, t);
     if(geodesics_.is_seam(a.origin, b.origin, meeting))
       return false;
-    return meeting > steep || part_enough(a.origin, a.direction(t), b.origin, b.direction(t), meeting);
+    return meeting > steep_ || part_enough(a.origin, a.direction(t), b.origin, b.direction(t), meeting);
   }
 
   /// Paths that go together up to a vertex nearby get no farther apart than they can from there on.
   bool part_enough(Index a, double a_direction, Index b, double b_direction, double meeting) const
   {
     const Parting_angle::Parting parting = parting_angle_.parting(a, a_direction, b, b_direction, meeting);
-    return parting.angle > least_.least_angle(distance_ - parting.distance);
+    return parting.angle > share_ * least_.least_angle(distance_ - parting.distance);
   }
 
   /// Along an edge, the distance by one path is convex, and where a shadow begins it goes on with the same slope. So it
@@ -152,7 +153,7 @@ private:
   bool at_end(const Geodesic_window& w, double from, double to, Index v) const
   {
     const double excess = tangent(w, from, to) - geodesics_.distance(v) - geodesic_cover * length_;
-    return excess > 0. && (excess > steep * std::fabs(to - from) || leads_elsewhere(w, to, v));
+    return excess > 0. && (excess > steep_ * std::fabs(to - from) || leads_elsewhere(w, to, v));
   }
 
   static double tangent(const Geodesic_window& w, double from, double to)
@@ -164,6 +165,7 @@ private:
   const Geodesic_results& geodesics_;
   Parting_angle parting_angle_;
   Branch_strength least_;
+  double share_, steep_;
   /// of the path to each vertex, as it was when it had this distance
   struct Known_direction
   {

@@ -14,6 +14,7 @@
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -26,20 +27,20 @@ namespace internal {
  *
  * A row of edges, from a leaf to the next node where others meet, is cut before its outermost strong edge, or goes as a
  * whole. As branches get stronger inward, it takes few edges to find that one; to miss none where they do not, some more
- * are tried than the innermost: as many as the row can be halved. So nothing strong is lost for what is beside it, and
- * no edge has to be known as the root.
+ * are tried than the innermost: as many as the row can be halved, and of those that enclose enough the innermost of all
+ * that enclose the same. A row with two leaves is strongest anywhere: all are tried. So nothing strong is lost for what is beside it, and no edge has to be known as the root.
  *
  * @tparam Can_be tells quickly whether an edge may be strong
- * @tparam Encloses tells quickly whether it encloses so much that it may be narrow
+ * @tparam Enclosed tells quickly how much it encloses, with what is beyond its outer node: what is enough may be narrow
  * @tparam Is_wide tells whether it has a width
  */
-template <typename Can_be, typename Encloses, typename Is_wide>
+template <typename Can_be, typename Enclosed, typename Is_wide>
 class Strong_branches
 {
 public:
   Strong_branches(const Tree_graph& graph, Index number_of_loops, const Branch_strength& least, const Can_be& can_be,
-                  const Encloses& encloses, const Is_wide& is_wide, const Progress& progress = {})
-    : graph_(graph), least_(least), can_be_(can_be), encloses_(encloses), is_wide_(is_wide),
+                  const Enclosed& enclosed, const Is_wide& is_wide, const Progress& progress = {})
+    : graph_(graph), least_(least), can_be_(can_be), enclosed_(enclosed), is_wide_(is_wide),
       left_(
         graph.nodes.size(), graph.edges.size(), [&](Index e) { return graph.edges[e].nodes; }, progress.part(0., 0.3)),
       is_kept_(graph.edges.size(), 1)
@@ -75,7 +76,7 @@ private:
   void cut_row(Index leaf)
   {
     const Index end = find_row(leaf);
-    const bool has_two_leaves = left_.is_leaf(end);
+    has_two_leaves_ = left_.is_leaf(end);
     const std::size_t first = outermost_strong();
     remove(leaf, first);
     if(first == row_.size())
@@ -84,7 +85,7 @@ private:
         leaves_.push_back(end);
       return;
     }
-    if(!has_two_leaves)
+    if(!has_two_leaves_)
       return;
     row_.erase(row_.begin(), row_.begin() + static_cast<std::ptrdiff_t>(first));
     std::reverse(row_.begin(), row_.end());
@@ -132,20 +133,37 @@ private:
       if(graph_.edges[row_[i]].piece != null_index && (!known_.empty() || can_be_(row_[i])))
       {
         known_.push_back(i);
-        if(encloses_(row_[i], outer_[i]))
-          enclosing_.push_back(i);
+        const double enclosed = enclosed_(row_[i], outer_[i]);
+        if(enclosed >= least_.enclosed)
+          enclosing_.push_back({i, enclosed});
       }
-    const std::size_t enclosing = outermost_of_width(enclosing_, least_.narrow);
+    const std::size_t enclosing = outermost_enclosing();
     known_.erase(std::lower_bound(known_.begin(), known_.end(), enclosing), known_.end());
     return (std::min)(enclosing, outermost_of_width(known_, least_.width));
+  }
+
+  /// the same for those that enclose enough
+  std::size_t outermost_enclosing()
+  {
+    constexpr double rounding = 1e-6;
+    for(std::size_t begin = 0, end = 0; begin < enclosing_.size(); begin = end)
+    {
+      positions_.clear();
+      do
+        positions_.push_back(enclosing_[end++].position);
+      while(end < enclosing_.size() && std::fabs(enclosing_[end].enclosed - enclosing_[begin].enclosed) < rounding);
+      if(is_wide_(row_[positions_.back()], least_.narrow))
+        return outermost_of_width(positions_, least_.narrow);
+    }
+    return row_.size();
   }
 
   /// the same for positions in the row, of edges that have that width
   std::size_t outermost_of_width(const std::vector<std::size_t>& positions, double width) const
   {
     const auto is_wide = [&](std::size_t k) { return is_wide_(row_[positions[k]], width); };
-    std::size_t tries = 0;
-    for(std::size_t n = positions.size(); n > 0; n /= 2)
+    std::size_t tries = has_two_leaves_ ? positions.size() : 0;
+    for(std::size_t n = positions.size(); n > 0 && !has_two_leaves_; n /= 2)
       ++tries;
     std::size_t begin = 0;
     for(std::size_t k = 1; k <= tries; ++k)
@@ -172,14 +190,21 @@ private:
   const Tree_graph& graph_;
   const Branch_strength& least_;
   const Can_be& can_be_;
-  const Encloses& encloses_;
+  const Enclosed& enclosed_;
   const Is_wide& is_wide_;
   Edges_left left_;
   std::vector<unsigned char> is_kept_; // by edge
   std::vector<Index> leaves_;
+  bool has_two_leaves_ = false;
   std::vector<Index> row_, outer_; // in work, from the leaf on: edges, and their nodes there
-  // positions in it, from the first that may be strong, of edges that are known, and of those that enclose much
-  std::vector<std::size_t> known_, enclosing_;
+  struct Enclosing
+  {
+    std::size_t position;
+    double enclosed;
+  };
+  // positions in it, from the first that may be strong, of edges that are known, and of those that enclose enough
+  std::vector<std::size_t> known_, positions_;
+  std::vector<Enclosing> enclosing_;
 };
 
 } // namespace internal
