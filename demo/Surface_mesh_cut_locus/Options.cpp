@@ -7,6 +7,7 @@
 #include "Options.h"
 #include "cells.h"
 #include "flatten.h"
+#include "option_descriptions.h"
 #include "output.h"
 #include "output_file.h"
 #include "solvers.h"
@@ -157,120 +158,6 @@ void check_overwriting(const po::variables_map& given, const Options& options)
   }
 }
 
-po::options_description visible_options()
-{
-  constexpr unsigned columns = 110;
-  po::options_description description("Options", columns, columns / 2);
-  description.add_options()(
-    "repair", po::value<std::string>()->value_name("weld|orient|none")->default_value("weld"),
-    "weld: of any file with faces a mesh of triangles is made, and a line says how; border edges that lie on each "
-    "other, "
-    "two by two, are joined up to 1e-7 of the diagonal of the bounding box; the vertices keep the numbers of the file, "
-    "and "
-    "edges that are not in it are marked. orient: the same, but nothing is joined. none: a file that is no mesh of "
-    "triangles is refused")("source", po::value<std::vector<std::string>>()->value_name("V"),
-                            "vertex of the file, counted from 0 (default: the first one of the component with the most "
-                            "faces); repeatable, for the "
-                            "Voronoi diagram of several with the cut loci in its cells")(
-    "source-point", po::value<std::vector<std::string>>()->value_name("X,Y,Z"),
-    "the point of the surface closest to x,y,z; repeatable, also with --source")(
-    "each-source", po::value<std::string>()->value_name("FILE"),
-    "a cut locus for each source of a file, one on a line: a vertex, or x,y,z. The file of -o must end in .jsonl: it "
-    "gets a line of JSON for each, with the injectivity radius, other figures and the polylines; --report gets a "
-    "summary. Until all are there, their file is FILE.jsonl.part: the same command goes on where it was stopped")(
-    "part", po::value<std::string>()->value_name("I/N"),
-    "only the sources of the I-th of N parts of that file; the outputs of all parts, one after another, are "
-    "that of one run")("threads", po::value<std::string>()->value_name("N"),
-                       "threads; 0: as many as the machine has (default: 1). They are worth most with "
-                       "--each-source: distances from one source take one")(
-    "sources", po::value<std::string>()->value_name("FILE"), "the vertices whose numbers are in this file")(
-    "source-edges", po::value<std::string>()->value_name("FILE"),
-    "curves along edges of the mesh: each line of the file has the numbers of the vertices along some edges, and all "
-    "edges that are connected are one source. The cut locus of these, and of the border, runs through the faces unless "
-    "there is a --curve edges")(
-    "source-border", po::bool_switch(),
-    "each border loop: of a flat mesh, its medial axis. Points, curves and the border may be mixed")(
-    "keep", po::value<std::string>()->value_name("all|voronoi|medial"),
-    "with several sources: only what is between two of them, or only what is inside the cells (default: all)")(
-    "solver", po::value<std::string>()->value_name("NAME")->default_value(default_solver_name()),
-    ("geodesic distances by:\n" + solver_descriptions()).c_str())(
-    "max-relative-error", po::value<std::string>()->value_name("E"),
-    "lets the distances of the solver exact be longer by this share of their length, up to 0.1, with the methods "
-    "direction and laplacian: faster on smooth meshes of 100 000 faces and more, where 1e-5 moves the curve by a "
-    "hundredth of an edge at most, in the mean (default: 0)")(
-    "method", po::value<std::string>()->value_name("NAME")->default_value("auto"),
-    ("how the cut locus is found:\n"
-     "  auto: " +
-     default_methods() +
-     "\n"
-     "  direction: where the direction at the source jumps, without the branches of the mesh and its noise; with the "
-     "solver exact\n"
-     "  polyhedral: all of the cut locus of the polyhedron; with the solver exact\n"
-     "  laplacian: valleys of the Laplacian of the distance, with any solver")
-      .c_str())("curve", po::value<std::string>()->value_name("edges|faces"),
-                "the curve that all outputs are about is made of segments through the faces of the mesh, or of its "
-                "edges (default: faces; edges with --edges, --uv and --smooth 0)")(
-    "min-branch-width", po::value<std::string>()->value_name("W"),
-    "the two shortest paths to a branch must be as far apart as this somewhere, in units of the diagonal of the "
-    "bounding box, at most 1, with the methods direction and polyhedral (default: with direction what the mesh "
-    "resolves, or a quarter of that in limbs and at corners; 0 with polyhedral, or if there is a --min-branch-gap)")(
-    "min-branch-curvature", po::value<std::string>()->value_name("RAD"),
-    "what encloses as much curvature is kept at a quarter of the width, in radians, at most 4 pi: a limb encloses "
-    "almost 2 pi, the corner of a box pi / 2, with the methods direction and polyhedral (default: what mesh and noise "
-    "do "
-    "not explain; the width alone counts if one is given)")(
-    "min-branch-gap", po::value<std::string>()->value_name("RAD"),
-    "least angle, in radians, between these paths where they part (default: 0)")(
-    "angle", po::value<std::string>()->value_name("RAD"),
-    "least angle, in radians, above 0 and at most pi, at which shortest paths "
-    "meet, with the method laplacian (default: 0.7; 0.4 with the "
-    "heat method)")(
-    "laplacian", po::value<std::string>()->value_name("L"),
-    "least value of minus the Laplacian of the distance times the mean edge length, with the method laplacian "
-    "(default: none)")(
-    "policy", po::value<std::string>()->value_name("prune|grow"),
-    "weak branches are pruned from the leaves, or the tree is grown from its root, with the method laplacian "
-    "(default: prune)")("min-branch-edges", po::value<std::string>()->value_name("N"),
-                        "branches of fewer edges are removed (default: 3 with the method laplacian, else 0)")(
-    "min-branch-length", po::value<std::string>()->value_name("L"),
-    "branches that are shorter are removed, in units of the diagonal of the bounding box (default: 0)")(
-    "smooth", po::value<std::string>()->value_name("N"),
-    "N steps that move the curves off the edges of the mesh, onto the cut locus, with the method laplacian (default: "
-    "4, "
-    "which are enough, or 0 with --curve edges; 1000 are the most)")(
-    "output,o", po::value<std::vector<std::string>>()->value_name("FILE")->composing(),
-    ("write the cut locus; may be given several times. By extension:\n" + output_descriptions()).c_str())(
-    "view", po::value<std::string>()->value_name("X,Y,Z"),
-    "pictures look from this direction only (default: two that show most)")(
-    "edges", po::value<std::string>()->value_name("FILE"),
-    "write its edges as pairs of vertices of the file, counted from 0, with the word 'marked' if the edge is not in "
-    "the file")(
-    "cells", po::value<std::string>()->value_name("FILE.ply|.vtp|.obj"),
-    "write the surface with the number of the source nearest to each face, in the order of points, curves and the "
-    "border: faces between two sources are split. Where no path leads from a source, number and distance are -1")(
-    "uv", po::value<std::string>()->value_name("FILE.obj"),
-    "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a texture")(
-    "parameterization", po::value<std::string>()->value_name("NAME")->default_value("injective"),
-    "how --uv flattens:\n  injective: as isometrically as may be without flipped or overlapping triangles\n  arap: as "
-    "rigidly "
-    "as possible; may flip and overlap\n  lscm: least squares conformal map; may, too\n"
-    "  convex: mean value coordinates in a circle, without flipped triangles")(
-    "unfold", po::value<std::string>()->value_name("FILE.svg|.obj"),
-    "write the source unfolding of a convex polyhedron: cut along the exact cut locus, whatever the method, and laid "
-    "flat; "
-    "sides with the same number are glued")("report", po::value<std::string>()->value_name("FILE"),
-                                            "write figures and times as JSON")(
-    "check", po::bool_switch(),
-    "check the topology of the result, also with --quiet, by how much cutting along it lengthens shortest paths, "
-    "and how far its distances are from exact ones, in mean edge lengths; costs three exact computations of "
-    "distances more. With several sources, distances are those to the nearest. The program fails if the topology is "
-    "wrong")("check-completeness", po::bool_switch(),
-             "check as well how much of what is wide in the cut locus of the polyhedron is near the result, and the "
-             "reverse; computes all of that cut locus")("quiet", po::bool_switch(), "no progress on stderr")(
-    "help,h", po::bool_switch(), "print this text");
-  return description;
-}
-
 void read_method(const std::string& name, Options& options)
 {
   using CGAL::Cut_loci::Method;
@@ -389,18 +276,9 @@ void read_curve(const std::string& name, Options& options)
 
 } // namespace
 
-std::string usage()
-{
-  std::ostringstream text;
-  text << "Usage: cut_locus MESH [OPTION]...\n"
-          "Computes the cut locus of a point on a mesh (.off, .obj, .ply, .stl, .ts).\n\n"
-       << visible_options();
-  return text.str();
-}
-
 Options parse_command_line(int argc, char* argv[])
 {
-  po::options_description all = visible_options();
+  po::options_description all = all_options();
   all.add_options()("mesh", po::value<std::vector<std::string>>());
   po::positional_options_description positional;
   positional.add("mesh", -1);
@@ -423,9 +301,13 @@ Options parse_command_line(int argc, char* argv[])
   }
 
   Options options;
-  options.help = given["help"].as<bool>();
-  if(options.help)
-    return options;
+  for(const auto& [name, text] :
+      {std::make_pair("help", help), std::make_pair("help-all", help_on_all), std::make_pair("version", version)})
+    if(given[name].as<bool>())
+    {
+      options.text = text();
+      return options;
+    }
   options.is_quiet = given["quiet"].as<bool>();
   options.check_completeness = given["check-completeness"].as<bool>();
   options.check = options.check_completeness || given["check"].as<bool>();

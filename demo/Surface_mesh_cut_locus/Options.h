@@ -59,7 +59,7 @@ struct Options
   bool check = false;              // the topology, the detour and the distances of the result
   bool check_completeness = false; // and what it lacks
   bool is_quiet = false;
-  bool help = false;
+  std::string text; // what was asked for in place of a cut locus: help, or the version
 };
 
 inline std::size_t number_of_source_points(const Options& options)
@@ -87,7 +87,5 @@ std::string part_of_results(const Options& options);
 
 // Throws `Usage_error`.
 Options parse_command_line(int argc, char* argv[]);
-
-std::string usage();
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_OPTIONS_H

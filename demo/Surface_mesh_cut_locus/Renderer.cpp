@@ -7,8 +7,10 @@
 #include "Renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace picture {
 
@@ -250,6 +252,22 @@ void add_visible_parts(const Polyline& polyline, const Depth_buffer& buffer, int
   end_part(false);
 }
 
+/// the part of a horizontal line that is in a triangle
+std::pair<double, double> span(const std::array<Point_2, 3>& corners, double y)
+{
+  double left = (std::numeric_limits<double>::infinity)(), right = -left;
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const Point_2 &p = corners[i], &q = corners[(i + 1) % 3];
+    if((p.y - y) * (q.y - y) > 0.)
+      continue;
+    const double x = p.y == q.y ? p.x : p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x);
+    left = (std::min)({left, x, p.y == q.y ? q.x : x});
+    right = (std::max)({right, x, p.y == q.y ? q.x : x});
+  }
+  return {left, right};
+}
+
 } // namespace
 
 double length(const Vector& a)
@@ -328,15 +346,21 @@ Depth_buffer::Depth_buffer(const Scene& scene, const Frame& frame)
     const double area = cross_2(a.point, b.point, c.point);
     if(area == 0.)
       continue;
-    const auto range = [](double p, double q, double r, int size)
+    const auto range = [](double low, double high, int size)
     {
-      const double low = (std::min)({p, q, r}), high = (std::max)({p, q, r});
       return std::make_pair((std::max)(0, static_cast<int>(std::ceil(low - 0.5))),
                             (std::min)(size - 1, static_cast<int>(std::floor(high - 0.5))));
     };
-    const auto columns = range(a.point.x, b.point.x, c.point.x, frame.width);
-    const auto rows = range(a.point.y, b.point.y, c.point.y, frame.height);
+    const std::array<Point_2, 3> corners = {{a.point, b.point, c.point}};
+    const auto [lowest, highest] = std::minmax({a.point.y, b.point.y, c.point.y});
+    const auto rows = range(lowest, highest, frame.height);
     for(int row = rows.first; row <= rows.second; ++row)
+    {
+      // a slim triangle covers few pixels of its bounding box
+      const auto [left, right] = span(corners, row + 0.5);
+      if(!(left <= right))
+        continue;
+      const auto columns = range(left - 1e-6 * frame.width, right + 1e-6 * frame.width, frame.width);
       for(int column = columns.first; column <= columns.second; ++column)
       {
         const Point_2 q = {column + 0.5, row + 0.5};
@@ -352,6 +376,7 @@ Depth_buffer::Depth_buffer(const Scene& scene, const Frame& frame)
           triangles_[i] = id;
         }
       }
+    }
   }
 }
 

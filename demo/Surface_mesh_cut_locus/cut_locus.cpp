@@ -161,9 +161,9 @@ int main(int argc, char* argv[])
   try
   {
     const Options options = parse_command_line(argc, argv);
-    if(options.help)
+    if(!options.text.empty())
     {
-      std::cout << usage();
+      std::cout << options.text;
       return EXIT_SUCCESS;
     }
     return run(options) ? EXIT_SUCCESS : EXIT_FAILURE;

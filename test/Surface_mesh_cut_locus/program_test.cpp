@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -28,16 +29,20 @@ using curve_measures::Union_find;
 
 TEST_F(Program, Help)
 {
-  const Outcome outcome = run("--help");
-  EXPECT_EQ(outcome.status, 0);
+  const Outcome all = run("--help-all"), most = run("--help"), version = run("--version");
+  for(const Outcome* outcome : {&all, &most, &version})
+    EXPECT_EQ(outcome->status, 0);
   for(const char* option : {"--source ",
                             "--source-point",
                             "--sources ",
                             "--source-edges",
                             "--source-border",
+                            "--each-source",
+                            "--part",
                             "--solver",
-                            "--max-relative-error",
                             "--method",
+                            "--max-relative-error",
+                            "--threads",
                             "--curve",
                             "--min-branch-width",
                             "--min-branch-gap",
@@ -49,16 +54,51 @@ TEST_F(Program, Help)
                             "--min-branch-length",
                             "--smooth",
                             "--output",
+                            "--view",
                             "--edges",
                             "--cells",
                             "--keep",
                             "--uv",
                             "--parameterization",
+                            "--unfold",
                             "--report",
                             "--check",
+                            "--check-completeness",
                             "--repair",
-                            "--quiet"})
-    EXPECT_NE(outcome.messages.find(option), std::string::npos) << option;
+                            "--quiet",
+                            "--version",
+                            "--help-all"})
+    EXPECT_NE(all.messages.find(option), std::string::npos) << option;
+  EXPECT_LE(std::count(most.messages.begin(), most.messages.end(), '\n'), 60);
+  std::istringstream words(most.messages);
+  for(std::string word; words >> word;)
+    if(word.compare(0, 2, "--") == 0)
+    {
+      EXPECT_NE(all.messages.find(word), std::string::npos) << word;
+    }
+  EXPECT_EQ(version.messages.compare(0, 10, "cut_locus "), 0);
+}
+
+// Each example of the help, with a mesh that is there.
+TEST_F(Program, Examples_of_the_help)
+{
+  std::istringstream lines(run("--help").messages);
+  int number = 0;
+  for(std::string line; std::getline(lines, line);)
+  {
+    if(line.compare(0, 12, "  cut_locus ") != 0)
+      continue;
+    std::string arguments = line.substr(12);
+    arguments = arguments.substr(arguments.find(' '));
+    if(const std::size_t at = arguments.find("4711"); at != std::string::npos)
+      arguments.replace(at, 4, "47"); // the mesh has few vertices
+    write("square.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n.5 .5 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n");
+    const char* mesh = arguments.find("--source-border") != std::string::npos ? "square.off" : "torus.off";
+    const Outcome outcome = run(quoted(path(mesh)) + arguments, "cd " + quoted(folder_.string()) + "; ");
+    EXPECT_EQ(outcome.status, 0) << line << outcome.messages;
+    ++number;
+  }
+  EXPECT_EQ(number, 7);
 }
 
 TEST_F(Program, Report_and_edges)
@@ -933,6 +973,36 @@ TEST_F(Program, Outputs_are_the_old_or_the_new_ones)
   EXPECT_TRUE(fs::is_symlink(path("e.txt")));
   EXPECT_EQ(fs::status(path("elsewhere.txt")).permissions(), fs::perms(0640));
   EXPECT_EQ(number_of_files(), before + 1);
+}
+
+TEST_F(Program, Killed_at_any_moment_leaves_old_or_new_outputs)
+{
+  const std::vector<std::string> names = {"a.obj", "a.png", "e.txt", "c.ply", "u.obj", "u.png"};
+  const std::string outputs = "--quiet --source 5 -o " + quoted(path("a.obj")) + " -o " + quoted(path("a.png")) +
+                              " --edges " + quoted(path("e.txt")) + " --cells " + quoted(path("c.ply")) + " --uv " +
+                              quoted(path("u.obj"));
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_EQ(run_on_torus(outputs).status, 0);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::vector<std::string> whole;
+  for(const std::string& name : names)
+    whole.push_back(read_file(path(name)));
+  constexpr int number = 10;
+  std::size_t number_of_old = 0, number_of_new = 0;
+  for(int i = 0; i < number; ++i)
+  {
+    for(const std::string& name : names)
+      write(name, "old\n");
+    run_on_torus(outputs, "timeout -s KILL " + std::to_string((i + 0.5) / number * 1.2 * seconds) + " ");
+    for(std::size_t k = 0; k < names.size(); ++k)
+    {
+      const std::string found = read_file(path(names[k]));
+      EXPECT_TRUE(found == "old\n" || found == whole[k]) << names[k] << " has " << found.size() << " bytes";
+      ++(found == "old\n" ? number_of_old : number_of_new);
+    }
+  }
+  EXPECT_GT(number_of_old, 0u);
+  EXPECT_GT(number_of_new, 0u);
 }
 
 TEST_F(Program, Cells_of_a_mesh_of_several_parts_have_finite_numbers)

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef SURFACE_MESH_CUT_LOCUS_DEMO_OPTION_DESCRIPTIONS_H
+#define SURFACE_MESH_CUT_LOCUS_DEMO_OPTION_DESCRIPTIONS_H
+
+#include <boost/program_options.hpp>
+
+#include <string>
+
+// The options in groups.
+boost::program_options::options_description all_options();
+
+// What most runs need, with examples.
+std::string help();
+std::string help_on_all();
+std::string version();
+
+#endif
