@@ -413,7 +413,9 @@ TEST(Branch_thresholds, What_encloses_enough_may_be_narrower)
       EXPECT_GE(now, (1. - 1e-6) * last) << enclosed;
       last = now;
       if(enclosed == 4.)
+      {
         EXPECT_GT(now, 1.2 * of_width);
+      }
     }
     // at last a quarter of the width is what counts
     const double narrow = length(

@@ -72,10 +72,11 @@ public:
   void drop_weak_branches(const Branch_strength& least, const Progress& progress = {})
   {
     Edges_left left = edges_left(progress.part(0., 0.3));
-    std::vector<unsigned char> is_removed(edges.size(), 0);
+    std::vector<unsigned char> is_weak(edges.size()), is_removed(edges.size(), 0);
+    for(Index e = 0; e < edges.size(); ++e) // in the order of memory, which leaves are not in
+      is_weak[e] = !can_be(e, least);
     left.peel(
-      nodes_of_edges(), [&](Index e, Index) { return (is_removed[e] = !can_be(e, least)) != 0; },
-      progress.part(0.3, 0.8));
+      nodes_of_edges(), [&](Index e, Index) { return (is_removed[e] = is_weak[e]) != 0; }, progress.part(0.3, 0.8));
     remove(is_removed, progress.part(0.8, 1.));
   }
 
