@@ -37,11 +37,12 @@ po::typed_value<std::vector<std::string>>* texts(const char* name)
 po::options_description input()
 {
   po::options_description result = group("Input");
-  result.add_options()("repair", text("weld|orient|none")->default_value("weld"),
-                       "weld: of any file with faces a mesh of triangles is made, and a line says how; border edges "
-                       "that lie on each other, two by two, are joined up to 1e-7 of the diagonal of the bounding box; "
-                       "the vertices keep the numbers of the file, and edges that are not in it are marked. orient: the "
-                       "same, but nothing is joined. none: a file that is no mesh of triangles is refused");
+  result.add_options()(
+    "repair", text("weld|orient|none")->default_value("weld"),
+    "weld: of any file with faces a mesh of triangles is made, and a line says how; border edges "
+    "that lie on each other, two by two, are joined up to 1e-7 of the diagonal of the bounding box; "
+    "the vertices keep the numbers of the file, and edges that are not in it are marked. orient: the "
+    "same, but nothing is joined. none: a file that is no mesh of triangles is refused");
   return result;
 }
 
@@ -49,15 +50,17 @@ po::options_description sources()
 {
   po::options_description result = group("Sources");
   auto add = result.add_options();
-  add("source", texts("V"),
-      "vertex of the file, counted from 0 (default: the first one of the component with the most faces); repeatable, for "
-      "the Voronoi diagram of several with the cut loci in its cells");
+  add(
+    "source", texts("V"),
+    "vertex of the file, counted from 0 (default: the first one of the component with the most faces); repeatable, for "
+    "the Voronoi diagram of several with the cut loci in its cells");
   add("source-point", texts("X,Y,Z"), "the point of the surface closest to x,y,z; repeatable, also with --source");
   add("sources", text("FILE"), "the vertices whose numbers are in this file");
-  add("source-edges", text("FILE"),
-      "curves along edges of the mesh: each line of the file has the numbers of the vertices along some edges, and all "
-      "edges that are connected are one source. The cut locus of these, and of the border, runs through the faces unless "
-      "there is a --curve edges");
+  add(
+    "source-edges", text("FILE"),
+    "curves along edges of the mesh: each line of the file has the numbers of the vertices along some edges, and all "
+    "edges that are connected are one source. The cut locus of these, and of the border, runs through the faces unless "
+    "there is a --curve edges");
   add("source-border", po::bool_switch(),
       "each border loop: of a flat mesh, its medial axis. Points, curves and the border may be mixed");
   add("each-source", text("FILE"),
@@ -100,17 +103,19 @@ po::options_description shown()
 {
   po::options_description result = group("What is shown");
   auto add = result.add_options();
-  add("curve", text("edges|faces"),
-      "the curve that all outputs are about is made of segments through the faces of the mesh, or of its edges (default: "
-      "faces; edges with --edges, --uv and --smooth 0)");
+  add(
+    "curve", text("edges|faces"),
+    "the curve that all outputs are about is made of segments through the faces of the mesh, or of its edges (default: "
+    "faces; edges with --edges, --uv and --smooth 0)");
   add("min-branch-width", text("W"),
       "the two shortest paths to a branch must be as far apart as this somewhere, in units of the diagonal of the "
       "bounding box, at most 1, with the methods direction and polyhedral (default: with direction what the mesh "
       "resolves, or a quarter of that in limbs and at corners; 0 with polyhedral, or if there is a --min-branch-gap)");
-  add("min-branch-curvature", text("RAD"),
-      "what encloses as much curvature is kept at a quarter of the width, in radians, at most 4 pi: a limb encloses "
-      "almost 2 pi, the corner of a box pi / 2, with the methods direction and polyhedral (default: what mesh and noise "
-      "do not explain; the width alone counts if one is given)");
+  add(
+    "min-branch-curvature", text("RAD"),
+    "what encloses as much curvature is kept at a quarter of the width, in radians, at most 4 pi: a limb encloses "
+    "almost 2 pi, the corner of a box pi / 2, with the methods direction and polyhedral (default: what mesh and noise "
+    "do not explain; the width alone counts if one is given)");
   add("min-branch-gap", text("RAD"),
       "least angle, in radians, between these paths where they part, at most pi (default: 0)");
   add("min-branch-edges", text("N"),
@@ -125,9 +130,10 @@ po::options_description shown()
   add("laplacian", text("L"),
       "least value of minus the Laplacian of the distance times the mean edge length, with the method laplacian "
       "(default: none)");
-  add("policy", text("prune|grow"),
-      "weak branches are pruned from the leaves, or the tree is grown from its root, with the method laplacian (default: "
-      "prune)");
+  add(
+    "policy", text("prune|grow"),
+    "weak branches are pruned from the leaves, or the tree is grown from its root, with the method laplacian (default: "
+    "prune)");
   add("smooth", text("N"),
       "N steps that move the curves off the edges of the mesh, onto the cut locus, with the method laplacian (default: "
       "4, which are enough, or 0 with --curve edges; 1000 are the most)");
