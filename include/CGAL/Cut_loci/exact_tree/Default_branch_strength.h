@@ -58,7 +58,7 @@ public:
     const double sigma = (std::min)(any_turn, noise(all, progress.part(0.1, 1.)));
     const double apart = sigma * std::pow(length_, 1.5) / std::sqrt(3.);
     strength.width = edge_ * std::hypot(3., (std::min)(2. * std::pow(apart, 4. / 9.), 0.25 * length_));
-    strength.narrow = 0.25 * strength.width;
+    strength.narrow = Branch_strength::narrow_share * strength.width;
     strength.spur = strength.width * strength.width / (2. * length_ * edge_);
     strength.enclosed = 2.5 * sharp + bends(sigma);
     let_corners_count(ramp(2. * geodesic_pi - bends(sigma), 0., 0.5 * geodesic_pi));

@@ -20,7 +20,8 @@ namespace internal {
 
 /*!
  * finds, while the windows are propagated, the faces in which the cut locus has to be drawn: those with an edge on which
- * the label changes by as much as a branch of the least strength needs.
+ * the label changes by as much as a branch of the least strength needs, and those that link such faces, where it changes
+ * by half as much: branches get weak on their way, and a smaller share would add many faces on rough surfaces.
  *
  * It is an observer of `Exact_geodesic_propagation`, and keeps no windows. Which faces matter is known at the end only:
  * `Edge_crossings` gets the windows of their edges from a second run.
@@ -63,8 +64,8 @@ public:
     geodesics_.release(list);
   }
 
-  /// the end of the propagation: A branch that is weak on the way from one such face to another one is drawn, too. All
-  /// other faces that are linked by weak jumps are taken away from their ends.
+  /// the end of the propagation: adds the faces that link others, which are left of those with weak jumps when the ends of
+  /// what these link have been taken away
   void finish()
   {
     std::vector<unsigned char> number(is_drawn.size(), 0);
@@ -138,8 +139,7 @@ private:
   const Geodesic_faces& faces_;
   Label_jumps jumps_, weak_jumps_;
   std::vector<unsigned char> is_crossed_; // by halfedge: whether windows have come to it
-  std::vector<unsigned char>
-    is_weak_; // by that of smaller index: whether a jump there is half as large as it needs to be
+  std::vector<unsigned char> is_weak_;    // by that of smaller index: whether a jump is half as large as needed
 };
 
 } // namespace internal

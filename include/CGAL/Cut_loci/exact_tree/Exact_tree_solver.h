@@ -230,7 +230,7 @@ private:
     result.gap = rounded(asked.gap, 1.);
     result.width = rounded(asked.width, surface_->extent);
     result.enclosed = rounded(asked.enclosed, 1.);
-    result.narrow = 0.25 * result.width;
+    result.narrow = Branch_strength::narrow_share * result.width;
     return result;
   }
 
@@ -366,7 +366,8 @@ private:
     return std::includes(not_found_.begin(), not_found_.end(), unknown.begin(), unknown.end());
   }
 
-  // A branch may leave the faces that are seen, and come back, mostly after a few: more and more are seen around it.
+  // A branch may leave the faces that are seen, and come back, mostly after a few: more and more are seen around it, and
+  // where shortest paths part after these few only, as it takes long to follow all of them.
   static constexpr Index few_rings = 3;
   void look_where_paths_part(std::vector<Tree_branches::Edge>& kept, const Branch_strength& asked, int number,
                              const Progress& progress)
@@ -378,14 +379,13 @@ private:
       report_to(part.part(0., 0.6));
       done = 0.5 * (1. + done);
       const bool is_far = rings > few_rings;
-      if(!tree_->propagate_once_more(kept, rings, is_far))
+      if(tree_->propagate_once_more(kept, rings, is_far))
       {
-        if(is_far)
-          return;
-        continue;
+        finish(number, part.part(0.6, 0.95));
+        kept = tree_->kept(asked, part.part(0.95, 1.));
       }
-      finish(number, part.part(0.6, 0.95));
-      kept = tree_->kept(asked, part.part(0.95, 1.));
+      else if(is_far)
+        return;
     }
   }
 

@@ -28,7 +28,8 @@ namespace internal {
  * A row of edges, from a leaf to the next node where others meet, is cut before its outermost strong edge, or goes as a
  * whole. As branches get stronger inward, it takes few edges to find that one; to miss none where they do not, some more
  * are tried than the innermost: as many as the row can be halved, and of those that enclose enough the innermost of all
- * that enclose the same. A row with two leaves is strongest anywhere: all are tried. So nothing strong is lost for what is beside it, and no edge has to be known as the root.
+ * that enclose the same. A row with two leaves is strongest anywhere: all of its edges are tried. So nothing strong is
+ * lost for what is beside it, and no edge has to be known as the root.
  *
  * @tparam Can_be tells quickly whether an edge may be strong
  * @tparam Enclosed tells quickly how much it encloses, with what is beyond its outer node: what is enough may be narrow

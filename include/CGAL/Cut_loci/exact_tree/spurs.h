@@ -31,11 +31,11 @@ namespace internal {
  * @param edges as in `Tree_branches::edges()`
  * @param root of a tree without cycles and terminals: two branches are one there
  * @param height of an edge, of which branches sum it up
- * @param is_none tells of an edge that no branch through it is a spur
+ * @param is_exempt tells of an edge that no branch through it is a spur, however low
  */
-template <typename Height, typename Is_none>
+template <typename Height, typename Is_exempt>
 void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes, Index terminals, Index root,
-                  double least, const Height& height, const Is_none& is_none)
+                  double least, const Height& height, const Is_exempt& is_exempt)
 {
   struct Ways // outward from a node: the two highest
   {
@@ -59,7 +59,7 @@ void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes
       continue;
     }
     double way = ways[b.outer].height[0] + height(b.edge);
-    if(way < least && is_none(b))
+    if(way < least && is_exempt(b))
       way = least;
     is_high[i] = !(way < least);
     if(at.edge[1] == null_index || way > at.height[1])

@@ -195,7 +195,7 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
         "the minimum width of a branch must be a number that is not negative, and no larger than 1, the "
         "diagonal of the bounding box, if the mesh is in space");
     result.width = diagonal * width;
-    result.narrow = 0.25 * result.width;
+    result.narrow = Branch_strength::narrow_share * result.width;
     result.spur = 0.;
   }
   if(is_given<NamedParameters, internal_np::minimum_branch_curvature_t>())

@@ -68,6 +68,7 @@ struct Branch_strength
   // the vertex, from the tip on, where they part at none.
   double enclosed = (std::numeric_limits<double>::infinity)();
   double narrow = 0.;
+  static constexpr double narrow_share = 0.25; // of the width, where corners do not count
   double spur = 0.; // a length: of branches that meet, those that are not as high are none; see `remove_spurs()`
 
   bool is_none() const { return gap == 0. && width == 0.; }
