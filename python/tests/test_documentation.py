@@ -18,7 +18,7 @@ DOXYGEN = re.compile(r"^\\code\{\.py\}\n(.*?)^\\endcode", re.MULTILINE | re.DOTA
 TEXTS = {
     "README.md": FENCED,
     "python/README.md": FENCED,
-    "doc/Surface_mesh_cut_locus/Surface_mesh_cut_locus.txt": DOXYGEN
+    "doc/Surface_mesh_cut_locus/Python.txt": DOXYGEN
 }
 
 
