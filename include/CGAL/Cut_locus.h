@@ -61,7 +61,7 @@ struct Cut_locus_edge
   /// changes steadily along the branch; zero with `Cut_loci::Method::LAPLACIAN`. Between two sources it is the length of the
   /// way from one to the other through the edge
   double width = 0.;
-  /// the curvature that the two shortest paths to a point of the edge enclose, on the side that is away from the root, in
+  /// the curvature that the two shortest paths to a point of the edge enclose, on that side of them where it is less, in
   /// radians: the sum of the angles at which they part and meet there. By default an edge is there for its width, for this,
   /// or for what is behind it, see `Surface_mesh_cut_locus::minimum_branch_curvature()`. Zero with
   /// `Cut_loci::Method::LAPLACIAN`, and between two sources

@@ -403,8 +403,8 @@ public:
    *                     more, which is kept for those of about its size.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{minimum_branch_curvature}
-   *     \cgalParamDescription{the curvature that the two shortest paths to the points of a branch have to enclose, with its
-   *                           tip, for the branch to be kept at a quarter of the width: in radians in [0, 4 pi]; a
+   *     \cgalParamDescription{the curvature that the two shortest paths to the points of a branch have to enclose, on both
+   *                           sides, for the branch to be kept at a quarter of the width: in radians in [0, 4 pi]; a
    *                           limb encloses almost 2 pi, the corner of a box pi / 2}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{see `minimum_branch_curvature()`; if there is a `minimum_branch_width` or `minimum_branch_gap`,

@@ -316,7 +316,7 @@ class CutLocus:
         minimum_branch_gap : float, optional
             The least angle at the source between them, in radians in [0, pi]; not for "laplacian".
         minimum_branch_curvature : float, optional
-            The curvature that these paths have to enclose, with the tip of the branch, for it to be kept at a quarter
+            The curvature that these paths have to enclose, on both sides, for the branch to be kept at a quarter
             of the width: in radians in [0, 4 pi]; not for "laplacian". Default: see the property of this name; if a
             width or a gap is given, the width alone counts.
         gradient_angle_threshold : float, optional

@@ -180,7 +180,7 @@ TEST(Branch_thresholds, Nothing_that_is_strong_is_missing)
 }
 
 // Gauss and Bonnet: on a convex polyhedron, whose vertices are the leaves, two paths enclose the deficits of the leaves
-// beyond. Where these are more than a half turn at the source, the gap is the other side's.
+// beyond, or those of all others.
 TEST(Branch_thresholds, What_paths_enclose_is_the_curvature_of_the_vertices_beyond)
 {
   const double pi = std::acos(-1.);
@@ -218,10 +218,9 @@ TEST(Branch_thresholds, What_paths_enclose_is_the_curvature_of_the_vertices_beyo
       const Tree_graph::Edge& edge = full.graph().edges[b->edge];
       if(edge.piece != null_index && full.length(b->edge) > 1e-6)
       {
-        const double found = full.tree().curvature(b->edge, b->outer);
-        const double truth = beyond[b->outer];
-        const double of_other_side = found + 2. * pi - beyond_vertex[lowest] - 2. * edge.gap;
-        EXPECT_LT((std::min)(std::fabs(found - truth), std::fabs(of_other_side - truth)), 1e-6) << truth;
+        const double found = full.tree().curvature(b->edge);
+        const double of_both_sides = 4. * pi - beyond_vertex[lowest];
+        EXPECT_NEAR(found, (std::min)(beyond[b->outer], of_both_sides - beyond[b->outer]), 1e-6);
         ++number;
         from_behind += found > pi + edge.gap;
       }

@@ -177,7 +177,7 @@ public:
   std::vector<Tree_branches::Edge> kept(const Branch_strength& least, const Progress& progress = {})
   {
     const auto can_be = [&](Index e) { return least.is_none() || is_a_branch(e, least); };
-    const auto enclosed = [this](Index e, Index outer) { return curvature(e, outer); };
+    const auto enclosed = [this](Index e) { return curvature(e); };
     const auto is_wide = [&](Index e, double width) { return width == 0. || this->width(e) >= width; };
     const Strong_branches<decltype(can_be), decltype(enclosed), decltype(is_wide)> strong(
       *graph_, connectivity_.number_of_border_loops, least, can_be, enclosed, is_wide, progress.part(0., 0.6));
@@ -195,7 +195,7 @@ public:
       [this](Index e) { return height(e); },
       [&](const Tree_branches::Edge& b)
       {
-      return graph_->edges[b.edge].piece != null_index && curvature(b.edge, b.outer) >= least.enclosed &&
+      return graph_->edges[b.edge].piece != null_index && curvature(b.edge) >= least.enclosed &&
              is_wide(b.edge, least.narrow);
       });
     return result;
@@ -224,14 +224,14 @@ public:
     return result;
   }
 
-  /// the curvature that the paths to an edge enclose, with what is beyond its node `outer`; those from curves part nowhere,
-  /// and their gap is the angle at which they meet
-  double curvature(Index e, Index outer) const
+  /// the curvature that the paths to an edge enclose; those from curves part nowhere, and their gap is the angle at which
+  /// they meet
+  double curvature(Index e) const
   {
     const Tree_graph::Edge& edge = graph_->edges[e];
     if(edge.piece == null_index || edge.is_between_sources())
       return 0.;
-    return options_.lines.empty() ? ridges_.curvature_beyond(edge.piece, edge.nodes[1] == outer) : edge.gap;
+    return options_.lines.empty() ? ridges_.enclosed_curvature(edge.piece, edge.face) : edge.gap;
   }
 
   /// finds what `shown_width()` and `shown_curvature()` return, for edges that are kept
@@ -243,7 +243,7 @@ public:
     shown_width_.assign(graph_->edges.size(), 0.f);
     shown_curvature_.assign(graph_->edges.size(), 0.f);
     for(const Tree_branches::Edge& b : edges)
-      shown_curvature_[b.edge] = static_cast<float>(curvature(b.edge, b.outer));
+      shown_curvature_[b.edge] = static_cast<float>(curvature(b.edge));
     const auto length_of = [this](Index e) { return length(e); };
     Branch_widths<decltype(measure), decltype(length_of)>(edges, static_cast<Index>(graph_->nodes.size()), most,
                                                           measure, length_of, shown_width_, progress);

@@ -98,8 +98,10 @@ public:
 
   struct Parting
   {
-    double angle;
-    double distance; // of the point where they part, from the source
+    double angle;      // the smaller one of the two sectors between them
+    double distance;   // of the point where they part, from the source
+    double turn, rest; // the sector counterclockwise from the first path to the second one, and the other one: infinite
+                       // if the border is in it
   };
 
   double operator()(const Path_label& a, const Path_label& b, double t) const
@@ -159,11 +161,11 @@ public:
   Parting parting(Index a, double a_direction, Index b, double b_direction, double meeting) const
   {
     if(geodesics_.is_seam(a, b, meeting))
-      return {0., 0.};
+      return alike(0.);
     while(a != b)
     {
       if(geodesics_.is_source(a) && geodesics_.is_source(b))
-        return {geodesics_.owner(a) == geodesics_.owner(b) ? meeting : (std::numeric_limits<double>::infinity)(), 0.};
+        return alike(geodesics_.owner(a) == geodesics_.owner(b) ? meeting : infinity);
       // the farther origin comes last on its path; a source is none that comes later, even beside a vertex that is so near
       // to a line that it is below it
       if(!geodesics_.is_source(a) && (geodesics_.is_source(b) || distance(a) >= distance(b)))
@@ -172,19 +174,31 @@ public:
         b_direction = geodesics_.step_back(b);
     }
     if(geodesics_.is_line(a))
-      return {meeting, 0.};
-    const double difference = std::fabs(a_direction - b_direction);
-    if(!geodesics_.is_source(a))
-      return {difference, distance(a)};
-    const double full = geodesics_.source_angle(a);
-    if(geodesics_.is_source_on_border(a))
-      return {(std::min)(difference, full), 0.};
-    const double rest = difference < full ? difference : std::fmod(difference, full);
-    return {(std::min)(rest, full - rest), 0.};
+      return alike(meeting);
+    return sectors(a, b_direction - a_direction);
   }
 
 private:
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
   static constexpr double rounding = 1e-14; // of distances, which are sums along a path of many pieces
+
+  /// of paths that part nowhere
+  static Parting alike(double angle) { return {angle, 0., angle, angle}; }
+
+  /// between two paths from an origin, given by how much the direction of the second one is farther counterclockwise
+  Parting sectors(Index origin, double turn) const
+  {
+    const bool is_source = geodesics_.is_source(origin);
+    const double full =
+      is_source ? geodesics_.source_angle(origin) : geodesics_.faces().total_angle(geodesics_.vertex_of_origin(origin));
+    const bool is_on_border = is_source ? geodesics_.is_source_on_border(origin)
+                                        : geodesics_.faces().is_border(geodesics_.vertex_of_origin(origin));
+    if(is_source && !is_on_border)
+      turn = std::fmod(turn, full);
+    const double inner = std::fabs(turn), outer = is_on_border ? infinity : full - inner;
+    const double angle = is_source ? (std::min)(inner, is_on_border ? full : outer) : inner;
+    return {angle, is_source ? 0. : distance(origin), turn < 0. ? outer : inner, turn < 0. ? inner : outer};
+  }
 
   double distance(Index origin) const
   {

@@ -130,27 +130,13 @@ public:
     return result;
   }
 
-  /// the curvature that the two paths to a point of the piece enclose, on the side beyond its end `outer_end`: the angles at
-  /// which they part and meet there; more than pi if the paths come from the other side. At the end where it is larger.
-  double curvature_beyond(std::size_t i, int outer_end) const
+  /// the curvature that the two paths to a point of the piece enclose, on that side of them where it is less: by
+  /// Gauss-Bonnet, the sectors there between the paths, where they part and where they meet. At the end where it is more,
+  /// as what paths bend at saddles on their way is not counted.
+  double enclosed_curvature(std::size_t i, Index face) const
   {
-    const Plane_point outer = piece_end(i, outer_end), inner = piece_end(i, 1 - outer_end);
-    const Image &a = pieces_[i].images[0], &b = pieces_[i].images[1];
-    const double dx = outer.x - inner.x, dy = outer.y - inner.y;
-    // the bisector goes straight away from both images or towards them; a short piece may not, by rounding, nor one whose
-    // images have an error
-    const double along = dx * (b.y - a.y) - dy * (b.x - a.x);
-    if(geodesics_->is_approximate() ||
-       !(std::fabs(along) > 0.5 * std::hypot(dx, dy) * std::hypot(b.x - a.x, b.y - a.y)))
-      return (std::max)(pieces_[i].gaps[0], pieces_[i].gaps[1]) + meeting_angle(i);
-    double result = 0.;
-    for(int end : {0, 1})
-    {
-      const Plane_point p = piece_end(i, end);
-      const double meeting = angle_between(a.x - p.x, a.y - p.y, dx, dy) + angle_between(b.x - p.x, b.y - p.y, dx, dy);
-      result = (std::max)(result, pieces_[i].gaps[end] + meeting);
-    }
-    return result;
+    const std::array<Plane_point, 3> corners = layout(face);
+    return (std::max)(enclosed_curvature(pieces_[i], corners, 0), enclosed_curvature(pieces_[i], corners, 1));
   }
 
   /// the corners of a face in the frame of its first halfedge
@@ -199,6 +185,25 @@ private:
     Face_ridges drawing;
     std::vector<Index> position, parent;
   };
+
+  double enclosed_curvature(const Piece& piece, const std::array<Plane_point, 3>& corners, int end) const
+  {
+    const Image &a = piece.images[0], &b = piece.images[1]; // to the left and to the right
+    const Plane_point from = nodes_[piece.first_node + piece.nodes[0]].point,
+                      to = nodes_[piece.first_node + piece.nodes[1]].point, p = end == 0 ? from : to;
+    const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y;
+    const double meeting = angle_between(ax, ay, bx, by), rest = 2. * geodesic_pi - meeting;
+    // paths that hardly part enclose what is between them, and nothing tells the sides of images with an error
+    if(piece.gaps[end] < Parting_angle::least_angle || geodesics_->is_approximate())
+      return piece.gaps[end] + meeting;
+    const Parting_angle::Parting parting =
+      Parting_angle(*geodesics_)
+        .parting(a.origin, a.direction_to(p, corners), b.origin, b.direction_to(p, corners), meeting);
+    const bool come_from_ahead =
+      meeting < Parting_angle::least_angle ? ax * (to.x - from.x) + ay * (to.y - from.y) > 0. : bx * ay - by * ax > 0.;
+    return (std::min)(parting.turn + (come_from_ahead ? meeting : rest),
+                      parting.rest + (come_from_ahead ? rest : meeting));
+  }
 
   // with the same mesh and changes, and no face
   Ridges empty_copy() const

@@ -32,7 +32,7 @@ namespace internal {
  * lost for what is beside it, and no edge has to be known as the root.
  *
  * @tparam Can_be tells quickly whether an edge may be strong
- * @tparam Enclosed tells quickly how much it encloses, with what is beyond its outer node: what is enough may be narrow
+ * @tparam Enclosed tells quickly how much it encloses: what is enough may be narrow
  * @tparam Is_wide tells whether it has a width
  */
 template <typename Can_be, typename Enclosed, typename Is_wide>
@@ -90,9 +90,6 @@ private:
       return;
     row_.erase(row_.begin(), row_.begin() + static_cast<std::ptrdiff_t>(first));
     std::reverse(row_.begin(), row_.end());
-    outer_.assign(1, end);
-    for(std::size_t i = 0; i + 1 < row_.size(); ++i)
-      outer_.push_back(Edges_left::other(graph_.edges[row_[i]].nodes, outer_.back()));
     remove(end, outermost_strong());
   }
 
@@ -100,12 +97,10 @@ private:
   Index find_row(Index leaf)
   {
     row_.clear();
-    outer_.clear();
     Index i = leaf, e = left_.last(leaf);
     for(;;)
     {
       row_.push_back(e);
-      outer_.push_back(i);
       i = Edges_left::other(graph_.edges[e].nodes, i);
       if(left_.degree(i) != 2)
         return i;
@@ -134,7 +129,7 @@ private:
       if(graph_.edges[row_[i]].piece != null_index && (!known_.empty() || can_be_(row_[i])))
       {
         known_.push_back(i);
-        const double enclosed = enclosed_(row_[i], outer_[i]);
+        const double enclosed = enclosed_(row_[i]);
         if(enclosed >= least_.enclosed)
           enclosing_.push_back({i, enclosed});
       }
@@ -197,7 +192,7 @@ private:
   std::vector<unsigned char> is_kept_; // by edge
   std::vector<Index> leaves_;
   bool has_two_leaves_ = false;
-  std::vector<Index> row_, outer_; // in work, from the leaf on: edges, and their nodes there
+  std::vector<Index> row_; // in work: its edges, from the leaf on
   struct Enclosing
   {
     std::size_t position;
