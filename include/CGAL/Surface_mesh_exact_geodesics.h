@@ -172,7 +172,7 @@ public:
 
   /// allows distances to be too long, by this times their length; zero by default.
   ///
-  /// Neighbouring windows are then merged, so that a halfedge seldom has more than a few of them, and time and memory
+  /// Neighboring windows are then merged, so that a halfedge seldom has more than a few of them, and time and memory
   /// grow about linearly with the number of faces. No distance is shorter than the exact one, nor longer than
   /// `1 + error` times it, both up to rounding; `distance_error()` says how accurate each is. There are no directions
   /// and no paths: functions that need them throw. More than a tenth is taken for a tenth, as it would save nothing.

@@ -45,8 +45,8 @@ public:
  * Windows \cgalCite{mmp-dgp-87} cross the faces in batches, one per halfedge, in the order of the distance
  * \cgalCite{xu-fwp-15}. In the face entered, only the window with the shortest path to the apex goes on to both other
  * edges \cgalCite{ch-spp-90}; the ends of a batch lose the windows to which a path through a vertex of the face is
- * preferable \cgalCite{Xin2009Improvingchenandhan}. Neighbouring windows are trimmed as described in `geodesic_window_trimming.h`.
- * Batches are forgotten once they have been propagated. If an error is allowed, neighbouring windows are merged as
+ * preferable \cgalCite{Xin2009Improvingchenandhan}. Neighboring windows are trimmed as described in `geodesic_window_trimming.h`.
+ * Batches are forgotten once they have been propagated. If an error is allowed, neighboring windows are merged as
  * described in `Geodesic_merging.h`; what is the direction otherwise, is then the error, unless both are asked for.
  *
  * The mesh geometry is read by the constructor. All memory is reused from one run to the next. Queries after a run

@@ -19,7 +19,7 @@ namespace Cut_loci {
 namespace internal {
 
 /*!
- * replaces runs of neighbouring windows by one window each, whose distances are a little shorter.
+ * replaces runs of neighboring windows by one window each, whose distances are a little shorter.
  *
  * The new window has the distances of the old ones at the two ends of the run and never longer ones in between. How
  * much shorter its paths may be than true ones is its error. It is kept with the window, in `Geodesic_window::turn`

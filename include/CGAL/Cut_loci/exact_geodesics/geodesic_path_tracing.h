@@ -75,7 +75,7 @@ public:
 private:
   using Mesh = Indexed_triangle_mesh;
 
-  /// a location with the vertex or the halfedge it is on, to recognise a point in other coordinates
+  /// a location with the vertex or the halfedge it is on, to recognize a point in other coordinates
   struct Place
   {
     Indexed_location location;

@@ -35,6 +35,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -140,6 +141,7 @@ public:
     const Cut_graph cut(mesh_, connectivity_, geodesics_, changes_, ridges_, source_vertices_, progress_.part(0., 0.5));
     Tree_graph_builder builder(mesh_, connectivity_, geodesics_, changes_, ridges_, cut, progress_.part(0.5, 0.9));
     graph_.reset(new Tree_graph(builder.release()));
+    kept_for_.reset();
     changes_.forget_crossings();
     if(!least_.is_none())
     {
@@ -151,6 +153,7 @@ public:
   /// The source is moved away from a vertex: what starts there is none of it.
   void remove_branch_to(Index vertex)
   {
+    kept_for_.reset();
     if(vertex != null_index)
       graph_->remove_branch_to(vertex);
   }
@@ -176,29 +179,12 @@ public:
   /// those that enclose much.
   std::vector<Tree_branches::Edge> kept(const Branch_strength& least, const Progress& progress = {})
   {
-    const auto can_be = [&](Index e) { return least.is_none() || is_a_branch(e, least); };
-    const auto enclosed = [this](Index e) { return curvature(e); };
-    const auto is_wide = [&](Index e, double width) { return width == 0. || this->width(e) >= width; };
-    const Strong_branches<decltype(can_be), decltype(enclosed), decltype(is_wide)> strong(
-      *graph_, connectivity_.number_of_border_loops, least, can_be, enclosed, is_wide, progress.part(0., 0.6));
-    const std::vector<Index> edges = strong.edges();
-    const Tree_branches branches(
-      static_cast<Index>(graph_->nodes.size()), static_cast<Index>(edges.size()),
-      [&](Index i) { return graph_->edges[edges[i]].nodes; }, [&](Index i) { return graph_->edges[edges[i]].gap; },
-      connectivity_.number_of_border_loops, progress.part(0.6, 1.));
-    root_ = branches.root();
-    std::vector<Tree_branches::Edge> result = branches.edges();
-    for(Tree_branches::Edge& b : result)
-      b.edge = edges[b.edge];
-    remove_spurs(
-      result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, root_, least.spur,
-      [this](Index e) { return height(e); },
-      [&](const Tree_branches::Edge& b)
-      {
-      return graph_->edges[b.edge].piece != null_index && curvature(b.edge) >= least.enclosed &&
-             is_wide(b.edge, least.narrow);
-      });
-    return result;
+    if(!(kept_for_ == least)) // a source is completed for the thresholds that are asked for next
+    {
+      kept_ = find_kept(least, progress);
+      kept_for_ = least;
+    }
+    return kept_;
   }
 
   /// the largest separation of the two shortest paths to the points of a piece; between two sources, where nothing is
@@ -264,6 +250,33 @@ public:
   bool is_known(const std::vector<Tree_branches::Edge>& edges) const { return unknown(edges).empty(); }
 
 private:
+  std::vector<Tree_branches::Edge> find_kept(const Branch_strength& least, const Progress& progress)
+  {
+    const auto can_be = [&](Index e) { return least.is_none() || is_a_branch(e, least); };
+    const auto enclosed = [this](Index e) { return curvature(e); };
+    const auto is_wide = [&](Index e, double width) { return width == 0. || this->width(e) >= width; };
+    const Strong_branches<decltype(can_be), decltype(enclosed), decltype(is_wide)> strong(
+      *graph_, connectivity_.number_of_border_loops, least, can_be, enclosed, is_wide, progress.part(0., 0.6));
+    const std::vector<Index> edges = strong.edges();
+    const Tree_branches branches(
+      static_cast<Index>(graph_->nodes.size()), static_cast<Index>(edges.size()),
+      [&](Index i) { return graph_->edges[edges[i]].nodes; }, [&](Index i) { return graph_->edges[edges[i]].gap; },
+      connectivity_.number_of_border_loops, progress.part(0.6, 1.));
+    root_ = branches.root();
+    std::vector<Tree_branches::Edge> result = branches.edges();
+    for(Tree_branches::Edge& b : result)
+      b.edge = edges[b.edge];
+    remove_spurs(
+      result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, root_, least.spur,
+      [this](Index e) { return height(e); },
+      [&](const Tree_branches::Edge& b)
+      {
+      return graph_->edges[b.edge].piece != null_index && curvature(b.edge) >= least.enclosed &&
+             is_wide(b.edge, least.narrow);
+      });
+    return result;
+  }
+
   /// Of all pieces in the faces that have been drawn, few are on strong branches.
   void keep_what_is_left()
   {
@@ -430,7 +443,9 @@ private:
   Ridges ridges_;
   std::unique_ptr<Tree_graph> graph_;
   Index root_ = null_index;
-  std::vector<float> width_; // of each edge, negative as long as nobody has asked for it
+  std::vector<float> width_;              // of each edge, negative as long as nobody has asked for it
+  std::vector<Tree_branches::Edge> kept_; // what `kept()` has returned at last
+  std::optional<Branch_strength> kept_for_;
   std::vector<float> shown_width_, shown_curvature_;
   std::unique_ptr<Digon_width> measure_;
   std::unique_ptr<Shot_width> shots_; // for distances with an error
