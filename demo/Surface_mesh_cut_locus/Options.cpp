@@ -125,9 +125,10 @@ void check_overwriting(const po::variables_map& given, const Options& options)
   std::vector<std::pair<fs::path, std::string>> outputs;
   for(const std::string& output : options.outputs)
     outputs.emplace_back(output, "-o");
-  for(const auto& [path, option] : {std::make_pair(options.edges, "--edges"), std::make_pair(options.cells, "--cells"),
-                                    std::make_pair(options.uv, "--uv"), std::make_pair(options.unfold, "--unfold"),
-                                    std::make_pair(options.report, "--report")})
+  for(const auto& [path, option] :
+      {std::make_pair(options.edges, "--edges"), std::make_pair(options.cells, "--cells"),
+       std::make_pair(options.surface, "--surface"), std::make_pair(options.uv, "--uv"),
+       std::make_pair(options.unfold, "--unfold"), std::make_pair(options.report, "--report")})
     if(!path.empty())
       outputs.emplace_back(path, option);
   if(!options.uv.empty()) // it has two files more
@@ -254,7 +255,7 @@ void read_each_source(const po::variables_map& given, Options& options)
   }
   options.each_source = text("each-source");
   for(const char* name :
-      {"source", "source-point", "edges", "cells", "uv", "unfold", "check", "check-completeness", "view"})
+      {"source", "source-point", "edges", "cells", "surface", "uv", "unfold", "check", "check-completeness", "view"})
     if(given.count(name) && !given[name].defaulted())
       throw Usage_error("--each-source and --" + std::string(name) + " exclude each other");
   if(given.count("part"))
@@ -413,6 +414,12 @@ Options parse_command_line(int argc, char* argv[])
     check_output_path(options.cells = text("cells"), "--cells");
     if(!is_cells_name(options.cells))
       throw Usage_error("--cells: the extension of '" + options.cells + "' must be .ply, .vtp or .obj");
+  }
+  if(given.count("surface"))
+  {
+    check_output_path(options.surface = text("surface"), "--surface");
+    if(std::filesystem::path(options.surface).extension() != ".vtp")
+      throw Usage_error("--surface: the extension of '" + options.surface + "' must be .vtp");
   }
   if(given.count("uv"))
   {

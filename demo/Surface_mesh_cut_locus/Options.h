@@ -51,6 +51,7 @@ struct Options
   std::optional<std::array<double, 3>> view; // the direction from which pictures look
   std::string edges;
   std::string cells; // a file for the surface with the source nearest to each face
+  std::string surface;
   std::string uv;
   std::string parameterization;
   std::string unfold;

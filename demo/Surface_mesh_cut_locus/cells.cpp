@@ -9,6 +9,7 @@
 #include "Union_find.h"
 #include "location_in_part.h"
 #include "output_file.h"
+#include "surface_files.h"
 
 #include <CGAL/Cut_loci/curve/curve_refinement.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
@@ -147,19 +148,13 @@ std::ostream& operator<<(std::ostream& os, const Point& p)
   return os << x[0] << ' ' << x[1] << ' ' << x[2];
 }
 
-// Readers of PLY and VTP take finite numbers only: where no path leads from a source, it has the number -1, too.
-double finite_distance(const Cells& cells, Index v)
-{
-  return std::isfinite(cells.distance[v]) ? cells.distance[v] : -1.;
-}
-
 void write_ply(std::ostream& os, const Cells& cells)
 {
   os << "ply\nformat ascii 1.0\nelement vertex " << cells.mesh.number_of_vertices()
      << "\nproperty double x\nproperty double y\nproperty double z\nproperty double distance\nelement face "
      << cells.mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\nproperty int source\nend_header\n";
   for(Index v = 0; v < cells.mesh.number_of_vertices(); ++v)
-    os << Point{cells, v} << ' ' << finite_distance(cells, v) << '\n';
+    os << Point{cells, v} << ' ' << finite_distance(cells.distance[v]) << '\n';
   for(Index f = 0; f < cells.mesh.number_of_faces(); ++f)
   {
     const auto& t = cells.mesh.triangles[f];
@@ -167,38 +162,11 @@ void write_ply(std::ostream& os, const Cells& cells)
   }
 }
 
-void write_vtp(std::ostream& os, const Cells& cells)
+void write_cells_vtp(std::ostream& os, const Cells& cells)
 {
-  const Index nv = cells.mesh.number_of_vertices(), nf = cells.mesh.number_of_faces();
-  const auto write_array = [&](const std::string& attributes, Index size, const auto& write)
-  {
-    os << "<DataArray " << attributes << " format=\"ascii\">\n";
-    for(Index i = 0; i < size; ++i)
-    {
-      write(i);
-      os << '\n';
-    }
-    os << "</DataArray>\n";
-  };
-  os << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
-     << "<Piece NumberOfPoints=\"" << nv
-     << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" << nf
-     << "\">\n<PointData Scalars=\"distance\">\n";
-  write_array("type=\"Float64\" Name=\"distance\"", nv, [&](Index v) { os << finite_distance(cells, v); });
-  os << "</PointData>\n<CellData Scalars=\"source\">\n";
-  write_array("type=\"Int64\" Name=\"source\"", nf,
-              [&](Index f) { os << static_cast<std::ptrdiff_t>(cells.source[f]); });
-  os << "</CellData>\n<Points>\n";
-  write_array("type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", nv, [&](Index v) { os << Point{cells, v}; });
-  os << "</Points>\n<Polys>\n";
-  write_array("type=\"Int64\" Name=\"connectivity\"", nf,
-              [&](Index f)
-              {
-    const auto& t = cells.mesh.triangles[f];
-    os << t[0] << ' ' << t[1] << ' ' << t[2];
-  });
-  write_array("type=\"Int64\" Name=\"offsets\"", nf, [&](Index f) { os << 3 * (f + 1); });
-  os << "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+  const auto source = [&](Index f) { return static_cast<double>(static_cast<std::ptrdiff_t>(cells.source[f])); };
+  write_vtp(os, cells.mesh, {{"distance", false, [&](Index v) { return finite_distance(cells.distance[v]); }}},
+            {{"source", true, source}});
 }
 
 // a group for each cell
@@ -258,6 +226,6 @@ bool is_cells_name(const std::string& filename)
 void write_cells(const std::string& filename, const Cells& cells)
 {
   const std::string extension = std::filesystem::path(filename).extension().string();
-  const auto write = extension == ".ply" ? write_ply : extension == ".vtp" ? write_vtp : write_obj;
+  const auto write = extension == ".ply" ? write_ply : extension == ".vtp" ? write_cells_vtp : write_obj;
   write_file(filename, [&](std::ostream& os) { write(os, cells); });
 }

@@ -17,6 +17,7 @@
 #include "report.h"
 #include "set_source.h"
 #include "solvers.h"
+#include "surface_files.h"
 #include "threads.h"
 #include "thresholds.h"
 #include "unfolding.h"
@@ -99,6 +100,8 @@ bool run(const Options& options)
     write_outputs(options.outputs, cut_locus, input, source_curves, cells, options.view);
     if(!options.cells.empty())
       write_cells(options.cells, *cells);
+    if(!options.surface.empty())
+      write_surface(options.surface, input, cut_locus);
     if(!options.edges.empty())
       write_edges(options.edges, cut_locus, input);
   });

@@ -153,6 +153,8 @@ po::options_description output()
   add("cells", text("FILE.ply|.vtp|.obj"),
       "write the surface with the number of the source nearest to each face, in the order of points, curves and the "
       "border: faces between two sources are split. Where no path leads from a source, number and distance are -1");
+  add("surface", text("FILE.vtp"),
+      "write the mesh with the distance, the number of the nearest source, and that in the file of each vertex");
   add("uv", text("FILE.obj"),
       "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a texture");
   add("parameterization", text("NAME")->default_value("injective"),
@@ -216,7 +218,7 @@ std::string help()
   --min-branch-width W     more branches, or fewer: how far apart the two shortest paths to a branch must be
                            somewhere, in units of the diagonal of the bounding box
   --curve edges|faces      along edges of the mesh, or through its faces (default: faces)
-  -o FILE                  write the cut locus: .png, .svg, .vtp, .ply, .obj, .polylines.txt
+  -o FILE                  write the cut locus: .png, .svg, .vtp, .ply, .json, .obj, .polylines.txt
   --cells FILE.ply         write which source is the nearest
   --uv FILE.obj            cut the surface open along the cut locus and flatten it
   --report FILE.json       write figures and times

@@ -8,11 +8,13 @@
 #include "Renderer.h"
 #include "output_file.h"
 #include "picture_files.h"
+#include "report_json.h"
 #include "views.h"
 
 #include <CGAL/Cut_loci/IO/edges.h>
 #include <CGAL/Cut_loci/IO/write_cut_locus.h>
 #include <CGAL/Cut_loci/extract_polylines.h>
+#include <CGAL/Cut_loci/internal/edge_arrays.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -39,8 +41,9 @@ struct Format
 const Format formats[] = {
   {".polylines.txt", "CGAL's format for polylines", nullptr},
   {".obj", "Wavefront, lines", nullptr},
-  {".vtp", "VTK, with distances and strengths", nullptr},
+  {".vtp", "VTK, with distances, and with strength, width, enclosed curvature and sources of edges", nullptr},
   {".ply", "PLY, vertices and edges with the same", nullptr},
+  {".json", "the graph, with the same, and the sources", nullptr},
   {".png", "picture from two sides, of several sources with coloured cells", picture::write_png},
   {".svg", "the same, vector graphics", picture::write_svg},
 };
@@ -160,6 +163,55 @@ auto marks(const Cut_locus& cut_locus, const Input_mesh& input)
       [&](const auto& e) { return is_added(graph[e], input); }));
 }
 
+// Arrays have the names that they have in PLY and VTP files.
+template <typename Edge_marks>
+void write_graph(std::ostream& os, const Cut_locus& cut_locus, const Input_mesh& input, const Edge_marks& is_marked)
+{
+  const Cut_locus::Graph& graph = cut_locus.graph();
+  Json of_vertices, of_edges, sources = Json::array();
+  for(const char* name : {"point", "distance"})
+    of_vertices[name] = Json::array();
+  for(const auto v : CGAL::make_range(vertices(graph)))
+  {
+    of_vertices["point"].push_back(to_vector(graph[v].point));
+    of_vertices["distance"].push_back(graph[v].distance);
+  }
+  of_edges["vertices"] = Json::array();
+  for(const auto& e : CGAL::make_range(edges(graph)))
+    of_edges["vertices"].push_back({source(e, graph), target(e, graph)});
+  CGAL::Cut_loci::internal::for_each_edge_array(graph, is_marked,
+                                                [&](const char* name, const auto& value_of)
+                                                {
+    of_edges[name] = Json::array();
+    for(const auto& e : CGAL::make_range(edges(graph)))
+      of_edges[name].push_back(value_of(e));
+  });
+  for(std::size_t i = 0; i < cut_locus.number_of_sources(); ++i)
+  {
+    const Cut_locus::Vertex& at = cut_locus.source(i);
+    sources.push_back({{"point", to_vector(at.point)},
+                       {"vertex", at.mesh_vertex == Mesh::null_vertex() ? Json() : Json(input.number[at.mesh_vertex])},
+                       {"is_curve", cut_locus.is_curve(i)}});
+  }
+  os << Json({{"vertices", of_vertices}, {"edges", of_edges}, {"sources", sources}}) << '\n';
+}
+
+template <typename NamedParameters>
+void write_curve(std::ostream& os, const std::string& extension, const Cut_locus& cut_locus, const Input_mesh& input,
+                 const NamedParameters& np)
+{
+  if(extension == ".json")
+    write_graph(os, cut_locus, input, CGAL::Cut_loci::internal::edge_marks(cut_locus.graph(), np));
+  else if(extension == ".obj")
+    CGAL::IO::write_OBJ(os, cut_locus, np);
+  else if(extension == ".ply")
+    CGAL::IO::write_PLY(os, cut_locus, np);
+  else if(extension == ".vtp")
+    CGAL::IO::write_VTP(os, cut_locus, np);
+  else
+    CGAL::IO::write_polylines(os, cut_locus, np);
+}
+
 } // namespace
 
 bool is_output_name(const std::string& filename)
@@ -197,12 +249,14 @@ void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& c
   for(const std::string& filename : filenames)
   {
     const Format* const format = find_format(filename);
-    if(format == nullptr || format->write_picture == nullptr)
-      replace_file(filename,
-                   [&](const std::string& name)
-                   {
-        return has_added_edges(input) ? CGAL::IO::write_cut_locus(name, cut_locus, marks(cut_locus, input))
-                                      : CGAL::IO::write_cut_locus(name, cut_locus);
+    if(format->write_picture == nullptr)
+      write_file(filename,
+                 [&](std::ostream& os)
+                 {
+        if(has_added_edges(input))
+          write_curve(os, format->extension, cut_locus, input, marks(cut_locus, input));
+        else
+          write_curve(os, format->extension, cut_locus, input, CGAL::parameters::default_values());
       });
     else
     {
@@ -217,8 +271,6 @@ void write_edges(const std::string& filename, const Cut_locus& cut_locus, const 
 {
   const auto number =
     boost::make_function_property_map<Mesh::Vertex_index>([&](Mesh::Vertex_index v) { return input.number[v]; });
-  replace_file(filename,
-               [&](const std::string& name) {
-    return CGAL::IO::write_edges(name, cut_locus, input.mesh, marks(cut_locus, input).vertex_index_map(number));
-  });
+  write_file(filename, [&](std::ostream& os)
+             { CGAL::IO::write_edges(os, cut_locus, input.mesh, marks(cut_locus, input).vertex_index_map(number)); });
 }

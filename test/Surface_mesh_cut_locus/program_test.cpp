@@ -57,6 +57,7 @@ TEST_F(Program, Help)
                             "--view",
                             "--edges",
                             "--cells",
+                            "--surface",
                             "--keep",
                             "--uv",
                             "--parameterization",
@@ -214,7 +215,8 @@ TEST_F(Program, All_formats)
 {
   std::string arguments = "--solver heat";
   const std::map<std::string, std::string> starts = {{"a.polylines.txt", ""}, {"a.obj", "v "},      {"a.vtp", "<?xml"},
-                                                     {"a.ply", "ply\n"},      {"a.png", "\x89PNG"}, {"a.svg", "<?xml"}};
+                                                     {"a.ply", "ply\n"},      {"a.png", "\x89PNG"}, {"a.svg", "<?xml"},
+                                                     {"a.json", "{"}};
   for(const auto& format : starts)
     arguments += " -o " + quoted(path(format.first));
   const Outcome outcome = run_on_torus(arguments);
@@ -943,11 +945,11 @@ TEST_F(Program, Wrong_outputs)
 TEST_F(Program, Outputs_are_the_old_or_the_new_ones)
 {
   const std::vector<std::string> names = {"a.obj", "a.png", "a.ply", "e.txt", "c.ply",
-                                          "u.obj", "u.mtl", "u.png", "r.json"};
+                                          "s.vtp", "u.obj", "u.mtl", "u.png", "r.json"};
   const std::string outputs = "--quiet --source 5 -o " + quoted(path("a.obj")) + " -o " + quoted(path("a.png")) +
                               " -o " + quoted(path("a.ply")) + " --edges " + quoted(path("e.txt")) + " --cells " +
-                              quoted(path("c.ply")) + " --uv " + quoted(path("u.obj")) + " --report " +
-                              quoted(path("r.json"));
+                              quoted(path("c.ply")) + " --surface " + quoted(path("s.vtp")) + " --uv " +
+                              quoted(path("u.obj")) + " --report " + quoted(path("r.json"));
   for(const std::string& name : names)
     write(name, "old\n");
   const auto number_of_files = [&]()

@@ -72,6 +72,9 @@ Cut_locus make_cut_locus(std::size_t number_of_vertices, const std::vector<std::
   {
     Cut_locus::Edge edge;
     edge.mesh_halfedge = Mesh::null_halfedge();
+    edge.width = 3. + std::sqrt(static_cast<double>(e.first));
+    edge.curvature = 1e-3 * static_cast<double>(e.second);
+    edge.sources = {{1, 2}};
     edge.strength = 1. / (1. + static_cast<double>(e.first) + 7. * static_cast<double>(e.second));
     add_edge(e.first, e.second, edge, graph);
   }
@@ -247,7 +250,11 @@ TEST(Output_formats, PLY)
                                                "element edge " + std::to_string(num_edges(graph)),
                                                "property int vertex1",
                                                "property int vertex2",
-                                               "property double strength"};
+                                               "property double strength",
+                                               "property double width",
+                                               "property double enclosed",
+                                               "property int source1",
+                                               "property int source2"};
     EXPECT_EQ(header, expected);
     for(auto v : CGAL::make_range(vertices(graph)))
     {
@@ -260,11 +267,15 @@ TEST(Output_formats, PLY)
     for(std::size_t i = 0; i < num_edges(graph); ++i)
     {
       std::size_t a = 0, b = 0;
-      double strength = 0.;
-      ASSERT_TRUE(is >> a >> b >> strength);
+      double strength = 0., width = 0., enclosed = 0., source1 = 0., source2 = 0.;
+      ASSERT_TRUE(is >> a >> b >> strength >> width >> enclosed >> source1 >> source2);
       const auto e = boost::edge(a, b, graph);
       ASSERT_TRUE(e.second);
       EXPECT_EQ(strength, graph[e.first].strength);
+      EXPECT_EQ(width, graph[e.first].width);
+      EXPECT_EQ(enclosed, graph[e.first].curvature);
+      EXPECT_EQ(source1, 1.);
+      EXPECT_EQ(source2, 2.);
     }
     std::string rest;
     EXPECT_FALSE(is >> rest);
@@ -307,14 +318,21 @@ TEST(Output_formats, VTP)
     EXPECT_EQ(verts["offsets"].size(), isolated);
     ASSERT_EQ(lines["connectivity"].size(), 2 * num_edges(graph));
     ASSERT_EQ(lines["offsets"].size(), num_edges(graph));
-    const auto strengths = read_numbers<double>(piece.get<std::string>("CellData.DataArray"));
-    ASSERT_EQ(strengths.size(), num_edges(graph) + isolated);
+    std::map<std::string, std::vector<double>> cells;
+    for(const auto& array : piece.get_child("CellData"))
+      if(array.first == "DataArray")
+        cells[array.second.get<std::string>("<xmlattr>.Name")] = read_numbers<double>(array.second.data());
+    for(const char* name : {"strength", "width", "enclosed", "source1", "source2"})
+      ASSERT_EQ(cells[name].size(), num_edges(graph) + isolated) << name;
     for(std::size_t i = 0; i < num_edges(graph); ++i)
     {
       EXPECT_EQ(lines["offsets"][i], 2 * (i + 1));
       const auto e = boost::edge(lines["connectivity"][2 * i], lines["connectivity"][2 * i + 1], graph);
       ASSERT_TRUE(e.second);
-      EXPECT_EQ(strengths[isolated + i], graph[e.first].strength);
+      EXPECT_EQ(cells["strength"][isolated + i], graph[e.first].strength);
+      EXPECT_EQ(cells["width"][isolated + i], graph[e.first].width);
+      EXPECT_EQ(cells["enclosed"][isolated + i], graph[e.first].curvature);
+      EXPECT_EQ(cells["source2"][isolated + i], 2.);
     }
   }
 }

@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_IO_PLY_H
 #define CGAL_CUT_LOCI_IO_PLY_H
 
+#include <CGAL/Cut_loci/internal/edge_arrays.h>
 #include <CGAL/Cut_loci/internal/stream_output.h>
 #include <CGAL/Cut_locus.h>
 
@@ -22,8 +23,8 @@ namespace IO {
  * \ingroup PkgSurfaceMeshCutLocusIO
  *
  * writes a cut locus as an ASCII file of the format PLY (extension `.ply`) with the elements `vertex`, with the
- * property `distance`, and `edge`, with the property `strength` and, if there are several sources, `source1` and
- * `source2`, the numbers of those on its two sides.
+ * property `distance`, and `edge`, with the properties `strength`, `width`, `enclosed`, `source1` and `source2`: its
+ * `strength`, `width`, `curvature` and `sources`, see `Cut_locus_edge`.
  *
  * @param os the output stream
  * @param cut_locus the cut locus
@@ -55,10 +56,14 @@ bool write_PLY(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_loc
   os << "ply\nformat ascii 1.0\n"
      << "element vertex " << num_vertices(graph)
      << "\nproperty double x\nproperty double y\nproperty double z\nproperty double distance\n"
-     << "element edge " << num_edges(graph)
-     << "\nproperty int vertex1\nproperty int vertex2\nproperty double strength\n"
-     << (cut_locus.number_of_sources() > 1 ? "property int source1\nproperty int source2\n" : "")
-     << (is_marked.is_given() ? "property uchar marked\n" : "") << "end_header\n";
+     << "element edge " << num_edges(graph) << "\nproperty int vertex1\nproperty int vertex2\n";
+  Cut_loci::internal::for_each_edge_array(graph, is_marked,
+                                          [&](const char* name, const auto& value_of)
+                                          {
+    using Value = decltype(value_of(*edges(graph).first));
+    os << "property " << Cut_loci::internal::name_of_type<Value>({{"double", "int", "uchar"}}) << ' ' << name << '\n';
+  });
+  os << "end_header\n";
   for(auto v : CGAL::make_range(vertices(graph)))
   {
     Cut_loci::internal::write_point(os, graph[v].point);
@@ -66,11 +71,9 @@ bool write_PLY(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_loc
   }
   for(auto e : CGAL::make_range(edges(graph)))
   {
-    os << source(e, graph) << ' ' << target(e, graph) << ' ' << graph[e].strength;
-    if(cut_locus.number_of_sources() > 1)
-      os << ' ' << graph[e].sources[0] << ' ' << graph[e].sources[1];
-    if(is_marked.is_given())
-      os << (is_marked(e) ? " 1" : " 0");
+    os << source(e, graph) << ' ' << target(e, graph);
+    Cut_loci::internal::for_each_edge_array(graph, is_marked,
+                                            [&](const char*, const auto& value_of) { os << ' ' << +value_of(e); });
     os << '\n';
   }
   return os.good();

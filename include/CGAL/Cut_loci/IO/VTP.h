@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_IO_VTP_H
 #define CGAL_CUT_LOCI_IO_VTP_H
 
+#include <CGAL/Cut_loci/internal/edge_arrays.h>
 #include <CGAL/Cut_loci/internal/stream_output.h>
 #include <CGAL/Cut_locus.h>
 
@@ -24,8 +25,9 @@ namespace IO {
  * \ingroup PkgSurfaceMeshCutLocusIO
  *
  * writes a cut locus in the XML format of VTK for polygonal data (extension `.vtp`), as ASCII: a line for each edge,
- * with the arrays `distance` of the points and `strength` of the cells. A vertex without edges, as of a cut locus
- * that is a single point, is a cell `Verts` of strength 0.
+ * with the array `distance` of the points, and `strength`, `width`, `enclosed`, `source1` and `source2` of the cells: its
+ * `strength`, `width`, `curvature` and `sources`, see `Cut_locus_edge`. A vertex without edges, as of a cut locus that is
+ * a single point, is a cell `Verts` for which these are 0.
  *
  * @param os the output stream
  * @param cut_locus the cut locus
@@ -62,15 +64,6 @@ bool write_VTP(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_loc
   const auto start_array = [&](const char* type, const char* name)
   { os << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" format=\"ascii\">\n"; };
   const auto end_array = [&]() { os << "</DataArray>\n"; };
-  const auto write_of_cells = [&](const char* type, const char* name, int of_isolated, const auto& of_edge)
-  {
-    start_array(type, name);
-    for(std::size_t i = 0; i < isolated.size(); ++i)
-      os << of_isolated << '\n';
-    for(auto e : CGAL::make_range(edges(graph)))
-      os << of_edge(e) << '\n';
-    end_array();
-  };
   const auto write_offsets = [&](std::size_t number_of_cells, std::size_t size_of_cell)
   {
     start_array("Int64", "offsets");
@@ -89,11 +82,17 @@ bool write_VTP(std::ostream& os, const Cut_locus<TriangleMesh, Point_3>& cut_loc
     os << graph[v].distance << '\n';
   end_array();
   os << "</PointData>\n<CellData Scalars=\"strength\">\n";
-  write_of_cells("Float64", "strength", 0, [&](auto e) { return graph[e].strength; });
-  for(std::size_t side = 0; side < 2 && cut_locus.number_of_sources() > 1; ++side)
-    write_of_cells("Int64", side == 0 ? "source1" : "source2", -1, [&](auto e) { return graph[e].sources[side]; });
-  if(is_marked.is_given())
-    write_of_cells("UInt8", "marked", 0, [&](auto e) { return is_marked(e) ? 1 : 0; });
+  Cut_loci::internal::for_each_edge_array(graph, is_marked,
+                                          [&](const char* name, const auto& value_of)
+                                          {
+    using Value = decltype(value_of(*edges(graph).first));
+    start_array(Cut_loci::internal::name_of_type<Value>({{"Float64", "Int32", "UInt8"}}), name);
+    for(std::size_t i = 0; i < isolated.size(); ++i)
+      os << "0\n";
+    for(auto e : CGAL::make_range(edges(graph)))
+      os << +value_of(e) << '\n';
+    end_array();
+  });
   os << "</CellData>\n<Points>\n"
      << "<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
   for(auto v : CGAL::make_range(vertices(graph)))

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// What the program writes for other programs is read back.
+
+#include "program_fixture.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Json = nlohmann::json;
+using Arrays = std::map<std::string, std::vector<double>>;
+
+std::vector<double> numbers(const std::string& text)
+{
+  std::istringstream is(text);
+  return {std::istream_iterator<double>(is), std::istream_iterator<double>()};
+}
+
+// The arrays of a part of a VTP file.
+Arrays vtp_arrays(const std::string& text, const std::string& part)
+{
+  Arrays result;
+  std::size_t at = text.find("<" + part);
+  const std::size_t end = text.find("</" + part, at);
+  while((at = text.find(" Name=\"", at)) < end)
+  {
+    at += 7;
+    const std::size_t begin = text.find('>', at) + 1;
+    result[text.substr(at, text.find('"', at) - at)] = numbers(text.substr(begin, text.find('<', begin) - begin));
+  }
+  return result;
+}
+
+// The properties of the edges of a PLY file that has vertices and edges.
+Arrays ply_edges(const std::string& text)
+{
+  Arrays result;
+  std::vector<std::string> names;
+  std::istringstream is(text);
+  std::size_t number_of_vertices = 0, number_of_edges = 0;
+  for(std::string word; is >> word && word != "end_header";)
+    if(word == "vertex")
+      is >> number_of_vertices;
+    else if(word == "edge")
+      is >> number_of_edges;
+    else if(word == "property" && is >> word >> word && number_of_edges > 0)
+      names.push_back(word);
+  std::string line;
+  for(std::size_t i = 0; i <= number_of_vertices; ++i)
+    std::getline(is, line);
+  for(std::size_t i = 0; i < number_of_edges; ++i)
+    for(const std::string& name : names)
+    {
+      double x = -7.;
+      is >> x;
+      result[name].push_back(x);
+    }
+  return result;
+}
+
+using Files = Program;
+
+} // namespace
+
+TEST_F(Files, The_same_arrays_in_all_formats)
+{
+  for(const char* sources : {"--source 5", "--source 5 --source 150"})
+  {
+    std::string outputs;
+    for(const char* name : {"a.vtp", "a.ply", "a.json"})
+      outputs += " -o " + quoted(path(name));
+    const Outcome outcome = run_on_torus(sources + std::string(" --quiet") + outputs);
+    ASSERT_EQ(outcome.status, 0) << outcome.messages;
+    const std::string vtp = read_file(path("a.vtp"));
+    Arrays of_vtp = vtp_arrays(vtp, "CellData"), of_ply = ply_edges(read_file(path("a.ply")));
+    const Json json = Json::parse(read_file(path("a.json")));
+    ASSERT_EQ(of_vtp.size(), 5u);
+    const std::size_t number_of_edges = json.at("edges").at("vertices").size();
+    for(const char* name : {"strength", "width", "enclosed", "source1", "source2"})
+    {
+      EXPECT_EQ(of_vtp[name].size(), number_of_edges) << name;
+      EXPECT_EQ(of_vtp[name], of_ply[name]) << name;
+      EXPECT_EQ(of_vtp[name], json.at("edges").at(name).get<std::vector<double>>()) << name;
+    }
+    EXPECT_EQ(of_ply["vertex1"].size(), number_of_edges);
+    EXPECT_EQ(vtp_arrays(vtp, "PointData")["distance"], json.at("vertices").at("distance").get<std::vector<double>>());
+    std::vector<double> points;
+    for(const Json& p : json.at("vertices").at("point"))
+      points.insert(points.end(), p.begin(), p.end());
+    EXPECT_EQ(vtp_arrays(vtp, "Points")["Points"], points);
+    const bool has_two = std::string(sources).size() > 12;
+    ASSERT_EQ(json.at("sources").size(), has_two ? 2u : 1u);
+    EXPECT_EQ(json.at("sources").at(0).at("vertex"), 5);
+    const std::vector<double>& width = of_vtp["width"];
+    EXPECT_GT(*std::min_element(width.begin(), width.end()), 0.);
+    const std::vector<double>& enclosed = of_vtp["enclosed"];
+    EXPECT_GT(*std::max_element(enclosed.begin(), enclosed.end()), 0.);
+    EXPECT_EQ(of_vtp["source1"] != of_vtp["source2"], has_two);
+  }
+}
+
+TEST_F(Files, A_surface_with_distances_and_sources)
+{
+  const Outcome outcome = run_on_torus("--quiet --source 5 --source 150 --surface " + quoted(path("s.vtp")) + " -o " +
+                                       quoted(path("a.json")));
+  ASSERT_EQ(outcome.status, 0) << outcome.messages;
+  const std::string text = read_file(path("s.vtp"));
+  Arrays of_vertices = vtp_arrays(text, "PointData");
+  const std::size_t n = static_cast<std::size_t>(number_of_vertices_) - 1; // one is isolated
+  ASSERT_EQ(of_vertices["distance"].size(), n);
+  EXPECT_EQ(vtp_arrays(text, "Points")["Points"].size(), 3 * n);
+  EXPECT_EQ(vtp_arrays(text, "Polys")["offsets"].size(), triangles_.size());
+  EXPECT_EQ(std::set<double>(of_vertices["source"].begin(), of_vertices["source"].end()), (std::set<double>{0., 1.}));
+  for(std::size_t v = 0; v < n; ++v)
+  {
+    const double number = of_vertices["vertex"][v];
+    EXPECT_EQ(of_vertices["distance"][v] == 0., number == 5. || number == 150.) << number;
+    if(number == 150.)
+    {
+      EXPECT_EQ(of_vertices["source"][v], 1.);
+    }
+  }
+  // where no path leads
+  write("two.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n3 0 1 2\n3 3 4 5\n");
+  EXPECT_EQ(run(quoted(path("two.off")) + " --quiet --source 0 --surface " + quoted(path("s.vtp"))).status, 0);
+  of_vertices = vtp_arrays(read_file(path("s.vtp")), "PointData");
+  EXPECT_EQ(of_vertices["distance"], (std::vector<double>{0., 1., 1., -1., -1., -1.}));
+  EXPECT_EQ(of_vertices["source"], (std::vector<double>{0., 0., 0., -1., -1., -1.}));
+  expect_failure(run_on_torus("--surface " + quoted(path("a.ply"))), "must be .vtp");
+}
