@@ -68,11 +68,10 @@ struct Needs_repair : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-// Throws `Needs_repair` if it is not allowed, or `std::runtime_error` with the cause if the file has no surface.
-Input_mesh read_mesh(const std::string& filename, Repair repair);
+// `format` is empty, or one of `input_formats()`. Throws `Needs_repair` if it is not allowed, or `std::runtime_error` with the cause if the file has no surface.
+Input_mesh read_mesh(const std::string& filename, const std::string& format, Repair repair);
 
-// Its two halves: the file as it is, and a mesh of it. `name` is for messages.
-Polygon_soup read_polygon_soup(const std::string& filename);
+// A mesh of the file as it is. `name` is for messages.
 Input_mesh make_mesh(const Polygon_soup& soup, Repair repair, const std::string& name);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_INPUT_MESH_H

@@ -6,6 +6,7 @@
 
 #include "Options.h"
 #include "cells.h"
+#include "file_checks.h"
 #include "flatten.h"
 #include "option_descriptions.h"
 #include "output.h"
@@ -118,13 +119,21 @@ void check_output_path(const std::string& path, const std::string& option)
     throw Usage_error(option + ": cannot write to '" + path + "': " + cause);
 }
 
+// An output that may be `-`, standard output.
+std::string to_output(const std::string& path, const std::string& option)
+{
+  if(path != standard_stream)
+    check_output_path(path, option);
+  return path;
+}
+
 // No output may replace what is read, nor another output.
 void check_overwriting(const po::variables_map& given, const Options& options)
 {
   namespace fs = std::filesystem;
   std::vector<std::pair<fs::path, std::string>> outputs;
   for(const std::string& output : options.outputs)
-    outputs.emplace_back(output, "-o");
+    outputs.emplace_back(is_standard_output(output) ? standard_stream : output, "-o");
   for(const auto& [path, option] :
       {std::make_pair(options.edges, "--edges"), std::make_pair(options.cells, "--cells"),
        std::make_pair(options.surface, "--surface"), std::make_pair(options.uv, "--uv"),
@@ -144,7 +153,9 @@ void check_overwriting(const po::variables_map& given, const Options& options)
     std::error_code error;
     return fs::equivalent(a, b, error) || fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
   };
-  std::vector<std::pair<fs::path, std::string>> earlier = {{options.mesh, "the mesh"}};
+  std::vector<std::pair<fs::path, std::string>> earlier;
+  if(options.mesh != standard_stream)
+    earlier.emplace_back(options.mesh, "the mesh");
   for(const std::string name : {"sources", "source-edges", "each-source"})
     if(given.count(name))
       earlier.emplace_back(given[name].as<std::string>(), "the file of --" + name);
@@ -217,6 +228,18 @@ Repair to_repair(const std::string& name)
   if(name != "orient" && name != "none")
     throw Usage_error("--repair takes weld, orient or none, not '" + name + "'");
   return name == "orient" ? Repair::ORIENT : Repair::NONE;
+}
+
+std::string to_input_format(const std::string& name)
+{
+  std::string list;
+  for(const std::string& format : input_formats())
+  {
+    if(name == format)
+      return name;
+    list += " " + format;
+  }
+  throw Usage_error("--input-format takes one of" + list + ", not '" + name + "'");
 }
 
 Kept_part to_part(const std::string& name)
@@ -320,7 +343,8 @@ Options parse_command_line(int argc, char* argv[])
   if(meshes.size() != 1)
     throw Usage_error("one mesh at a time: '" + meshes[1] + "' is too much");
   options.mesh = meshes.front();
-
+  if(given.count("input-format"))
+    options.input_format = to_input_format(text("input-format"));
   options.repair = to_repair(text("repair"));
   if(given.count("source"))
     for(const std::string& source : given["source"].as<std::vector<std::string>>())
@@ -391,11 +415,14 @@ Options parse_command_line(int argc, char* argv[])
 
   if(given.count("output"))
     options.outputs = given["output"].as<std::vector<std::string>>();
-  for(const std::string& output : options.outputs)
+  for(std::string& output : options.outputs)
   {
-    check_output_path(output, "-o");
+    if(to_output(output, "-o") == standard_stream && given.count("each-source") == 0)
+      output += "." + text("output-format");
     if(!is_output_name(output) && given.count("each-source") == 0)
-      throw Usage_error("-o: the extension of '" + output + "' must be one of" + output_extensions());
+      throw Usage_error((is_standard_output(output) ? "--output-format: '" + output.substr(2) + "'"
+                                                    : "-o: the extension of '" + output + "'") +
+                        " must be one of" + output_extensions());
   }
   if(given.count("view"))
   {
@@ -405,7 +432,7 @@ Options parse_command_line(int argc, char* argv[])
   }
   if(given.count("edges"))
   {
-    check_output_path(options.edges = text("edges"), "--edges");
+    options.edges = to_output(text("edges"), "--edges");
     if(options.curve == CGAL::Cut_loci::Curve::THROUGH_FACES || options.smoothing.value_or(0) > 0)
       throw Usage_error("--edges writes a curve of edges of the mesh: not with --curve faces or --smooth");
   }
@@ -417,8 +444,8 @@ Options parse_command_line(int argc, char* argv[])
   }
   if(given.count("surface"))
   {
-    check_output_path(options.surface = text("surface"), "--surface");
-    if(std::filesystem::path(options.surface).extension() != ".vtp")
+    options.surface = to_output(text("surface"), "--surface");
+    if(options.surface != standard_stream && std::filesystem::path(options.surface).extension() != ".vtp")
       throw Usage_error("--surface: the extension of '" + options.surface + "' must be .vtp");
   }
   if(given.count("uv"))
@@ -440,7 +467,7 @@ Options parse_command_line(int argc, char* argv[])
       throw Usage_error("--unfold: the extension of '" + options.unfold + "' must be .svg or .obj");
   }
   if(given.count("report"))
-    check_output_path(options.report = text("report"), "--report");
+    options.report = to_output(text("report"), "--report");
   read_each_source(given, options);
   if(given.count("threads"))
     options.threads = number_of_threads(to_count(text("threads"), "--threads"));

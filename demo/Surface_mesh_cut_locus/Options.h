@@ -24,7 +24,8 @@ enum class Kept_part { ALL, VORONOI, MEDIAL };
 // What the command line asks for; what is not set is left to the library's defaults.
 struct Options
 {
-  std::string mesh;
+  std::string mesh;         // "-": standard input
+  std::string input_format; // empty: see `load_file()`
   Repair repair = Repair::WELD;
   std::vector<std::size_t> sources;
   std::vector<std::array<double, 3>> source_points; // numbered behind the vertices

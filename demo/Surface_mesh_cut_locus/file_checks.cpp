@@ -11,6 +11,7 @@
 #include <CGAL/IO/OFF/File_header_OFF.h>
 
 #include <boost/endian/conversion.hpp>
+#include <boost/interprocess/streams/bufferstream.hpp>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -27,6 +30,7 @@
 namespace {
 
 namespace fs = std::filesystem;
+using boost::interprocess::ibufferstream;
 
 void check_kind(const std::string& filename)
 {
@@ -37,7 +41,7 @@ void check_kind(const std::string& filename)
   if(fs::is_directory(status))
     refuse_file(filename, "it is a directory");
   if(fs::is_fifo(status) || fs::is_socket(status))
-    refuse_file(filename, "it is a pipe, which can not be read twice: write it to a file first");
+    refuse_file(filename, "it is a pipe, which may never end: give the mesh on standard input, and - as its name");
   if(!fs::is_regular_file(status))
     refuse_file(filename, "it is a device, not a file");
   errno = 0;
@@ -45,20 +49,63 @@ void check_kind(const std::string& filename)
     refuse_file(filename, errno ? std::strerror(errno) : "it can not be opened");
 }
 
-void check_extension(const std::string& filename)
+// in lower case, with the dot
+std::string file_extension(const std::string& filename)
 {
-  const std::string extension = file_extension(filename);
-  std::vector<std::string> known = {".off", ".obj", ".stl", ".ply", ".ts"};
-#ifdef CGAL_USE_VTK
-  known.push_back(".vtp");
-#endif
-  if(std::find(known.begin(), known.end(), extension) != known.end())
-    return;
+  std::string extension = fs::path(filename).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
+void check_extension(const std::string& filename, const std::string& extension)
+{
   std::string list;
-  for(const std::string& e : known)
-    list += " " + e;
-  refuse_file(filename, "its extension must be one of" + list +
-                          ": other formats have to be converted first, as by MeshLab or meshio");
+  for(const std::string& format : input_formats())
+  {
+    if(extension == "." + format)
+      return;
+    list += " ." + format;
+  }
+  refuse_file(filename,
+              "its extension must be one of" + list +
+                ", unless there is an --input-format: other formats have to be converted first, as by MeshLab or "
+                "meshio");
+}
+
+// The position after comments, where the keyword of the format starts.
+std::size_t keyword_position(const std::string& text)
+{
+  std::size_t i = text.find_first_not_of(" \t\r\n");
+  while(i < text.size() && text[i] == '#')
+    i = text.find_first_not_of(" \t\r\n", text.find('\n', i));
+  return (std::min)(i, text.size());
+}
+
+bool is_binary_stl(const std::string& text)
+{
+  constexpr std::size_t header = 84, bytes_of_facet = 50;
+  return text.size() >= header &&
+         text.size() - header ==
+           bytes_of_facet * boost::endian::load_little_u32(reinterpret_cast<const unsigned char*>(text.data()) + 80);
+}
+
+// How files of the format start: the extension, or nothing.
+std::string extension_by_content(const std::string& text)
+{
+  const std::size_t start = keyword_position(text);
+  const std::string word = text.substr(start, text.find_first_of(" \t\r\n", start) - start);
+  const auto is_one_of = [&](const std::vector<std::string>& words)
+  { return std::find(words.begin(), words.end(), word) != words.end(); };
+  if(is_binary_stl(text) || word == "solid")
+    return ".stl";
+  if(word == "ply")
+    return ".ply";
+  if(word == "GOCAD")
+    return ".ts";
+  if(word.size() >= 3 && word.size() <= 8 && word.compare(word.size() - 3, 3, "OFF") == 0)
+    return ".off";
+  return is_one_of({"v", "vn", "vt", "o", "g", "s", "f", "mtllib", "usemtl"}) ? ".obj" : "";
 }
 
 // Both may be damaged, so nothing is multiplied that could overflow.
@@ -74,19 +121,18 @@ void check_count(const std::string& filename, const std::string& what, double co
   refuse_file(filename, cause.str());
 }
 
-void check_off(const std::string& filename, std::size_t size)
+void check_off(const Mesh_file& file)
 {
-  std::istringstream swapped;
-  std::ifstream file(filename, std::ios_base::binary);
-  std::istream* is = &file;
-  if(off_layout(filename) == Off_layout::BINARY_LITTLE_ENDIAN)
-  {
-    swapped.str(with_swapped_bytes(file));
-    is = &swapped;
-  }
+  const std::string& filename = file.name;
+  const std::size_t size = file.text.size();
+  std::string swapped;
+  if(off_layout(file.text) == Off_layout::BINARY_LITTLE_ENDIAN)
+    swapped = with_swapped_bytes(file.text);
+  const std::string& text = swapped.empty() ? file.text : swapped;
+  ibufferstream is(text.data(), text.size());
   CGAL::File_header_OFF header;
-  *is >> header;
-  if(is->fail())
+  is >> header;
+  if(is.fail())
     refuse_file(filename, "its header is damaged, or not of the format OFF");
   if(header.skel())
     refuse_file(filename, "the format SKEL has polylines, not faces");
@@ -121,9 +167,11 @@ void check_ply_lists(std::istream& is, const Ply_header& header, const std::stri
       }
 }
 
-void check_ply(const std::string& filename, std::size_t size)
+void check_ply(const Mesh_file& file)
 {
-  std::ifstream is(filename, std::ios_base::binary);
+  const std::string& filename = file.name;
+  const std::size_t size = file.text.size();
+  ibufferstream is(file.text.data(), size);
   const Ply_header header(is, filename);
   bool has_faces = false;
   for(const Ply_element& element : header.elements)
@@ -156,32 +204,42 @@ void refuse_file(const std::string& filename, const std::string& cause)
   throw std::runtime_error("cannot read '" + filename + "': " + cause);
 }
 
-std::string file_extension(const std::string& filename)
+const std::vector<std::string>& input_formats()
 {
-  std::string extension = fs::path(filename).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return extension;
+  static const std::vector<std::string> formats = {"off", "obj", "stl", "ply", "ts"};
+  return formats;
 }
 
-std::size_t check_file(const std::string& filename)
+Mesh_file load_file(const std::string& filename, const std::string& format)
 {
-  check_kind(filename);
-  check_extension(filename);
-  const std::size_t size = fs::file_size(filename);
-  if(size == 0)
-    refuse_file(filename, "it is empty");
-  const std::string extension = file_extension(filename);
-  if(extension == ".off")
-    check_off(filename, size);
-  else if(extension == ".ply")
-    check_ply(filename, size);
-  return size;
+  const bool is_standard_input = filename == standard_stream;
+  Mesh_file file{is_standard_input ? "standard input" : filename, format.empty() ? "" : "." + format, ""};
+  if(is_standard_input)
+    file.text.assign(std::istreambuf_iterator<char>(std::cin), {});
+  else
+  {
+    check_kind(filename);
+    if(format.empty())
+      check_extension(filename, file.extension = file_extension(filename));
+    file.text.resize(fs::file_size(filename));
+    if(!std::ifstream(filename, std::ios_base::binary)
+          .read(file.text.data(), static_cast<std::streamsize>(file.text.size())))
+      refuse_file(filename, "it cannot be read to its end");
+  }
+  if(file.text.empty())
+    refuse_file(file.name, "it is empty");
+  if(file.extension.empty() && (file.extension = extension_by_content(file.text)).empty())
+    refuse_file(file.name, "it does not start as files of a known format do: say --input-format");
+  if(file.extension == ".off")
+    check_off(file);
+  else if(file.extension == ".ply")
+    check_ply(file);
+  return file;
 }
 
-Off_layout off_layout(const std::string& filename)
+Off_layout off_layout(const std::string& text)
 {
-  std::ifstream is(filename, std::ios_base::binary);
+  ibufferstream is(text.data(), text.size());
   CGAL::File_header_OFF header;
   is >> header;
   if(!header.binary())
@@ -192,47 +250,24 @@ Off_layout off_layout(const std::string& filename)
   return n <= boost::endian::endian_reverse(n) ? Off_layout::BINARY : Off_layout::BINARY_LITTLE_ENDIAN;
 }
 
-namespace {
-
-std::string read_all(std::istream& is)
+std::string with_swapped_bytes(std::string text)
 {
-  std::ostringstream text;
-  text << is.rdbuf();
-  return text.str();
-}
-
-// The position after comments, where the keyword of the format starts.
-std::size_t keyword_position(const std::string& text)
-{
-  std::size_t i = text.find_first_not_of(" \t\r\n");
-  while(i < text.size() && text[i] == '#')
-    i = text.find_first_not_of(" \t\r\n", text.find('\n', i));
-  return (std::min)(i, text.size());
-}
-
-} // namespace
-
-std::string with_swapped_bytes(std::istream& is)
-{
-  std::string text = read_all(is);
   const std::size_t end_of_line = text.find('\n', keyword_position(text));
   for(std::size_t i = end_of_line; i < text.size() && text.size() - i > 4; i += 4)
     std::reverse(text.begin() + static_cast<std::ptrdiff_t>(i + 1), text.begin() + static_cast<std::ptrdiff_t>(i + 5));
   return text;
 }
 
-std::string without_attributes(std::istream& is)
+std::string without_attributes(std::string text)
 {
-  std::string text = read_all(is);
   const std::size_t start = keyword_position(text), keyword = text.find("OFF", start);
   if(keyword != std::string::npos)
     text.replace(start, keyword - start, text.find('4', start) < keyword ? "4" : "");
   return text;
 }
 
-std::string plain_obj(std::istream& is)
+std::string plain_obj(std::string text)
 {
-  std::string text = read_all(is);
   std::replace(text.begin(), text.end(), '\t', ' ');
   for(std::size_t i = text.find("\\\n"); i != std::string::npos; i = text.find("\\\n", i))
     text.replace(i, 2, "  ");

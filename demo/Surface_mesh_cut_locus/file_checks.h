@@ -7,19 +7,27 @@
 #ifndef SURFACE_MESH_CUT_LOCUS_DEMO_FILE_CHECKS_H
 #define SURFACE_MESH_CUT_LOCUS_DEMO_FILE_CHECKS_H
 
-#include <cstddef>
-#include <iosfwd>
 #include <string>
+#include <vector>
 
-// Looks at a file before CGAL's readers do: they believe the numbers in its header, and wait for pipes. Returns its size
-// in bytes, or throws `std::runtime_error` with the cause.
-std::size_t check_file(const std::string& filename);
+// The name of a mesh that is read from standard input, and of an output that is written to standard output.
+constexpr char standard_stream[] = "-";
+
+// A file as it is, and what format it is taken for.
+struct Mesh_file
+{
+  std::string name, extension, text;
+};
+
+// "off", "obj", ...
+const std::vector<std::string>& input_formats();
+
+// Reads a file, or standard input, and looks at it before CGAL's readers do: they believe the numbers in its header. The
+// format is that of the extension, or of the first words, unless one is given. Throws `std::runtime_error` with the cause.
+Mesh_file load_file(const std::string& filename, const std::string& format);
 
 // throws `std::runtime_error` with the cause
 [[noreturn]] void refuse_file(const std::string& filename, const std::string& cause);
-
-// in lower case, with the dot
-std::string file_extension(const std::string& filename);
 
 enum class Off_layout {
   TEXT,
@@ -28,17 +36,17 @@ enum class Off_layout {
   BINARY_LITTLE_ENDIAN
 };
 
-Off_layout off_layout(const std::string& filename);
+Off_layout off_layout(const std::string& text);
 
 // The same file in the other byte order: all that follows its first line are words of four bytes.
-std::string with_swapped_bytes(std::istream& is);
+std::string with_swapped_bytes(std::string text);
 
 // The same file without the letters for attributes: CGAL reads a line for each vertex, and beyond its end if it has
 // fewer numbers than these letters announce.
-std::string without_attributes(std::istream& is);
+std::string without_attributes(std::string text);
 
 // The vertices and faces of an OBJ file, one a line, with blanks between words: CGAL refuses keywords that it does not
 // know, as those of lines, and knows neither tabs nor lines that go on in the next one.
-std::string plain_obj(std::istream& is);
+std::string plain_obj(std::string text);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_FILE_CHECKS_H

@@ -37,12 +37,14 @@ po::typed_value<std::vector<std::string>>* texts(const char* name)
 po::options_description input()
 {
   po::options_description result = group("Input");
-  result.add_options()(
-    "repair", text("weld|orient|none")->default_value("weld"),
-    "weld: of any file with faces a mesh of triangles is made, and a line says how; border edges "
-    "that lie on each other, two by two, are joined up to 1e-7 of the diagonal of the bounding box; "
-    "the vertices keep the numbers of the file, and edges that are not in it are marked. orient: the "
-    "same, but nothing is joined. none: a file that is no mesh of triangles is refused");
+  auto add = result.add_options();
+  add("input-format", text("off|obj|stl|ply|ts"),
+      "the format of the mesh (default: by the extension; if MESH is -, standard input, by its first words)");
+  add("repair", text("weld|orient|none")->default_value("weld"),
+      "weld: of any file with faces a mesh of triangles is made, and a line says how; border edges "
+      "that lie on each other, two by two, are joined up to 1e-7 of the diagonal of the bounding box; "
+      "the vertices keep the numbers of the file, and edges that are not in it are marked. orient: the "
+      "same, but nothing is joined. none: a file that is no mesh of triangles is refused");
   return result;
 }
 
@@ -146,6 +148,10 @@ po::options_description output()
   auto add = result.add_options();
   add("output,o", texts("FILE")->composing(),
       ("write the cut locus; may be given several times. By extension:\n" + output_descriptions()).c_str());
+  add("output-format", text("EXT")->default_value("polylines.txt"),
+      "the format of -o -, standard output: an extension as above, without the dot. --edges, --surface and --report "
+      "take - "
+      "as well; all else goes to stderr");
   add("view", text("X,Y,Z"), "pictures look from this direction only (default: two that show most)");
   add("edges", text("FILE"),
       "write its edges as pairs of vertices of the file, counted from 0, with the word 'marked' if the edge is not in "
@@ -195,8 +201,9 @@ po::options_description asking()
   return result;
 }
 
-const char usage[] = "Usage: cut_locus MESH [OPTION]...\n"
-                     "Computes the cut locus of a point on a mesh (.off, .obj, .ply, .stl, .ts).\n\n";
+const char usage[] =
+  "Usage: cut_locus MESH [OPTION]...\n"
+  "Computes the cut locus of a point on a mesh (.off, .obj, .ply, .stl, .ts, or - for standard input).\n\n";
 
 } // namespace
 
@@ -237,6 +244,8 @@ Examples:
                            the medial axis of a plate
   cut_locus bunny.obj --uv bunny_uv.obj
                            an atlas of one piece without overlaps
+  zcat bunny.ply.gz | cut_locus - -o - --output-format json
+                           from one program to the next
   cut_locus part.stl --check --report part.json
                            how good the result is
 )";

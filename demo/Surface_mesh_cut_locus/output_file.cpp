@@ -11,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -52,6 +53,13 @@ fs::path followed(const std::string& filename)
   return fs::is_symlink(filename, error) ? fs::weakly_canonical(filename, error) : fs::path(filename);
 }
 
+std::ostream& write_to(std::ostream& os, const std::function<void(std::ostream&)>& write)
+{
+  os.precision(std::numeric_limits<double>::max_digits10);
+  write(os);
+  return os;
+}
+
 } // namespace
 
 bool is_device(const std::string& filename)
@@ -66,38 +74,34 @@ void throw_not_written(const std::string& filename)
                            (errno != 0 ? std::string(": ") + std::strerror(errno) : std::string()));
 }
 
-void replace_file(const std::string& filename, const std::function<bool(const std::string&)>& write)
+void write_file(const std::string& filename, const std::function<void(std::ostream&)>& write)
 {
   errno = 0;
-  if(is_device(filename))
+  if(is_standard_output(filename))
   {
-    if(!write(filename))
-      throw_not_written(filename);
+    if(!write_to(std::cout, write).flush())
+      throw_not_written("standard output");
     return;
   }
+  const auto write_named = [&](const fs::path& path)
+  {
+    std::ofstream os(path, std::ios_base::binary);
+    write_to(os, write);
+    os.close();
+    if(!os)
+      throw_not_written(filename);
+  };
+  if(is_device(filename))
+    return write_named(filename);
   const fs::path target = followed(filename);
   const File_beside file(target);
-  if(!write(file.path().string()))
-    throw_not_written(filename);
+  write_named(file.path());
   std::error_code error;
   if(fs::exists(target, error))
     fs::permissions(file.path(), fs::status(target, error).permissions(), error);
   fs::rename(file.path(), target, error);
   if(error)
     throw std::runtime_error("cannot write to '" + filename + "': " + error.message());
-}
-
-void write_file(const std::string& filename, const std::function<void(std::ostream&)>& write)
-{
-  replace_file(filename,
-               [&](const std::string& name)
-               {
-    std::ofstream os(name, std::ios_base::binary);
-    os.precision(std::numeric_limits<double>::max_digits10);
-    write(os);
-    os.close();
-    return !os.fail();
-  });
 }
 
 std::string cause_not_writable(const std::string& filename)

@@ -11,13 +11,16 @@
 #include <iosfwd>
 #include <string>
 
-// Whatever happens, there is the old file or all of the new one: what `write` writes to the name that it gets takes the
-// place of the file once it is complete. Devices are written at once. Throws `std::runtime_error` if it returns `false`, or
-// the file can not be replaced.
-void replace_file(const std::string& filename, const std::function<bool(const std::string&)>& write);
-
-// The same with a stream, which writes numbers with all their digits.
+// Whatever happens, there is the old file or all of the new one: what `write` writes takes the place of the file once it is
+// complete. Devices, and standard output, are written at once. The stream writes numbers with all their digits. Throws
+// `std::runtime_error` if the file can not be written.
 void write_file(const std::string& filename, const std::function<void(std::ostream&)>& write);
+
+// Of an output: names of files do not start with -, and what follows is the extension, "-.json".
+inline bool is_standard_output(const std::string& filename)
+{
+  return filename.compare(0, 1, "-") == 0;
+}
 
 // why the file can not be written, or nothing if it can
 std::string cause_not_writable(const std::string& filename);

@@ -10,18 +10,23 @@
 #include "text_meshes.h"
 
 #include <CGAL/IO/OFF/File_scanner_OFF.h>
+#include <CGAL/IO/GOCAD.h>
 #include <CGAL/IO/PLY.h>
+#include <CGAL/IO/STL.h>
 #include <CGAL/IO/polygon_soup_io.h>
 
-#include <fstream>
+#include <boost/interprocess/streams/bufferstream.hpp>
+
 #include <istream>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 namespace {
+
+using boost::interprocess::ibufferstream;
 
 // CGAL's readers make room for as many corners as a damaged file announces.
 class Bounded_polygon : public std::vector<std::size_t>
@@ -85,80 +90,103 @@ bool read_binary_OFF(std::istream& is, std::vector<Kernel::Point_3>& points, std
   return read_binary_OFF(is, points, polygons, false);
 }
 
-bool read_file(const std::string& filename, std::vector<Kernel::Point_3>& points,
-               std::vector<Bounded_polygon>& polygons)
+bool read_OFF(const std::string& text, std::vector<Kernel::Point_3>& points, std::vector<Bounded_polygon>& polygons)
 {
-  std::ifstream is(filename, std::ios_base::binary);
-  if(file_extension(filename) == ".obj")
+  const Off_layout layout = off_layout(text);
+  std::string changed;
+  if(layout == Off_layout::BINARY_LITTLE_ENDIAN)
+    changed = with_swapped_bytes(text);
+  else if(layout == Off_layout::TEXT_WITH_ATTRIBUTES)
+    changed = without_attributes(text);
+  const std::string& known = changed.empty() ? text : changed;
+  ibufferstream is(known.data(), known.size());
+  return layout == Off_layout::BINARY || layout == Off_layout::BINARY_LITTLE_ENDIAN
+           ? read_binary_OFF(is, points, polygons)
+           : CGAL::IO::read_OFF(is, points, polygons, CGAL::parameters::verbose(false));
+}
+
+bool read_PLY(const Mesh_file& file, std::vector<Kernel::Point_3>& points, std::vector<Bounded_polygon>& polygons)
+{
+  ibufferstream is(file.text.data(), file.text.size());
+  const Ply_header header(is, file.name);
+  if(!header.is_known_to_cgal())
   {
-    std::istringstream plain(plain_obj(is));
+    std::istringstream plain(plain_ply(is, header));
+    return CGAL::IO::read_PLY(plain, points, polygons, CGAL::parameters::verbose(false));
+  }
+  is.clear();
+  is.seekg(0);
+  CGAL::IO::set_binary_mode(is);
+  return CGAL::IO::read_PLY(is, points, polygons, CGAL::parameters::verbose(false));
+}
+
+bool read_STL(const std::string& text, std::vector<Kernel::Point_3>& points, std::vector<Bounded_polygon>& polygons)
+{
+  for(const auto mode : {CGAL::IO::BINARY, CGAL::IO::ASCII})
+  {
+    points.clear();
+    polygons.clear();
+    ibufferstream is(text.data(), text.size());
+    CGAL::IO::set_mode(is, mode);
+    if(CGAL::IO::read_STL(is, points, polygons, CGAL::parameters::verbose(false)))
+      return true;
+  }
+  return false;
+}
+
+bool read_file(const Mesh_file& file, std::vector<Kernel::Point_3>& points, std::vector<Bounded_polygon>& polygons)
+{
+  if(file.extension == ".off")
+    return read_OFF(file.text, points, polygons);
+  if(file.extension == ".ply")
+    return read_PLY(file, points, polygons);
+  if(file.extension == ".stl")
+    return read_STL(file.text, points, polygons);
+  if(file.extension == ".obj")
+  {
+    std::istringstream plain(plain_obj(file.text));
     return CGAL::IO::read_OBJ(plain, points, polygons, CGAL::parameters::verbose(false));
   }
-  if(file_extension(filename) == ".ply")
-  {
-    const Ply_header header(is, filename);
-    if(!header.is_known_to_cgal())
-    {
-      std::istringstream plain(plain_ply(is, header));
-      return CGAL::IO::read_PLY(plain, points, polygons, CGAL::parameters::verbose(false));
-    }
-  }
-  if(file_extension(filename) != ".off")
-    return CGAL::IO::read_polygon_soup(filename, points, polygons, CGAL::parameters::verbose(false));
-  switch(off_layout(filename))
-  {
-  case Off_layout::BINARY:
-    return read_binary_OFF(is, points, polygons);
-  case Off_layout::BINARY_LITTLE_ENDIAN: {
-    std::istringstream swapped(with_swapped_bytes(is));
-    return read_binary_OFF(swapped, points, polygons);
-  }
-  case Off_layout::TEXT_WITH_ATTRIBUTES: {
-    std::istringstream plain(without_attributes(is));
-    return CGAL::IO::read_OFF(plain, points, polygons, CGAL::parameters::verbose(false));
-  }
-  default:
-    return CGAL::IO::read_OFF(is, points, polygons, CGAL::parameters::verbose(false));
-  }
+  ibufferstream is(file.text.data(), file.text.size());
+  return CGAL::IO::read_GOCAD(is, points, polygons, CGAL::parameters::verbose(false));
 }
 
-bool read_plain_file(const std::string& filename, std::size_t size, Polygon_soup& soup)
+bool read_plain_file(const Mesh_file& file, Polygon_soup& soup)
 {
-  const std::string extension = file_extension(filename);
-  if(extension != ".off" && extension != ".obj")
-    return false;
-  std::string text(size, '\0');
-  if(!std::ifstream(filename, std::ios_base::binary).read(text.data(), static_cast<std::streamsize>(size)))
-    return false;
-  return extension == ".off" ? read_plain_OFF(text, soup) : read_plain_OBJ(text, soup);
+  if(file.extension == ".off")
+    return read_plain_OFF(file.text, soup);
+  return file.extension == ".obj" && read_plain_OBJ(file.text, soup);
 }
 
-} // namespace
-
-Polygon_soup read_polygon_soup(const std::string& filename)
+Polygon_soup read_polygon_soup(const Mesh_file& file)
 {
-  const std::size_t size = check_file(filename);
   Polygon_soup soup;
-  if(read_plain_file(filename, size, soup))
+  if(read_plain_file(file, soup))
     return soup;
   soup = Polygon_soup();
-  Bounded_polygon::maximum = size;
+  Bounded_polygon::maximum = file.text.size();
   std::vector<Bounded_polygon> polygons;
   bool is_read = false;
   try
   {
-    is_read = read_file(filename, soup.points, polygons);
+    is_read = read_file(file, soup.points, polygons);
   }
   catch(const std::length_error&) // as if it could not be read
   {
   }
   if(!is_read)
-    throw std::runtime_error("cannot read '" + filename + "': it is damaged, or not of the format of its extension");
+    refuse_file(file.name, "it is damaged, or not of the format " + file.extension.substr(1));
   soup.polygons.assign(std::make_move_iterator(polygons.begin()), std::make_move_iterator(polygons.end()));
   return soup;
 }
 
-Input_mesh read_mesh(const std::string& filename, Repair repair)
+} // namespace
+
+Input_mesh read_mesh(const std::string& filename, const std::string& format, Repair repair)
 {
-  return make_mesh(read_polygon_soup(filename), repair, filename);
+  std::optional<Mesh_file> file = load_file(filename, format);
+  const std::string name = file->name;
+  const Polygon_soup soup = read_polygon_soup(*file);
+  file.reset(); // its text is not needed any more
+  return make_mesh(soup, repair, name);
 }

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -139,4 +140,89 @@ TEST_F(Files, A_surface_with_distances_and_sources)
   EXPECT_EQ(of_vertices["distance"], (std::vector<double>{0., 1., 1., -1., -1., -1.}));
   EXPECT_EQ(of_vertices["source"], (std::vector<double>{0., 0., 0., -1., -1., -1.}));
   expect_failure(run_on_torus("--surface " + quoted(path("a.ply"))), "must be .vtp");
+}
+
+TEST_F(Files, Standard_output_has_nothing_but_the_result)
+{
+  const std::map<std::string, std::string> starts = {{"polylines.txt", ""}, {"obj", "v "}, {"vtp", "<?xml"},
+                                                     {"ply", "ply\n"},      {"json", "{"}, {"png", "\x89PNG"},
+                                                     {"svg", "<?xml"}};
+  for(const auto& [format, start] : starts)
+  {
+    const std::string file = quoted(path("a." + format)), redirected = " > " + quoted(path("out"));
+    const Outcome outcome = run_on_torus("--source 5 -o - --output-format " + format + " -o " + file + redirected);
+    ASSERT_EQ(outcome.status, 0) << outcome.messages;
+    EXPECT_NE(outcome.messages.find("genus 1"), std::string::npos) << format; // on stderr
+    EXPECT_EQ(read_file(path("out")), read_file(path("a." + format))) << format;
+    EXPECT_EQ(read_file(path("out")).compare(0, start.size(), start), 0) << format;
+  }
+  ASSERT_EQ(run_on_torus("--source 5 -o - > " + quoted(path("out"))).status, 0);
+  EXPECT_EQ(read_file(path("out")), read_file(path("a.polylines.txt")));
+  for(const char* option : {"--edges", "--report", "--surface"})
+  {
+    ASSERT_EQ(run_on_torus(option + std::string(" - > ") + quoted(path("out"))).status, 0) << option;
+    EXPECT_FALSE(read_file(path("out")).empty()) << option;
+  }
+  EXPECT_EQ(Json::parse(run_on_torus("--quiet --report -").messages).at("genus"), 1);
+  EXPECT_FALSE(fs::exists("-")) << "a file of that name";
+  if(fs::exists("/dev/full"))
+    expect_failure(run_on_torus("--quiet -o - > /dev/full"), "cannot write to 'standard output'");
+}
+
+TEST_F(Files, Standard_input_in_all_formats)
+{
+  const std::string points[] = {"0 0 0", "1 0 0", "0 1 0", "0 0 1"};
+  const int faces[][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  std::string off = "# a comment\nOFF\n4 4 0\n", obj = "# a comment\nmtllib a.mtl\n", stl = "solid a\n", corners, lines,
+              ts = "GOCAD TSurf 1\nHEADER {\nname:a\n}\nTFACE\n",
+              ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                    "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+  std::string binary_stl(80, ' ');
+  binary_stl += std::string("\4\0\0\0", 4);
+  for(int i = 0; i < 4; ++i)
+  {
+    lines += points[i] + "\n";
+    obj += "v " + points[i] + "\n";
+    ts += "VRTX " + std::to_string(i + 1) + " " + points[i] + "\n";
+  }
+  for(const auto& f : faces)
+  {
+    stl += "facet normal 0 0 0\nouter loop\n";
+    binary_stl += std::string(12, '\0');
+    for(int corner : f)
+    {
+      stl += "vertex " + points[corner] + "\n";
+      for(double x : numbers(points[corner]))
+        binary_stl += x == 0. ? std::string(4, '\0') : std::string("\0\0\x80\x3f", 4);
+    }
+    binary_stl += std::string(2, '\0');
+    stl += "endloop\nendfacet\n";
+    corners += "3 " + std::to_string(f[0]) + " " + std::to_string(f[1]) + " " + std::to_string(f[2]) + "\n";
+    const std::string from_1 =
+      std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " + std::to_string(f[2] + 1);
+    obj += "f " + from_1 + "\n";
+    ts += "TRGL " + from_1 + "\n";
+  }
+  const std::map<std::string, std::string> meshes = {{"off", off + lines + corners}, {"obj", obj},
+                                                     {"ply", ply + lines + corners}, {"stl", stl + "endsolid a\n"},
+                                                     {"ts", ts + "END\n"},           {"", binary_stl}};
+  for(const auto& [format, text] : meshes)
+    for(const std::string& option : {std::string(), " --input-format " + (format.empty() ? "stl" : format)})
+    {
+      write("mesh", text);
+      const Outcome outcome = run("- --quiet --report -" + option + " < " + quoted(path("mesh")));
+      ASSERT_EQ(outcome.status, 0) << format << outcome.messages;
+      EXPECT_EQ(Json::parse(outcome.messages).at("faces"), 4) << format;
+      const Outcome named = run(quoted(path("mesh")) + " --quiet --report -" + option);
+      if(option.empty())
+        expect_failure(named, "unless there is an --input-format");
+      else
+        EXPECT_EQ(named.status, 0) << named.messages;
+    }
+  expect_failure(run("- --quiet"), "cannot read 'standard input': it is empty");
+  write("text", "1 2 3\n");
+  expect_failure(run("- --quiet < " + quoted(path("text"))), "say --input-format");
+  expect_failure(run("- --quiet --input-format ply < " + quoted(path("text"))), "does not start with 'ply'");
+  expect_failure(run("- --quiet --input-format obj < " + quoted(path("text"))), "standard input");
+  expect_failure(run_on_torus("--input-format xyz"), "--input-format takes one of off obj stl ply ts");
 }

@@ -63,11 +63,11 @@ protected:
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
 
-  // `before` is what the shell does first
+  // `before` is what the shell does first; `arguments` may have redirections of their own
   Outcome run(const std::string& arguments, const std::string& before = "") const
   {
     Outcome outcome;
-    const std::string command = before + quoted(CUT_LOCUS_PROGRAM) + " " + arguments + " 2>&1 < /dev/null";
+    const std::string command = before + "2>&1 < /dev/null " + quoted(CUT_LOCUS_PROGRAM) + " " + arguments;
     FILE* const pipe = popen(command.c_str(), "r");
     if(pipe == nullptr)
       return outcome;

@@ -66,6 +66,8 @@ TEST_F(Program, Help)
                             "--check",
                             "--check-completeness",
                             "--repair",
+                            "--input-format",
+                            "--output-format",
                             "--quiet",
                             "--version",
                             "--help-all"})
@@ -914,6 +916,12 @@ TEST_F(Program, Wrong_command_lines)
 
 TEST_F(Program, Wrong_outputs)
 {
+  expect_failure(run_on_torus("-o - --output-format jpg"), "--output-format: 'jpg' must be one of .polylines.txt");
+  expect_failure(run_on_torus("-o - --edges -"), "--edges would overwrite '-', which -o writes, too");
+  expect_failure(run_on_torus("-o -x.obj"), "write './-x.obj' if that is its name");
+  for(const char* option : {"--cells", "--uv", "--unfold"})
+    expect_failure(run_on_torus(option + std::string(" -")),
+                   option + std::string(" takes the name of a file, not '-'"));
   expect_failure(run_on_torus("-o ''"), "empty");
   expect_failure(run_on_torus("-o " + quoted(path("a.jpg"))), ".polylines.txt");
   expect_failure(run_on_torus("-o " + quoted(path("no/such/folder/a.obj"))), "there is no folder");
