@@ -55,6 +55,7 @@ struct Input_mesh
   std::vector<bool> is_added;             // for each edge of the mesh: whether it is none of the file, as a diagonal is
   std::vector<std::size_t> component;     // of each face, connected by edges
   std::vector<std::size_t> component_size; // number of faces
+  std::size_t largest_component = 0;       // by area
   Repairs repairs;
 };
 

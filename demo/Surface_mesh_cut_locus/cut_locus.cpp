@@ -50,7 +50,7 @@ std::string component_note(const Options& options, const Input_mesh& input, cons
 {
   const bool is_chosen = number_of_source_points(options) > 0 || has_curves(options);
   return "the mesh has " + std::to_string(input.component_size.size()) + " components; this is about the one " +
-         (is_chosen ? "of the source" : "with the most faces") + ", " +
+         (is_chosen ? "of the source" : "with the largest area") + ", " +
          std::to_string(input.component_size[component_of_source(input, cut_locus)]) + " of " +
          std::to_string(input.mesh.number_of_faces());
 }
@@ -140,7 +140,8 @@ bool run(const Options& options)
   {
     if(input.component_size.size() > 1)
       std::cerr << component_note(options, input, cut_locus) << std::endl;
-    std::cerr << summary(fill_in_defaults(options, *solver), curve, mesh, cut_locus) << std::endl;
+    std::cerr << moved_source_points(options, mesh, cut_locus)
+              << summary(fill_in_defaults(options, *solver), curve, mesh, cut_locus) << std::endl;
     if(atlas)
       std::cerr << summary(*atlas) << std::endl;
     if(unfolding)

@@ -11,6 +11,7 @@
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
@@ -222,11 +223,14 @@ void find_components(Input_mesh& input)
 {
   auto component = input.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 0).first;
   input.component_size.resize(PMP::connected_components(input.mesh, component));
+  std::vector<double> area(input.component_size.size(), 0.);
   for(Mesh::Face_index f : input.mesh.faces())
   {
     input.component.push_back(component[f]);
     ++input.component_size[component[f]];
+    area[component[f]] += PMP::face_area(f, input.mesh);
   }
+  input.largest_component = static_cast<std::size_t>(std::max_element(area.begin(), area.end()) - area.begin());
   input.mesh.remove_property_map(component);
 }
 

@@ -52,10 +52,10 @@ po::options_description sources()
 {
   po::options_description result = group("Sources");
   auto add = result.add_options();
-  add(
-    "source", texts("V"),
-    "vertex of the file, counted from 0 (default: the first one of the component with the most faces); repeatable, for "
-    "the Voronoi diagram of several with the cut loci in its cells");
+  add("source", texts("V"),
+      "vertex of the file, counted from 0 (default: the first one of the component with the largest area); repeatable, "
+      "for "
+      "the Voronoi diagram of several with the cut loci in its cells");
   add("source-point", texts("X,Y,Z"), "the point of the surface closest to x,y,z; repeatable, also with --source");
   add("sources", text("FILE"), "the vertices whose numbers are in this file");
   add(

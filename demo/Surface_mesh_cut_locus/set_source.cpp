@@ -9,8 +9,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <iomanip>
 #include <map>
+#include <sstream>
 #include <string>
 
 namespace {
@@ -22,19 +25,13 @@ Kernel::Point_3 to_point(const std::array<double, 3>& p)
   return Kernel::Point_3(p[0], p[1], p[2]);
 }
 
-std::size_t largest_component(const Input_mesh& input)
-{
-  const auto& size = input.component_size;
-  return static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
-}
-
-// Of the component of the other sources, if there are any, or of that with the most faces.
+// Of the component of the other sources, if there are any, or of the largest one.
 Edges border_of_component(const Options& options, const Input_mesh& input, const Edges& curves)
 {
   const Mesh& mesh = input.mesh;
   const auto component_at = [&](Mesh::Halfedge_index h)
   { return input.component[mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h)]; };
-  std::size_t component = largest_component(input);
+  std::size_t component = input.largest_component;
   if(!options.sources.empty())
     component = component_at(mesh.halfedge(find_vertex(options.sources.front(), input, "--source")));
   else if(!options.source_points.empty())
@@ -113,7 +110,6 @@ std::vector<Edges> set_source(const Options& options, const Input_mesh& input, C
     solver.set_sources(sources, parameters);
     return {};
   }
-  const std::size_t component = largest_component(input);
   // the first one in the order of the file
   const auto is_in_component = [&](Mesh::Vertex_index v)
   {
@@ -121,8 +117,25 @@ std::vector<Edges> set_source(const Options& options, const Input_mesh& input, C
       return false;
     const Mesh::Halfedge_index h = mesh.halfedge(v); // on the border if there is one
     const Mesh::Face_index f = h.is_valid() ? mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h) : Mesh::null_face();
-    return f != Mesh::null_face() && input.component[f] == component;
+    return f != Mesh::null_face() && input.component[f] == input.largest_component;
   };
   solver.set_source(*std::find_if(input.vertex.begin(), input.vertex.end(), is_in_component), parameters);
   return {};
+}
+
+std::string moved_source_points(const Options& options, const Mesh& mesh, const Cut_locus& cut_locus)
+{
+  std::ostringstream result;
+  for(std::size_t i = 0; i < options.source_points.size(); ++i)
+  {
+    const std::array<double, 3>& given = options.source_points[i];
+    const Kernel::Point_3 found = cut_locus.source(options.sources.size() + i).point;
+    const double moved = std::sqrt(CGAL::squared_distance(to_point(given), found)), edge = mean_edge_length(mesh);
+    if(moved > edge)
+      result << std::setprecision(9) << "note: --source-point " << given[0] << ',' << given[1] << ',' << given[2]
+             << " is not on the surface: the source is " << std::setprecision(3) << moved << " away, at "
+             << std::setprecision(9) << found.x() << ',' << found.y() << ',' << found.z()
+             << "; edges have a mean length of " << std::setprecision(3) << edge << '\n';
+  }
+  return result.str();
 }

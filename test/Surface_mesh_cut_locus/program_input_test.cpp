@@ -253,10 +253,24 @@ TEST_F(Input, Several_components)
   EXPECT_EQ(report_on("two.off").at("source"), 3);
   EXPECT_EQ(report_on("two.off").at("faces_of_component"), 4);
   EXPECT_EQ(report_on("two.off", "--source 0").at("faces_of_component"), 1);
-  EXPECT_NE(run_on("two.off", "").messages.find("2 components; this is about the one with the most faces, 4 of 5"),
+  EXPECT_NE(run_on("two.off", "").messages.find("2 components; this is about the one with the largest area, 4 of 5"),
             std::string::npos);
   EXPECT_NE(run_on("two.off", "--source 0").messages.find("this is about the one of the source, 1 of 5"),
             std::string::npos);
+  // a component is large by its area, whatever the number of its faces
+  write("large.off", "OFF\n7 5 0\n90 0 0\n90 10 0\n90 0 10\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n"
+                     "3 3 5 4\n3 3 4 6\n3 4 5 6\n3 3 6 5\n");
+  EXPECT_EQ(report_on("large.off").at("faces_of_component"), 1);
+}
+
+TEST_F(Input, How_far_a_source_point_is_moved)
+{
+  const std::string corners = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  EXPECT_NE(
+    run_on_text(corners, "--source-point .25,.5,.9 --source-point .5,.25,8")
+      .messages.find("note: --source-point 0.5,0.25,8 is not on the surface: the source is 8 away, at 0.5,0.25,0;"),
+    std::string::npos);
+  EXPECT_EQ(run_on_text(corners, "--source-point .25,.5,.9").messages.find("not on the surface"), std::string::npos);
 }
 
 TEST_F(Input, Binary_OFF_in_both_byte_orders)
