@@ -8,6 +8,7 @@
 #include "cells.h"
 #include "file_checks.h"
 #include "flatten.h"
+#include "generated_texts.h"
 #include "option_descriptions.h"
 #include "output.h"
 #include "output_file.h"
@@ -332,6 +333,14 @@ Options parse_command_line(int argc, char* argv[])
       options.text = text();
       return options;
     }
+  if(given.count("generate"))
+  {
+    const std::string what = given["generate"].as<std::string>();
+    if(what != "man" && what != "completion")
+      throw Usage_error("--generate takes man or completion, not '" + what + "'");
+    options.text = what == "man" ? man_page() : bash_completion();
+    return options;
+  }
   options.is_quiet = given["quiet"].as<bool>();
   options.check_completeness = given["check-completeness"].as<bool>();
   options.check = options.check_completeness || given["check"].as<bool>();

@@ -79,7 +79,7 @@ bool run(const Options& options)
   const Thread_limit limit(options.threads);
   Progress progress(options.is_quiet);
   const Input_mesh input =
-    progress.run("read", [&]() { return read_mesh(options.mesh, options.input_format, options.repair); });
+    progress.run("read", [&]() { return read_mesh(options.mesh, options.repair, options.input_format); });
   const Mesh& mesh = input.mesh;
   if(!options.is_quiet && !input.repairs.is_empty())
     std::cerr << "repaired: " << description(input.repairs) << std::endl;

@@ -19,24 +19,29 @@ namespace {
 
 constexpr unsigned columns = 110;
 
-po::options_description group(const std::string& caption)
-{
-  return po::options_description(caption, columns, columns / 2);
-}
-
-po::typed_value<std::string>* text(const char* name)
+po::typed_value<std::string>* text(const std::string& name)
 {
   return po::value<std::string>()->value_name(name);
 }
 
-po::typed_value<std::vector<std::string>>* texts(const char* name)
+po::typed_value<std::vector<std::string>>* texts(const std::string& name)
 {
   return po::value<std::vector<std::string>>()->value_name(name);
 }
 
+// "a|b" of " .a .b" or " a b"
+std::string with_bars(const std::string& names)
+{
+  std::istringstream words(names);
+  std::string result;
+  for(std::string word; words >> word;)
+    result += (result.empty() ? "" : "|") + word.substr(word[0] == '.' ? 1 : 0);
+  return result;
+}
+
 po::options_description input()
 {
-  po::options_description result = group("Input");
+  po::options_description result;
   auto add = result.add_options();
   add("input-format", text("off|obj|stl|ply|ts"),
       "the format of the mesh (default: by the extension; if MESH is -, standard input, by its first words)");
@@ -50,7 +55,7 @@ po::options_description input()
 
 po::options_description sources()
 {
-  po::options_description result = group("Sources");
+  po::options_description result;
   auto add = result.add_options();
   add("source", texts("V"),
       "vertex of the file, counted from 0 (default: the first one of the component with the largest area); repeatable, "
@@ -77,15 +82,15 @@ po::options_description sources()
 
 po::options_description method()
 {
-  po::options_description result = group("Method");
+  po::options_description result;
   auto add = result.add_options();
-  add("solver", text("NAME")->default_value(default_solver_name()),
+  add("solver", text(with_bars(solver_names()))->default_value(default_solver_name()),
       ("geodesic distances by:\n" + solver_descriptions()).c_str());
   add("max-relative-error", text("E"),
       "lets the distances of the solver exact be longer by this share of their length, up to 0.1, with the methods "
       "direction and laplacian: faster on smooth meshes of 100 000 faces and more, where 1e-5 moves the curve by a "
       "hundredth of an edge at most, in the mean (default: 0)");
-  add("method", text("NAME")->default_value("auto"),
+  add("method", text("auto|direction|polyhedral|laplacian")->default_value("auto"),
       ("how the cut locus is found:\n"
        "  auto: " +
        default_methods() +
@@ -103,7 +108,7 @@ po::options_description method()
 
 po::options_description shown()
 {
-  po::options_description result = group("What is shown");
+  po::options_description result;
   auto add = result.add_options();
   add(
     "curve", text("edges|faces"),
@@ -144,11 +149,11 @@ po::options_description shown()
 
 po::options_description output()
 {
-  po::options_description result = group("Output");
+  po::options_description result;
   auto add = result.add_options();
   add("output,o", texts("FILE")->composing(),
       ("write the cut locus; may be given several times. By extension:\n" + output_descriptions()).c_str());
-  add("output-format", text("EXT")->default_value("polylines.txt"),
+  add("output-format", text(with_bars(output_extensions()))->default_value("polylines.txt"),
       "the format of -o -, standard output: an extension as above, without the dot. --edges, --surface and --report "
       "take - "
       "as well; all else goes to stderr");
@@ -163,7 +168,7 @@ po::options_description output()
       "write the mesh with the distance, the number of the nearest source, and that in the file of each vertex");
   add("uv", text("FILE.obj"),
       "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a texture");
-  add("parameterization", text("NAME")->default_value("injective"),
+  add("parameterization", text("injective|arap|lscm|convex")->default_value("injective"),
       "how --uv flattens:\n"
       "  injective: as isometrically as may be without flipped or overlapping triangles\n"
       "  arap: as rigidly as possible; may flip and overlap\n"
@@ -179,7 +184,7 @@ po::options_description output()
 
 po::options_description checking()
 {
-  po::options_description result = group("Checking");
+  po::options_description result;
   auto add = result.add_options();
   add("check", po::bool_switch(),
       "check the topology of the result, also with --quiet, by how much cutting along it lengthens shortest paths, and "
@@ -193,31 +198,48 @@ po::options_description checking()
 
 po::options_description asking()
 {
-  po::options_description result = group("Help");
+  po::options_description result;
   auto add = result.add_options();
   add("help,h", po::bool_switch(), "the options that most runs need, and examples");
   add("help-all", po::bool_switch(), "all options");
+  add("generate", text("man|completion"), "write a page for man, or completion for bash, to standard output");
   add("version", po::bool_switch(), "the version of the program and of CGAL");
   return result;
 }
 
-const char usage[] =
-  "Usage: cut_locus MESH [OPTION]...\n"
-  "Computes the cut locus of a point on a mesh (.off, .obj, .ply, .stl, .ts, or - for standard input).\n\n";
+const char usage[] = "Usage: cut_locus MESH [OPTION]...\n";
 
 } // namespace
+
+std::string purpose()
+{
+  return "Computes the cut locus of a point on a mesh (.off, .obj, .ply, .stl, .ts, or - for standard input).";
+}
+
+std::vector<std::pair<std::string, po::options_description>> option_groups()
+{
+  return {{"Sources", sources()}, {"What is shown", shown()}, {"Output", output()}, {"Method", method()},
+          {"Input", input()},     {"Checking", checking()},   {"Help", asking()}};
+}
 
 po::options_description all_options()
 {
   po::options_description result(columns, columns / 2);
-  for(const po::options_description& part : {sources(), shown(), output(), method(), input(), checking(), asking()})
-    result.add(part);
+  for(const auto& [caption, options] : option_groups())
+  {
+    po::options_description group(caption, columns, columns / 2);
+    for(const auto& option : options.options())
+      group.add(option);
+    result.add(group);
+  }
   return result;
 }
 
 std::string help()
 {
-  return std::string(usage) + R"(The options that most runs need; cut_locus --help-all lists all of them.
+  return usage + purpose() + R"(
+
+The options that most runs need; cut_locus --help-all lists all of them.
   --source V               from this vertex of the file, counted from 0; repeatable
   --source-point X,Y,Z     from the point of the surface closest to this one; repeatable
   --source-border          from each border loop: of a flat mesh, its medial axis
@@ -254,7 +276,7 @@ Examples:
 std::string help_on_all()
 {
   std::ostringstream result;
-  result << usage << all_options();
+  result << usage << purpose() << "\n\n" << all_options();
   return result.str();
 }
 

@@ -10,13 +10,18 @@
 #include <boost/program_options.hpp>
 
 #include <string>
+#include <utility>
+#include <vector>
 
-// The options in groups.
+// Captions, and options.
+std::vector<std::pair<std::string, boost::program_options::options_description>> option_groups();
+
 boost::program_options::options_description all_options();
 
 // What most runs need, with examples.
 std::string help();
 std::string help_on_all();
 std::string version();
+std::string purpose(); // what the program does, in a sentence
 
 #endif

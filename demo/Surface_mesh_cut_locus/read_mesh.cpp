@@ -182,7 +182,7 @@ Polygon_soup read_polygon_soup(const Mesh_file& file)
 
 } // namespace
 
-Input_mesh read_mesh(const std::string& filename, const std::string& format, Repair repair)
+Input_mesh read_mesh(const std::string& filename, Repair repair, const std::string& format)
 {
   std::optional<Mesh_file> file = load_file(filename, format);
   const std::string name = file->name;

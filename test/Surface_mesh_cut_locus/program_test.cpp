@@ -17,6 +17,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -69,6 +70,7 @@ TEST_F(Program, Help)
                             "--input-format",
                             "--output-format",
                             "--quiet",
+                            "--generate",
                             "--version",
                             "--help-all"})
     EXPECT_NE(all.messages.find(option), std::string::npos) << option;
@@ -80,6 +82,42 @@ TEST_F(Program, Help)
       EXPECT_NE(all.messages.find(word), std::string::npos) << word;
     }
   EXPECT_EQ(version.messages.compare(0, 10, "cut_locus "), 0);
+}
+
+TEST_F(Program, Completion_for_bash)
+{
+  if(std::system("bash -c true") != 0)
+    GTEST_SKIP() << "there is no bash";
+  ASSERT_EQ(run("--generate completion > " + quoted(path("completion"))).status, 0);
+  const auto complete = [&](const std::string& previous, const std::string& word)
+  {
+    const std::string script =
+      ". \"$0\"; _cut_locus cut_locus " + quoted(word) + " " + previous + "; echo ${COMPREPLY[*]}";
+    write("script", script);
+    return run("--version > /dev/null",
+               "bash -c \"$(cat " + quoted(path("script")) + ")\" " + quoted(path("completion")) + "; ")
+      .messages;
+  };
+  EXPECT_EQ(complete("cut_locus", "--source-"), "--source-point --source-edges --source-border\n");
+  EXPECT_EQ(complete("--repair", ""), "weld orient none\n");
+  EXPECT_EQ(complete("--solver", "gr"), "graph\n");
+  EXPECT_EQ(complete("cut_locus", "bunny"), "\n"); // files, which bash looks for
+  expect_failure(run("--generate html"), "--generate takes man or completion");
+}
+
+TEST_F(Program, Page_for_man)
+{
+  const Outcome outcome = run("--generate man > " + quoted(path("cut_locus.1")));
+  ASSERT_EQ(outcome.status, 0) << outcome.messages;
+  const std::string text = read_file(path("cut_locus.1"));
+  for(const char* part : {".TH CUT_LOCUS 1 ", ".SH NAME\n", ".SS Sources\n", "\\-\\-source\\-point", ".SH EXAMPLES\n"})
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  if(std::system("groff --version > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "there is no groff";
+  const std::string formatted = quoted(path("formatted"));
+  EXPECT_EQ(
+    std::system(("groff -man -Tascii -ww " + quoted(path("cut_locus.1")) + " > " + formatted + " 2>&1").c_str()), 0);
+  EXPECT_EQ(read_file(path("formatted")).find("warning"), std::string::npos) << read_file(path("formatted"));
 }
 
 // Each example of the help, with a mesh that is there.
