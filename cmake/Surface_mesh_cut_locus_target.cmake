@@ -22,3 +22,5 @@ add_library(Surface_mesh_cut_locus_compiled STATIC EXCLUDE_FROM_ALL ${SURFACE_ME
 add_library(CGAL::Surface_mesh_cut_locus_compiled ALIAS Surface_mesh_cut_locus_compiled)
 target_link_libraries(Surface_mesh_cut_locus_compiled PUBLIC Surface_mesh_cut_locus)
 target_compile_definitions(Surface_mesh_cut_locus_compiled PUBLIC CGAL_CUT_LOCI_SEPARATE_COMPILATION)
+# it may become a part of a shared library
+set_target_properties(Surface_mesh_cut_locus_compiled PROPERTIES POSITION_INDEPENDENT_CODE ON)
