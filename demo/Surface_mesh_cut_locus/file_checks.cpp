@@ -101,6 +101,8 @@ std::string extension_by_content(const std::string& text)
     return ".stl";
   if(word == "ply")
     return ".ply";
+  if(word == "<?xml" || word == "<VTKFile")
+    return ".vtp";
   if(word == "GOCAD")
     return ".ts";
   if(word.size() >= 3 && word.size() <= 8 && word.compare(word.size() - 3, 3, "OFF") == 0)
@@ -206,7 +208,7 @@ void refuse_file(const std::string& filename, const std::string& cause)
 
 const std::vector<std::string>& input_formats()
 {
-  static const std::vector<std::string> formats = {"off", "obj", "stl", "ply", "ts"};
+  static const std::vector<std::string> formats = {"off", "obj", "stl", "ply", "ts", "vtp"};
   return formats;
 }
 

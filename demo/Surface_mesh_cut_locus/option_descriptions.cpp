@@ -43,7 +43,7 @@ po::options_description input()
 {
   po::options_description result;
   auto add = result.add_options();
-  add("input-format", text("off|obj|stl|ply|ts"),
+  add("input-format", text("off|obj|stl|ply|ts|vtp"),
       "the format of the mesh (default: by the extension; if MESH is -, standard input, by its first words)");
   add("repair", text("weld|orient|none")->default_value("weld"),
       "weld: of any file with faces a mesh of triangles is made, and a line says how; border edges "
@@ -213,7 +213,7 @@ const char usage[] = "Usage: cut_locus MESH [OPTION]...\n";
 
 std::string purpose()
 {
-  return "Computes the cut locus of a point on a mesh (.off, .obj, .ply, .stl, .ts, or - for standard input).";
+  return "Computes the cut locus of a point on a mesh (.off, .obj, .ply, .stl, .ts, .vtp, or - for standard input).";
 }
 
 std::vector<std::pair<std::string, po::options_description>> option_groups()

@@ -8,6 +8,7 @@
 #include "Ply_header.h"
 #include "file_checks.h"
 #include "text_meshes.h"
+#include "vtp_mesh.h"
 
 #include <CGAL/IO/OFF/File_scanner_OFF.h>
 #include <CGAL/IO/GOCAD.h>
@@ -186,7 +187,7 @@ Input_mesh read_mesh(const std::string& filename, Repair repair, const std::stri
 {
   std::optional<Mesh_file> file = load_file(filename, format);
   const std::string name = file->name;
-  const Polygon_soup soup = read_polygon_soup(*file);
+  const Polygon_soup soup = file->extension == ".vtp" ? read_VTP(*file) : read_polygon_soup(*file);
   file.reset(); // its text is not needed any more
   return make_mesh(soup, repair, name);
 }

@@ -224,5 +224,49 @@ TEST_F(Files, Standard_input_in_all_formats)
   expect_failure(run("- --quiet < " + quoted(path("text"))), "say --input-format");
   expect_failure(run("- --quiet --input-format ply < " + quoted(path("text"))), "does not start with 'ply'");
   expect_failure(run("- --quiet --input-format obj < " + quoted(path("text"))), "standard input");
-  expect_failure(run_on_torus("--input-format xyz"), "--input-format takes one of off obj stl ply ts");
+  expect_failure(run_on_torus("--input-format xyz"), "--input-format takes one of off obj stl ply ts vtp");
+}
+
+TEST_F(Files, A_surface_that_was_written_is_read)
+{
+  const auto report = [&](const std::string& mesh)
+  {
+    const Outcome outcome = run(mesh + " --quiet --source 4 --report -");
+    EXPECT_EQ(outcome.status, 0) << outcome.messages;
+    return Json::parse(outcome.messages);
+  };
+  ASSERT_EQ(run_on_torus("--quiet --cells " + quoted(path("cells.vtp")) + " --surface " + quoted(path("s.vtp"))).status,
+            0);
+  const Json expected = Json::parse(run_on_torus("--quiet --source 5 --report -").messages); // vertex 0 is isolated
+  for(const std::string& mesh : {quoted(path("s.vtp")), "- < " + quoted(path("s.vtp"))})
+  {
+    const Json found = report(mesh);
+    for(const char* figure : {"faces", "genus", "length", "farthest_distance", "injectivity_radius"})
+      EXPECT_NEAR(found.at(figure).get<double>(), expected.at(figure).get<double>(), 1e-12) << figure;
+  }
+  EXPECT_GE(report(quoted(path("cells.vtp"))).at("faces"), expected.at("faces"));
+
+  const std::string text = read_file(path("s.vtp"));
+  const auto fail = [&](const std::string& what, const std::string& other, const std::string& message)
+  {
+    std::string changed = text;
+    changed.replace(changed.find(what, changed.find("<Points>")), what.size(), other);
+    write("changed.vtp", changed);
+    expect_failure(run(quoted(path("changed.vtp")) + " --quiet"), message);
+  };
+  fail("format=\"ascii\"", "format=\"appended\"", "its arrays have the format 'appended': write it as text");
+  fail("\n3\n6\n", "\n3\n999999\n", "its offsets do not fit");
+  fail("</Polys>", "", "it is damaged: ");
+  fail("\n0 ", "\n288 ", "a polygon has a vertex that does not exist");
+  fail("Name=\"connectivity\" format=\"ascii\">", "Name=\"connectivity\" format=\"ascii\">x",
+       "something else than numbers");
+  write("grid.vtp", "<VTKFile type=\"ImageData\"/>");
+  expect_failure(run(quoted(path("grid.vtp")) + " --quiet"), "no data of the type PolyData");
+  std::string deep;
+  for(int i = 0; i < 100000; ++i)
+    deep += "<a>";
+  write("deep.vtp", deep);
+  expect_failure(run(quoted(path("deep.vtp")) + " --quiet"), "too many elements");
+  ASSERT_EQ(run_on_torus("--quiet -o " + quoted(path("curve.vtp"))).status, 0);
+  expect_failure(run(quoted(path("curve.vtp")) + " --quiet"), "there are no faces in it");
 }

@@ -183,6 +183,20 @@ std::string text_stl()
   return text.str() + "endsolid octahedron\n";
 }
 
+std::string vtp()
+{
+  std::ostringstream text;
+  text << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\"><PolyData><Piece><Points><DataArray format=\"ascii\">\n";
+  for(const auto& p : octahedron_points)
+    text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  text << "</DataArray></Points><Polys><DataArray Name=\"connectivity\">\n";
+  for(const auto& f : octahedron_faces)
+    text << f[0] << ' ' << f[1] << ' ' << f[2] << '\n';
+  text << "</DataArray><DataArray Name=\"offsets\">\n3 6 9 12 15 18 21 "
+          "24\n</DataArray></Polys></Piece></PolyData></VTKFile>\n";
+  return text.str();
+}
+
 struct Sample
 {
   std::string kind, extension, content;
@@ -206,6 +220,7 @@ std::vector<Sample> samples()
           {"PLY, binary, big endian", ".ply", binary_ply(false, true)},
           {"STL", ".stl", text_stl()},
           {"STL, binary", ".stl", binary_stl()},
+          {"VTP", ".vtp", vtp()},
           {"TS", ".ts", text_file("GOCAD TSurf 1\nTFACE\n", "VRTX ", "", "TRGL ", 1, true) + "END\n"}};
 }
 

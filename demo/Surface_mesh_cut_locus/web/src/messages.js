@@ -44,14 +44,14 @@ export function explain({ message, cause }) {
   return plain.charAt(0).toUpperCase() + plain.slice(1) + (/[.!?]$/.test(plain) ? '' : '.');
 }
 
-export const extensions = ['off', 'obj', 'ply', 'stl', 'ts'];
+export const extensions = ['off', 'obj', 'ply', 'stl', 'ts', 'vtp'];
 export const largestFile = 500e6;
 
 // What can be told before a file is read, or null.
 export function objectionTo(file) {
   const extension = file.name.split('.').pop().toLowerCase();
   if (!extensions.includes(extension))
-    return `“${file.name}” cannot be opened: its name must end in .off, .obj, .ply, .stl or .ts.`;
+    return `“${file.name}” cannot be opened: its name must end in .off, .obj, .ply, .stl, .ts or .vtp.`;
   if (file.size === 0) return `“${file.name}” is empty.`;
   if (file.size > largestFile)
     return `“${file.name}” has ${Math.round(file.size / 1e6)} MB: that is too large for a page. Simplify it, or use the program cut_locus.`;

@@ -81,7 +81,7 @@ export const tests = {
     const cases = [
       ['damaged.ply', 'ply\nthis is nothing', /cannot be read/],
       ['empty.obj', '', /is empty/],
-      ['picture.gif', 'GIF89a', /must end in .off, .obj, .ply, .stl or .ts/],
+      ['picture.gif', 'GIF89a', /must end in .off, .obj, .ply, .stl, .ts or .vtp/],
       ['flat.off', 'OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n', /has an area/],
       ['points.off', 'OFF\n3 0 0\n0 0 0\n1 0 0\n2 0 0\n', /no faces/],
     ];
