@@ -17,7 +17,7 @@ namespace po = boost::program_options;
 
 namespace {
 
-constexpr unsigned columns = 110;
+constexpr unsigned columns = 110, columns_of_text = 70; // what is wider in front of the text has a line of its own
 
 po::typed_value<std::string>* text(const std::string& name)
 {
@@ -224,10 +224,10 @@ std::vector<std::pair<std::string, po::options_description>> option_groups()
 
 po::options_description all_options()
 {
-  po::options_description result(columns, columns / 2);
+  po::options_description result(columns, columns_of_text);
   for(const auto& [caption, options] : option_groups())
   {
-    po::options_description group(caption, columns, columns / 2);
+    po::options_description group(caption, columns, columns_of_text);
     for(const auto& option : options.options())
       group.add(option);
     result.add(group);
@@ -276,7 +276,7 @@ Examples:
 std::string help_on_all()
 {
   std::ostringstream result;
-  result << usage << purpose() << "\n\n" << all_options();
+  result << usage << purpose() << "\n" << all_options();
   return result.str();
 }
 
