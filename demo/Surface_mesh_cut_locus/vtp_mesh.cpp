@@ -24,9 +24,8 @@ std::vector<double> read_array(const ptree& part, const std::string& name, const
   {
     if(tag != "DataArray" || (!name.empty() && array.get("<xmlattr>.Name", "") != name))
       continue;
-    const std::string format = array.get("<xmlattr>.format", "ascii");
-    if(format != "ascii")
-      refuse_file(filename, "its arrays have the format '" + format + "': write it as text, 'ascii'");
+    if(array.get("<xmlattr>.format", "ascii") != "ascii")
+      refuse_file(filename, "its arrays are not of the format 'ascii': write it as text");
     std::vector<double> result;
     const char* at = array.data().c_str();
     for(char* end = nullptr;; at = end)

@@ -254,7 +254,7 @@ TEST_F(Files, A_surface_that_was_written_is_read)
     write("changed.vtp", changed);
     expect_failure(run(quoted(path("changed.vtp")) + " --quiet"), message);
   };
-  fail("format=\"ascii\"", "format=\"appended\"", "its arrays have the format 'appended': write it as text");
+  fail("format=\"ascii\"", "format=\"appended\"", "its arrays are not of the format 'ascii': write it as text");
   fail("\n3\n6\n", "\n3\n999999\n", "its offsets do not fit");
   fail("</Polys>", "", "it is damaged: ");
   fail("\n0 ", "\n288 ", "a polygon has a vertex that does not exist");
