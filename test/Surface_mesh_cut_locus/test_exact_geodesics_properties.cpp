@@ -8,9 +8,15 @@
 
 #include "exact_geodesics_test_meshes.h"
 
+#include <CGAL/Cut_loci/exact_geodesics/Geodesic_bucket_queue.h>
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <random>
+#include <vector>
 
 namespace test_exact_geodesics_properties {
 
@@ -521,6 +527,44 @@ TEST(Exact_geodesics, bad_input_is_named)
   EXPECT_THROW(geodesics.run({location(0, infinity, 0., 0.)}), std::invalid_argument);
   geodesics.run(0);
   EXPECT_EQ(geodesics.distance(0), 0.);
+}
+
+// Buckets get wider where keys need too many of them, also while some of their items have been taken.
+TEST(Geodesic_bucket_queue, takes_items_in_order_however_far_keys_are_apart)
+{
+  const double width = 1e-3;
+  CGAL::Cut_loci::internal::Geodesic_bucket_queue queue(width);
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> unit(0., 1.);
+  for(int run = 0; run < 2; ++run) // it starts with narrow buckets again
+  {
+    std::vector<double> keys;
+    std::vector<unsigned char> is_taken;
+    double largest = 0., last = 0.;
+    const auto push = [&](double key)
+    {
+      queue.push(key, static_cast<CGAL::Cut_loci::Index>(keys.size()));
+      keys.push_back(key);
+      is_taken.push_back(0);
+      largest = (std::max)(largest, key);
+    };
+    for(int i = 0; i < 10; ++i)
+      push(10. * unit(engine));
+    CGAL::Cut_loci::Index item;
+    while(queue.pop(item))
+    {
+      EXPECT_FALSE(is_taken[item]);
+      is_taken[item] = 1;
+      const double wide = (std::max)(width, 2. * largest / 65536.); // no bucket is wider
+      EXPECT_GE(keys[item], last - wide);
+      last = (std::max)(last, keys[item]);
+      if(keys.size() < 300)
+        push(keys[item] * (1. + unit(engine)));
+    }
+    EXPECT_EQ(std::count(is_taken.begin(), is_taken.end(), 1), std::ptrdiff_t(keys.size()));
+    EXPECT_GT(largest, 1e3); // wider buckets were needed
+    queue.clear();
+  }
 }
 
 } // namespace

@@ -67,7 +67,7 @@ public:
   /// for a mesh that has been read: several of them may share it, also in several threads
   explicit Exact_geodesic_propagation(std::shared_ptr<const Geodesic_faces> faces)
     : Geodesic_results(std::move(faces)),
-      batches_(faces_.number_of_halfedges(), faces_.number_of_vertices(), 0.5 * faces_.mean_edge_length()),
+      batches_(faces_.number_of_halfedges(), faces_.number_of_vertices(), finest_order * faces_.mean_edge_length()),
       slim_edges_(faces_)
   {
   }
@@ -190,6 +190,10 @@ private:
   void go_right(const Geodesic_window_list& list, const Crossing& crossing, const Apex_view& view);
   bool goes_left(std::size_t w, const Apex_view& view) const;
   bool goes_right(std::size_t w, const Apex_view& view) const;
+
+  // In the order of the distance, windows that take the same way wait for each other, in long lists, however short some of
+  // the edges are.
+  static constexpr double finest_order = 1. / 1024.;
 
   Geodesic_batches batches_;
   Geodesic_slim_edges slim_edges_;

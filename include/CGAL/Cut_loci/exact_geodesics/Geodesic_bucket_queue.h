@@ -19,12 +19,13 @@ namespace internal {
 /*!
  * is a priority queue that orders its items by their keys up to the width of a bucket, first in first out within one.
  *
- * Keys below the bucket in work go into that bucket.
+ * Keys below the bucket in work go into that bucket. Where keys would need too many buckets, these become wider.
  */
 class Geodesic_bucket_queue
 {
 public:
-  explicit Geodesic_bucket_queue(double width) : inverse_width_(1. / width) {}
+  /// @param width of the buckets at first
+  explicit Geodesic_bucket_queue(double width) : first_inverse_width_(1. / width), inverse_width_(1. / width) {}
 
   void clear()
   {
@@ -32,10 +33,13 @@ public:
       recycle(i);
     buckets_.clear();
     current_ = position_ = 0;
+    inverse_width_ = first_inverse_width_;
   }
 
   void push(double key, Index item)
   {
+    while(key * inverse_width_ >= most_buckets)
+      join_pairs();
     std::size_t i = static_cast<std::size_t>(key * inverse_width_);
     if(i < current_)
       i = current_;
@@ -79,6 +83,23 @@ public:
   }
 
 private:
+  static constexpr double most_buckets = 1 << 16;
+
+  /// of buckets, which are twice as wide then
+  void join_pairs()
+  {
+    inverse_width_ *= 0.5;
+    std::vector<std::vector<Index>> joined((buckets_.size() + 1) / 2);
+    for(std::size_t i = current_; i < buckets_.size(); ++i)
+    {
+      const auto begin = buckets_[i].begin() + static_cast<std::ptrdiff_t>(i == current_ ? position_ : 0);
+      joined[i / 2].insert(joined[i / 2].end(), begin, buckets_[i].end());
+    }
+    buckets_.swap(joined);
+    current_ /= 2;
+    position_ = 0;
+  }
+
   void recycle(std::size_t i)
   {
     if(buckets_[i].capacity() == 0)
@@ -90,7 +111,7 @@ private:
 
   std::vector<std::vector<Index>> buckets_, spare_;
   std::size_t current_ = 0, position_ = 0;
-  double inverse_width_;
+  double first_inverse_width_, inverse_width_;
 };
 
 } // namespace internal
