@@ -11,6 +11,7 @@
 #include "detour.h"
 #include "test_meshes.h"
 
+#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
@@ -28,7 +29,12 @@ namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Built = Built_mesh<Mesh>;
+using CGAL::Cut_loci::Index;
+using CGAL::Cut_loci::Indexed_cut_locus;
+using CGAL::Cut_loci::Indexed_source;
+using CGAL::Cut_loci::Indexed_triangle_mesh;
 using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::internal::Exact_tree_solver;
 using test_meshes::Flat_face;
 namespace params = CGAL::parameters;
 
@@ -69,6 +75,45 @@ TEST(Fans, no_shortest_path_crosses_the_cut_locus)
         built->mesh, solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
       EXPECT_EQ(measures.topology_fault, "");
       EXPECT_LT(measures.max, 1e-9);
+    }
+}
+
+double length(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& curve)
+{
+  using namespace CGAL::Cut_loci::internal;
+  double sum = 0.;
+  for(const Indexed_cut_locus::Edge& e : curve.edges)
+    sum += norm(position(mesh, curve.nodes[e.source].location) - position(mesh, curve.nodes[e.target].location));
+  return sum;
+}
+
+// By default weak cells are cut off in each face before anything is drawn.
+TEST(Fans, the_default_is_what_is_strong_of_all_of_the_cut_locus)
+{
+  const std::size_t n = 90;
+  for(Flat_face caps : {Flat_face::STAR, Flat_face::FAN, Flat_face::ZIGZAG})
+    for(Index v : {Index(0), Index(7), Index(n + n / 3)})
+    {
+      SCOPED_TRACE(v);
+      const Indexed_triangle_mesh mesh = test_meshes::indexed(test_meshes::closed_cylinder(n, 3., caps));
+      Exact_tree_solver all(mesh), run(mesh);
+      Indexed_source source;
+      source.vertex = v;
+      source.location = CGAL::Cut_loci::internal::location_of_vertex(run.connectivity(), v);
+      run.expect(run.default_thresholds());
+      for(Exact_tree_solver* solver : {&all, &run})
+      {
+        solver->compute_distance(source);
+        solver->compute_strengths();
+        solver->grow_tree();
+        solver->close_cycles();
+      }
+      Indexed_cut_locus edges;
+      const auto faces = CGAL::Cut_loci::Curve::THROUGH_FACES;
+      const double expected = length(mesh, all.filter(run.default_thresholds(), faces, edges)),
+                   found = length(mesh, run.filter(run.default_thresholds(), faces, edges));
+      EXPECT_GT(found, 1.);
+      EXPECT_NEAR(found, expected, 1e-4); // to see all of it, a symmetric source is moved
     }
 }
 

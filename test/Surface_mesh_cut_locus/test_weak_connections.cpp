@@ -69,6 +69,7 @@ std::vector<Case> cases()
           {"thin torus", test_meshes::torus(1., 0.1, 40, 6, 0.2, 6)},
           {"annulus", test_meshes::annulus(0.4, 1., 17, 4)},
           {"square with holes", test_meshes::square_with_holes(2, 2)},
+          {"square with more holes", test_meshes::square_with_holes(3, 2)},
           {"open cylinder", test_meshes::cylinder(1., 16, 6, 0.1, 4)}};
 }
 

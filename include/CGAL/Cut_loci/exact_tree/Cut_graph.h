@@ -43,8 +43,8 @@ namespace internal {
  * are left. Links between points with different nearest sources come last. Where sources are edges on the border, these are
  * in the forest from the start, with the cycle that they may form, and nothing is dual to them.
  *
- * A face that is not drawn holds one star instead of its trees. It joins what leads into it only if the topology asks
- * for that.
+ * A face that is not drawn holds one star instead of its trees, and so does a part of a face in which nothing is drawn as
+ * all is weak. It joins what leads into it only if the topology asks for that.
  */
 class Cut_graph
 {
@@ -84,6 +84,11 @@ public:
       name_sources();
   }
 
+  /// whether a node stands for what is not drawn
+  bool is_star(Index node) const { return is_star_[node] != 0; }
+  /// that of a node of a star
+  Index face_of_star(Index node) const { return node < first_loop ? node : face_of_extra_[node - first_extra()]; }
+
   /// the face of `Ridges::faces()` of a face of the mesh, or null
   Index record(Index f) const { return record_.empty() ? null_index : record_[f]; }
   /// the node of a tree
@@ -111,6 +116,7 @@ public:
         return crossing;
     }
   }
+  Index first_extra() const { return first_loop + connectivity_.number_of_border_loops; }
   Index border_node(Index h) const { return first_loop + connectivity_.border_loop[mesh_.source(h)]; }
 
 private:
@@ -128,14 +134,20 @@ private:
         record_[faces[i].face] = i;
       first_extra_[i] = number_of_nodes;
       number_of_nodes += (std::max)(faces[i].number_of_trees, Index(1)) - 1;
+      face_of_extra_.resize(number_of_nodes - first_extra(), faces[i].face);
     }
+    is_star_.assign(number_of_nodes, 0);
+    for(Index f = 0; f < first_loop; ++f)
+      is_star_[f] = record_[f] == null_index;
     nodes_of_crossing_.assign(changes_.number_of_crossings(), {{null_index, null_index}});
     for(Index i = 0; i < faces.size(); ++i)
       for(Index k = 0; k < faces[i].number_of_crossings; ++k)
       {
         const Ridges::Node& node = ridges_.node(faces[i], k);
         const bool is_behind = changes_[node.crossing].halfedge / 3 != faces[i].face;
-        nodes_of_crossing_[node.crossing][is_behind] = node_of_tree(i, node.tree);
+        const Index tree = node_of_tree(i, node.tree);
+        nodes_of_crossing_[node.crossing][is_behind] = tree;
+        is_star_[tree] = node.is_hidden;
       }
   }
 
@@ -358,7 +370,8 @@ private:
   const Label_changes& changes_;
   const Ridges& ridges_;
   double largest_distance_ = 0.;
-  std::vector<Index> record_, first_extra_;
+  std::vector<Index> record_, first_extra_, face_of_extra_;
+  std::vector<unsigned char> is_star_;                  // by node
   std::vector<std::array<Index, 2>> nodes_of_crossing_; // in the faces on the two sides
   std::vector<Index> before_, behind_;                  // the primal nodes beside each crossing that is real
   Source_forest forest_{0};

@@ -21,7 +21,7 @@ namespace internal {
 /*!
  * finds, while the windows are propagated, the faces in which the cut locus has to be drawn: those with an edge on which
  * the label changes by as much as a branch of the least strength needs, and those that link such faces, where it changes
- * by half as much: branches get weak on their way, and a smaller share would add many faces on rough surfaces.
+ * by half as much.
  *
  * It is an observer of `Exact_geodesic_propagation`, and keeps no windows. Which faces matter is known at the end only:
  * `Edge_crossings` gets the windows of their edges from a second run.
@@ -29,14 +29,16 @@ namespace internal {
 class Drawn_faces : public Geodesic_window_observer
 {
 public:
-  std::vector<unsigned char> is_drawn; ///< by face
+  /// by face: 0; 1, if what is weak is left away where that is possible; or `wholly`, which the topology may ask for
+  std::vector<unsigned char> is_drawn;
+  static constexpr unsigned char wholly = 2;
   /// for other edges, by halfedge of smaller index: see `Label_jumps::bend()`
   std::vector<float> bend;
 
   Drawn_faces(Exact_geodesic_propagation& geodesics, const Branch_strength& least)
     : is_drawn(geodesics.faces().number_of_halfedges() / 3, 0), bend(geodesics.faces().number_of_halfedges(), 0.f),
       geodesics_(geodesics), faces_(geodesics.faces()), jumps_(geodesics, least, 1.),
-      weak_jumps_(geodesics, least, 0.5), is_crossed_(faces_.number_of_halfedges(), 0),
+      weak_jumps_(geodesics, least, Label_jumps::linking_share), is_crossed_(faces_.number_of_halfedges(), 0),
       is_weak_(faces_.number_of_halfedges(), 0)
   {
   }

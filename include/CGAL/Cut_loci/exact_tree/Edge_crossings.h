@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_window_lists.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/exact_tree/Edge_envelope.h>
+#include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
 #include <CGAL/Cut_loci/exact_tree/Path_label.h>
 #include <CGAL/Cut_loci/internal/Growing_list.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
@@ -36,14 +37,24 @@ struct Edge_crossing
   double distance;         // to the source
   bool is_shadow;          // it is the same path on both sides: the boundary of a shadow, not on the cut locus
   bool is_between_sources; // the paths come from different ones
+  bool is_weak;            // see `Label_jumps::is_weak()`
 };
 
-inline Edge_crossing edge_crossing(const Geodesic_results& geodesics, Index h, Index label, double t,
-                                   const Path_label& left, const Path_label& right, double gap, double angle,
-                                   bool is_shadow)
+inline Edge_crossing edge_crossing(const Geodesic_results& geodesics, const Branch_strength& least, Index h,
+                                   Index label, double t, const Path_label& left, const Path_label& right,
+                                   const Parting_angle::Parting& parting, double angle, bool is_shadow)
 {
   const bool is_between_sources = geodesics.source_of_origin(left.origin) != geodesics.source_of_origin(right.origin);
-  return {h, label, t, gap, angle, left.distance(t), is_shadow, is_between_sources};
+  const double distance = (std::min)(left.distance(t), right.distance(t)); // they differ by what windows are narrower
+  return {h,
+          label,
+          t,
+          parting.angle,
+          angle,
+          distance,
+          is_shadow,
+          is_between_sources,
+          Label_jumps::is_weak(least, parting, angle, distance)};
 }
 
 /// is the numbers of the first and the last label of an edge of the mesh.
@@ -63,10 +74,12 @@ class Edge_crossings : public Geodesic_window_observer
 {
 public:
   /// @param is_drawn by face; of their edges all changes become known, of other edges none
+  /// @param least what is weaker is told from the rest
   /// @param slack how far beyond an edge the front has to be, in sizes of its faces, for its windows to be complete
-  Edge_crossings(Exact_geodesic_propagation& geodesics, const std::vector<unsigned char>& is_drawn, double slack)
+  Edge_crossings(Exact_geodesic_propagation& geodesics, const std::vector<unsigned char>& is_drawn,
+                 const Branch_strength& least, double slack)
     : geodesics_(geodesics), faces_(geodesics.faces()), is_drawn_(is_drawn), envelope_(geodesics),
-      parting_angle_(geodesics), slack_(slack), kept_(faces_.number_of_halfedges(), nullptr),
+      parting_angle_(geodesics), least_(least), slack_(slack), kept_(faces_.number_of_halfedges(), nullptr),
       state_(faces_.number_of_halfedges(), 0)
   {
   }
@@ -245,21 +258,25 @@ private:
 
   void add_crossing(Index h, Index label, double t, const Path_label& left, const Path_label& right)
   {
-    const double angle = meeting_angle(left, right, t), gap = parting_angle_(left, right, t);
+    const double angle = meeting_angle(left, right, t);
+    const Parting_angle::Parting parting = parting_angle_.parting(left, right, t);
     const bool is_seam = geodesics_.is_seam(left.origin, right.origin, angle);
     if(!geodesics_.is_approximate())
     {
       const double way = (std::min)(left.distance(t) - left.sigma, right.distance(t) - right.sigma);
       // or both sides of a shadow that is narrower here than windows are accurate: they come from one side, so that the
       // angle between them is not that of paths that meet
-      const bool is_bend =
-        angle < 0.5 * geodesic_pi && get_apart(left, right, t) &&
-        (gap < Parting_angle::least_angle || gap * way <= Edge_envelope::least_width * faces_.length(h));
-      const bool is_shadow = is_seam || is_bend || parting_angle_.is_same_path(left, right, t, h);
-      crossings.push_back(edge_crossing(geodesics_, h, label, t, left, right, gap, angle, is_shadow));
+      const bool is_bend = angle < 0.5 * geodesic_pi && get_apart(left, right, t) &&
+                           (parting.angle < Parting_angle::least_angle ||
+                            parting.angle * way <= Edge_envelope::least_width * faces_.length(h));
+      const bool is_shadow =
+        is_seam || is_bend ||
+        Parting_angle::is_same_path(angle, parting, left.distance(t), (std::max)(left.sigma, right.sigma),
+                                    parting_angle_.longest_edge_at(h));
+      crossings.push_back(edge_crossing(geodesics_, least_, h, label, t, left, right, parting, angle, is_shadow));
     }
-    else if(!is_same_family(geodesics_, angle, gap))
-      crossings.push_back(edge_crossing(geodesics_, h, label, t, left, right, gap, angle, false));
+    else if(!is_same_family(geodesics_, angle, parting.angle))
+      crossings.push_back(edge_crossing(geodesics_, {}, h, label, t, left, right, parting, angle, false));
   }
 
 public:
@@ -277,6 +294,7 @@ private:
   const std::vector<unsigned char>& is_drawn_;
   Edge_envelope envelope_;
   Parting_angle parting_angle_;
+  Branch_strength least_;
   double slack_, front_ = 0.;
   std::vector<Geodesic_window_list*> kept_;               // by halfedge: the first list
   std::unordered_map<Index, Geodesic_window_lists> more_; // and others

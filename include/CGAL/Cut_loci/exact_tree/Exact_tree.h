@@ -103,8 +103,8 @@ public:
     bool is_more = false;
     const auto draw = [&](Index f)
     {
-      is_more = is_more || !is_drawn[f];
-      is_drawn[f] = 1;
+      is_more = is_more || is_drawn[f] < Drawn_faces::wholly;
+      is_drawn[f] = Drawn_faces::wholly;
     };
     for(Index f : unknown_faces(edges, rings))
       draw(f);
@@ -129,11 +129,11 @@ public:
 
   void draw_ridges(const Threads& threads = {})
   {
-    changes_ = Label_changes(connectivity_, geodesics_, *crossings_, std::move(is_drawn_), std::move(bend_),
+    changes_ = Label_changes(connectivity_, geodesics_, *crossings_, std::move(is_drawn_), std::move(bend_), least_,
                              progress_.part(0., 0.4));
     crossings_.reset();
     ridges_ = Ridges(mesh_, connectivity_, geodesics_, changes_, threads, progress_.part(0.4, 1.));
-    changes_.forget_labels();
+    ridges_.renumber_crossings(changes_.forget_all_but(ridges_.crossings_with_pieces()));
   }
 
   void join()
@@ -347,7 +347,7 @@ private:
     for(const Tree_branches::Edge& b : edges)
     {
       const Tree_graph::Edge& e = graph_->edges[b.edge];
-      if(e.piece == null_index && e.face != null_index && !changes_.is_drawn(e.face))
+      if(e.piece == null_index && e.face != null_index && !changes_.is_drawn_wholly(e.face))
         add(e.face);
     }
     for(Index ring = 0; ring < rings && !result.empty(); ++ring)
@@ -399,7 +399,7 @@ private:
     options_.progress = progress_.part(least_.is_none() ? 0. : 0.5, 1.);
     for(double slack : {4., 32., (std::numeric_limits<double>::infinity)()})
     {
-      crossings_.reset(new Edge_crossings(geodesics_, is_drawn_, slack));
+      crossings_.reset(new Edge_crossings(geodesics_, is_drawn_, least_, slack));
       geodesics_.run(sources_, options_, *crossings_);
       crossings_->finish(progress_.part(1., 1.));
       if(crossings_->number_of_late() == 0)

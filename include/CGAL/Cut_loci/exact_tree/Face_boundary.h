@@ -13,6 +13,7 @@
 #include <CGAL/Cut_loci/exact_tree/Path_label.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -34,6 +35,7 @@ public:
   {
     Index crossing = null_index; // of an edge of the face
     Index vertex = null_index;   // a branch ends there
+    bool is_weak = true;         // see `Label_jumps::is_weak()`
   };
 
   Face_boundary(const Indexed_triangle_mesh& mesh, const Geodesic_results& geodesics, const Label_changes& changes)
@@ -59,6 +61,8 @@ public:
       unite_families();
     else
       fit_labels_at_corners();
+    if(!changes_->is_drawn_wholly(f))
+      cut_off_weak_cells();
   }
 
   /// in the frame of the first halfedge of the face, as all that follows
@@ -171,6 +175,7 @@ private:
                               image_at_vertex(c.halfedge, c.after), is_ray, c.is_shadow});
     Place place;
     place.vertex = c.is_shadow ? null_index : v;
+    place.is_weak = c.is_weak;
     places_.push_back(place);
   }
 
@@ -234,6 +239,105 @@ private:
   }
 
   /*
+   * A straight path that enters the face and leaves it is in one cell. So where the boundary comes back to a cell, on such
+   * a path, and all changes since it has left it are weak, the path separates them from all that is strong, and nothing
+   * there has to be drawn. What is left of weak changes are those of cells that may touch strong pieces.
+   */
+  void cut_off_weak_cells()
+  {
+    const std::size_t n = places_.size();
+    std::size_t strong = 0;
+    while(strong < n && places_[strong].is_weak)
+      ++strong;
+    left_.clear();
+    std::size_t first = 0; // of those that are left: behind the last strong one
+    for(std::size_t k = 0; k < n && strong < n; ++k)
+    {
+      const Index i = static_cast<Index>((strong + k) % n);
+      const Left change{i, rays_behind(i)};
+      if(!places_[i].is_weak)
+        first = left_.size() + 1;
+      else if(returns_to_cell(change, first))
+        continue;
+      left_.push_back(change);
+    }
+    const auto is_before = [](const Left& a, const Left& b) { return a.change < b.change; };
+    std::sort(left_.begin(), left_.end(), is_before);
+    for(std::size_t i = 0; i < left_.size(); ++i)
+    {
+      local_changes_[i] = local_changes_[left_[i].change];
+      places_[i] = places_[left_[i].change];
+    }
+    local_changes_.resize(left_.size());
+    places_.resize(left_.size());
+  }
+
+  /// the straight paths from an image, between two that lead to points of the face, counterclockwise
+  struct Rays
+  {
+    Plane_point first, last;
+
+    void add(const Image& image, const Plane_point& p)
+    {
+      if(cross(image, first, p) < 0.)
+        first = p;
+      if(cross(image, last, p) > 0.)
+        last = p;
+    }
+    bool overlap(const Image& image, const Rays& other) const
+    {
+      return cross(image, first, other.last) > 0. && cross(image, other.first, last) > 0.;
+    }
+  };
+
+  /// a change that is left, and the paths to the cell behind it, as far as the cell is known
+  struct Left
+  {
+    Index change;
+    Rays rays;
+  };
+
+  static double cross(const Image& from, const Plane_point& p, const Plane_point& q)
+  {
+    return (p.x - from.x) * (q.y - from.y) - (p.y - from.y) * (q.x - from.x);
+  }
+
+  /// to the part of the boundary between a change and the next one
+  Rays rays_behind(Index i) const
+  {
+    const Face_ridges::Change &a = local_changes_[i], &b = local_changes_[i + 1 < local_changes_.size() ? i + 1 : 0];
+    Rays result{a.point, a.point};
+    const Index last = edge_of(b);
+    for(Index k = edge_of(a); k != last;)
+    {
+      k = (k + 1) % 3;
+      result.add(a.after, corners_[k]);
+    }
+    result.add(a.after, b.point);
+    return result;
+  }
+
+  Index edge_of(const Face_ridges::Change& c) const { return c.edge == null_index ? corner_at(c.point) : c.edge; }
+
+  /// takes away the changes since the boundary has left the cell behind a change, if that has not been long ago
+  bool returns_to_cell(const Left& change, std::size_t first)
+  {
+    constexpr std::size_t most = 32; // of the cells that end between two edges there are few
+    const Image& image = local_changes_[change.change].after;
+    for(std::size_t size = left_.size(); size >= first && size + most > left_.size(); --size)
+    {
+      Left& cell = left_[size - 1];
+      if(!is_same_image(local_changes_[cell.change].after, image) || !cell.rays.overlap(image, change.rays))
+        continue;
+      cell.rays.add(image, change.rays.first);
+      cell.rays.add(image, change.rays.last);
+      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(size), left_.end());
+      return true;
+    }
+    return false;
+  }
+
+  /*
    * Where windows have been merged, paths that belong together have different images on the edges of a face, and these fit
    * each other up to the error of the distance. All of a family, between two changes and the next ones, get the image of
    * its first part of the boundary.
@@ -292,6 +396,7 @@ private:
                                 geodesics_->is_approximate() ? crossing.gap : 0.});
       Place place;
       place.crossing = crossing.is_shadow ? null_index : c;
+      place.is_weak = crossing.is_weak;
       places_.push_back(place);
     });
   }
@@ -341,6 +446,7 @@ private:
   std::vector<Face_ridges::Entry> entries_;
   std::vector<Place> places_;
   std::vector<std::array<Image, 2>> own_images_;
+  std::vector<Left> left_;
 };
 
 } // namespace internal

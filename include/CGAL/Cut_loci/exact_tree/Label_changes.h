@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_EXACT_TREE_LABEL_CHANGES_H
 #define CGAL_CUT_LOCI_EXACT_TREE_LABEL_CHANGES_H
 
+#include <CGAL/Cut_loci/exact_tree/Drawn_faces.h>
 #include <CGAL/Cut_loci/exact_tree/Edge_crossings.h>
 #include <CGAL/Cut_loci/exact_tree/Vertex_labels.h>
 #include <CGAL/Cut_loci/internal/Growing_list.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -35,11 +37,14 @@ class Label_changes
 public:
   Label_changes() = default;
 
-  /// @param is_drawn by face
+  /// @param is_drawn by face, see `Drawn_faces::is_drawn`
   /// @param bend by halfedge, or empty
+  /// @param least what is weaker is told from the rest
   Label_changes(const Mesh_connectivity& connectivity, const Geodesic_results& geodesics, Edge_crossings& found,
-                std::vector<unsigned char> is_drawn, std::vector<float> bend, const Progress& progress = {})
-    : connectivity_(&connectivity), geodesics_(&geodesics), is_drawn_(std::move(is_drawn)), bend_(std::move(bend))
+                std::vector<unsigned char> is_drawn, std::vector<float> bend, const Branch_strength& least,
+                const Progress& progress = {})
+    : connectivity_(&connectivity), geodesics_(&geodesics), least_(least), is_drawn_(std::move(is_drawn)),
+      bend_(std::move(bend))
   {
     const Vertex_labels labels(geodesics);
     std::swap(crossings_, found.crossings);
@@ -72,6 +77,11 @@ public:
 
   /// whether all that changes in a face, and on its edges, is known
   bool is_drawn(Index f) const { return is_drawn_[f] != 0; }
+  /// whether also what is weak is drawn there
+  bool is_drawn_wholly(Index f) const
+  {
+    return is_drawn_[f] == Drawn_faces::wholly || least_.is_none() || geodesics_->is_approximate();
+  }
   const std::vector<unsigned char>& drawn_faces() const { return is_drawn_; }
   /// the angle that may be between the paths to the two ends of an edge of which nothing is known
   float bend(Index h) const { return bend_.empty() ? 0.f : bend_[h]; }
@@ -79,8 +89,45 @@ public:
   /// the changes at vertices, by their halfedge
   const std::vector<Vertex_labels::Change>& at_vertices() const { return at_vertices_; }
 
-  /// frees the memory of the labels, once all faces have been drawn
-  void forget_labels() { labels_ = Growing_list<Path_label>(); }
+  /// Frees the memory of the labels, once all faces have been drawn, and of crossings at which no piece ends, but for one
+  /// between two others: where the most is left away.
+  /// @return the new numbers
+  std::vector<Index> forget_all_but(const std::vector<unsigned char>& is_kept)
+  {
+    labels_ = Growing_list<Path_label>();
+    std::vector<Index> result(crossings_.size(), null_index);
+    Growing_list<Edge_crossing> crossings;
+    const auto keep = [&](Index c)
+    {
+      result[c] = static_cast<Index>(crossings.size());
+      crossings.push_back((*this)[c]);
+    };
+    for(std::size_t e = 0; e + 1 < first_.size(); ++e)
+    {
+      const Index begin = std::exchange(first_[e], static_cast<Index>(crossings.size()));
+      Index widest = null_index;
+      for(Index c = begin; c <= first_[e + 1]; ++c)
+      {
+        const bool is_end = c == first_[e + 1];
+        if(widest != null_index && (is_end || is_kept[c]))
+          keep(std::exchange(widest, null_index));
+        if(is_end)
+          break;
+        if(is_kept[c])
+          keep(c);
+        else if(!(*this)[c].is_shadow && (widest == null_index || angle(widest) < angle(c)))
+          widest = c;
+      }
+    }
+    first_.back() = static_cast<Index>(crossings.size());
+    crossings_ = std::move(crossings);
+    order_.resize(crossings_.size());
+    std::iota(order_.begin(), order_.end(), Index(0));
+    return result;
+  }
+
+  /// that at which paths meet at a crossing, or part at the source if that is larger
+  double angle(Index c) const { return (std::max)((*this)[c].angle, (*this)[c].gap); }
 
   /// frees that of all else but which faces are drawn
   void forget_crossings()
@@ -124,22 +171,24 @@ private:
     if(geodesics_->is_approximate() ? !Edge_crossings::is_same_family(*geodesics_, angle, parting.angle)
                                     : !Parting_angle::is_same_path(angle, parting, geodesics_->distance(v), sigma,
                                                                    Parting_angle(*geodesics_).longest_edge_at(h)))
-      add_crossing(h, t, left, right, parting.angle, angle);
+      add_crossing(h, t, left, right, parting, angle);
   }
 
   /// where lines meet, and the branch between them runs along an edge
   void add_crossing_at_line(Index h, double t, const Path_label& left, const Path_label& right)
   {
-    const double angle = meeting_angle(left, right, t), gap = Parting_angle(*geodesics_)(left, right, t);
+    const double angle = meeting_angle(left, right, t);
+    const Parting_angle::Parting parting = Parting_angle(*geodesics_).parting(left, right, t);
     if(left.origin != right.origin && !geodesics_->is_seam(left.origin, right.origin, angle) &&
-       !Parting_angle::is_same_path(angle, gap))
-      add_crossing(h, t, left, right, gap, angle);
+       !Parting_angle::is_same_path(angle, parting.angle))
+      add_crossing(h, t, left, right, parting, angle);
   }
 
-  void add_crossing(Index h, double t, const Path_label& left, const Path_label& right, double gap, double angle)
+  void add_crossing(Index h, double t, const Path_label& left, const Path_label& right,
+                    const Parting_angle::Parting& parting, double angle)
   {
     crossings_.push_back(
-      edge_crossing(*geodesics_, h, static_cast<Index>(labels_.size()), t, left, right, gap, angle, false));
+      edge_crossing(*geodesics_, least_, h, static_cast<Index>(labels_.size()), t, left, right, parting, angle, false));
     labels_.push_back(left);
     labels_.push_back(right);
   }
@@ -190,9 +239,13 @@ private:
       is_done[v] = 1;
       const bool is_tip = !faces.is_border(v) && 2. * geodesic_pi - faces.total_angle(v) > least;
       if(is_tip || faces.is_pseudo_source(v) || geodesics_->is_on_line(v))
-        for(const Vertex_labels::Change& c : labels.changes(v))
+        for(Vertex_labels::Change& c : labels.changes(v))
           if(is_drawn(c.halfedge / 3))
+          {
+            c.is_weak = Label_jumps::is_weak(least_, Parting_angle(*geodesics_).parting(c.before, c.after, 0.),
+                                             meeting_angle(c.before, c.after, 0.), geodesics_->distance(v));
             at_vertices_.push_back(c);
+          }
     }
     std::stable_sort(at_vertices_.begin(), at_vertices_.end(),
                      [](const Vertex_labels::Change& a, const Vertex_labels::Change& b)
@@ -201,6 +254,7 @@ private:
 
   const Mesh_connectivity* connectivity_ = nullptr;
   const Geodesic_results* geodesics_ = nullptr;
+  Branch_strength least_;
   Growing_list<Edge_crossing> crossings_;
   Growing_list<Path_label> labels_;
   std::vector<Index> order_; // of the crossings, by edge and position

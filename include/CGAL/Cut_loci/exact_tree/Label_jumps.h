@@ -34,6 +34,17 @@ public:
   {
   }
 
+  /// branches get weak on their way, and a smaller share would add many faces on rough surfaces
+  static constexpr double linking_share = 0.5;
+
+  /// whether no branch of the least strength, nor what links two of them, is where the paths to a point part and meet so
+  static bool is_weak(const Branch_strength& least, const Parting_angle::Parting& parting, double meeting,
+                      double distance)
+  {
+    return !least.is_none() && meeting <= linking_share * steep &&
+           parting.angle <= linking_share * least.least_angle(distance - parting.distance);
+  }
+
   /// prepares for the halfedge from `a` to `b`
   void start(Index a, Index b, double length)
   {

@@ -104,9 +104,10 @@ public:
                        // if the border is in it
   };
 
-  double operator()(const Path_label& a, const Path_label& b, double t) const
+  /// of the paths of two labels to the point `t`
+  Parting parting(const Path_label& a, const Path_label& b, double t) const
   {
-    return operator()(a.origin, a.direction(t), b.origin, b.direction(t), meeting_angle(a, b, t));
+    return parting(a.origin, a.direction(t), b.origin, b.direction(t), meeting_angle(a, b, t));
   }
 
   /// for paths that leave their origins in the given directions, and meet at some angle
@@ -141,9 +142,8 @@ public:
   /// The same for the labels on both sides of a point on a halfedge.
   bool is_same_path(const Path_label& a, const Path_label& b, double t, Index h) const
   {
-    const double meeting = meeting_angle(a, b, t);
-    return is_same_path(meeting, parting(a.origin, a.direction(t), b.origin, b.direction(t), meeting), a.distance(t),
-                        (std::max)(a.sigma, b.sigma), longest_edge_at(h));
+    return is_same_path(meeting_angle(a, b, t), parting(a, b, t), a.distance(t), (std::max)(a.sigma, b.sigma),
+                        longest_edge_at(h));
   }
 
   /// of the faces beside a halfedge

@@ -46,6 +46,7 @@ public:
     Index vertex = null_index;   // a branch ends there
     Index tree = null_index;     // of the face, or null if no tree reaches the boundary from here
     double distance = 0.;
+    bool is_hidden = false; // no piece is drawn that ends there; those between two others are one tree
   };
 
   struct Piece
@@ -141,6 +142,76 @@ public:
 
   /// the corners of a face in the frame of its first halfedge
   std::array<Plane_point, 3> layout(Index f) const { return Face_boundary::layout(*geodesics_, f); }
+
+  /// whether a piece ends there, by crossing
+  std::vector<unsigned char> crossings_with_pieces() const
+  {
+    std::vector<unsigned char> result(changes_->number_of_crossings(), 0);
+    for(std::size_t i = 0; i < nodes_.size(); ++i)
+      if(nodes_[i].crossing != null_index)
+        result[nodes_[i].crossing] = 1;
+    return result;
+  }
+
+  /// gives crossings their new numbers, and adds those of the edges of a face at which no piece of the face ends
+  void renumber_crossings(const std::vector<Index>& number)
+  {
+    const Growing_list<Node> old = std::move(nodes_);
+    nodes_ = Growing_list<Node>();
+    std::vector<Crossing_on_face> around;
+    std::vector<Index> position, parent, group; // the last of hidden crossings: by what is drawn between them
+    for(Face& face : faces_)
+    {
+      const Index first = std::exchange(face.first_node, static_cast<Index>(nodes_.size()));
+      const Index crossings = std::exchange(face.number_of_crossings, Index(0));
+      const Index size = std::exchange(face.end_node, Index(0)) - first;
+      position.clear();
+      group.clear();
+      std::array<bool, 3> ends_at_corner = {{false, false, false}};
+      for(Index i = crossings; i < size; ++i)
+        for(Index k = 0; k < 3; ++k)
+          ends_at_corner[k] = ends_at_corner[k] || old[first + i].vertex == mesh_->triangles[face.face][k];
+      const auto add = [&](Node node)
+      {
+        if(!node.is_hidden)
+          position.push_back(static_cast<Index>(nodes_.size()) - face.first_node);
+        node.tree = null_index;
+        nodes_.push_back(node);
+      };
+      crossings_around(face.face, around);
+      Index corner = 0, drawn = ends_at_corner[0];
+      for(const Crossing_on_face& c : around)
+      {
+        for(; corner < c.corner; ++corner)
+          drawn += ends_at_corner[corner + 1];
+        const std::size_t next = position.size();
+        Node node;
+        node.is_hidden = next == crossings || number[old[first + next].crossing] != c.crossing;
+        if(!node.is_hidden)
+          node = old[first + next];
+        node.crossing = c.crossing;
+        add(node);
+        group.push_back(node.is_hidden ? drawn : null_index);
+        drawn += !node.is_hidden;
+        ++face.number_of_crossings;
+      }
+      for(; corner < 2; ++corner)
+        drawn += ends_at_corner[corner + 1];
+      for(Index& g : group)
+        if(g != null_index && drawn > 0)
+          g %= drawn;
+      for(Index i = crossings; i < size; ++i)
+        add(old[first + i]);
+      face.end_node = static_cast<Index>(nodes_.size());
+      for(Index p = face.first_piece; p < face.end_piece; ++p)
+      {
+        pieces_[p].first_node = face.first_node;
+        for(Index& i : pieces_[p].nodes)
+          i = position[i];
+      }
+      number_trees(parent, face, group);
+    }
+  }
 
   /// the crossings that are on the cut locus, counterclockwise from the first corner
   void crossings_around(Index f, std::vector<Crossing_on_face>& result) const
@@ -280,6 +351,8 @@ private:
   void add_face(Work& work, Index f, std::size_t next_at_vertex)
   {
     work.boundary.read(f, next_at_vertex);
+    if(work.boundary.changes().empty())
+      return; // all is weak
     const double size = (std::max)({geodesics_->faces().length(3 * f), geodesics_->faces().length(3 * f + 1),
                                     geodesics_->faces().length(3 * f + 2)});
     // a path that is wrong by an angle is too long by the angle times its way through the face, at most
@@ -328,7 +401,7 @@ private:
         add_piece(work, face, r);
     face.end_node = static_cast<Index>(nodes_.size());
     face.end_piece = static_cast<Index>(pieces_.size());
-    number_trees(work, face);
+    number_trees(work.parent, face);
     faces_.push_back(face);
     ++number_of_faces_;
   }
@@ -373,24 +446,31 @@ private:
     piece.gaps[1 - best] = (std::min)(piece.gaps[1 - best], (1. - 1e-6) * piece.gaps[best]);
   }
 
-  /// numbers the trees in the order of their first crossing
-  void number_trees(Work& work, Face& face)
+  /// numbers the trees in the order of their first crossing; crossings of one group are one tree
+  void number_trees(std::vector<Index>& parent, Face& face, const std::vector<Index>& group = {})
   {
     const Index n = face.end_node - face.first_node;
-    work.parent.resize(n);
+    parent.resize(n);
     for(Index i = 0; i < n; ++i)
-      work.parent[i] = i;
+      parent[i] = i;
     const auto root = [&](Index i)
     {
-      while(work.parent[i] != i)
-        i = work.parent[i];
+      while(parent[i] != i)
+        i = parent[i];
       return i;
     };
     for(Index p = face.first_piece; p < face.end_piece; ++p)
     {
       const Index a = root(pieces_[p].nodes[0]), b = root(pieces_[p].nodes[1]);
-      work.parent[(std::max)(a, b)] = (std::min)(a, b); // the root is a crossing, if there is one
+      parent[(std::max)(a, b)] = (std::min)(a, b); // the root is a crossing, if there is one
     }
+    for(Index i = 0; i < group.size(); ++i)
+      for(Index k = i; k-- > 0 && group[i] != null_index;)
+        if(group[k] == group[i])
+        {
+          parent[i] = root(k);
+          break;
+        }
     face.number_of_trees = 0;
     for(Index i = 0; i < n; ++i)
     {

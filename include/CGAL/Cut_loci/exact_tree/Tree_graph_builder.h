@@ -47,7 +47,7 @@ public:
     add_loops();
     add_ridges(progress.part(0.2, 0.6));
     add_joints(progress.part(0.6, 0.7));
-    add_plain_faces(progress.part(0.7, 0.8));
+    add_stars(progress.part(0.7, 0.8));
     add_pieces_between_vertices(progress.part(0.8, 0.9));
     drop_open_ends_on_border();
     drop_weak_islands(progress.part(0.9, 1.));
@@ -60,17 +60,16 @@ private:
   using Node = Tree_graph::Node;
   using Edge = Tree_graph::Edge;
 
-  /// Faces without a piece that are leaves of the graph are no part of the cut locus.
+  /// What is not drawn and a leaf of the graph is no part of the cut locus.
   void drop_weak_leaves(const Progress& progress)
   {
     const auto nodes = [this](Index j) -> Edges_left::Nodes {
       return {{cut_.joints[j].nodes[0], cut_.joints[j].nodes[1]}};
     };
-    const auto is_plain = [this](Index i) { return i < cut_.first_loop && cut_.record(i) == null_index; };
     Edges_left left(cut_.number_of_nodes, cut_.joints.size(), nodes, progress.part(0., 0.5));
     is_kept_.assign(cut_.joints.size(), 1);
     left.peel(
-      nodes, [&](Index j, Index i) { return (is_kept_[j] = !is_plain(i)) == 0; }, progress.part(0.5, 1.));
+      nodes, [&](Index j, Index i) { return (is_kept_[j] = !cut_.is_star(i)) == 0; }, progress.part(0.5, 1.));
   }
 
   /// what is needed at most, but for few faces: growing would copy all there is, and take long at once
@@ -203,6 +202,8 @@ private:
   Index add_node_of_face(const Ridges::Face& face, Index i)
   {
     const Ridges::Node& from = ridges_.node(face, i);
+    if(from.is_hidden)
+      return node_of_crossing_[from.crossing];
     if(from.crossing != null_index)
     {
       graph_.number_of_open += node_of_crossing_[from.crossing] == null_index;
@@ -259,8 +260,7 @@ private:
       if(!is_kept_[j])
         continue;
       if(joint.kind == Joint::CELL)
-        add_joint(node_in_face(joint.element, joint.crossings[0]), node_in_face(joint.element, joint.crossings[1]),
-                  ridges_.faces()[joint.element].face, joint);
+        add_joint(end_of_cell(joint, 0), end_of_cell(joint, 1), ridges_.faces()[joint.element].face, joint);
       if(joint.kind != Joint::EDGE)
         continue;
       const Index h = connectivity_.halfedge_of_edge[joint.element];
@@ -269,13 +269,23 @@ private:
       node_of_joint_[j] = add_node(node);
       if(node.loop != null_index)
         add_joint(node_of_joint_[j], node.loop, null_index, joint);
-      for(Index g : {h, mesh_.opposite[h]})
-        if(g != null_index && cut_.record(g / 3) != null_index)
+      const std::array<Index, 2> sides = {{h, mesh_.opposite[h]}};
+      for(std::size_t k = 0; k < 2; ++k)
+        if(sides[k] != null_index && !cut_.is_star(joint.nodes[k]))
         {
-          const Index r = cut_.record(g / 3);
-          add_joint(node_of_joint_[j], node_in_face(r, cut_.leaf_behind(r, g % 3)), g / 3, joint);
+          const Index r = cut_.record(sides[k] / 3);
+          add_joint(node_of_joint_[j], node_in_face(r, cut_.leaf_behind(r, sides[k] % 3)), sides[k] / 3, joint);
         }
     }
+  }
+
+  /// the node of the crossing at an end of a joint across a cell
+  Index end_of_cell(const Joint& joint, std::size_t k)
+  {
+    Index& result = node_in_face_[first_of_face_[joint.element] + joint.crossings[k]];
+    if(result == null_index)
+      result = add_crossing(ridges_.node(ridges_.faces()[joint.element], joint.crossings[k]).crossing);
+    return result;
   }
 
   void drop_weak_islands(const Progress& progress)
@@ -290,55 +300,69 @@ private:
       progress.part(0.8, 1.));
   }
 
-  /// faces that hold no piece and are left: they lead from one edge to another
-  void add_plain_faces(const Progress& progress)
+  /// what is not drawn and is left: it leads from one edge to another
+  void add_stars(const Progress& progress)
   {
-    std::unordered_map<Index, std::vector<Index>> at_face; // the joints
+    std::unordered_map<Index, std::vector<Index>> at_star; // the joints
     std::vector<Index> order;
     const Progress finding = progress.part(0., 0.5), adding = progress.part(0.5, 1.);
     for(Index j = 0; j < cut_.joints.size(); ++j)
     {
       finding(j, cut_.joints.size());
       const Joint& joint = cut_.joints[j];
-      if(!is_kept_[j] || joint.kind == Joint::CELL)
+      if(!is_kept_[j])
         continue;
       for(Index i : joint.nodes)
-        if(i < cut_.first_loop && cut_.record(i) == null_index)
+        if(cut_.is_star(i))
         {
-          std::vector<Index>& at = at_face[i];
+          std::vector<Index>& at = at_star[i];
           if(at.empty())
             order.push_back(i);
           at.push_back(j);
         }
     }
-    const auto node_of = [&](Index j)
-    {
-      const Joint& joint = cut_.joints[j];
-      return joint.kind == Joint::EDGE ? node_of_joint_[j] : node_of_crossing_[joint.element];
-    };
     std::size_t number = 0;
-    for(Index f : order)
+    for(Index star : order)
     {
       adding(number++, order.size());
-      const std::vector<Index>& at = at_face[f];
-      if(at.size() == 2)
-      {
-        add_joint(node_of(at[0]), node_of(at[1]), f, cut_.joints[at[0]]);
-        continue;
-      }
-      Node node;
-      node.face = f;
-      for(const Plane_point& p : ridges_.layout(f))
-      {
-        node.point.x += p.x / 3.;
-        node.point.y += p.y / 3.;
-      }
-      for(Index v : mesh_.triangles[f])
-        node.distance += geodesics_.distance(v) / 3.;
-      const Index center = add_node(node);
-      for(Index j : at)
-        add_joint(center, node_of(j), f, cut_.joints[j]);
+      add_star(star, at_star[star]);
     }
+  }
+
+  void add_star(Index star, const std::vector<Index>& joints)
+  {
+    std::vector<std::pair<Index, Index>> ends; // nodes, with their joints
+    for(Index j : joints)
+    {
+      const Index end = end_at_star(j, star);
+      if(std::none_of(ends.begin(), ends.end(), [end](const auto& e) { return e.first == end; }))
+        ends.push_back({end, j});
+    }
+    const Index f = cut_.face_of_star(star);
+    if(ends.size() == 2)
+      add_joint(ends[0].first, ends[1].first, f, cut_.joints[ends[0].second]);
+    if(ends.size() <= 2)
+      return;
+    Node node;
+    node.face = f;
+    for(const Plane_point& p : ridges_.layout(f))
+    {
+      node.point.x += p.x / 3.;
+      node.point.y += p.y / 3.;
+    }
+    for(Index v : mesh_.triangles[f])
+      node.distance += geodesics_.distance(v) / 3.;
+    const Index center = add_node(node);
+    for(const auto& end : ends)
+      add_joint(center, end.first, f, cut_.joints[end.second]);
+  }
+
+  Index end_at_star(Index j, Index star)
+  {
+    const Joint& joint = cut_.joints[j];
+    if(joint.kind == Joint::CELL)
+      return end_of_cell(joint, joint.nodes[0] == star ? 0 : 1);
+    return joint.kind == Joint::EDGE ? node_of_joint_[j] : node_of_crossing_[joint.element];
   }
 
   /*

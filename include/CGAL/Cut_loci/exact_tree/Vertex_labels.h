@@ -48,6 +48,7 @@ public:
     Index halfedge;           // leaves the vertex before the change, counterclockwise
     Path_label before, after; // the change, in its frame, clockwise: as one goes around the face
     bool is_shadow;
+    bool is_weak = false; // see `Label_jumps::is_weak()`
   };
 
   /// the branch that starts at `v`, or the boundaries of the shadow into which the paths bend there
