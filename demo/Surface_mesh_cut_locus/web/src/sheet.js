@@ -10,7 +10,8 @@ const restMilliseconds = 300; // a slider that has not moved for so long is at r
 export class Sheet {
   constructor(app) {
     this.app = app;
-    this.atlas = null;
+    this.atlas = null; // that is shown
+    this.computed = null; // the last one, also if it was computed to be exported
   }
 
   async toggle() {
@@ -53,7 +54,7 @@ export class Sheet {
     const begin = performance.now();
     let atlas;
     try {
-      atlas = await this.compute();
+      atlas = await this.current();
     } catch (error) {
       // what cancels it by a new command cuts again
       if (!(error instanceof Cancelled)) this.drop();
@@ -70,11 +71,13 @@ export class Sheet {
 
   async compute() {
     const { name, index } = this.seam;
+    const { step } = this;
     const { curve, ...atlas } = await this.app.engine.run('cut', { parameters: this.app.parameters, curve: index });
     this.app.curves[name] = curve;
-    atlas.step = this.step;
+    atlas.step = step;
     const { mesh, state, source } = this.app;
     atlas.sheets = sheetsOf(atlas, mesh, state.border === 'only' ? [] : state.sources, source.nearest);
+    this.computed = atlas;
     return atlas;
   }
 
@@ -83,10 +86,16 @@ export class Sheet {
   }
 
   async current() {
-    return this.atlas && this.atlas.step === this.step ? this.atlas : this.compute();
+    return this.computed && this.computed.step === this.step ? this.computed : this.compute();
   }
 
+  // another mesh
   forget() {
+    this.computed = null;
+    this.close();
+  }
+
+  close() {
     clearTimeout(this.cutTimer);
     this.atlas = null;
     this.app.panel.setCut(false);
@@ -95,7 +104,7 @@ export class Sheet {
   drop() {
     this.app.state.isCut = false;
     if (!this.atlas) return;
-    this.forget();
+    this.close();
     this.app.viewer.showUncut();
     this.app.appearance.updateSurface();
   }

@@ -91,6 +91,7 @@ export class Driver {
       () => this.noMessage(), () => null);
     const [download] = await Promise.all([Promise.race([this.page.waitForEvent('download'), refused]), this.page.click('#export')]);
     await this.idle();
+    this.exportedName = download.suggestedFilename();
     return readFile(await download.path());
   }
 
