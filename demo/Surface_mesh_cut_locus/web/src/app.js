@@ -34,10 +34,11 @@ const nearPixels = 9; // what a click is as near to is meant
 const copy = (value) => JSON.parse(JSON.stringify(value));
 
 export class App {
-  constructor(viewer, panel, state) {
+  constructor(viewer, panel, state, link) {
     this.viewer = viewer;
     this.panel = panel;
     this.state = state;
+    this.link = link; // with what is to be said about it
     this.engine = new Engine((stage) => panel.setBusyText(stageTexts[stage]), (stage, share) => panel.setBusyShare(share));
     this.history = new History();
     this.readout = new Readout();
@@ -70,7 +71,8 @@ export class App {
       return true;
     } catch (error) {
       // what another command has replaced needs no words
-      if (!(error instanceof Cancelled)) this.panel.showMessage(explain(error));
+      if (!(error instanceof Cancelled))
+        this.panel.showMessage(explain(error), { onRetry: error.fatal ? () => this.attempt(text, action) : null });
       return false;
     } finally {
       this.panel.setBusy(--this.jobs > 0);
@@ -82,15 +84,11 @@ export class App {
     this.isSolved = false;
     this.engine.cancel();
     this.sheet.drop(); // it may be that of other thresholds
-    this.panel.showMessage('Cancelled.', true);
+    this.panel.showMessage('Cancelled.', { isPlain: true });
   }
 
   openSample(name, faces, keepsSource = false) {
     const sample = samples.find((s) => s.name === name);
-    if (!sample) {
-      this.panel.showMessage(`There is no sample of the name “${name}”.`);
-      return false;
-    }
     this.wantedSample = name;
     return this.open({ sample: name, faces }, { sample: name, faces, file: null }, sample.start, keepsSource);
   }
@@ -122,7 +120,7 @@ export class App {
         this.mesh = await this.engine.load(recipe);
       } catch (error) {
         // the module has dropped the mesh it had
-        if (this.mesh && !(error instanceof Cancelled)) this.engine.restart();
+        if (this.mesh && !(error instanceof Cancelled) && !error.fatal) this.engine.restart();
         this.isSolved = false;
         this.panel.setSample(this.state);
         throw error;
@@ -132,11 +130,34 @@ export class App {
       const view = keepsSource ? this.linkedView : null;
       this.linkedView = null;
       if (view) this.viewer.setView(view);
-      await this.solveNow();
+      if (keepsSource) await this.solveLinked();
+      else await this.solveNow();
       if (!view) this.appearance.look('best');
-      const { repairs } = this.mesh;
-      if (repairs) this.panel.showMessage(`Repaired to open it: ${repairs}.`, true);
+      const notes = [...(keepsSource ? this.link.notes : [])];
+      if (this.mesh.repairs) notes.push(`Repaired to open it: ${this.mesh.repairs}.`);
+      if (notes.length > 0) this.panel.showMessage(notes.join(' '), { isPlain: true });
     });
+  }
+
+  // As a link says, if that can be done: sources and method of others may make no sense on this mesh.
+  async solveLinked() {
+    try {
+      await this.solveNow();
+    } catch (error) {
+      if (error instanceof Cancelled || error.fatal) throw error;
+      const { solver, method, border, parameters } = defaultState();
+      Object.assign(this.state, { solver, method, border, parameters, sources: [this.firstSource()], isCut: false });
+      this.exactMethod = method;
+      this.panel.setState(this.state);
+      this.link.add(`What this link asks for cannot be shown: ${explain(error)} The surface is shown as it opens.`);
+      await this.solveNow();
+    }
+  }
+
+  // Where it is on the mesh before anybody chooses.
+  firstSource() {
+    const { positions, triangles, component } = this.mesh;
+    return { face: farthestFace(positions, triangles, this.start, component), coordinates: [...startCoordinates] };
   }
 
   takeMesh(names, start, keepsSource) {
@@ -144,11 +165,12 @@ export class App {
     this.wantedSample = this.state.sample;
     this.isSolved = false;
     this.solved = null;
-    const { positions, triangles, component, numbers } = this.mesh;
+    this.start = start;
+    const { positions, triangles, numbers } = this.mesh;
     const faceCount = triangles.length / 3;
     const isInMesh = (this.state.sources || []).every(({ face }) => face < faceCount);
-    if (!keepsSource || !this.state.sources || !isInMesh)
-      this.state.sources = [{ face: farthestFace(positions, triangles, start, component), coordinates: [...startCoordinates] }];
+    if (keepsSource && !isInMesh) this.link.add('The source of this link is not on this surface: another one is shown.');
+    if (!keepsSource || !this.state.sources || !isInMesh) this.state.sources = [this.firstSource()];
     if (!keepsSource) {
       // thresholds are those of another mesh
       this.state.isCut = false;

@@ -1,11 +1,15 @@
 // Starts the page: puts the parts together, and listens to the keyboard, to files that are dropped and to the address.
+import { Address } from './address.js';
 import { App } from './app.js';
+import { Link } from './link.js';
 import { Panel } from './panel.js';
+import { samples } from './samples.js';
 import { fromHash, toHash } from './state.js';
 import { Viewer } from './viewer.js';
 
 const element = (id) => document.getElementById(id);
-const state = fromHash(location.hash);
+const { state, ignored } = fromHash(location.hash);
+const link = new Link(ignored);
 const panel = new Panel();
 
 let viewer;
@@ -25,22 +29,30 @@ try {
   panel.showMessage('This page needs WebGL 2, which this browser does not offer.');
   throw error;
 }
-const app = new App(viewer, panel, state);
+const app = new App(viewer, panel, state, link);
 panel.connect(app);
 
 let saved = location.hash;
+const address = new Address((hash) => {
+  saved = hash;
+  history.replaceState(null, '', hash);
+});
 function saveState() {
   if (!app.mesh) return;
   state.view = viewer.getView();
-  saved = toHash(state);
-  history.replaceState(null, '', saved);
+  address.set(toHash(state));
 }
 app.onState = saveState;
+window.addEventListener('pagehide', () => address.flush());
 
 async function start() {
   if (!state.sample) {
     panel.invite(state.file);
     return;
+  }
+  if (!samples.some(({ name }) => name === state.sample)) {
+    link.add(`There is no sample of the name “${state.sample}”.`);
+    state.sample = samples[0].name;
   }
   await app.openSample(state.sample, state.faces, true);
 }
@@ -52,11 +64,12 @@ window.addEventListener('hashchange', () => {
 
 element('copy-link').addEventListener('click', async () => {
   saveState();
+  address.flush();
   try {
     await navigator.clipboard.writeText(location.href);
-    panel.showMessage('The link is in the clipboard.', true);
+    panel.showMessage('The link is in the clipboard.', { isPlain: true });
   } catch {
-    panel.showMessage('The link is in the address bar of the browser.', true);
+    panel.showMessage('The link is in the address bar of the browser.', { isPlain: true });
   }
 });
 

@@ -88,6 +88,7 @@ export class Panel {
     });
     element('cancel').addEventListener('click', () => app.cancel());
     element('message-close').addEventListener('click', () => this.hideMessage());
+    element('message-retry').addEventListener('click', () => this.onRetry());
     element('panel-toggle').addEventListener('click', () => this.toggle());
     element('help-button').addEventListener('click', () => element('help').showModal());
     this.connectExport(app);
@@ -310,13 +311,15 @@ export class Panel {
     element('busy-share').hidden = false;
   }
 
-  // what is plain goes by itself
-  showMessage(text, isPlain = false) {
+  // What is plain goes by itself, when it has been read. `onRetry` does again what has failed.
+  showMessage(text, { isPlain = false, onRetry = null } = {}) {
     element('message-text').textContent = text;
+    element('message-retry').hidden = !onRetry;
+    this.onRetry = onRetry;
     element('message').classList.toggle('is-plain', isPlain);
     element('message').hidden = false;
     clearTimeout(this.messageTimer);
-    if (isPlain) this.messageTimer = setTimeout(() => this.hideMessage(), 5000);
+    if (isPlain) this.messageTimer = setTimeout(() => this.hideMessage(), Math.max(5000, 80 * text.length));
   }
 
   hideMessage() {

@@ -63,6 +63,57 @@ export const tests = {
     assert.doesNotMatch(await page.evaluate(() => location.hash), /strength/);
   },
 
+  async 'a bad link falls back, and says so'(d) {
+    const { page } = d;
+    const cases = [
+      ['sample=torus&faces=5000&show=toString', /“show” is not understood/, 1],
+      ['sample=torus&faces=5000&source=0,0,0,0&cut=maybe', /“source”, “cut” are not understood/, 1],
+      ['sample=torus&faces=5000&border=only', /cannot be shown[^]*opens/, 1],
+      ['sample=capsule&faces=5000&border=also&method=polyhedral', /cannot be shown[^]*opens/, 0],
+      ['sample=torus&faces=5000&source=99999999,1,0,0', /not on this surface/, 1],
+      ['sample=teapot&faces=5000', /no sample of the name “teapot”/, 1],
+    ];
+    for (const [link, words, genus] of cases) {
+      await d.open(`#${link}`);
+      assert.equal((await d.result()).genus, genus, link);
+      assert.match(await page.innerText('#message-text'), words, link);
+      await d.noMessage(); // it is no error
+      // and all goes on
+      await d.click(...await d.placeOnSurface());
+      await d.noMessage();
+      assert.ok(await d.app(({ app }) => app.isSolved), link);
+    }
+    assert.match(await page.evaluate(() => new Promise((resolve) => { setTimeout(() => resolve(location.hash), 400); })), /sample=torus/);
+  },
+
+  async 'the address takes few changes while a slider moves, and has the last one'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000');
+    const changes = await page.evaluate(async () => {
+      const replace = history.replaceState;
+      let n = 0;
+      history.replaceState = function counted(...given) {
+        ++n;
+        // as Safari does
+        if (n > 20) throw new DOMException('too many calls', 'SecurityError');
+        return replace.apply(this, given);
+      };
+      const slider = document.getElementById('width-number');
+      for (let i = 0; i < 120; ++i) {
+        slider.value = 1 + i / 100;
+        slider.dispatchEvent(new Event('input'));
+        slider.dispatchEvent(new Event('change'));
+        await new Promise((resolve) => { setTimeout(resolve, 20); });
+      }
+      await new Promise((resolve) => { setTimeout(resolve, 1000); });
+      delete history.replaceState;
+      return n;
+    });
+    assert.ok(changes > 1 && changes < 20, `${changes} changes`);
+    assert.match(await page.evaluate(() => location.hash), /width=2.19/);
+    await d.noMessage();
+  },
+
   async 'a link to a file explains itself until the file is opened'(d) {
     const { page } = d;
     await page.goto('about:blank');
