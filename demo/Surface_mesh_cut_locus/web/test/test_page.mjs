@@ -17,6 +17,7 @@ import * as links from './cases/links.mjs';
 import * as look from './cases/look.mjs';
 import * as meshes from './cases/meshes.mjs';
 import * as results from './cases/results.mjs';
+import * as touch from './cases/touch.mjs';
 import * as trouble from './cases/trouble.mjs';
 import * as work from './cases/work.mjs';
 
@@ -38,7 +39,7 @@ const driver = new Driver({ page, address, scratch, pictureFolder: options.pictu
 const facts = { pageFolder, meshFolder: options.meshes, pageErrors, requests, address };
 if (options.pictures) await mkdir(options.pictures, { recursive: true });
 let failures = 0;
-for (const { tests } of [results, work, look, exporting, links, files, trouble, layout, accessibility, meshes, hosting])
+for (const { tests } of [results, work, touch, look, exporting, links, files, trouble, layout, accessibility, meshes, hosting])
   for (const [name, test] of Object.entries(tests)) {
     if (!name.match(options.only || '')) continue;
     const start = performance.now();
