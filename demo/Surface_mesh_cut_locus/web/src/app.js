@@ -1,7 +1,7 @@
 // What the page does: it loads a mesh, solves for its sources, follows the sliders and cuts the surface open. It knows
 // the engine, the viewer and the panel, which do not know each other.
 import { Appearance } from './appearance.js';
-import { cellColor } from './color_maps.js';
+import { CellColors, colorsOf } from './cell_colors.js';
 import { Cancelled, Engine } from './engine.js';
 import { exportAs } from './exports.js';
 import { Follower } from './follow.js';
@@ -43,6 +43,7 @@ export class App {
     this.history = new History();
     this.readout = new Readout();
     this.appearance = new Appearance(this);
+    this.cellColors = new CellColors(this);
     this.sheet = new Sheet(this);
     this.follower = new Follower(this);
     this.pathTool = new PathTool(this);
@@ -183,6 +184,7 @@ export class App {
     this.mesh.edgeLength = numbers[3] * meanEdgeLength(positions, triangles);
     this.mesh.up = this.state.sample ? 'z' : guessUp(positions, triangles);
     this.sheet.forget();
+    this.cellColors.step = null;
     this.curves = {};
     this.viewer.setMesh(positions, triangles);
     this.readout.setMesh(positions, triangles);
@@ -314,7 +316,7 @@ export class App {
       this.viewer.setDistance(result.distance);
       const radius = result.numbers[5] * this.mesh.numbers[3]; // from that of the unit ball
       this.viewer.setUniforms({ showDisk: show.disk && Number.isFinite(radius), radius });
-      if (look.color === 'cells' && sources.length > 1) this.viewer.setCells(Array.from(result.nearestSource, cellColor));
+      if (look.color === 'cells' && sources.length > 1) this.viewer.setCells(colorsOf(result.nearestSource));
     }
     this.viewer.showPreview(result.segments, points, show.hidden);
     this.panel.setPreview(this.preview.faces);
@@ -329,7 +331,8 @@ export class App {
     this.viewer.setSources(this.source.points.map((point) => this.toView(point)));
     this.viewer.setMarker(this.viewer.farthestMarker, this.toView(this.source.farthest));
     this.viewer.setSourceLines(borderSegments);
-    this.viewer.setCells(total > 1 ? Array.from(nearestSource, cellColor) : null);
+    this.cellColors.forget();
+    this.viewer.setCells(total > 1 ? colorsOf(nearestSource) : null);
   }
 
   toView(p) {
@@ -432,6 +435,7 @@ export class App {
         this.report();
       } while (this.wantsUpdate);
       this.sheet.cutAtRest();
+      this.cellColors.showAtRest();
     } catch (error) {
       if (!(error instanceof Cancelled)) this.panel.showMessage(explain(error));
     } finally {

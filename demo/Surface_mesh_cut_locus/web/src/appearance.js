@@ -30,7 +30,7 @@ export class Appearance {
     this.apply(name);
     if (name === 'color') {
       this.updateSurface();
-      if (value === 'laplacian') await this.app.attempt('Computing…', () => this.showFields());
+      if (value === 'laplacian' || value === 'cells') await this.app.attempt('Computing…', () => this.showFields());
     }
     if (name === 'up') this.look('best');
     this.app.report();
@@ -105,6 +105,7 @@ export class Appearance {
       this.gradient = await this.app.engine.run('gradient');
       this.app.viewer.setArrows(this.gradient, 0.035);
     }
+    await this.app.cellColors.show();
     this.updateSurface();
   }
 

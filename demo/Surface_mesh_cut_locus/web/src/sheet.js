@@ -1,6 +1,7 @@
 // The surface cut open and flattened, which follows the thresholds and the source.
 import { curveNames } from './arrays.js';
 import { seamsOf } from './atlas.js';
+import { colorsOfSheets } from './cell_colors.js';
 import { Cancelled } from './engine.js';
 import { sheetsOf } from './sheets.js';
 import { describeAtlas } from './words.js';
@@ -19,6 +20,7 @@ export class Sheet {
     let hasChanged = true;
     if (this.atlas) {
       this.drop();
+      hasChanged = await this.app.attempt('Computing…', () => this.app.appearance.showFields());
     } else {
       this.app.state.isCut = true;
       hasChanged = await this.app.attempt('Cutting the surface open…', () => (this.app.isSolved ? this.cut() : this.app.solveNow()));
@@ -62,7 +64,9 @@ export class Sheet {
     }
     this.atlas = atlas;
     const isNew = !this.app.viewer.hasAtlas;
-    this.app.viewer.showCut({ ...atlas, ...seamsOf(atlas, this.app.mesh.positions) });
+    this.app.cellColors.step = null;
+    const colors = this.app.source.total > 1 ? colorsOfSheets(atlas.sheets, atlas.uv.length / 2) : null;
+    this.app.viewer.showCut({ ...atlas, ...seamsOf(atlas, this.app.mesh.positions), colors });
     this.app.panel.setCut(true, this.quality(atlas));
     if (isNew) this.app.viewer.fitPlane(); // beside what is told about it
     this.app.times.cut = performance.now() - begin;

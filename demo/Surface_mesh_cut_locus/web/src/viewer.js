@@ -433,6 +433,7 @@ export class Viewer {
     this.distance = null;
     this.laplacian = null;
     this.cells = null;
+    this.exactCells = null;
     this.wireframe.geometry.dispose();
     this.wireframe.geometry = new THREE.BufferGeometry();
     this.showUncut();
@@ -453,7 +454,7 @@ export class Viewer {
     this.atlas.setGeometry(geometry);
     this.setDistance(this.distance);
     this.setLaplacian(this.laplacian);
-    this.setCells(this.cells);
+    this.paintCells();
     this.model.layer.hasOcclusion = false;
   }
 
@@ -464,10 +465,29 @@ export class Viewer {
     geometry.setAttribute('position', this.pickable.geometry.getAttribute('position'));
     geometry.setAttribute('normal', this.pickable.geometry.getAttribute('normal'));
     this.cut = null;
+    this.exactCells = null;
     this.setHasAtlas(false);
     this.setSurfaceGeometry(geometry);
     this.seams.set(new Float32Array(0));
     this.invalidate();
+  }
+
+  // The surface divided into cells, where the curve between them runs; `colors` are those of its vertices.
+  showCells({ triangles, colors, ...cut }) {
+    this.cut = cut;
+    this.exactCells = colors;
+    this.setSurfaceGeometry(this.dividedGeometry(cut, triangles));
+    this.invalidate();
+  }
+
+  dividedGeometry(cut, triangles) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
+    for (const name of ['position', 'normal']) {
+      const values = valuesAt(cut, this.pickable.geometry.getAttribute(name).array, 3);
+      geometry.setAttribute(name, new THREE.BufferAttribute(values, 3));
+    }
+    return geometry;
   }
 
   setHasAtlas(hasAtlas) {
@@ -480,13 +500,9 @@ export class Viewer {
 
   // The surface cut open, as in `atlas.js`: vertex i has the texture coordinates uv[2 i], uv[2 i + 1]; face i is a part of
   // faces[i] of the mesh.
-  showCut({ triangles, faces, uv, seams, atlasSeams, sheets, ...cut }) {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
-    for (const name of ['position', 'normal']) {
-      const values = valuesAt(cut, this.pickable.geometry.getAttribute(name).array, 3);
-      geometry.setAttribute(name, new THREE.BufferAttribute(values, 3));
-    }
+  // `colors` are those of its vertices by their cells, or null.
+  showCut({ triangles, faces, uv, seams, atlasSeams, sheets, colors, ...cut }) {
+    const geometry = this.dividedGeometry(cut, triangles);
     geometry.setAttribute('uv', new THREE.BufferAttribute(uv, 2));
     const flat = new Float32Array(1.5 * uv.length);
     for (let i = 0; i < uv.length / 2; ++i) flat.set([uv[2 * i], uv[2 * i + 1]], 3 * i);
@@ -497,6 +513,7 @@ export class Viewer {
     this.cut = cut;
     this.cutTriangles = triangles;
     this.cutFaces = faces;
+    this.exactCells = colors;
     this.setHasAtlas(true);
     this.setSurfaceGeometry(geometry);
     this.seams.set(seams);
@@ -541,18 +558,22 @@ export class Viewer {
     this.setAttribute('distanceLaplacian', values);
   }
 
-  // the colour of each vertex of the mesh, or null
+  // the colours of the vertices of the mesh, three numbers each, or null
   setCells(colors) {
     this.cells = colors;
+    this.exactCells = null;
+    this.paintCells();
+  }
+
+  paintCells() {
     const { geometry } = this.surface.opaque;
-    if (!colors) {
+    const { cells, exactCells } = this;
+    if (!cells) {
       geometry.deleteAttribute('cellColor');
       return;
     }
-    const attribute = new Float32Array(3 * colors.length);
-    colors.forEach((color, i) => attribute.set(color, 3 * i));
     this.attributeFor('cellColor', geometry.getAttribute('position').count, 3)
-      .set(this.cut ? valuesAt(this.cut, attribute, 3) : attribute);
+      .set(exactCells || (this.cut ? valuesAt(this.cut, cells, 3) : cells));
     this.invalidateValues();
   }
 

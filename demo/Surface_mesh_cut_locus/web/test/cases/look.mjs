@@ -219,6 +219,57 @@ export const tests = {
     await page.selectOption('#look-color', 'plain');
   },
 
+  async 'cells have their colours exactly along the curve, on the surface and on the sheets'(d) {
+    for (const cut of ['', '&cut=1']) {
+      await d.open(`#sample=torus&faces=600&color=cells&show=-isolines,-hidden,-values,-checker&source=10,0.3,0.3,0.4,300,0.2,0.3,0.5${cut}`);
+      // by distances to each of the sources, where they differ by more than what a face makes of them
+      const places = await d.app(async ({ app, viewer }) => {
+        const { sources } = app.state;
+        const distances = [];
+        for (const source of sources) {
+          const { solver, method, parameters } = app.state;
+          distances.push((await app.engine.run('solve', { solver, method, sources: [source], border: false, parameters, curves: [1] })).distance);
+        }
+        viewer.draw();
+        const found = { pure: [[], []], mixed: [[], []] };
+        const { width, height } = viewer.boxOf(viewer.model);
+        for (let x = 4; x < width; x += 4)
+          for (let y = 4; y < height; y += 4) {
+            const hit = viewer.pointer.onModel(x, y);
+            if (!hit) continue;
+            const corners = [0, 1, 2].map((k) => viewer.triangles[3 * hit.face + k]);
+            const [a, b] = distances.map((values) => hit.coordinates.reduce((sum, c, k) => sum + c * values[corners[k]], 0));
+            if (Math.abs(a - b) < 0.3 * app.mesh.edgeLength) continue;
+            const isMixed = new Set(corners.map((v) => app.source.nearest[v])).size > 1;
+            found[isMixed ? 'mixed' : 'pure'][a < b ? 0 : 1].push([x, y]);
+          }
+        return found;
+      });
+      const hue = ([r, g, b]) => (b - r) / (r + g + b);
+      const hues = [];
+      for (const list of places.pure) {
+        assert.ok(list.length > 50);
+        hues.push((await colorsAt(d, list)).map(hue).sort((a, b) => a - b)[list.length >> 1]);
+      }
+      const colors = await Promise.all(places.mixed.map((list) => colorsAt(d, list)));
+      const total = places.mixed.flat().length;
+      assert.ok(total > 60, `${total} pixels`);
+      // markers and lines lie above a few
+      const right = colors.map((list, i) => list.filter((color) => Math.abs(hue(color) - hues[i]) < 0.12 * Math.abs(hues[1] - hues[0])).length);
+      assert.ok((right[0] + right[1]) / total > 0.85, `${cut}: ${right} of ${places.mixed.map((list) => list.length)}`);
+      await d.picture(`cells${cut ? '_cut' : ''}.png`);
+    }
+    // a threshold moves the curve, and the colours with it; closed again, the surface is divided again
+    await d.page.click('#cut');
+    await d.settle();
+    const step = () => d.app(({ app }) => app.cellColors.step);
+    const before = await step();
+    assert.ok(before);
+    await d.setWidth('1');
+    await d.page.waitForFunction((old) => window.cutLocusPage.app.cellColors.step !== old, before);
+    await d.noMessage();
+  },
+
   async 'light and dark'(d) {
     await d.open('#sample=torus&faces=5000');
     const back = async () => (await colorsAt(d, [[20, 300]]))[0];
