@@ -23,6 +23,7 @@ try {
       end: () => app.follower.end(),
     },
     onChange: () => saveState(),
+    onLost: (isLost) => panel.setLost(isLost),
     overlays: ['tools', 'result', 'legend', 'cut-info'].map(element),
   });
 } catch (error) {

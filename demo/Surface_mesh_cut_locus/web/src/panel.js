@@ -322,6 +322,14 @@ export class Panel {
     if (isPlain) this.messageTimer = setTimeout(() => this.hideMessage(), Math.max(5000, 80 * text.length));
   }
 
+  // whether there is no graphics card to draw with
+  setLost(isLost) {
+    if (isLost)
+      this.showMessage('The graphics card does not draw any more. The picture comes back with it, or when the page is loaded again.',
+        { onRetry: () => location.reload() });
+    else this.hideMessage();
+  }
+
   hideMessage() {
     element('message').hidden = true;
   }

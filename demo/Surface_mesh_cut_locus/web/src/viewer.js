@@ -20,7 +20,7 @@ const coarseness = 1 / 2; // of the pixels along each axis, where drawing takes 
 const modelRadius = 1.02; // the mesh fills the unit ball
 
 export class Viewer {
-  constructor(canvas, views, { onPick, onHover, onFollow, onChange, overlays = [] }) {
+  constructor(canvas, views, { onPick, onHover, onFollow, onChange, onLost, overlays = [] }) {
     this.canvas = canvas;
     this.onChange = onChange;
     this.placement = new Placement(this, overlays);
@@ -81,9 +81,24 @@ export class Viewer {
 
     this.makeControls();
     this.pointer = new Pointer(this, { onPick, onHover, onFollow });
+    this.watchContext(onLost);
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.resize();
     this.resetView();
+  }
+
+  // The graphics card may be taken away, as by another program or when a notebook sleeps. When it comes back, three.js has
+  // everything that it draws sent there again; pictures that were kept are gone.
+  watchContext(onLost) {
+    this.canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault(); // it may come back
+      onLost(true);
+    });
+    this.canvas.addEventListener('webglcontextrestored', () => {
+      for (const pane of [this.model, this.plane]) pane.layer.renew();
+      this.invalidate();
+      onLost(false);
+    });
   }
 
   makePane(element, camera) {

@@ -15,6 +15,19 @@ async function solvesAgain(d) {
   assert.ok(!await d.page.locator('#message').isVisible());
 }
 
+// of two pictures, those that differ by more than a shade
+const differingPixels = (d, ...pictures) => d.page.evaluate(async (list) => {
+  const [a, b] = await Promise.all(list.map(async (bytes) => {
+    const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))]));
+    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+    context.drawImage(bitmap, 0, 0);
+    return context.getImageData(0, 0, bitmap.width, bitmap.height).data;
+  }));
+  let count = 0;
+  for (let i = 0; i < a.length; i += 4) count += [0, 1, 2].some((k) => Math.abs(a[i + k] - b[i + k]) > 12);
+  return count;
+}, pictures.map((picture) => picture.toString('base64')));
+
 export const tests = {
   async 'a worker, or a module, that cannot be loaded is told, and tried again'(d) {
     const { page } = d;
@@ -30,6 +43,30 @@ export const tests = {
       await page.click('#message-retry');
       await solvesAgain(d);
     }
+  },
+
+  async 'a graphics card that is lost is told, and what it has drawn comes back with it'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000&color=distance&occlusion=true&wireframe=true&source=10,0.3,0.3,0.4,2000,0.2,0.3,0.5&cut=1');
+    await page.waitForTimeout(500); // the shadows of hollows come when the view rests
+    const before = await d.picture('context_before.png');
+    await d.app(({ viewer }) => {
+      window.lostContext = viewer.renderer.getContext().getExtension('WEBGL_lose_context');
+      window.lostContext.loseContext();
+    });
+    await page.waitForSelector('#message:not([hidden])');
+    assert.match(await page.innerText('#message-text'), /does not draw/);
+    await page.mouse.move(500, 300); // nothing throws meanwhile
+    await d.app(({ viewer }) => viewer.draw());
+    await d.app(() => window.lostContext.restoreContext());
+    await page.waitForSelector('#message', { state: 'hidden' });
+    await page.mouse.move(2, 2);
+    const different = await differingPixels(d, before, await d.picture('context_after.png'));
+    assert.ok(different < 100, `${different} pixels are other ones`); // the shadows of hollows have noise
+    // and it goes on: the view that shows most of the curve is looked for with the card, too
+    await page.selectOption('#view', 'best');
+    await d.click(...await d.placeOnSurface());
+    await d.noMessage();
   },
 
   async 'after a crash of the worker the next click has a result'(d) {
