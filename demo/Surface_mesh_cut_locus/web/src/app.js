@@ -7,7 +7,7 @@ import { exportAs } from './exports.js';
 import { Follower } from './follow.js';
 import { History } from './history.js';
 import { legendItems } from './legend_items.js';
-import { explain, objectionTo } from './messages.js';
+import { explain, extensionOf, objectionTo } from './messages.js';
 import { PathTool } from './path_tool.js';
 import { Preview } from './preview.js';
 import { describeValues, Readout } from './readout.js';
@@ -108,8 +108,7 @@ export class App {
       this.panel.showMessage(`“${file.name}” cannot be read.`);
       return false;
     }
-    const extension = file.name.split('.').pop().toLowerCase();
-    return this.open({ bytes, extension }, { sample: null, file: file.name }, fileStart, keepsSource);
+    return this.open({ bytes, extension: extensionOf(file.name) }, { sample: null, file: file.name }, fileStart, keepsSource);
   }
 
   async open(recipe, names, start, keepsSource) {
@@ -182,7 +181,7 @@ export class App {
     this.history.clear();
     this.preview.forget();
     this.mesh.edgeLength = numbers[3] * meanEdgeLength(positions, triangles);
-    this.mesh.up = this.state.sample ? 'z' : guessUp(positions, triangles);
+    this.mesh.up = this.state.sample ? 'z' : guessUp(positions, triangles, extensionOf(this.state.file));
     this.sheet.forget();
     this.cellColors.step = null;
     this.curves = {};

@@ -49,9 +49,11 @@ export function explain({ message, cause }) {
 export const extensions = ['off', 'obj', 'ply', 'stl', 'ts', 'vtp'];
 export const largestFile = 500e6;
 
+export const extensionOf = (name) => name.split('.').pop().toLowerCase();
+
 // What can be told before a file is read, or null.
 export function objectionTo(file) {
-  const extension = file.name.split('.').pop().toLowerCase();
+  const extension = extensionOf(file.name);
   if (!extensions.includes(extension))
     return `“${file.name}” cannot be opened: its name must end in .off, .obj, .ply, .stl, .ts or .vtp.`;
   if (file.size === 0) return `“${file.name}” is empty.`;
