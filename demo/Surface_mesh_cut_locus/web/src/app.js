@@ -15,6 +15,7 @@ import { farthestFace, fileStart, samples, startCoordinates } from './samples.js
 import { Sheet } from './sheet.js';
 import { defaultState, rounded } from './state.js';
 import { guessUp } from './up_axis.js';
+import { Wave } from './wave.js';
 
 const stageTexts = {
   preprocessing: 'Preparing the mesh…',
@@ -48,6 +49,7 @@ export class App {
     this.follower = new Follower(this);
     this.pathTool = new PathTool(this);
     this.preview = new Preview(this);
+    this.wave = new Wave((share, isPlaying) => this.showWave(share, isPlaying));
     this.mesh = null;
     this.curves = {};
     this.isSolved = false; // the worker has the solver and the sources of the state
@@ -305,6 +307,7 @@ export class App {
 
   // Distances are wanted only where they are shown, and when the surface is going to be drawn again.
   async drawPreview(sources) {
+    this.wave.end();
     const { show, look } = this.state;
     const isShown = show.isolines || show.disk || ['distance', 'cells'].includes(look.color);
     const result = await this.preview.compute(sources, isShown && this.viewer.isSurfaceDue);
@@ -321,12 +324,19 @@ export class App {
     this.panel.setPreview(this.preview.faces);
   }
 
+  showWave(share, isPlaying) {
+    const front = share < 1 && this.source ? share * this.source.farthestDistance : null;
+    this.viewer.setFront(front);
+    this.panel.setWave(share, isPlaying, front);
+  }
+
   takeSources({ sourceNumbers, borderSegments, nearestSource }) {
     const [fx, fy, fz, farthestDistance, borderLoops, genus, angle, width, total, ...points] = sourceNumbers;
     const hasBorder = borderSegments.length > 0;
     this.source = { points: [], border: borderSegments, hasBorder, total, nearest: nearestSource, farthest: [fx, fy, fz], farthestDistance, borderLoops, genus };
     for (let i = 0; i < points.length; i += 3) this.source.points.push(points.slice(i, i + 3));
     this.defaults = { angle, width };
+    this.wave.end();
     this.viewer.setSources(this.source.points.map((point) => this.toView(point)));
     this.viewer.setMarker(this.viewer.farthestMarker, this.toView(this.source.farthest));
     this.viewer.setSourceLines(borderSegments);

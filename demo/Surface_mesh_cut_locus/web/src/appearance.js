@@ -59,7 +59,7 @@ export class Appearance {
       const isShown = show[name] && Boolean(curve);
       this.app.viewer[name].show(isShown, show.hidden);
       if (isShown)
-        this.app.viewer[name].set(curve.segments, show.width ? Array.from(curve[scale.quantity], scale.place) : null);
+        this.app.viewer[name].set(curve.segments, show.width ? Array.from(curve[scale.quantity], scale.place) : null, curve.distance);
     }
     this.updateSurface();
   }

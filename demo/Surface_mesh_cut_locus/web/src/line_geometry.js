@@ -51,6 +51,11 @@ export function lineGeometry(segments, colors = null, { hasRoom = false, hasEnds
   return geometry;
 }
 
+// Of the segments, only so many of the first ones are drawn.
+export function setShown(geometry, count) {
+  geometry.setDrawRange(0, geometry.userData.indicesOfSegment * count);
+}
+
 // Other segments, without colours, if there is room for them. Only these are sent to the graphics card.
 export function refill(geometry, segments) {
   const starts = geometry.getAttribute('instanceStart');

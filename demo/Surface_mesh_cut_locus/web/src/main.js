@@ -1,6 +1,7 @@
 // Starts the page: puts the parts together, and listens to the keyboard, to files that are dropped and to the address.
 import { Address } from './address.js';
 import { App } from './app.js';
+import { DragHint } from './drag_hint.js';
 import { Link } from './link.js';
 import { Panel } from './panel.js';
 import { samples } from './samples.js';
@@ -8,6 +9,7 @@ import { fromHash, toHash } from './state.js';
 import { Viewer } from './viewer.js';
 
 const element = (id) => document.getElementById(id);
+const isFirstScreen = location.hash.length < 2;
 const { state, ignored } = fromHash(location.hash);
 const link = new Link(ignored);
 const panel = new Panel();
@@ -24,7 +26,7 @@ try {
     },
     onChange: () => saveState(),
     onLost: (isLost) => panel.setLost(isLost),
-    overlays: ['tools', 'result', 'legend', 'cut-info'].map(element),
+    overlays: ['tools', 'intro', 'result', 'legend', 'cut-info'].map(element),
   });
 } catch (error) {
   panel.showMessage('This page needs WebGL 2, which this browser does not offer.');
@@ -56,6 +58,13 @@ async function start() {
     state.sample = samples[0].name;
   }
   await app.openSample(state.sample, state.faces, true);
+  if (isFirstScreen && app.isSolved) greet();
+}
+
+// Nobody has chosen anything yet: the wave says what there is to see, if things may move.
+function greet() {
+  new DragHint(viewer, element('drag-hint')).show();
+  if (!window.matchMedia('(prefers-reduced-motion: reduce)').matches) app.wave.play();
 }
 
 window.addEventListener('hashchange', () => {
@@ -94,6 +103,7 @@ const keys = {
   m: () => { if (state.solver === 'exact') app.setSolver('exact', panel.nextMethod(state)); },
   c: () => app.sheet.toggle(),
   p: () => app.export('picture', 'png', { ...viewer.size, hasLegend: true }),
+  w: () => app.wave.toggle(),
   '?': () => element('help').showModal(),
   '+': () => zoom(1 / 0.9),
   '=': () => zoom(1 / 0.9),

@@ -4,6 +4,7 @@ import { fillLegend } from './legend.js';
 import { samples, sampleSizes } from './samples.js';
 import { Slider, thresholds } from './sliders.js';
 import { methods } from './state.js';
+import { recall, remember } from './memory.js';
 import { count, doubts, milliseconds, number, numberRows, summary } from './words.js';
 
 const element = (id) => document.getElementById(id);
@@ -41,6 +42,7 @@ export class Panel {
       element('samples').append(button);
     }
     for (const [name, { label }] of Object.entries(kinds)) element('export-what').append(new Option(label, name));
+    element('intro').hidden = recall('intro') === 'read';
     element('panel').classList.add('is-folded'); // which shows on phones alone
     element('result-fold').open = window.matchMedia('(min-width: 1200px)').matches;
   }
@@ -90,6 +92,9 @@ export class Panel {
     element('message-close').addEventListener('click', () => this.hideMessage());
     element('message-retry').addEventListener('click', () => this.onRetry());
     element('panel-toggle').addEventListener('click', () => this.toggle());
+    element('wave-play').addEventListener('click', () => app.wave.toggle());
+    element('wave-front').addEventListener('input', ({ target }) => app.wave.moveTo(target.value / target.max));
+    element('intro-close').addEventListener('click', () => this.closeIntro());
     element('help-button').addEventListener('click', () => element('help').showModal());
     this.connectExport(app);
     this.setState(app.state);
@@ -153,6 +158,21 @@ export class Panel {
       else input.value = value;
     }
     this.setSample(state);
+  }
+
+  // `front` is the distance that the wave has come, or null if there is none.
+  setWave(share, isPlaying, front) {
+    const slider = element('wave-front');
+    slider.value = share * slider.max;
+    slider.setAttribute('aria-valuetext', front === null ? 'all of it' : `at distance ${number(front)}`);
+    element('wave-play').textContent = isPlaying ? '❚❚ Stop' : '▶ Wave';
+  }
+
+  // Who has read it does not see it again.
+  closeIntro() {
+    element('intro').hidden = true;
+    element('wave-play').focus();
+    remember('intro', 'read');
   }
 
   setHistory(history) {

@@ -36,6 +36,7 @@ export class Viewer {
     this.hasAxes = true;
     this.hasAtlas = false;
     this.isDirty = false;
+    this.onDraw = () => {};
 
     this.model = this.makePane(views.model, new THREE.PerspectiveCamera(viewAngle, 1, 0.01, 100));
     this.plane = this.makePane(views.atlas, new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10));
@@ -141,8 +142,8 @@ export class Viewer {
 
   setTheme(colors) {
     this.colors = colors;
-    this.surface.setUniforms({ plain: new THREE.Vector3(...colors.surface) });
-    this.atlas.setUniforms({ plain: new THREE.Vector3(...colors.surface) });
+    const wave = new THREE.Vector3(...new THREE.Color(colors.source).toArray());
+    for (const surface of [this.surface, this.atlas]) surface.setUniforms({ plain: new THREE.Vector3(...colors.surface), wave });
     this.faceCurve.setColors(colors.curve, colors.hidden, colors.casing);
     this.previewCurve.setColors(new THREE.Color(colors.curve).lerp(new THREE.Color(colors.back), previewFading), colors.hidden, colors.casing);
     this.edgeCurve.setColors(colors.edges, new THREE.Color(colors.edges).lerp(new THREE.Color(colors.back), 0.6), colors.casing);
@@ -227,6 +228,22 @@ export class Viewer {
       renderer.setViewport(0, 0, this.size.width, this.size.height);
       this.drawAxes();
     }
+    this.onDraw();
+  }
+
+  // where the middle of a marker is seen, from the upper left corner of the canvas, or null if it is not shown
+  pixelOf(marker) {
+    if (!marker || !marker.visible) return null;
+    const { left, bottom, width, height } = this.boxOf(this.model);
+    const seen = marker.position.clone().project(this.camera);
+    return [left + (seen.x + 1) / 2 * width, this.size.height - bottom - height + (1 - seen.y) / 2 * height];
+  }
+
+  // How far a wave from the sources has come, or null: what it has not reached is plain, and has no curve.
+  setFront(front) {
+    this.setUniforms({ front: front ?? -1 });
+    for (const curve of [this.faceCurve, this.edgeCurve]) curve.showUpTo(front);
+    this.invalidateCurves();
   }
 
   // in the lower right corner of the model's part

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 
 // the colours, in [0, 255], of the canvas at pixels of the page
-const colorsAt = (d, pixels) => d.app(({ viewer }, list) => {
+export const colorsAt = (d, pixels) => d.app(({ viewer }, list) => {
   viewer.draw();
   const gl = viewer.renderer.getContext();
   const ratio = viewer.renderer.getPixelRatio();
@@ -13,10 +13,10 @@ const colorsAt = (d, pixels) => d.app(({ viewer }, list) => {
   });
 }, pixels);
 
-const isReddish = ([r, g, b]) => r > g + 18 && r > b + 18;
+export const isReddish = ([r, g, b]) => r > g + 18 && r > b + 18;
 
 // Of points on the curve, those that are seen and those that are not, at their pixels.
-const curvePixels = (d) => d.app(({ app, viewer }) => {
+export const curvePixels = (d) => d.app(({ app, viewer }) => {
   const { segments } = app.curve;
   const { width, height } = viewer.size;
   const result = { seen: [], hidden: [] };

@@ -1,0 +1,31 @@
+// A word beside the source on the first screen: that it can be dragged. It goes with the first press.
+
+export class DragHint {
+  constructor(viewer, element) {
+    Object.assign(this, { viewer, element });
+  }
+
+  show() {
+    this.element.hidden = false;
+    this.viewer.onDraw = () => this.place();
+    window.addEventListener('pointerdown', () => this.hide(), { once: true, capture: true });
+    window.addEventListener('keydown', () => this.hide(), { once: true, capture: true });
+    this.place();
+  }
+
+  hide() {
+    this.element.hidden = true;
+    this.viewer.onDraw = () => {};
+  }
+
+  // beside the first source, on the side where there is more room
+  place() {
+    const at = this.viewer.pixelOf(this.viewer.sourceMarkers[0]);
+    if (!at) return;
+    const { width } = this.viewer.size;
+    const isLeft = at[0] > width / 2;
+    this.element.style.left = isLeft ? '' : `${at[0] + 14}px`;
+    this.element.style.right = isLeft ? `${width - at[0] + 14}px` : '';
+    this.element.style.top = `${at[1]}px`;
+  }
+}
