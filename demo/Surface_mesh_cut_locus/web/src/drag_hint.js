@@ -7,7 +7,8 @@ export class DragHint {
 
   show() {
     this.element.hidden = false;
-    this.viewer.onDraw = () => this.place();
+    this.follow = () => this.place();
+    this.viewer.afterDraw.add(this.follow);
     window.addEventListener('pointerdown', () => this.hide(), { once: true, capture: true });
     window.addEventListener('keydown', () => this.hide(), { once: true, capture: true });
     this.place();
@@ -15,13 +16,14 @@ export class DragHint {
 
   hide() {
     this.element.hidden = true;
-    this.viewer.onDraw = () => {};
+    this.viewer.afterDraw.delete(this.follow);
   }
 
   // beside the first source, on the side where there is more room
   place() {
-    const at = this.viewer.pixelOf(this.viewer.sourceMarkers[0]);
-    if (!at) return;
+    const [marker] = this.viewer.sourceMarkers;
+    if (!marker || !marker.visible) return;
+    const at = this.viewer.pixelAt(marker.position);
     const { width } = this.viewer.size;
     const isLeft = at[0] > width / 2;
     this.element.style.left = isLeft ? '' : `${at[0] + 14}px`;

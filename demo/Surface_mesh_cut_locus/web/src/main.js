@@ -1,7 +1,9 @@
 // Starts the page: puts the parts together, and listens to the keyboard, to files that are dropped and to the address.
 import { Address } from './address.js';
 import { App } from './app.js';
+import { Crosshair } from './crosshair.js';
 import { DragHint } from './drag_hint.js';
+import { listenToKeys } from './keyboard.js';
 import { Link } from './link.js';
 import { Panel } from './panel.js';
 import { samples } from './samples.js';
@@ -83,68 +85,8 @@ element('copy-link').addEventListener('click', async () => {
   }
 });
 
-const pickCenter = (mode) => {
-  const place = viewer.pointer.atCenter();
-  if (place) app.pick(place, mode);
-};
-
-const turn = Math.PI / 24;
-const part = 0.1; // of half of the sheet
-const zoom = (factor) => (isOnSheet() ? viewer.movePlane(0, 0, factor) : viewer.zoom(1 / factor));
-const isOnSheet = () => document.activeElement === element('atlas-view');
-const keys = {
-  o: () => element('open').click(),
-  s: () => pickCenter('source'),
-  a: () => pickCenter('add'),
-  t: () => pickCenter('path'),
-  f: () => app.appearance.fit(),
-  r: () => app.appearance.fit(),
-  v: () => app.appearance.look('best'),
-  m: () => { if (state.solver === 'exact') app.setSolver('exact', panel.nextMethod(state)); },
-  c: () => app.sheet.toggle(),
-  p: () => app.export('picture', 'png', { ...viewer.size, hasLegend: true }),
-  w: () => app.wave.toggle(),
-  '?': () => element('help').showModal(),
-  '+': () => zoom(1 / 0.9),
-  '=': () => zoom(1 / 0.9),
-  '-': () => zoom(0.9),
-  Escape: () => { app.cancel(); panel.hideMessage(); },
-};
-const move = (right, up) => (isOnSheet() ? viewer.movePlane(part * right, part * up) : viewer.orbit(turn * right, -turn * up));
-const viewKeys = {
-  ArrowLeft: () => move(-1, 0),
-  ArrowRight: () => move(1, 0),
-  ArrowUp: () => move(0, 1),
-  ArrowDown: () => move(0, -1),
-};
-
-function takeBack(event) {
-  const key = event.key.toLowerCase();
-  if (!(event.ctrlKey || event.metaKey) || event.altKey || (key !== 'z' && key !== 'y')) return false;
-  if (key === 'y' || event.shiftKey) app.redo();
-  else app.undo();
-  event.preventDefault();
-  return true;
-}
-
-window.addEventListener('keydown', (event) => {
-  if (element('help').open) return;
-  const isTyping = event.target.matches('input[type=number], input[type=range], select');
-  if (!event.target.matches('input[type=number]') && takeBack(event)) return;
-  if (event.ctrlKey || event.metaKey || event.altKey) return;
-  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-  if (isTyping && key !== 'Escape') return;
-  if (key === 'd') viewer.pointer.startFollowing();
-  else if (/^[1-4]$/.test(key)) element('samples').children[Number(key) - 1].click();
-  else if (keys[key]) keys[key]();
-  else if (viewKeys[key] && !event.target.matches('button, input, summary')) viewKeys[key]();
-  else return;
-  event.preventDefault();
-});
-
-// what is held is let go
-window.addEventListener('keyup', (event) => { if (event.key.toLowerCase() === 'd') viewer.pointer.endFollowing(); });
-window.addEventListener('blur', () => viewer.pointer.endFollowing());
+const crosshair = new Crosshair(viewer, element('crosshair'), element('crosshair-target'));
+listenToKeys({ app, viewer, panel, crosshair });
 
 const stage = document.body;
 let depth = 0; // of the elements entered while a file is dragged

@@ -5,6 +5,7 @@ import { coordinatesInFace } from './atlas.js';
 import { Press } from './press.js';
 
 const restMilliseconds = 50;
+const ringPixels = 6; // apart, where the nearest point of the surface is looked for
 const grabPixels = { mouse: 10, pen: 14, touch: 22 }; // a source that is as near is pressed
 
 export class Pointer {
@@ -184,8 +185,22 @@ export class Pointer {
     return this.onModel((seen.x + 1) / 2 * width, (1 - seen.y) / 2 * height);
   }
 
-  atCenter() {
+  // The point of the surface that is seen nearest to a pixel of the model's part, or null if nothing is seen: around it
+  // in rings, of which the first one that has any decides.
+  nearestSeen(x, y) {
+    const found = this.onModel(x, y);
+    if (found) return found;
     const { width, height } = this.viewer.boxOf(this.viewer.model);
-    return this.onModel(width / 2, height / 2);
+    const isInside = (u, v) => u >= 0 && v >= 0 && u <= width && v <= height;
+    for (let radius = ringPixels; radius < Math.hypot(width, height); radius += ringPixels) {
+      const count = Math.ceil(2 * Math.PI * radius / ringPixels);
+      for (let i = 0; i < count; ++i) {
+        const angle = 2 * Math.PI * i / count;
+        const [u, v] = [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
+        const hit = isInside(u, v) && this.onModel(u, v);
+        if (hit) return hit;
+      }
+    }
+    return null;
   }
 }

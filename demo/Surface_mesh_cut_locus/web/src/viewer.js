@@ -36,7 +36,7 @@ export class Viewer {
     this.hasAxes = true;
     this.hasAtlas = false;
     this.isDirty = false;
-    this.onDraw = () => {};
+    this.afterDraw = new Set(); // what lies above the picture, and moves with it
 
     this.model = this.makePane(views.model, new THREE.PerspectiveCamera(viewAngle, 1, 0.01, 100));
     this.plane = this.makePane(views.atlas, new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10));
@@ -228,14 +228,15 @@ export class Viewer {
       renderer.setViewport(0, 0, this.size.width, this.size.height);
       this.drawAxes();
     }
-    this.onDraw();
+    for (const action of this.afterDraw) action();
   }
 
-  // where the middle of a marker is seen, from the upper left corner of the canvas, or null if it is not shown
-  pixelOf(marker) {
-    if (!marker || !marker.visible) return null;
+  // where a point of the model's space is seen, from the upper left corner of the canvas
+  pixelAt(place) {
     const { left, bottom, width, height } = this.boxOf(this.model);
-    const seen = marker.position.clone().project(this.camera);
+    this.setAspect(this.model, width / height);
+    this.camera.updateMatrixWorld();
+    const seen = new THREE.Vector3(...place).project(this.camera);
     return [left + (seen.x + 1) / 2 * width, this.size.height - bottom - height + (1 - seen.y) / 2 * height];
   }
 

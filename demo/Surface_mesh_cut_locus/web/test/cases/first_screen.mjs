@@ -34,7 +34,7 @@ export const tests = {
     await d.picture('first_screen.png');
     // the hint is beside the source, and goes with the first press
     const hint = await page.locator('#drag-hint').boundingBox();
-    const [x, y] = await d.app(({ viewer }) => viewer.pixelOf(viewer.sourceMarkers[0]));
+    const [x, y] = await d.app(({ viewer }) => viewer.pixelAt(viewer.sourceMarkers[0].position));
     const stage = await page.locator('#stage').boundingBox();
     const off = Math.max(hint.x - stage.x - x, stage.x + x - hint.x - hint.width, 0);
     assert.ok(off < 30 && Math.abs(hint.y + hint.height / 2 - stage.y - y) < 4, `${hint.x}, ${hint.y}; the source is at ${x}, ${y}`);

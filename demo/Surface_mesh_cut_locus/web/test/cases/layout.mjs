@@ -129,6 +129,7 @@ export const tests = {
     assert.match(await d.page.innerText('#readout'), /from the source/);
     assert.match(await d.page.innerText('#legend'), /the shortest path/);
     await d.picture('phone_path.png');
+    await d.page.focus('#model-view');
     await d.page.keyboard.press('c');
     await d.page.waitForFunction(() => window.cutLocusPage.app.atlas);
     await d.settle();

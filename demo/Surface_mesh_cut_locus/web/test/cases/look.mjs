@@ -117,6 +117,7 @@ export const tests = {
       });
       assert.ok(outside < 1 && outside > 0.6, `${name}: up to ${outside}`);
     }
+    await d.page.focus('#model-view');
     for (let i = 0; i < 8; ++i) await d.page.keyboard.press('+');
     await d.page.click('#fit');
     assert.ok(Math.hypot(...await eye()) > 0.99);
