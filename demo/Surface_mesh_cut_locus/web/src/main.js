@@ -11,7 +11,7 @@ import { fromHash, toHash } from './state.js';
 import { Viewer } from './viewer.js';
 
 const element = (id) => document.getElementById(id);
-const isFirstScreen = location.hash.length < 2;
+const isFirstScreen = location.hash.replace(/^#(embed)?/, '') === '';
 const { state, ignored } = fromHash(location.hash);
 const link = new Link(ignored);
 const panel = new Panel();
@@ -36,6 +36,7 @@ try {
 }
 const app = new App(viewer, panel, state, link);
 panel.connect(app);
+panel.setEmbedded(state.isEmbedded);
 
 let saved = location.hash;
 const address = new Address((hash) => {
@@ -46,6 +47,7 @@ function saveState() {
   if (!app.mesh) return;
   state.view = viewer.getView();
   address.set(toHash(state));
+  panel.setLink(toHash({ ...state, isEmbedded: false }));
 }
 app.onState = saveState;
 window.addEventListener('pagehide', () => address.flush());
@@ -102,5 +104,5 @@ stage.addEventListener('drop', (event) => {
 });
 
 // for tests and for whoever looks at the page from the console
-window.cutLocusPage = { app, viewer, panel };
+window.cutLocusPage = { app, viewer, panel, address };
 start();

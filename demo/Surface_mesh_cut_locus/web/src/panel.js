@@ -92,6 +92,8 @@ export class Panel {
     element('message-close').addEventListener('click', () => this.hideMessage());
     element('message-retry').addEventListener('click', () => this.onRetry());
     element('panel-toggle').addEventListener('click', () => this.toggle());
+    element('panel-hide').addEventListener('click', () => this.setHidden(true));
+    element('panel-show').addEventListener('click', () => this.setHidden(false));
     element('wave-play').addEventListener('click', () => app.wave.toggle());
     element('wave-front').addEventListener('input', ({ target }) => app.wave.moveTo(target.value / target.max));
     element('intro-close').addEventListener('click', () => this.closeIntro());
@@ -191,6 +193,28 @@ export class Panel {
     const isFolded = element('panel').classList.toggle('is-folded');
     element('panel-toggle').textContent = isFolded ? 'More' : 'Less';
     element('panel-toggle').setAttribute('aria-expanded', !isFolded);
+  }
+
+  // The picture alone; the focus goes to what takes it back.
+  setHidden(isHidden) {
+    this.showReadout(null);
+    element('panel').hidden = isHidden;
+    element('panel-show').hidden = !isHidden;
+    element(isHidden ? 'panel-show' : 'panel-hide').focus();
+    this.app.viewer.resize();
+    this.app.appearance.fit();
+  }
+
+  // In a frame of another page there is the picture, with the wave, and a link to all the rest.
+  setEmbedded(isEmbedded) {
+    document.body.classList.toggle('is-embedded', isEmbedded);
+    element('embed-open').hidden = !isEmbedded;
+    element('intro').hidden ||= isEmbedded;
+    if (isEmbedded) element('tools').prepend(element('wave'));
+  }
+
+  setLink(hash) {
+    element('embed-open').href = hash;
   }
 
   setSample(state) {

@@ -83,7 +83,7 @@ export class Viewer {
     this.makeControls();
     this.pointer = new Pointer(this, { onPick, onHover, onFollow });
     this.watchContext(onLost);
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    new ResizeObserver(() => this.resize()).observe(canvas);
     this.resize();
     this.resetView();
   }
@@ -316,7 +316,7 @@ export class Viewer {
   }
 
   resize() {
-    const { clientWidth, clientHeight } = this.canvas.parentElement;
+    const { clientWidth, clientHeight } = this.canvas;
     this.size = { width: Math.max(clientWidth, 1), height: Math.max(clientHeight, 1) };
     this.isStacked = window.matchMedia('(max-width: 640px)').matches;
     this.renderer.setSize(this.size.width, this.size.height, false);

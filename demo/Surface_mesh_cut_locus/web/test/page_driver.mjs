@@ -134,10 +134,24 @@ export class Driver {
     }, n);
   }
 
-  async picture(name) {
+  // to be compared, and kept if pictures are wanted
+  async shot(name) {
     await this.page.waitForTimeout(500); // the shadows of hollows come when the view rests
     const file = this.pictureFolder ? { path: join(this.pictureFolder, name) } : {};
     return this.page.screenshot(file);
+  }
+
+  // for who looks at them
+  async picture(name) {
+    if (this.pictureFolder) await this.shot(name);
+  }
+
+  // the link, with what has changed just now
+  hash() {
+    return this.app(({ address }) => {
+      address.flush();
+      return location.hash;
+    });
   }
 
   async resize(width = usualSize[0], height = usualSize[1]) {

@@ -19,7 +19,7 @@ export const tests = {
     await d.idle();
     const before = await d.result();
     const view = await d.view();
-    const hash = await page.evaluate(() => location.hash);
+    const hash = await d.hash();
     await d.open(hash);
     const after = await d.result();
     assert.equal(after.edges, before.edges);
@@ -29,7 +29,7 @@ export const tests = {
     assert.equal(await page.inputValue('#look-color'), 'distance');
     assert.equal(await page.inputValue('#look-transparency'), '0.3');
     (await d.view()).forEach((x, k) => assert.ok(Math.abs(x - view[k]) < 1e-3, `view ${view}`));
-    assert.equal(await page.evaluate(() => location.hash), hash);
+    assert.equal(await d.hash(), hash);
   },
 
   async 'a link restores several sources and the cut surface'(d) {
@@ -37,11 +37,11 @@ export const tests = {
     await d.open('#sample=torus&faces=5000&source=10,0.3,0.3,0.4,2000,0.2,0.3,0.5');
     const { sources, cycles } = await d.result();
     assert.deepEqual([sources, cycles], [2, 3]);
-    assert.match(await page.evaluate(() => location.hash), /source=10,0.3,0.3,0.4,2000,0.2,0.3,0.5/);
+    assert.match(await d.hash(), /source=10,0.3,0.3,0.4,2000,0.2,0.3,0.5/);
     await d.open('#sample=torus&faces=5000&source=10,0.3,0.3,0.4,2000,0.2,0.3,0.5&keep=voronoi&color=cells');
     assert.equal(await page.inputValue('#keep'), 'voronoi');
     assert.equal(await page.inputValue('#look-color'), 'cells');
-    assert.match(await page.evaluate(() => location.hash), /keep=voronoi/);
+    assert.match(await d.hash(), /keep=voronoi/);
     await d.open('#sample=capsule&faces=5000&cut=1');
     await page.waitForFunction(() => window.cutLocusPage.app.atlas);
   },
@@ -60,7 +60,7 @@ export const tests = {
     await d.noMessage();
     assert.ok(await page.isChecked('#width-auto'));
     assert.ok(await page.isChecked('#show-disk'));
-    assert.doesNotMatch(await page.evaluate(() => location.hash), /strength/);
+    assert.doesNotMatch(await d.hash(), /strength/);
   },
 
   async 'a bad link falls back, and says so'(d) {
@@ -83,7 +83,7 @@ export const tests = {
       await d.noMessage();
       assert.ok(await d.app(({ app }) => app.isSolved), link);
     }
-    assert.match(await page.evaluate(() => new Promise((resolve) => { setTimeout(() => resolve(location.hash), 400); })), /sample=torus/);
+    assert.match(await d.hash(), /sample=torus/);
   },
 
   async 'the address takes few changes while a slider moves, and has the last one'(d) {
@@ -110,7 +110,7 @@ export const tests = {
       return n;
     });
     assert.ok(changes > 1 && changes < 20, `${changes} changes`);
-    assert.match(await page.evaluate(() => location.hash), /width=2.19/);
+    assert.match(await d.hash(), /width=2.19/);
     await d.noMessage();
   },
 
@@ -122,7 +122,7 @@ export const tests = {
     assert.match(await page.innerText('#invitation'), /about the file “square.off”[^]*Open the file/);
     assert.ok(!await page.locator('#result').isVisible());
     await d.picture('link_to_file.png');
-    assert.match(await page.evaluate(() => location.hash), /file=square.off/);
+    assert.match(await d.hash(), /file=square.off/);
     assert.equal(await d.openFile('square.off', square), null);
     assert.ok(!await page.locator('#invitation').isVisible());
     assert.equal(await page.inputValue('#method'), 'polyhedral');

@@ -59,7 +59,7 @@ export const tests = {
     await d.page.fill('#look-transparency', '0.6');
     await d.page.waitForTimeout(200);
     assert.ok(await saturation() > before + 20);
-    assert.match(await d.app(() => location.hash), /transparency=0.6/);
+    assert.match(await d.hash(), /transparency=0.6/);
     await d.picture('transparent.png');
     await d.page.fill('#look-transparency', '0');
   },
@@ -154,19 +154,19 @@ export const tests = {
       ['#look-wireframe', /edges of the mesh/], ['#look-occlusion', null], ['#look-axes', null], ['#show-isolines', /equal distance, every/]];
     for (const [box, words] of layers) {
       const wasOn = await page.isChecked(box);
-      const before = await d.picture('layer.png');
+      const before = await d.shot('layer.png');
       await page.locator(box).click();
       await d.settle();
-      assert.ok(!before.equals(await d.picture('layer.png')), `${box} is not seen`);
+      assert.ok(!before.equals(await d.shot('layer.png')), `${box} is not seen`);
       if (wasOn) await page.locator(box).click();
       if (words) assert.match(await page.innerText('#legend'), words);
     }
     for (const [choice, value, words] of [['#look-color', 'distance', /distance:\s*0\s*[\d.]+/],
       ['#look-color', 'laplacian', /Laplacian:\s*−[\d.]+\s*[\d.]+/], ['#look-shading', 'flat', null]]) {
-      const before = await d.picture('layer.png');
+      const before = await d.shot('layer.png');
       await page.selectOption(choice, value);
       await d.settle();
-      assert.ok(!before.equals(await d.picture('layer.png')), `${value} is not seen`);
+      assert.ok(!before.equals(await d.shot('layer.png')), `${value} is not seen`);
       if (words) assert.match(await page.innerText('#legend'), words);
     }
     await d.picture('layers.png');

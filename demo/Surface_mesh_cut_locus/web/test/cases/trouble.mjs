@@ -49,7 +49,7 @@ export const tests = {
     const { page } = d;
     await d.open('#sample=torus&faces=5000&color=distance&occlusion=true&wireframe=true&source=10,0.3,0.3,0.4,2000,0.2,0.3,0.5&cut=1');
     await page.waitForTimeout(500); // the shadows of hollows come when the view rests
-    const before = await d.picture('context_before.png');
+    const before = await d.shot('context_before.png');
     await d.app(({ viewer }) => {
       window.lostContext = viewer.renderer.getContext().getExtension('WEBGL_lose_context');
       window.lostContext.loseContext();
@@ -61,7 +61,7 @@ export const tests = {
     await d.app(() => window.lostContext.restoreContext());
     await page.waitForSelector('#message', { state: 'hidden' });
     await page.mouse.move(2, 2);
-    const different = await differingPixels(d, before, await d.picture('context_after.png'));
+    const different = await differingPixels(d, before, await d.shot('context_after.png'));
     assert.ok(different < 100, `${different} pixels are other ones`); // the shadows of hollows have noise
     // and it goes on: the view that shows most of the curve is looked for with the card, too
     await page.selectOption('#view', 'best');
