@@ -6,6 +6,7 @@ import { Cancelled, Engine } from './engine.js';
 import { exportAs } from './exports.js';
 import { Follower } from './follow.js';
 import { History } from './history.js';
+import { KeptMeshes } from './kept_meshes.js';
 import { legendItems } from './legend_items.js';
 import { explain, extensionOf, objectionTo } from './messages.js';
 import { PathTool } from './path_tool.js';
@@ -42,6 +43,7 @@ export class App {
     this.link = link; // with what is to be said about it
     this.engine = new Engine((stage) => panel.setBusyText(stageTexts[stage]), (stage, share) => panel.setBusyShare(share));
     this.history = new History();
+    this.kept = new KeptMeshes();
     this.readout = new Readout();
     this.appearance = new Appearance(this);
     this.cellColors = new CellColors(this);
@@ -103,6 +105,7 @@ export class App {
       return false;
     }
     const keepsSource = this.state.file === file.name && !this.mesh; // a link that names this file
+    const command = ++this.commands;
     let bytes;
     try {
       bytes = await file.arrayBuffer();
@@ -110,7 +113,24 @@ export class App {
       this.panel.showMessage(`“${file.name}” cannot be read.`);
       return false;
     }
-    return this.open({ bytes, extension: extensionOf(file.name) }, { sample: null, file: file.name }, fileStart, keepsSource);
+    // another one has been opened while this one was read
+    if (command !== this.commands) return false;
+    const isOpen = await this.openBytes(file.name, bytes, keepsSource);
+    if (isOpen) await this.kept.put(file.name, bytes);
+    return isOpen;
+  }
+
+  openBytes(name, bytes, keepsSource) {
+    return this.open({ bytes, extension: extensionOf(name) }, { sample: null, file: name }, fileStart, keepsSource);
+  }
+
+  // The file that a link names, if this browser has kept it; false if not.
+  async openKept() {
+    const { file } = this.state;
+    const bytes = await this.kept.get(file);
+    if (!bytes) return false;
+    this.openBytes(file, bytes, true);
+    return true;
   }
 
   async open(recipe, names, start, keepsSource) {

@@ -54,7 +54,7 @@ window.addEventListener('pagehide', () => address.flush());
 
 async function start() {
   if (!state.sample) {
-    panel.invite(state.file);
+    if (!await app.openKept()) panel.invite(state.file);
     return;
   }
   if (!samples.some(({ name }) => name === state.sample)) {
@@ -95,12 +95,14 @@ let depth = 0; // of the elements entered while a file is dragged
 stage.addEventListener('dragenter', () => { ++depth; element('drop').hidden = false; });
 stage.addEventListener('dragleave', () => { if (--depth <= 0) element('drop').hidden = true; });
 stage.addEventListener('dragover', (event) => event.preventDefault());
-stage.addEventListener('drop', (event) => {
+stage.addEventListener('drop', async (event) => {
   event.preventDefault();
   depth = 0;
   element('drop').hidden = true;
-  const [file] = event.dataTransfer.files;
-  if (file) app.openFile(file);
+  const [file, ...others] = event.dataTransfer.files;
+  if (!file) return;
+  await app.openFile(file);
+  if (others.length > 0) panel.showMessage(`One mesh is shown at a time: this is “${file.name}”.`, { isPlain: true });
 });
 
 // for tests and for whoever looks at the page from the console

@@ -88,6 +88,10 @@ export class Panel {
       if (target.value) app.appearance.look(target.value);
       target.value = '';
     });
+    element('forget').addEventListener('click', async () => {
+      await app.kept.clear();
+      this.showMessage('No mesh of yours is kept here any more.', { isPlain: true });
+    });
     element('cancel').addEventListener('click', () => app.cancel());
     element('message-close').addEventListener('click', () => this.hideMessage());
     element('message-retry').addEventListener('click', () => this.onRetry());
@@ -244,8 +248,8 @@ export class Panel {
   // A link cannot have the file.
   invite(file) {
     element('invitation-title').textContent = `This link is about the file “${file}”`;
-    element('invitation-text').textContent = 'Links do not contain meshes. Open the file here, or drop it on the page, to see '
-      + 'the same source, thresholds and view.';
+    element('invitation-text').textContent = 'Links do not contain meshes, and this browser has not kept that one. Open the file here, or '
+      + 'drop it on the page, to see the same source, thresholds and view.';
     element('invitation').hidden = false;
   }
 

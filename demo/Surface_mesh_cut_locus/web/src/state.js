@@ -122,8 +122,8 @@ const given = (read, set) => (state, text) => {
 };
 
 const readers = {
-  file: (state, text) => { Object.assign(state, { sample: null, file: text }); return text !== ''; },
-  sample: (state, text) => { Object.assign(state, { sample: text, file: null }); return text !== ''; },
+  file: given((text) => text || null, (state, file) => Object.assign(state, { sample: null, file })),
+  sample: given((text) => text || null, (state, sample) => Object.assign(state, { sample, file: null })),
   faces: numberIn(100, 2e6, (state, value) => { state.faces = Math.round(value); }),
   source: given(sourcesIn, (state, sources) => { state.sources = sources; }),
   border: oneOf(['no', 'also', 'only'], (state, text) => { state.border = text; }),

@@ -118,7 +118,7 @@ export const tests = {
     const { page } = d;
     await page.goto('about:blank');
     await page.goto(`${d.address}#file=square.off&solver=exact&method=polyhedral&view=0,0,5,0,0,0`);
-    await page.waitForTimeout(5000);
+    await page.waitForSelector('#invitation:not([hidden])');
     assert.match(await page.innerText('#invitation'), /about the file “square.off”[^]*Open the file/);
     assert.ok(!await page.locator('#result').isVisible());
     await d.picture('link_to_file.png');
@@ -127,6 +127,9 @@ export const tests = {
     assert.ok(!await page.locator('#invitation').isVisible());
     assert.equal(await page.inputValue('#method'), 'polyhedral');
     assert.ok((await d.view())[2] > 4.9);
+    await d.unfold('about');
+    await page.click('#forget');
+    await page.waitForSelector('#message:not([hidden])');
     await page.goto('about:blank');
     await page.goto(`${d.address}#file=square.off`);
     await page.click('#invitation-sample');

@@ -69,6 +69,8 @@ test('what makes no sense in a link is as by default, and named', () => {
     transparency: ['1', '-0.1', 'none'],
     color: ['valueOf'],
     cut: ['yes'],
+    file: [''],
+    sample: [''],
     toString: ['1'],
     constructor: ['prototype'],
     strength: ['7'],
