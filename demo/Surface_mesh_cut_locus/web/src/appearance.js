@@ -1,4 +1,4 @@
-// How the result is shown: the layers, the colours, the light, and from where one looks.
+// How the result is shown: the layers, the colors, the light, and from where one looks.
 import { branchScale } from './branch_scale.js';
 import { applyTheme, onPreference, themeColors } from './theme.js';
 

@@ -1,5 +1,5 @@
-// The colours of the nearest of several sources: exactly along the curve between them. The surface is divided there when all
-// rests; until then, vertices have the colour of the source that is nearest to them.
+// The colors of the nearest of several sources: exactly along the curve between them. The surface is divided there when all
+// rests; until then, vertices have the color of the source that is nearest to them.
 import { cellColor } from './color_maps.js';
 
 const restMilliseconds = 300; // a slider that has not moved for so long is at rest
@@ -11,7 +11,7 @@ export function colorsOf(sources) {
   return colors;
 }
 
-// Of a sheet for each cell: all of it has the colour of its source.
+// Of a sheet for each cell: all of it has the color of its source.
 export function colorsOfSheets(sheets, vertexCount) {
   const sources = new Uint32Array(vertexCount);
   for (const { source, vertices } of sheets) for (const v of vertices) sources[v] = source;

@@ -1,5 +1,5 @@
-// Wide lines for the cut locus, in one colour or by a number of the branches, with a seam of another colour that sets
-// them off the surface. What the surface hides is drawn in a pale colour, the stronger the more transparent the
+// Wide lines for the cut locus, in one color or by a number of the branches, with a seam of another color that sets
+// them off the surface. What the surface hides is drawn in a pale color, the stronger the more transparent the
 // surface is.
 import * as THREE from 'three';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
@@ -20,7 +20,7 @@ function lines(geometry, order, options) {
   return object;
 }
 
-// the colour of each segment at both of its ends
+// the color of each segment at both of its ends
 function colorsAt(places) {
   const result = new Float32Array(6 * places.length);
   for (let i = 0; i < places.length; ++i) {
@@ -28,6 +28,17 @@ function colorsAt(places) {
     result.copyWithin(6 * i + 3, 6 * i, 6 * i + 3);
   }
   return result;
+}
+
+// how many of sorted numbers are not above a value
+function countUpTo(sorted, value) {
+  let low = 0, high = sorted.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (sorted[middle] <= value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
 }
 
 export class CurveLines {
@@ -51,7 +62,7 @@ export class CurveLines {
     this.isPlain = false;
   }
 
-  // `places`, if given, are those of the segments on the scale of colours, in [0, 1]; `distances` are theirs to the source.
+  // `places`, if given, are those of the segments on the scale of colors, in [0, 1]; `distances` are theirs to the source.
   set(segments, places = null, distances = null) {
     this.given = { segments, places, distances };
     this.isSorted = false;
@@ -86,7 +97,7 @@ export class CurveLines {
     const { distances } = this.given;
     if (!distances) return;
     if (reach !== null && !this.isSorted) this.sort();
-    const shown = reach === null ? distances.length : this.sorted.findLastIndex((d) => d <= reach) + 1;
+    const shown = reach === null ? distances.length : countUpTo(this.sorted, reach);
     setShown(this.visibleLines.geometry, shown);
   }
 

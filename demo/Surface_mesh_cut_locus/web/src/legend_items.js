@@ -1,4 +1,4 @@
-// Everything that is on the screen, in the order of its weight, with the colours it has there.
+// Everything that is on the screen, in the order of its weight, with the colors it has there.
 import { branchScale } from './branch_scale.js';
 import { branchColor, cellColor, cssColor, distanceColor, laplacianColor, stops } from './color_maps.js';
 import { number } from './words.js';
@@ -14,7 +14,7 @@ function sourceLabel({ points, total }, atlas) {
   return points.length > 1 ? 'sources' : 'source';
 }
 
-// of the first sources, after which colours come again; with fields rather than a ramp
+// of the first sources, after which colors come again; with fields rather than a ramp
 const cellStops = (count) => Array.from({ length: Math.min(count, 12) }, (_, i) => cssColor(cellColor(i)))
   .flatMap((color) => [color, color, color, color]);
 

@@ -33,7 +33,7 @@ function fill(result, values, end) {
 
 const ofEnd = (values, end, count) => new THREE.BufferAttribute(fill(new Float32Array(3 * size * count), values, end), 3);
 
-// Six numbers for each segment: its ends, and, if given, the colours there. There may be room for more of them. Round ends
+// Six numbers for each segment: its ends, and, if given, the colors there. There may be room for more of them. Round ends
 // have two thirds of the triangles, and can be left out.
 export function lineGeometry(segments, colors = null, { hasRoom = false, hasEnds = true } = {}) {
   const count = (hasRoom ? 2 : 1) * segments.length / 6;
@@ -56,7 +56,7 @@ export function setShown(geometry, count) {
   geometry.setDrawRange(0, geometry.userData.indicesOfSegment * count);
 }
 
-// Other segments, without colours, if there is room for them. Only these are sent to the graphics card.
+// Other segments, without colors, if there is room for them. Only these are sent to the graphics card.
 export function refill(geometry, segments) {
   const starts = geometry.getAttribute('instanceStart');
   if (!starts || starts.count * 6 < size * segments.length) return false;

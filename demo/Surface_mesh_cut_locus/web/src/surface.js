@@ -1,4 +1,4 @@
-// The surface as it is drawn: its colours, lines of equal distance, the injectivity disk and a checker texture are
+// The surface as it is drawn: its colors, lines of equal distance, the injectivity disk and a checker texture are
 // computed for each pixel from attributes of the vertices.
 import * as THREE from 'three';
 import { distanceColor, laplacianColor, makeTexture } from './color_maps.js';

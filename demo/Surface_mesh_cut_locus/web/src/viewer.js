@@ -591,7 +591,7 @@ export class Viewer {
     this.setAttribute('distanceLaplacian', values);
   }
 
-  // the colours of the vertices of the mesh, three numbers each, or null
+  // the colors of the vertices of the mesh, three numbers each, or null
   setCells(colors) {
     this.cells = colors;
     this.exactCells = null;

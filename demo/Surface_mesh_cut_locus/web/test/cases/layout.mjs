@@ -118,7 +118,7 @@ export const tests = {
     await d.resize();
   },
 
-  async 'in forced colours, what is on is told from what is off, and the keys keep their colours'(d) {
+  async 'in forced colors, what is on is told from what is off, and the keys keep their colors'(d) {
     await d.page.emulateMedia({ forcedColors: 'active' });
     await d.open('#sample=torus&faces=5000&cut=1');
     const background = (selector) => d.page.$eval(selector, (e) => getComputedStyle(e).backgroundColor);

@@ -67,9 +67,7 @@ export const tests = {
     const { page } = d;
     const cases = [
       ['sample=torus&faces=5000&show=toString', /“show” is not understood/, 1],
-      ['sample=torus&faces=5000&source=0,0,0,0&cut=maybe', /“source”, “cut” are not understood/, 1],
       ['sample=torus&faces=5000&border=only', /cannot be shown[^]*opens/, 1],
-      ['sample=capsule&faces=5000&border=also&method=polyhedral', /cannot be shown[^]*opens/, 0],
       ['sample=torus&faces=5000&source=99999999,1,0,0', /not on this surface/, 1],
       ['sample=teapot&faces=5000', /no sample of the name “teapot”/, 1],
     ];

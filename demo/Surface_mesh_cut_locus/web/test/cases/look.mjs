@@ -1,7 +1,7 @@
-// How it looks: the hidden parts of the curve, the layers, views, the axis that is up, the colours and their legend.
+// How it looks: the hidden parts of the curve, the layers, views, the axis that is up, the colors and their legend.
 import assert from 'node:assert/strict';
 
-// the colours, in [0, 255], of the canvas at pixels of the page
+// the colors, in [0, 255], of the canvas at pixels of the page
 export const colorsAt = (d, pixels) => d.app(({ viewer }, list) => {
   viewer.draw();
   const gl = viewer.renderer.getContext();
@@ -172,7 +172,7 @@ export const tests = {
     await d.picture('layers.png');
   },
 
-  async 'colours of the distance are those of their scale'(d) {
+  async 'colors of the distance are those of their scale'(d) {
     await d.open('#sample=bumpy-sphere&faces=5000&color=distance&shading=smooth&occlusion=false&show=-isolines,-faceCurve,-hidden');
     // near the source it is yellow, far away blue: red over blue, whatever the light
     const [near, far] = await d.app(({ app, viewer }) => {
@@ -191,7 +191,7 @@ export const tests = {
     assert.ok(b2 > r2, `far away ${[r2, b2]}`);
   },
 
-  async 'colours tell which source is the nearest'(d) {
+  async 'colors tell which source is the nearest'(d) {
     const { page } = d;
     await d.open('#sample=torus&faces=5000&color=cells&show=-isolines,-hidden,-values&source=10,0.3,0.3,0.4,2000,0.2,0.3,0.5');
     assert.match(await page.innerText('#legend'), /nearest source:\s*1\s*2/);
@@ -220,7 +220,7 @@ export const tests = {
     await page.selectOption('#look-color', 'plain');
   },
 
-  async 'cells have their colours exactly along the curve, on the surface and on the sheets'(d) {
+  async 'cells have their colors exactly along the curve, on the surface and on the sheets'(d) {
     for (const cut of ['', '&cut=1']) {
       await d.open(`#sample=torus&faces=600&color=cells&show=-isolines,-hidden,-values,-checker&source=10,0.3,0.3,0.4,300,0.2,0.3,0.5${cut}`);
       // by distances to each of the sources, where they differ by more than what a face makes of them
@@ -260,7 +260,7 @@ export const tests = {
       assert.ok((right[0] + right[1]) / total > 0.85, `${cut}: ${right} of ${places.mixed.map((list) => list.length)}`);
       await d.picture(`cells${cut ? '_cut' : ''}.png`);
     }
-    // a threshold moves the curve, and the colours with it; closed again, the surface is divided again
+    // a threshold moves the curve, and the colors with it; closed again, the surface is divided again
     await d.page.click('#cut');
     await d.settle();
     const step = () => d.app(({ app }) => app.cellColors.step);
