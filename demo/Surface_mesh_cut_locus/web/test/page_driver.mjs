@@ -136,7 +136,8 @@ export class Driver {
 
   // to be compared, and kept if pictures are wanted
   async shot(name) {
-    await this.page.waitForTimeout(500); // the shadows of hollows come when the view rests
+    // the shadows of hollows come when the view rests
+    await this.page.waitForTimeout(await this.app(({ viewer }) => viewer.occlusionStrength > 0) ? 500 : 60);
     const file = this.pictureFolder ? { path: join(this.pictureFolder, name) } : {};
     return this.page.screenshot(file);
   }

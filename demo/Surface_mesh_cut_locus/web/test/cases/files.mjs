@@ -143,6 +143,26 @@ export const tests = {
     assert.match(await page.innerText('#message-text'), /at a time: this is “five.off”/);
   },
 
+  async 'a surface with a border is taken, too'(d) {
+    const n = 12;
+    const points = [], faces = [];
+    for (let i = 0; i <= n; ++i)
+      for (let j = 0; j < n; ++j) {
+        const angle = 2 * Math.PI * (j + i / 2) / n;
+        points.push([Math.cos(angle), Math.sin(angle), 0.4 * i]);
+        if (i === n) continue;
+        const [a, b] = [i * n + j, i * n + (j + 1) % n];
+        faces.push([a, b, a + n], [b, b + n, a + n]);
+      }
+    assert.equal(await d.openFile('tube.off', off(points, faces)), null);
+    await d.unfold('result-fold');
+    assert.match(await d.page.innerText('#numbers'), /borders\s*2/);
+    await d.page.click('#cut');
+    await d.settle();
+    await d.noMessage();
+    assert.deepEqual(surfaceTopology(readObj(String(await d.exported('cut', 'obj')))), { euler: 1, loops: 1 });
+  },
+
   async 'a mesh of one’s own is there again when the page is loaded, until it is forgotten'(d) {
     const { page } = d;
     await d.open('#sample=torus&faces=5000');
@@ -174,25 +194,5 @@ export const tests = {
     await page.goto(d.address + hash);
     await page.waitForSelector('#invitation:not([hidden])');
     assert.match(await page.innerText('#invitation'), /my torus.obj/);
-  },
-
-  async 'a surface with a border is taken, too'(d) {
-    const n = 12;
-    const points = [], faces = [];
-    for (let i = 0; i <= n; ++i)
-      for (let j = 0; j < n; ++j) {
-        const angle = 2 * Math.PI * (j + i / 2) / n;
-        points.push([Math.cos(angle), Math.sin(angle), 0.4 * i]);
-        if (i === n) continue;
-        const [a, b] = [i * n + j, i * n + (j + 1) % n];
-        faces.push([a, b, a + n], [b, b + n, a + n]);
-      }
-    assert.equal(await d.openFile('tube.off', off(points, faces)), null);
-    await d.unfold('result-fold');
-    assert.match(await d.page.innerText('#numbers'), /borders\s*2/);
-    await d.page.click('#cut');
-    await d.settle();
-    await d.noMessage();
-    assert.deepEqual(surfaceTopology(readObj(String(await d.exported('cut', 'obj')))), { euler: 1, loops: 1 });
   },
 };

@@ -4,7 +4,7 @@ import { describeAtlas } from '../../src/words.js';
 import { patience } from '../page_driver.mjs';
 import { borderCrossings, flippedFaces as flippedFacesOf, readObj } from '../topology.mjs';
 
-const followMilliseconds = 3000;
+const followMilliseconds = 2000;
 
 // of the sheet, by its coordinates
 const flippedFaces = ({ app }) => {
@@ -477,7 +477,7 @@ export const tests = {
         onProgress(stage, share);
         found.push([stage, share, document.getElementById('busy-share').value]);
       };
-      await app.openSample('torus', 400000);
+      await app.openSample('torus', 200000);
       return found;
     });
     assert.ok(shares.length >= 3, JSON.stringify(shares));
