@@ -61,6 +61,7 @@ export class App {
     this.defaults = null; // of the thresholds, for these sources
     this.linkedView = state.view; // until there is a mesh
     this.leastAngle = 0; // branches that need a smaller one are not computed yet
+    this.hasWave = false; // on the screen
     this.jobs = 0;
     this.times = {};
     this.onState = () => {};
@@ -348,6 +349,10 @@ export class App {
     const front = share < 1 && this.source ? share * this.source.farthestDistance : null;
     this.viewer.setFront(front);
     this.panel.setWave(share, isPlaying, front);
+    const isShown = front !== null;
+    if (this.hasWave === isShown) return;
+    this.hasWave = isShown;
+    this.panel.setLegend(this.legendItems());
   }
 
   takeSources({ sourceNumbers, borderSegments, nearestSource }) {

@@ -16,7 +16,7 @@ export class KeptMeshes {
 
   async store(mode, action) {
     const opening = this.database.open('cut-locus', 1);
-    opening.onupgradeneeded = () => opening.result.createObjectStore('meshes', { keyPath: 'name' });
+    opening.onupgradeneeded = () => opening.result.createObjectStore('meshes', { keyPath: 'name' }).createIndex('opened', 'opened');
     const connection = await promiseOf(opening);
     try {
       return await action(connection.transaction('meshes', mode).objectStore('meshes'));
@@ -31,9 +31,8 @@ export class KeptMeshes {
     try {
       await this.store('readwrite', async (meshes) => {
         await promiseOf(meshes.put({ name, bytes, opened: Date.now() }));
-        const all = await promiseOf(meshes.getAll());
-        const old = all.sort((a, b) => b.opened - a.opened).slice(most);
-        await Promise.all(old.map((mesh) => promiseOf(meshes.delete(mesh.name))));
+        const names = await promiseOf(meshes.index('opened').getAllKeys()); // the oldest one first
+        await Promise.all(names.slice(0, -most).map((old) => promiseOf(meshes.delete(old))));
       });
       return true;
     } catch {

@@ -32,6 +32,8 @@ export const tests = {
     await d.page.keyboard.press('?');
     assert.deepEqual(await violations(d), [], 'help');
     await d.page.keyboard.press('Escape');
+    await d.open('#embed&sample=torus&faces=5000');
+    assert.deepEqual(await violations(d), [], 'in a frame');
   },
 
   async 'the picture has a role and a description that follows the result'(d) {

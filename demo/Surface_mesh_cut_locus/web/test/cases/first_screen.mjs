@@ -28,10 +28,12 @@ export const tests = {
     assert.ok(await page.locator('#drag-hint').isVisible());
     assert.ok((await wave(d)).isPlaying);
     await page.waitForFunction(() => window.cutLocusPage.app.wave.share > 0.1);
+    assert.match(await page.innerText('#legend'), /wave from the source/);
     await d.picture('wave.png');
     await d.app(({ app }) => { app.wave.share = Math.max(app.wave.share, 0.9); }); // the rest is the same
     await page.waitForFunction(() => !window.cutLocusPage.app.wave.isPlaying, null, { timeout: 60000 });
     assert.deepEqual(await wave(d), { share: 1, isPlaying: false });
+    assert.doesNotMatch(await page.innerText('#legend'), /wave/);
     await d.picture('first_screen.png');
     // the hint is beside the source, and goes with the first press
     const hint = await page.locator('#drag-hint').boundingBox();
