@@ -180,10 +180,11 @@ export const tests = {
     assert.ok(!await page.locator('#invitation').isVisible());
     // three of them
     const hash = await d.hash();
-    for (const name of ['a.obj', 'b.obj']) await d.openFile(name, torus);
+    const small = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n';
+    for (const name of ['a.obj', 'b.obj']) await d.openFile(name, small);
     const kept = (name) => d.app(async ({ app }, n) => Boolean(await app.kept.get(n)), name);
     assert.ok(await kept('my torus.obj') && await kept('a.obj') && await kept('b.obj'));
-    await d.openFile('c.obj', torus);
+    await d.openFile('c.obj', small);
     await page.waitForFunction(async () => !await window.cutLocusPage.app.kept.get('my torus.obj'));
     assert.ok(await kept('c.obj'));
     await d.unfold('about');

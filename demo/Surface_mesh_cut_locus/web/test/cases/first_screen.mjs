@@ -108,7 +108,6 @@ export const tests = {
     await page.goto('about:blank');
     await page.goto(d.address);
     assert.ok(await page.locator('#wave').isVisible() && !await page.locator('#intro').isVisible());
-    await d.open('#sample=torus&faces=5000');
     // Help begins at its top
     await page.click('#help-button');
     assert.ok(await page.evaluate(() => document.getElementById('help').scrollTop === 0

@@ -11,7 +11,7 @@ export const tests = {
   async 'at every size the surface has most of the room, and the result is on it'(d) {
     for (const [name, [width, height]] of Object.entries(sizes)) {
       await d.resize(width, height);
-      await d.open('#sample=torus&faces=5000&occlusion=true');
+      await d.open(`#sample=torus&faces=5000${d.pictureFolder ? '&occlusion=true' : ''}`);
       await d.page.evaluate(() => { document.getElementById('result-fold').open = innerWidth > 1200; });
       const stage = await boxOf(d, '#stage');
       assert.ok(stage.width * stage.height > 0.6 * width * height, `${name}: the surface has ${stage.width} x ${stage.height}`);
@@ -38,6 +38,7 @@ export const tests = {
 
   async 'nothing that lies above the picture covers the mesh, nor the sheet'(d) {
     for (const [name, [width, height]] of Object.entries(sizes)) {
+      if (name === 'laptop') continue; // is laid out as a desktop
       await d.resize(width, height);
       await d.open('#sample=genus-3&faces=5000');
       await d.page.evaluate(() => { document.getElementById('result-fold').open = false; });
