@@ -155,6 +155,7 @@ void Session::compute_curve(Curve_index index, const Thresholds& thresholds)
   curve.segments.clear();
   curve.width.clear();
   curve.gap.clear();
+  curve.distance.clear();
   curve.segments.reserve(6 * num_edges(graph));
   for(const auto e : CGAL::make_range(edges(graph)))
   {
@@ -162,6 +163,8 @@ void Session::compute_curve(Curve_index index, const Thresholds& thresholds)
     append_point(graph[target(e, graph)].point, curve.segments);
     curve.width.push_back(static_cast<float>(graph[e].width / diagonal_));
     curve.gap.push_back(static_cast<float>(graph[e].strength));
+    curve.distance.push_back(
+      static_cast<float>((graph[source(e, graph)].distance + graph[target(e, graph)].distance) / 2.));
   }
   curve.numbers = statistics_of(cut_locus);
 }
@@ -229,11 +232,21 @@ void Session::cut_open(Curve_index index, const Thresholds& thresholds)
     return;
   }
   // what is not shown is needed as well, to have disks
-  Thresholds whole = thresholds;
-  whole.keeps = Kept_part::ALL;
+  atlas = make_atlas(*mesh_, part_of_cut_locus(index, thresholds, Kept_part::ALL), has_cells);
+}
+
+void Session::divide_into_cells(Curve_index index, const Thresholds& thresholds)
+{
+  if(!has_sources_)
+    throw std::runtime_error("there is no source yet");
+  cells = make_cell_surface(*mesh_, part_of_cut_locus(index, thresholds, Kept_part::VORONOI));
+}
+
+Cut_locus Session::part_of_cut_locus(Curve_index index, Thresholds thresholds, Kept_part kept) const
+{
   using CGAL::Cut_loci::Curve;
-  const Curve kind = index == MESH_EDGES ? Curve::MESH_EDGES : Curve::THROUGH_FACES;
-  atlas = make_atlas(*mesh_, ::cut_locus(*solver_, whole, kind), has_cells);
+  thresholds.keeps = kept;
+  return ::cut_locus(*solver_, thresholds, index == MESH_EDGES ? Curve::MESH_EDGES : Curve::THROUGH_FACES);
 }
 
 const Fields& Session::fields()

@@ -8,6 +8,7 @@
 #define SURFACE_MESH_CUT_LOCUS_WEB_SESSION_H
 
 #include "atlas.h"
+#include "cell_surface.h"
 #include "fields.h"
 #include "paths.h"
 #include "solvers.h"
@@ -31,6 +32,7 @@ public:
     std::vector<float> segments; // two points each
     std::vector<float> width;    // of each segment, as a part of the diagonal
     std::vector<float> gap;      // of each segment: the angle between its shortest paths
+    std::vector<float> distance; // of each segment: of its middle to the nearest source
     std::vector<double> numbers; // see `statistics_of`
   };
 
@@ -47,6 +49,8 @@ public:
   void compute_gradient();
   // Along one of the curves; if the border is a source, only the one through the faces is there.
   void cut_open(Curve_index index, const Thresholds& thresholds);
+  // The surface in the cells of several sources, apart where one of the curves runs.
+  void divide_into_cells(Curve_index index, const Thresholds& thresholds);
   void find_paths(const Location& end);
   std::string write_curve(Curve_index index, const std::string& format) const;
 
@@ -66,9 +70,11 @@ public:
   std::vector<double> path_numbers;
   Curve curves[2];
   Atlas atlas;
+  Cell_surface cells;
 
 private:
   void check(const Location& location) const;
+  Cut_locus part_of_cut_locus(Curve_index index, Thresholds thresholds, Kept_part kept) const;
   void read_source(const Cut_locus& cut_locus);
   void append_point(const Kernel::Point_3& p, std::vector<float>& to) const;
   const Fields& fields();

@@ -114,29 +114,14 @@ std::vector<double> flatten(const Charts& charts)
 }
 
 // Where a vertex of a chart is on the mesh. One that was added is in the face of which the faces at it are parts.
-void append_place(const Mesh& mesh, const Chart& chart, Mesh::Vertex_index v, Atlas& atlas)
+void append_place(const Mesh& mesh, const Chart& chart, Mesh::Vertex_index v, Places& places)
 {
   if(chart.vertices[v] != null_index)
-  {
-    atlas.parents.insert(atlas.parents.end(), 3, static_cast<std::uint32_t>(chart.vertices[v]));
-    atlas.weights.insert(atlas.weights.end(), {1.f, 0.f, 0.f});
-    return;
-  }
+    return places.append_vertex(Mesh::Vertex_index(chart.vertices[v]));
   Mesh::Halfedge_index at = chart.disk.halfedge(v);
   if(chart.disk.is_border(at))
     at = chart.disk.opposite(chart.disk.next(at));
-  const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Face_index(chart.faces[chart.disk.face(at)]));
-  std::array<Mesh::Vertex_index, 3> corners = {{mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))}};
-  const auto vector = [&](std::size_t i) { return mesh.point(corners[i]) - mesh.point(corners[0]); };
-  const Kernel::Vector_3 p = chart.disk.point(v) - mesh.point(corners[0]), a = vector(1), b = vector(2);
-  const Kernel::Vector_3 normal = CGAL::cross_product(a, b);
-  const double area = normal.squared_length();
-  const double first = area > 0. ? CGAL::cross_product(p, b) * normal / area : 0.;
-  const double second = area > 0. ? CGAL::cross_product(a, p) * normal / area : 0.;
-  for(const Mesh::Vertex_index corner : corners)
-    atlas.parents.push_back(static_cast<std::uint32_t>(corner));
-  for(const double weight : {1. - first - second, first, second})
-    atlas.weights.push_back(static_cast<float>(weight));
+  places.append_point(mesh, Mesh::Face_index(chart.faces[chart.disk.face(at)]), chart.disk.point(v));
 }
 
 // Moves and scales the charts, side by side, into the square [-1, 1] x [-1, 1].
@@ -154,7 +139,7 @@ void append(const Mesh& mesh, const Charts& charts, Atlas& atlas)
     const std::uint32_t first = static_cast<std::uint32_t>(atlas.uv.size() / 2);
     for(const Mesh::Vertex_index v : chart.disk.vertices())
     {
-      append_place(mesh, chart, v, atlas);
+      append_place(mesh, chart, v, atlas.places);
       for(int k = 0; k < 2; ++k)
         atlas.uv.push_back(static_cast<float>(scale * (corners[i][k] + chart.uv[v][k] - high[k] / 2.)));
     }

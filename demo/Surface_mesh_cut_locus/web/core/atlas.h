@@ -7,7 +7,7 @@
 #ifndef SURFACE_MESH_CUT_LOCUS_WEB_ATLAS_H
 #define SURFACE_MESH_CUT_LOCUS_WEB_ATLAS_H
 
-#include "../../Mesh.h"
+#include "Places.h"
 
 #include <cstdint>
 #include <vector>
@@ -15,10 +15,7 @@
 // A surface cut open and laid out in the plane.
 struct Atlas
 {
-  // for each vertex of the cut surface, where it is: three vertices of a face of the mesh, and their weights; of the copy
-  // of a vertex the first one has all
-  std::vector<std::uint32_t> parents;
-  std::vector<float> weights;
+  Places places;                        // of the vertices of the cut surface
   std::vector<std::uint32_t> triangles; // of vertices of the cut surface
   std::vector<std::uint32_t> faces;     // for each of them the face of the mesh that it is a part of
   std::vector<std::uint32_t> border;    // the ends of its border edges

@@ -129,7 +129,7 @@ Array array(int id)
   case 15:
     return {text.data(), text.size()};
   case 16:
-    return array(session.atlas.parents);
+    return array(session.atlas.places.parents);
   case 17:
     return array(session.atlas.triangles);
   case 18:
@@ -153,7 +153,7 @@ Array array(int id)
   case 27:
     return array(session.atlas.faces);
   case 28:
-    return array(session.atlas.weights);
+    return array(session.atlas.places.weights);
   case 29:
     return array(preview.positions);
   case 30:
@@ -166,6 +166,18 @@ Array array(int id)
     return array(preview.distance);
   case 34:
     return array(preview.nearest_source);
+  case 35:
+    return array(session.curves[0].distance);
+  case 36:
+    return array(session.curves[1].distance);
+  case 37:
+    return array(session.cells.places.parents);
+  case 38:
+    return array(session.cells.places.weights);
+  case 39:
+    return array(session.cells.triangles);
+  case 40:
+    return array(session.cells.source);
   default:
     return {nullptr, 0};
   }
@@ -275,6 +287,11 @@ EMSCRIPTEN_KEEPALIVE int compute_curve(int index)
 EMSCRIPTEN_KEEPALIVE int cut_open(int index)
 {
   return run([&] { session.cut_open(static_cast<Session::Curve_index>(index), thresholds); });
+}
+
+EMSCRIPTEN_KEEPALIVE int divide_into_cells(int index)
+{
+  return run([&] { session.divide_into_cells(static_cast<Session::Curve_index>(index), thresholds); });
 }
 
 EMSCRIPTEN_KEEPALIVE int compute_laplacian()

@@ -1,13 +1,14 @@
 // What the page does: it loads a mesh, solves for its sources, follows the sliders and cuts the surface open. It knows
 // the engine, the viewer and the panel, which do not know each other.
 import { Appearance } from './appearance.js';
-import { cellColor } from './color_maps.js';
+import { CellColors, colorsOf } from './cell_colors.js';
 import { Cancelled, Engine } from './engine.js';
 import { exportAs } from './exports.js';
 import { Follower } from './follow.js';
 import { History } from './history.js';
+import { KeptMeshes } from './kept_meshes.js';
 import { legendItems } from './legend_items.js';
-import { explain, objectionTo } from './messages.js';
+import { explain, extensionOf, objectionTo } from './messages.js';
 import { PathTool } from './path_tool.js';
 import { Preview } from './preview.js';
 import { describeValues, Readout } from './readout.js';
@@ -15,6 +16,7 @@ import { farthestFace, fileStart, samples, startCoordinates } from './samples.js
 import { Sheet } from './sheet.js';
 import { defaultState, rounded } from './state.js';
 import { guessUp } from './up_axis.js';
+import { Wave } from './wave.js';
 
 const stageTexts = {
   preprocessing: 'Preparing the mesh…',
@@ -34,18 +36,22 @@ const nearPixels = 9; // what a click is as near to is meant
 const copy = (value) => JSON.parse(JSON.stringify(value));
 
 export class App {
-  constructor(viewer, panel, state) {
+  constructor(viewer, panel, state, link) {
     this.viewer = viewer;
     this.panel = panel;
     this.state = state;
+    this.link = link; // with what is to be said about it
     this.engine = new Engine((stage) => panel.setBusyText(stageTexts[stage]), (stage, share) => panel.setBusyShare(share));
     this.history = new History();
+    this.kept = new KeptMeshes();
     this.readout = new Readout();
     this.appearance = new Appearance(this);
+    this.cellColors = new CellColors(this);
     this.sheet = new Sheet(this);
     this.follower = new Follower(this);
     this.pathTool = new PathTool(this);
     this.preview = new Preview(this);
+    this.wave = new Wave((share, isPlaying) => this.showWave(share, isPlaying));
     this.mesh = null;
     this.curves = {};
     this.isSolved = false; // the worker has the solver and the sources of the state
@@ -55,6 +61,7 @@ export class App {
     this.defaults = null; // of the thresholds, for these sources
     this.linkedView = state.view; // until there is a mesh
     this.leastAngle = 0; // branches that need a smaller one are not computed yet
+    this.hasWave = false; // on the screen
     this.jobs = 0;
     this.times = {};
     this.onState = () => {};
@@ -70,7 +77,8 @@ export class App {
       return true;
     } catch (error) {
       // what another command has replaced needs no words
-      if (!(error instanceof Cancelled)) this.panel.showMessage(explain(error));
+      if (!(error instanceof Cancelled))
+        this.panel.showMessage(explain(error), { onRetry: error.fatal ? () => this.attempt(text, action) : null });
       return false;
     } finally {
       this.panel.setBusy(--this.jobs > 0);
@@ -82,15 +90,11 @@ export class App {
     this.isSolved = false;
     this.engine.cancel();
     this.sheet.drop(); // it may be that of other thresholds
-    this.panel.showMessage('Cancelled.', true);
+    this.panel.showMessage('Cancelled.', { isPlain: true });
   }
 
   openSample(name, faces, keepsSource = false) {
     const sample = samples.find((s) => s.name === name);
-    if (!sample) {
-      this.panel.showMessage(`There is no sample of the name “${name}”.`);
-      return false;
-    }
     this.wantedSample = name;
     return this.open({ sample: name, faces }, { sample: name, faces, file: null }, sample.start, keepsSource);
   }
@@ -102,6 +106,7 @@ export class App {
       return false;
     }
     const keepsSource = this.state.file === file.name && !this.mesh; // a link that names this file
+    const command = ++this.commands;
     let bytes;
     try {
       bytes = await file.arrayBuffer();
@@ -109,8 +114,24 @@ export class App {
       this.panel.showMessage(`“${file.name}” cannot be read.`);
       return false;
     }
-    const extension = file.name.split('.').pop().toLowerCase();
-    return this.open({ bytes, extension }, { sample: null, file: file.name }, fileStart, keepsSource);
+    // another one has been opened while this one was read
+    if (command !== this.commands) return false;
+    const isOpen = await this.openBytes(file.name, bytes, keepsSource);
+    if (isOpen) await this.kept.put(file.name, bytes);
+    return isOpen;
+  }
+
+  openBytes(name, bytes, keepsSource) {
+    return this.open({ bytes, extension: extensionOf(name) }, { sample: null, file: name }, fileStart, keepsSource);
+  }
+
+  // The file that a link names, if this browser has kept it; false if not.
+  async openKept() {
+    const { file } = this.state;
+    const bytes = await this.kept.get(file);
+    if (!bytes) return false;
+    this.openBytes(file, bytes, true);
+    return true;
   }
 
   async open(recipe, names, start, keepsSource) {
@@ -122,7 +143,7 @@ export class App {
         this.mesh = await this.engine.load(recipe);
       } catch (error) {
         // the module has dropped the mesh it had
-        if (this.mesh && !(error instanceof Cancelled)) this.engine.restart();
+        if (this.mesh && !(error instanceof Cancelled) && !error.fatal) this.engine.restart();
         this.isSolved = false;
         this.panel.setSample(this.state);
         throw error;
@@ -132,11 +153,34 @@ export class App {
       const view = keepsSource ? this.linkedView : null;
       this.linkedView = null;
       if (view) this.viewer.setView(view);
-      await this.solveNow();
+      if (keepsSource) await this.solveLinked();
+      else await this.solveNow();
       if (!view) this.appearance.look('best');
-      const { repairs } = this.mesh;
-      if (repairs) this.panel.showMessage(`Repaired to open it: ${repairs}.`, true);
+      const notes = [...(keepsSource ? this.link.notes : [])];
+      if (this.mesh.repairs) notes.push(`Repaired to open it: ${this.mesh.repairs}.`);
+      if (notes.length > 0) this.panel.showMessage(notes.join(' '), { isPlain: true });
     });
+  }
+
+  // As a link says, if that can be done: sources and method of others may make no sense on this mesh.
+  async solveLinked() {
+    try {
+      await this.solveNow();
+    } catch (error) {
+      if (error instanceof Cancelled || error.fatal) throw error;
+      const { solver, method, border, parameters } = defaultState();
+      Object.assign(this.state, { solver, method, border, parameters, sources: [this.firstSource()], isCut: false });
+      this.exactMethod = method;
+      this.panel.setState(this.state);
+      this.link.add(`What this link asks for cannot be shown: ${explain(error)} The surface is shown as it opens.`);
+      await this.solveNow();
+    }
+  }
+
+  // Where it is on the mesh before anybody chooses.
+  firstSource() {
+    const { positions, triangles, component } = this.mesh;
+    return { face: farthestFace(positions, triangles, this.start, component), coordinates: [...startCoordinates] };
   }
 
   takeMesh(names, start, keepsSource) {
@@ -144,11 +188,12 @@ export class App {
     this.wantedSample = this.state.sample;
     this.isSolved = false;
     this.solved = null;
-    const { positions, triangles, component, numbers } = this.mesh;
+    this.start = start;
+    const { positions, triangles, numbers } = this.mesh;
     const faceCount = triangles.length / 3;
     const isInMesh = (this.state.sources || []).every(({ face }) => face < faceCount);
-    if (!keepsSource || !this.state.sources || !isInMesh)
-      this.state.sources = [{ face: farthestFace(positions, triangles, start, component), coordinates: [...startCoordinates] }];
+    if (keepsSource && !isInMesh) this.link.add('The source of this link is not on this surface: another one is shown.');
+    if (!keepsSource || !this.state.sources || !isInMesh) this.state.sources = [this.firstSource()];
     if (!keepsSource) {
       // thresholds are those of another mesh
       this.state.isCut = false;
@@ -159,8 +204,9 @@ export class App {
     this.history.clear();
     this.preview.forget();
     this.mesh.edgeLength = numbers[3] * meanEdgeLength(positions, triangles);
-    this.mesh.up = this.state.sample ? 'z' : guessUp(positions, triangles);
+    this.mesh.up = this.state.sample ? 'z' : guessUp(positions, triangles, extensionOf(this.state.file));
     this.sheet.forget();
+    this.cellColors.step = null;
     this.curves = {};
     this.viewer.setMesh(positions, triangles);
     this.readout.setMesh(positions, triangles);
@@ -282,6 +328,7 @@ export class App {
 
   // Distances are wanted only where they are shown, and when the surface is going to be drawn again.
   async drawPreview(sources) {
+    this.wave.end();
     const { show, look } = this.state;
     const isShown = show.isolines || show.disk || ['distance', 'cells'].includes(look.color);
     const result = await this.preview.compute(sources, isShown && this.viewer.isSurfaceDue);
@@ -292,10 +339,20 @@ export class App {
       this.viewer.setDistance(result.distance);
       const radius = result.numbers[5] * this.mesh.numbers[3]; // from that of the unit ball
       this.viewer.setUniforms({ showDisk: show.disk && Number.isFinite(radius), radius });
-      if (look.color === 'cells' && sources.length > 1) this.viewer.setCells(Array.from(result.nearestSource, cellColor));
+      if (look.color === 'cells' && sources.length > 1) this.viewer.setCells(colorsOf(result.nearestSource));
     }
     this.viewer.showPreview(result.segments, points, show.hidden);
     this.panel.setPreview(this.preview.faces);
+  }
+
+  showWave(share, isPlaying) {
+    const front = share < 1 && this.source ? share * this.source.farthestDistance : null;
+    this.viewer.setFront(front);
+    this.panel.setWave(share, isPlaying, front);
+    const isShown = front !== null;
+    if (this.hasWave === isShown) return;
+    this.hasWave = isShown;
+    this.panel.setLegend(this.legendItems());
   }
 
   takeSources({ sourceNumbers, borderSegments, nearestSource }) {
@@ -304,10 +361,12 @@ export class App {
     this.source = { points: [], border: borderSegments, hasBorder, total, nearest: nearestSource, farthest: [fx, fy, fz], farthestDistance, borderLoops, genus };
     for (let i = 0; i < points.length; i += 3) this.source.points.push(points.slice(i, i + 3));
     this.defaults = { angle, width };
+    this.wave.end();
     this.viewer.setSources(this.source.points.map((point) => this.toView(point)));
     this.viewer.setMarker(this.viewer.farthestMarker, this.toView(this.source.farthest));
     this.viewer.setSourceLines(borderSegments);
-    this.viewer.setCells(total > 1 ? Array.from(nearestSource, cellColor) : null);
+    this.cellColors.forget();
+    this.viewer.setCells(total > 1 ? colorsOf(nearestSource) : null);
   }
 
   toView(p) {
@@ -410,6 +469,7 @@ export class App {
         this.report();
       } while (this.wantsUpdate);
       this.sheet.cutAtRest();
+      this.cellColors.showAtRest();
     } catch (error) {
       if (!(error instanceof Cancelled)) this.panel.showMessage(explain(error));
     } finally {

@@ -1,4 +1,4 @@
-// How the result is shown: the layers, the colours, the light, and from where one looks.
+// How the result is shown: the layers, the colors, the light, and from where one looks.
 import { branchScale } from './branch_scale.js';
 import { applyTheme, onPreference, themeColors } from './theme.js';
 
@@ -30,7 +30,7 @@ export class Appearance {
     this.apply(name);
     if (name === 'color') {
       this.updateSurface();
-      if (value === 'laplacian') await this.app.attempt('Computing…', () => this.showFields());
+      if (value === 'laplacian' || value === 'cells') await this.app.attempt('Computing…', () => this.showFields());
     }
     if (name === 'up') this.look('best');
     this.app.report();
@@ -59,7 +59,7 @@ export class Appearance {
       const isShown = show[name] && Boolean(curve);
       this.app.viewer[name].show(isShown, show.hidden);
       if (isShown)
-        this.app.viewer[name].set(curve.segments, show.width ? Array.from(curve[scale.quantity], scale.place) : null);
+        this.app.viewer[name].set(curve.segments, show.width ? Array.from(curve[scale.quantity], scale.place) : null, curve.distance);
     }
     this.updateSurface();
   }
@@ -105,6 +105,7 @@ export class Appearance {
       this.gradient = await this.app.engine.run('gradient');
       this.app.viewer.setArrows(this.gradient, 0.035);
     }
+    await this.app.cellColors.show();
     this.updateSurface();
   }
 

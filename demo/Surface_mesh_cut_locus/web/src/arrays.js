@@ -7,8 +7,8 @@ export const arrays = {
   sourceNumbers: [4, 'f64'],
   laplacian: [5, 'f32'],
   gradient: [6, 'f32'],
-  edgeCurve: { segments: [7, 'f32'], width: [8, 'f32'], gap: [9, 'f32'], numbers: [10, 'f64'] },
-  faceCurve: { segments: [11, 'f32'], width: [12, 'f32'], gap: [13, 'f32'], numbers: [14, 'f64'] },
+  edgeCurve: { segments: [7, 'f32'], width: [8, 'f32'], gap: [9, 'f32'], distance: [35, 'f32'], numbers: [10, 'f64'] },
+  faceCurve: { segments: [11, 'f32'], width: [12, 'f32'], gap: [13, 'f32'], distance: [36, 'f32'], numbers: [14, 'f64'] },
   text: [15, 'u8'],
   atlas: {
     parents: [16, 'u32'],
@@ -19,6 +19,7 @@ export const arrays = {
     uv: [19, 'f32'],
     numbers: [20, 'f64'],
   },
+  cells: { parents: [37, 'u32'], weights: [38, 'f32'], triangles: [39, 'u32'], source: [40, 'u32'] },
   component: [21, 'u32'],
   repairs: [22, 'u8'],
   paths: { points: [23, 'f32'], numbers: [24, 'f64'] },

@@ -1,4 +1,4 @@
-// What the colours of the branches stand for: which number of a segment, from which to which value.
+// What the colors of the branches stand for: which number of a segment, from which to which value.
 
 // On a logarithmic scale: shapes have branches of a few percent and more, finer ones are those of the mesh.
 const least = 0.005, largest = 0.5;

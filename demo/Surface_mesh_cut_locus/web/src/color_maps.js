@@ -1,4 +1,4 @@
-// The scales of colours: in the picture a number becomes a place in a texture, in the legend a gradient.
+// The scales of colors: in the picture a number becomes a place in a texture, in the legend a gradient.
 import { interpolateViridis, schemeSet3 } from 'd3-scale-chromatic';
 import * as THREE from 'three';
 

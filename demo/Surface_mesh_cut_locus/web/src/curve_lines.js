@@ -1,10 +1,10 @@
-// Wide lines for the cut locus, in one colour or by a number of the branches, with a seam of another colour that sets
-// them off the surface. What the surface hides is drawn in a pale colour, the stronger the more transparent the
+// Wide lines for the cut locus, in one color or by a number of the branches, with a seam of another color that sets
+// them off the surface. What the surface hides is drawn in a pale color, the stronger the more transparent the
 // surface is.
 import * as THREE from 'three';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { branchColor } from './color_maps.js';
-import { lineGeometry, refill } from './line_geometry.js';
+import { lineGeometry, refill, setShown } from './line_geometry.js';
 
 // the order sets how far in front of the surface it is, and what covers what
 function lines(geometry, order, options) {
@@ -20,7 +20,7 @@ function lines(geometry, order, options) {
   return object;
 }
 
-// the colour of each segment at both of its ends
+// the color of each segment at both of its ends
 function colorsAt(places) {
   const result = new Float32Array(6 * places.length);
   for (let i = 0; i < places.length; ++i) {
@@ -28,6 +28,17 @@ function colorsAt(places) {
     result.copyWithin(6 * i + 3, 6 * i, 6 * i + 3);
   }
   return result;
+}
+
+// how many of sorted numbers are not above a value
+function countUpTo(sorted, value) {
+  let low = 0, high = sorted.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (sorted[middle] <= value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
 }
 
 export class CurveLines {
@@ -44,13 +55,22 @@ export class CurveLines {
     this.hasCasing = hasCasing;
     this.color = new THREE.Color();
     this.isEmpty = true;
+    this.given = { segments: [], places: null, distances: null };
+    this.reach = null; // of a wave: all is shown
     this.visible = true;
     this.showsHidden = false;
     this.isPlain = false;
   }
 
-  // `places`, if given, are those of the segments on the scale of colours, in [0, 1].
-  set(segments, places = null) {
+  // `places`, if given, are those of the segments on the scale of colors, in [0, 1]; `distances` are theirs to the source.
+  set(segments, places = null, distances = null) {
+    this.given = { segments, places, distances };
+    this.isSorted = false;
+    this.fill(segments, places);
+    if (this.reach !== null) this.showUpTo(this.reach);
+  }
+
+  fill(segments, places) {
     this.isEmpty = segments.length === 0;
     const hasEnds = !(this.isReused && this.isPlain);
     if (this.isReused && this.hasEnds === hasEnds && refill(this.visibleLines.geometry, segments)) {
@@ -69,6 +89,27 @@ export class CurveLines {
     material.color.set(hasColors ? 0xffffff : this.color);
     for (const object of this.objects) object.geometry = geometry;
     this.show(this.visible, this.showsHidden);
+  }
+
+  // Only what is as near to the source, or all of it, if that is null.
+  showUpTo(reach) {
+    this.reach = reach;
+    const { distances } = this.given;
+    if (!distances) return;
+    if (reach !== null && !this.isSorted) this.sort();
+    const shown = reach === null ? distances.length : countUpTo(this.sorted, reach);
+    setShown(this.visibleLines.geometry, shown);
+  }
+
+  // by their distances: what has been reached comes first
+  sort() {
+    const { segments, places, distances } = this.given;
+    const order = Uint32Array.from(distances, (_, i) => i).sort((i, j) => distances[i] - distances[j]);
+    const sorted = new Float32Array(segments.length);
+    order.forEach((i, at) => sorted.set(segments.subarray(6 * i, 6 * i + 6), 6 * at));
+    this.sorted = Float32Array.from(order, (i) => distances[i]);
+    this.isSorted = true;
+    this.fill(sorted, places && Array.from(order, (i) => places[i]));
   }
 
   setColors(color, hidden, casing) {

@@ -1,28 +1,41 @@
-// The page's side of the worker: commands give promises; `cancel` ends what runs, whatever it is.
+// The page's side of the worker: commands give promises; `cancel` ends what runs, whatever it is. A worker that breaks, or
+// cannot be loaded, fails what waits for it, and the next command starts another one.
 
 export class Cancelled extends Error {}
 
+const startWorker = () => new Worker(new URL('worker.js', import.meta.url));
+
 export class Engine {
-  constructor(onStage, onProgress) {
-    Object.assign(this, { onStage, onProgress });
+  constructor(onStage, onProgress, makeWorker = startWorker) {
+    Object.assign(this, { onStage, onProgress, makeWorker });
     this.pending = new Map();
     this.nextId = 1;
     this.recipe = null; // what the worker has loaded, to load it again
-    this.start();
+    this.worker = null;
   }
 
   start() {
-    this.worker = new Worker(new URL('worker.js', import.meta.url));
-    this.worker.onmessage = ({ data }) => {
+    const worker = this.makeWorker();
+    this.worker = worker;
+    worker.onmessage = ({ data }) => {
       if (data.share !== undefined) this.onProgress(data.stage, data.share);
       else if (data.stage) this.onStage(data.stage);
       else this.settle(data);
     };
-    this.worker.onerror = (event) => {
+    worker.onerror = (event) => {
       event.preventDefault();
-      const message = event.message || 'the worker cannot be started';
-      this.failAll(new Error(`The page cannot compute: ${message}`));
+      this.abandon(Object.assign(new Error(event.message || 'the worker cannot be started'), { cause: 'workerFailed', fatal: true }));
     };
+    worker.onmessageerror = worker.onerror;
+  }
+
+  stop() {
+    if (!this.worker) return;
+    this.worker.onmessage = null;
+    this.worker.onmessageerror = null;
+    this.worker.onerror = (event) => event.preventDefault();
+    this.worker.terminate();
+    this.worker = null;
   }
 
   settle({ id, result, error, cause, fatal }) {
@@ -33,13 +46,22 @@ export class Engine {
       entry.resolve(result);
       return;
     }
-    if (fatal) this.restart();
-    entry.reject(Object.assign(new Error(fatal ? `out of memory or broken (${error})` : error), { cause, fatal }));
+    const words = fatal && !cause ? `out of memory or broken (${error})` : error;
+    const failure = Object.assign(new Error(words), { cause, fatal });
+    entry.reject(failure);
+    if (fatal) this.abandon(failure);
+  }
+
+  // It is not started again before it is needed: one that cannot be loaded would fail without end.
+  abandon(error) {
+    this.stop();
+    this.failAll(error);
   }
 
   failAll(error) {
-    for (const { reject } of this.pending.values()) reject(error);
+    const waiting = [...this.pending.values()];
     this.pending.clear();
+    for (const { reject } of waiting) reject(error);
   }
 
   get isBusy() {
@@ -47,6 +69,14 @@ export class Engine {
   }
 
   run(command, parameters = {}) {
+    if (!this.worker) {
+      this.start();
+      if (command !== 'load') this.loadAgain();
+    }
+    return this.post(command, parameters);
+  }
+
+  post(command, parameters) {
     const id = this.nextId++;
     return new Promise((resolve, reject) => {
       this.pending.set(id, { resolve, reject });
@@ -60,20 +90,22 @@ export class Engine {
     return result;
   }
 
+  loadAgain() {
+    if (this.recipe) this.post('load', { recipe: this.recipe }).catch(() => {});
+  }
+
+  // A new worker, with the mesh that the last one had, unless another one follows.
   restart(keepsMesh = true) {
-    // what the old worker still says is of no interest
-    this.worker.onmessage = null;
-    this.worker.onerror = (event) => event.preventDefault();
-    this.worker.terminate();
+    this.stop();
     this.start();
-    if (this.recipe && keepsMesh) this.run('load', { recipe: this.recipe }).catch(() => {});
+    if (keepsMesh) this.loadAgain();
   }
 
   // Ends all work. The mesh is loaded again, unless another one follows.
   cancel(keepsMesh = true) {
-    const pending = [...this.pending.values()];
+    const waiting = [...this.pending.values()];
     this.pending.clear();
     this.restart(keepsMesh);
-    for (const { reject } of pending) reject(new Cancelled('cancelled'));
+    for (const { reject } of waiting) reject(new Cancelled('cancelled'));
   }
 }

@@ -4,9 +4,13 @@ import * as THREE from 'three';
 import { GLTFExporter } from 'three/examples/jsm/exporters/GLTFExporter.js';
 import { valuesAt } from './atlas.js';
 
+// Where no path leads, as on another part of the mesh: formats and programs that read them do not take what is not finite.
+const unreached = -1;
+const writable = (distance) => Float32Array.from(distance, (d) => (Number.isFinite(d) ? d : unreached));
+
 // The surface as it is.
 export function uncut({ positions, triangles, numbers }, distance) {
-  return { positions, numbers, triangles, uv: null, distance };
+  return { positions, numbers, triangles, uv: null, distance: writable(distance) };
 }
 
 // Cut open; texture coordinates are in [0, 1].
@@ -17,7 +21,7 @@ export function cutOpen({ positions, numbers }, atlas, distance) {
     numbers,
     triangles,
     uv: Float32Array.from(uv, (x) => (1 + x) / 2),
-    distance: valuesAt(atlas, distance),
+    distance: writable(valuesAt(atlas, distance)),
   };
 }
 
@@ -103,14 +107,14 @@ ${dataArray('offsets', 'UInt32', 1, Array.from({ length: faceCount }, (_, f) => 
 `;
 }
 
-// Binary glTF. Its texture coordinates have their origin at the top.
+// Binary glTF. Its texture coordinates have their origin at the top; the exporter names the distance `_DISTANCE`.
 export async function toGltf(surface) {
   const { triangles, uv, distance } = surface;
   const geometry = new THREE.BufferGeometry();
   const positions = Float32Array.from({ length: 3 * distance.length }, () => 0);
   for (let i = 0; i < distance.length; ++i) positions.set(pointOf(surface, i), 3 * i);
   geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
-  geometry.setAttribute('_distance', new THREE.BufferAttribute(Float32Array.from(distance), 1));
+  geometry.setAttribute('distance', new THREE.BufferAttribute(Float32Array.from(distance), 1));
   if (uv) geometry.setAttribute('uv', new THREE.BufferAttribute(uv.map((x, i) => (i % 2 === 0 ? x : 1 - x)), 2));
   geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
   const material = new THREE.MeshStandardMaterial({ color: 0xcccccc, side: THREE.DoubleSide });

@@ -1,4 +1,4 @@
-// Everything that is on the screen, in the order of its weight, with the colours it has there.
+// Everything that is on the screen, in the order of its weight, with the colors it has there.
 import { branchScale } from './branch_scale.js';
 import { branchColor, cellColor, cssColor, distanceColor, laplacianColor, stops } from './color_maps.js';
 import { number } from './words.js';
@@ -14,11 +14,11 @@ function sourceLabel({ points, total }, atlas) {
   return points.length > 1 ? 'sources' : 'source';
 }
 
-// of the first sources, after which colours come again; with fields rather than a ramp
+// of the first sources, after which colors come again; with fields rather than a ramp
 const cellStops = (count) => Array.from({ length: Math.min(count, 12) }, (_, i) => cssColor(cellColor(i)))
   .flatMap((color) => [color, color, color, color]);
 
-export function legendItems({ state, source, curve, curves, defaults, viewer, path, atlas, appearance }) {
+export function legendItems({ state, source, curve, curves, defaults, viewer, path, atlas, appearance, hasWave }) {
   const { gradient, hasDisk, laplacian, laplacianScale } = appearance;
   if (!source || !curve) return [];
   const { show, look } = state;
@@ -37,6 +37,7 @@ export function legendItems({ state, source, curve, curves, defaults, viewer, pa
   if (hasEdgeCurve && !colored) items.push({ kind: 'line', color: colors.edges, label: 'cut locus along mesh edges' });
   if (show.hidden && hasCurve && (show.faceCurve || hasEdgeCurve))
     items.push({ kind: 'line', color: show.faceCurve ? colors.hidden : viewer.edgeCurve.hiddenStyle, label: 'its parts behind the surface' });
+  if (hasWave) items.push({ kind: 'fill', color: colors.source, label: 'wave from the source' });
   items.push({ kind: 'dot', color: colors.casing, rim: colors.text, label: 'farthest point' });
   if (path) items.push({ kind: 'line', color: colors.path, label: pathLabel(path) });
   if (show.gradient && gradient) items.push({ kind: 'line', color: colors.arrows, label: 'away from the source' });

@@ -33,7 +33,7 @@ function fill(result, values, end) {
 
 const ofEnd = (values, end, count) => new THREE.BufferAttribute(fill(new Float32Array(3 * size * count), values, end), 3);
 
-// Six numbers for each segment: its ends, and, if given, the colours there. There may be room for more of them. Round ends
+// Six numbers for each segment: its ends, and, if given, the colors there. There may be room for more of them. Round ends
 // have two thirds of the triangles, and can be left out.
 export function lineGeometry(segments, colors = null, { hasRoom = false, hasEnds = true } = {}) {
   const count = (hasRoom ? 2 : 1) * segments.length / 6;
@@ -51,7 +51,12 @@ export function lineGeometry(segments, colors = null, { hasRoom = false, hasEnds
   return geometry;
 }
 
-// Other segments, without colours, if there is room for them. Only these are sent to the graphics card.
+// Of the segments, only so many of the first ones are drawn.
+export function setShown(geometry, count) {
+  geometry.setDrawRange(0, geometry.userData.indicesOfSegment * count);
+}
+
+// Other segments, without colors, if there is room for them. Only these are sent to the graphics card.
 export function refill(geometry, segments) {
   const starts = geometry.getAttribute('instanceStart');
   if (!starts || starts.count * 6 < size * segments.length) return false;

@@ -9,6 +9,8 @@ const byCause = {
   sameSources: () => 'Two sources have a point in common: choose another point, or let the border be no source.',
   noFaceAtSource: () => 'Sources are too close to each other for a curve that is made of edges of the mesh, or starts from them: '
     + 'choose another point, a finer mesh, or the curve through the faces of the method “the smooth shape”.',
+  notLoaded: () => 'The part of the page that computes could not be loaded. Is the network there?',
+  workerFailed: (element, words) => `The part of the page that computes has stopped (${words}). It starts again with what you do next.`,
   sourcesApart: () => 'Sources must be on the same part of the mesh: no path leads from one part to another.',
 };
 
@@ -28,14 +30,14 @@ const byWords = [
     () => 'There is no surface in this file: it has no faces.'],
   [/out of bounds|unreachable|null function|signature mismatch/,
     () => 'The computation broke down here, which is an error of the program. Move the source a little, or take another method.'],
-  [/memory|Array buffer allocation|too large/i,
+  [/memory|Array buffer allocation|Invalid array length|too large/i,
     () => 'The mesh is too large for the memory that a page can have. Simplify it, or use the program cut_locus.'],
   [/(cannot read|it is damaged)/,
     () => 'The file cannot be read: it is damaged, or its content does not match the ending of its name.'],
 ];
 
 export function explain({ message, cause }) {
-  if (cause in byCause) return byCause[cause]((message.match(/(face|vertex) #\d+/) || ['mesh'])[0]);
+  if (Object.hasOwn(byCause, cause)) return byCause[cause]((message.match(/(face|vertex) #\d+/) || ['mesh'])[0], message);
   for (const [pattern, text] of cause && cause !== 'other' ? [] : byWords) {
     const match = message.match(pattern);
     if (match) return text(match);
@@ -47,9 +49,11 @@ export function explain({ message, cause }) {
 export const extensions = ['off', 'obj', 'ply', 'stl', 'ts', 'vtp'];
 export const largestFile = 500e6;
 
+export const extensionOf = (name) => name.split('.').pop().toLowerCase();
+
 // What can be told before a file is read, or null.
 export function objectionTo(file) {
-  const extension = file.name.split('.').pop().toLowerCase();
+  const extension = extensionOf(file.name);
   if (!extensions.includes(extension))
     return `“${file.name}” cannot be opened: its name must end in .off, .obj, .ply, .stl, .ts or .vtp.`;
   if (file.size === 0) return `“${file.name}” is empty.`;

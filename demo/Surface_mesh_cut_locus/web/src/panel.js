@@ -4,6 +4,7 @@ import { fillLegend } from './legend.js';
 import { samples, sampleSizes } from './samples.js';
 import { Slider, thresholds } from './sliders.js';
 import { methods } from './state.js';
+import { recall, remember } from './memory.js';
 import { count, doubts, milliseconds, number, numberRows, summary } from './words.js';
 
 const element = (id) => document.getElementById(id);
@@ -41,6 +42,7 @@ export class Panel {
       element('samples').append(button);
     }
     for (const [name, { label }] of Object.entries(kinds)) element('export-what').append(new Option(label, name));
+    element('intro').hidden = recall('intro') === 'read';
     element('panel').classList.add('is-folded'); // which shows on phones alone
     element('result-fold').open = window.matchMedia('(min-width: 1200px)').matches;
   }
@@ -86,9 +88,19 @@ export class Panel {
       if (target.value) app.appearance.look(target.value);
       target.value = '';
     });
+    element('forget').addEventListener('click', async () => {
+      await app.kept.clear();
+      this.showMessage('No mesh of yours is kept here any more.', { isPlain: true });
+    });
     element('cancel').addEventListener('click', () => app.cancel());
     element('message-close').addEventListener('click', () => this.hideMessage());
+    element('message-retry').addEventListener('click', () => this.onRetry());
     element('panel-toggle').addEventListener('click', () => this.toggle());
+    element('panel-hide').addEventListener('click', () => this.setHidden(true));
+    element('panel-show').addEventListener('click', () => this.setHidden(false));
+    element('wave-play').addEventListener('click', () => app.wave.toggle());
+    element('wave-front').addEventListener('input', ({ target }) => app.wave.moveTo(target.value / target.max));
+    element('intro-close').addEventListener('click', () => this.closeIntro());
     element('help-button').addEventListener('click', () => element('help').showModal());
     this.connectExport(app);
     this.setState(app.state);
@@ -154,6 +166,21 @@ export class Panel {
     this.setSample(state);
   }
 
+  // `front` is the distance that the wave has come, or null if there is none.
+  setWave(share, isPlaying, front) {
+    const slider = element('wave-front');
+    slider.value = share * slider.max;
+    slider.setAttribute('aria-valuetext', front === null ? 'all of it' : `at distance ${number(front)}`);
+    element('wave-play').textContent = isPlaying ? '❚❚ Stop' : '▶ Wave';
+  }
+
+  // Who has read it does not see it again.
+  closeIntro() {
+    element('intro').hidden = true;
+    element('wave-play').focus();
+    remember('intro', 'read');
+  }
+
   setHistory(history) {
     element('undo').disabled = !history.canUndo;
     element('redo').disabled = !history.canRedo;
@@ -170,6 +197,28 @@ export class Panel {
     const isFolded = element('panel').classList.toggle('is-folded');
     element('panel-toggle').textContent = isFolded ? 'More' : 'Less';
     element('panel-toggle').setAttribute('aria-expanded', !isFolded);
+  }
+
+  // The picture alone; the focus goes to what takes it back.
+  setHidden(isHidden) {
+    this.showReadout(null);
+    element('panel').hidden = isHidden;
+    element('panel-show').hidden = !isHidden;
+    element(isHidden ? 'panel-show' : 'panel-hide').focus();
+    this.app.viewer.resize();
+    this.app.appearance.fit();
+  }
+
+  // In a frame of another page there is the picture, with the wave, and a link to all the rest.
+  setEmbedded(isEmbedded) {
+    document.body.classList.toggle('is-embedded', isEmbedded);
+    element('embed-open').hidden = !isEmbedded;
+    element('intro').hidden ||= isEmbedded;
+    if (isEmbedded) element('tools').prepend(element('wave'));
+  }
+
+  setLink(hash) {
+    element('embed-open').href = hash;
   }
 
   setSample(state) {
@@ -199,8 +248,8 @@ export class Panel {
   // A link cannot have the file.
   invite(file) {
     element('invitation-title').textContent = `This link is about the file “${file}”`;
-    element('invitation-text').textContent = 'Links do not contain meshes. Open the file here, or drop it on the page, to see '
-      + 'the same source, thresholds and view.';
+    element('invitation-text').textContent = 'Links do not contain meshes, and this browser has not kept that one. Open the file here, or '
+      + 'drop it on the page, to see the same source, thresholds and view.';
     element('invitation').hidden = false;
   }
 
@@ -310,13 +359,23 @@ export class Panel {
     element('busy-share').hidden = false;
   }
 
-  // what is plain goes by itself
-  showMessage(text, isPlain = false) {
+  // What is plain goes by itself, when it has been read. `onRetry` does again what has failed.
+  showMessage(text, { isPlain = false, onRetry = null } = {}) {
     element('message-text').textContent = text;
+    element('message-retry').hidden = !onRetry;
+    this.onRetry = onRetry;
     element('message').classList.toggle('is-plain', isPlain);
     element('message').hidden = false;
     clearTimeout(this.messageTimer);
-    if (isPlain) this.messageTimer = setTimeout(() => this.hideMessage(), 5000);
+    if (isPlain) this.messageTimer = setTimeout(() => this.hideMessage(), Math.max(5000, 80 * text.length));
+  }
+
+  // whether there is no graphics card to draw with
+  setLost(isLost) {
+    if (isLost)
+      this.showMessage('The graphics card does not draw any more. The picture comes back with it, or when the page is loaded again.',
+        { onRetry: () => location.reload() });
+    else this.hideMessage();
   }
 
   hideMessage() {

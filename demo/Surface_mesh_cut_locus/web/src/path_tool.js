@@ -13,7 +13,7 @@ export class PathTool {
   async show(location) {
     if (!this.app.isSolved || !this.app.curve) return;
     if (this.app.source.hasBorder) {
-      this.app.panel.showMessage('Shortest paths are shown to points only: let the border be no source.', true);
+      this.app.panel.showMessage('Shortest paths are shown to points only: let the border be no source.', { isPlain: true });
       return;
     }
     const nearest = nearestSegment(this.app.curve.segments, location.place);
@@ -22,7 +22,7 @@ export class PathTool {
     await this.app.attempt('Finding shortest paths…', async () => {
       const { points, numbers } = await this.app.engine.run('paths', { end: { face: end.face, coordinates: end.coordinates } });
       this.set({ points, numbers, end: end.place });
-      if (numbers.length === 0) this.app.panel.showMessage('No path leads there from the source.', true);
+      if (numbers.length === 0) this.app.panel.showMessage('No path leads there from the source.', { isPlain: true });
     });
     this.app.report();
   }

@@ -2,9 +2,10 @@
 // values. A source that is pressed follows the pointer until it is released, as all sources do while a key is held.
 import * as THREE from 'three';
 import { coordinatesInFace } from './atlas.js';
+import { Press } from './press.js';
 
 const restMilliseconds = 50;
-const clickPixels = 4; // a click moves less
+const ringPixels = 6; // apart, where the nearest point of the surface is looked for
 const grabPixels = { mouse: 10, pen: 14, touch: 22 }; // a source that is as near is pressed
 
 export class Pointer {
@@ -19,18 +20,18 @@ export class Pointer {
 
   watch(pane, locate) {
     const { element } = pane;
-    let down = null;
+    const press = new Press();
     const place = (event) => {
       const box = element.getBoundingClientRect();
       return [event.clientX - box.left, event.clientY - box.top];
     };
     element.addEventListener('pointerdown', (event) => {
-      down = event.button === 0 ? [event.clientX, event.clientY] : null;
+      press.down(event);
       this.onHover(null);
     });
+    element.addEventListener('pointercancel', () => press.cancel());
     element.addEventListener('pointerup', (event) => {
-      if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > clickPixels) return;
-      down = null;
+      if (!press.up(event)) return;
       const location = locate(...place(event));
       if (location) this.onPick(location, event.shiftKey ? 'add' : event.altKey ? 'path' : null);
       // a finger does not rest above the surface: values are those where it has been
@@ -38,6 +39,7 @@ export class Pointer {
     });
     element.addEventListener('pointermove', (event) => {
       clearTimeout(this.timer);
+      press.move(event);
       if (event.buttons !== 0 || event.pointerType === 'touch' || this.isFollowing) return;
       const [x, y] = place(event);
       this.timer = setTimeout(() => this.onHover(locate(x, y), [event.clientX, event.clientY]), restMilliseconds);
@@ -71,32 +73,44 @@ export class Pointer {
 
   // A press on a source begins before the view turns with it.
   watchSources(element) {
-    let pressed = null;
+    let pressed = null; // the source, and how it has been pressed
+    const press = new Press();
+    let handedOn = null; // to the view
     const place = ({ clientX, clientY }) => {
       const box = element.getBoundingClientRect();
       return [clientX - box.left, clientY - box.top];
     };
+    const release = () => {
+      press.cancel();
+      if (!pressed) return;
+      pressed = null;
+      this.viewer.controls.enabled = true;
+      this.endFollowing();
+    };
     element.addEventListener('pointerdown', (event) => {
-      if (event.button !== 0 || !event.isPrimary || this.isFollowing) return;
+      // A second finger zooms: the view gets the first one, too, and the source stays.
+      if (pressed && !event.isPrimary) {
+        const { first } = pressed;
+        release();
+        handedOn = new PointerEvent('pointerdown', first);
+        element.dispatchEvent(handedOn);
+      }
+      if (event === handedOn) return;
+      if (event.button !== 0 || !event.isPrimary || pressed || this.isFollowing) return;
       const index = this.sourceAt(...place(event), grabPixels[event.pointerType] || grabPixels.mouse);
       if (index < 0) return;
-      pressed = { index, at: [event.clientX, event.clientY] };
+      press.down(event);
+      pressed = { index, first: event };
       this.viewer.controls.enabled = false;
       element.setPointerCapture(event.pointerId);
     }, { capture: true });
     element.addEventListener('pointermove', (event) => {
       this.last = place(event);
-      const hasMoved = pressed && Math.hypot(event.clientX - pressed.at[0], event.clientY - pressed.at[1]) > clickPixels;
-      if (hasMoved && !this.isFollowing) this.startFollowing(pressed.index);
+      if (press.move(event) && !this.isFollowing) this.startFollowing(pressed.index);
       if (this.isFollowing) this.follow();
     });
     for (const type of ['pointerup', 'pointercancel'])
-      element.addEventListener(type, () => {
-        if (!pressed) return;
-        pressed = null;
-        this.viewer.controls.enabled = true;
-        this.endFollowing();
-      });
+      element.addEventListener(type, (event) => { if (pressed && event.pointerId === pressed.first.pointerId) release(); });
     element.addEventListener('pointerleave', () => { this.last = null; });
   }
 
@@ -171,8 +185,22 @@ export class Pointer {
     return this.onModel((seen.x + 1) / 2 * width, (1 - seen.y) / 2 * height);
   }
 
-  atCenter() {
+  // The point of the surface that is seen nearest to a pixel of the model's part, or null if nothing is seen: around it
+  // in rings, of which the first one that has any decides.
+  nearestSeen(x, y) {
+    const found = this.onModel(x, y);
+    if (found) return found;
     const { width, height } = this.viewer.boxOf(this.viewer.model);
-    return this.onModel(width / 2, height / 2);
+    const isInside = (u, v) => u >= 0 && v >= 0 && u <= width && v <= height;
+    for (let radius = ringPixels; radius < Math.hypot(width, height); radius += ringPixels) {
+      const count = Math.ceil(2 * Math.PI * radius / ringPixels);
+      for (let i = 0; i < count; ++i) {
+        const angle = 2 * Math.PI * i / count;
+        const [u, v] = [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
+        const hit = isInside(u, v) && this.onModel(u, v);
+        if (hit) return hit;
+      }
+    }
+    return null;
   }
 }

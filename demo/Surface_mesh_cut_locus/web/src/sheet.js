@@ -1,6 +1,7 @@
 // The surface cut open and flattened, which follows the thresholds and the source.
 import { curveNames } from './arrays.js';
 import { seamsOf } from './atlas.js';
+import { colorsOfSheets } from './cell_colors.js';
 import { Cancelled } from './engine.js';
 import { sheetsOf } from './sheets.js';
 import { describeAtlas } from './words.js';
@@ -10,7 +11,8 @@ const restMilliseconds = 300; // a slider that has not moved for so long is at r
 export class Sheet {
   constructor(app) {
     this.app = app;
-    this.atlas = null;
+    this.atlas = null; // that is shown
+    this.computed = null; // the last one, also if it was computed to be exported
   }
 
   async toggle() {
@@ -18,6 +20,7 @@ export class Sheet {
     let hasChanged = true;
     if (this.atlas) {
       this.drop();
+      hasChanged = await this.app.attempt('Computing…', () => this.app.appearance.showFields());
     } else {
       this.app.state.isCut = true;
       hasChanged = await this.app.attempt('Cutting the surface open…', () => (this.app.isSolved ? this.cut() : this.app.solveNow()));
@@ -53,7 +56,7 @@ export class Sheet {
     const begin = performance.now();
     let atlas;
     try {
-      atlas = await this.compute();
+      atlas = await this.current();
     } catch (error) {
       // what cancels it by a new command cuts again
       if (!(error instanceof Cancelled)) this.drop();
@@ -61,7 +64,9 @@ export class Sheet {
     }
     this.atlas = atlas;
     const isNew = !this.app.viewer.hasAtlas;
-    this.app.viewer.showCut({ ...atlas, ...seamsOf(atlas, this.app.mesh.positions) });
+    this.app.cellColors.step = null;
+    const colors = this.app.source.total > 1 ? colorsOfSheets(atlas.sheets, atlas.uv.length / 2) : null;
+    this.app.viewer.showCut({ ...atlas, ...seamsOf(atlas, this.app.mesh.positions), colors });
     this.app.panel.setCut(true, this.quality(atlas));
     if (isNew) this.app.viewer.fitPlane(); // beside what is told about it
     this.app.times.cut = performance.now() - begin;
@@ -70,11 +75,13 @@ export class Sheet {
 
   async compute() {
     const { name, index } = this.seam;
+    const { step } = this;
     const { curve, ...atlas } = await this.app.engine.run('cut', { parameters: this.app.parameters, curve: index });
     this.app.curves[name] = curve;
-    atlas.step = this.step;
+    atlas.step = step;
     const { mesh, state, source } = this.app;
     atlas.sheets = sheetsOf(atlas, mesh, state.border === 'only' ? [] : state.sources, source.nearest);
+    this.computed = atlas;
     return atlas;
   }
 
@@ -83,10 +90,16 @@ export class Sheet {
   }
 
   async current() {
-    return this.atlas && this.atlas.step === this.step ? this.atlas : this.compute();
+    return this.computed && this.computed.step === this.step ? this.computed : this.compute();
   }
 
+  // another mesh
   forget() {
+    this.computed = null;
+    this.close();
+  }
+
+  close() {
     clearTimeout(this.cutTimer);
     this.atlas = null;
     this.app.panel.setCut(false);
@@ -95,7 +108,7 @@ export class Sheet {
   drop() {
     this.app.state.isCut = false;
     if (!this.atlas) return;
-    this.forget();
+    this.close();
     this.app.viewer.showUncut();
     this.app.appearance.updateSurface();
   }

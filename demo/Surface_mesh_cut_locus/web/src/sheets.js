@@ -50,8 +50,8 @@ function sheetOfBorder(vertices, { parents, weights, uv }, onBorder, nearest) {
   return { source, place: [uv[2 * at], uv[2 * at + 1]] };
 }
 
-// Of each sheet the number of its source, from 0 on, and the place at which it is marked. `sources` are the points, before
-// the borders; `nearest` are the sources of the vertices of the mesh.
+// Of each sheet the number of its source, from 0 on, the place at which it is marked, and its vertices. `sources` are the
+// points, before the borders; `nearest` are the sources of the vertices of the mesh.
 export function sheetsOf(atlas, { triangles }, sources, nearest) {
   const first = firstVertices(atlas);
   const members = new Map();
@@ -62,5 +62,6 @@ export function sheetsOf(atlas, { triangles }, sources, nearest) {
     if (found) marked.set(first[found.vertex], { source, place: found.place });
   });
   const onBorder = new Set(atlas.border);
-  return Array.from(members, ([key, vertices]) => marked.get(key) || sheetOfBorder(vertices, atlas, onBorder, nearest));
+  return Array.from(members, ([key, vertices]) =>
+    ({ ...(marked.get(key) || sheetOfBorder(vertices, atlas, onBorder, nearest)), vertices }));
 }

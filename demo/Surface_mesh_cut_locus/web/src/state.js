@@ -45,6 +45,7 @@ export function defaultState() {
       theme: 'auto',
     },
     isCut: false,
+    isEmbedded: false, // the picture alone, for the frame of another page
     view: null,
   };
 }
@@ -74,68 +75,96 @@ export function toHash(state) {
   if (differing.length > 0) items.set('show', differing.map((name) => (state.show[name] ? '' : '-') + name).join());
   for (const [name, value] of Object.entries(state.look)) if (value !== standard.look[name]) items.set(name, value);
   if (state.isCut) items.set('cut', '1');
+  if (state.isEmbedded) items.set('embed', '1');
   if (state.view) items.set('view', state.view.map((x) => round(x, 4)).join());
   return `#${items.toString().replace(/%2C/g, ',')}`;
 }
 
+// null unless all of them are numbers
 function numbersIn(text) {
-  const numbers = (text || '').split(',').map(Number);
-  return text && numbers.every(Number.isFinite) ? numbers : [];
+  const numbers = text.split(',').map((part) => (part.trim() === '' ? NaN : Number(part)));
+  return numbers.every(Number.isFinite) ? numbers : null;
 }
 
 function sourcesIn(text) {
   const numbers = numbersIn(text);
+  if (!numbers || numbers.length % 4 !== 0) return null;
   const sources = [];
-  for (let i = 0; i + 4 <= numbers.length; i += 4)
-    sources.push({ face: numbers[i], coordinates: numbers.slice(i + 1, i + 4) });
-  const isValid = sources.length > 0 && sources.every(({ face }) => Number.isInteger(face) && face >= 0);
-  return isValid ? sources : null;
+  for (let i = 0; i < numbers.length; i += 4) sources.push({ face: numbers[i], coordinates: numbers.slice(i + 1, i + 4) });
+  // a point in its face
+  const isValid = ({ face, coordinates }) => Number.isInteger(face) && face >= 0 && coordinates.every((b) => b >= 0)
+    && coordinates.some((b) => b > 0);
+  return sources.every(isValid) ? sources : null;
 }
 
-const looks = {
-  color: ['plain', 'distance', 'cells', 'laplacian'],
-  shading: ['smooth', 'flat'],
-  up: ['auto', 'y', 'z'],
-  theme: ['auto', 'light', 'dark'],
+// How items of a link are read: each sets something in the state, and tells whether it makes sense.
+const oneOf = (allowed, set) => (state, text) => {
+  if (!allowed.includes(text)) return false;
+  set(state, text);
+  return true;
 };
 
-function readLook(items, look) {
-  for (const [name, allowed] of Object.entries(looks)) if (allowed.includes(items.get(name))) look[name] = items.get(name);
-  for (const name of ['wireframe', 'occlusion', 'axes'])
-    if (['true', 'false'].includes(items.get(name))) look[name] = items.get(name) === 'true';
-  const transparency = Number(items.get('transparency'));
-  if (transparency >= 0 && transparency <= 0.9) look.transparency = transparency;
-}
+const numberIn = (low, high, set) => (state, text) => {
+  const value = text.trim() === '' ? NaN : Number(text);
+  if (!(value >= low && value <= high)) return false;
+  set(state, value);
+  return true;
+};
 
-// What is missing, or makes no sense, is left as it is by default.
+const parameter = (name, low, high) => numberIn(low, high, (state, value) => { state.parameters[name] = value; });
+const flag = (name) => oneOf(['true', 'false'], (state, text) => { state.look[name] = text === 'true'; });
+const look = (name, allowed) => oneOf(allowed, (state, text) => { state.look[name] = text; });
+const given = (read, set) => (state, text) => {
+  const value = read(text);
+  if (value === null) return false;
+  set(state, value);
+  return true;
+};
+
+const readers = {
+  file: given((text) => text || null, (state, file) => Object.assign(state, { sample: null, file })),
+  sample: given((text) => text || null, (state, sample) => Object.assign(state, { sample, file: null })),
+  faces: numberIn(100, 2e6, (state, value) => { state.faces = Math.round(value); }),
+  source: given(sourcesIn, (state, sources) => { state.sources = sources; }),
+  border: oneOf(['no', 'also', 'only'], (state, text) => { state.border = text; }),
+  solver: oneOf(['exact', 'heat', 'graph'], (state, text) => { state.solver = text; }),
+  method: oneOf(methods, (state, text) => { state.method = text; }),
+  width: parameter('width', 0, 100),
+  keep: oneOf(keptParts, (state, text) => { state.parameters.keep = text; }),
+  angle: parameter('angle', 0, Math.PI),
+  laplacian: parameter('laplacian', -Infinity, Infinity),
+  minimumEdges: parameter('minimumEdges', 0, 1e9),
+  minimumLength: parameter('minimumLength', 0, 1000),
+  policy: oneOf(['prune', 'grow'], (state, text) => { state.parameters.policy = text; }),
+  smoothing: parameter('smoothing', 0, 1000),
+  show(state, text) {
+    const names = text.split(',').map((item) => [item.replace(/^-/, ''), !item.startsWith('-')]);
+    for (const [name, value] of names) if (Object.hasOwn(state.show, name)) state.show[name] = value;
+    return names.every(([name]) => Object.hasOwn(state.show, name));
+  },
+  color: look('color', ['plain', 'distance', 'cells', 'laplacian']),
+  transparency: numberIn(0, 0.9, (state, value) => { state.look.transparency = value; }),
+  shading: look('shading', ['smooth', 'flat']),
+  wireframe: flag('wireframe'),
+  occlusion: flag('occlusion'),
+  axes: flag('axes'),
+  up: look('up', ['auto', 'y', 'z']),
+  theme: look('theme', ['auto', 'light', 'dark']),
+  cut: oneOf(['0', '1'], (state, text) => { state.isCut = text === '1'; }),
+  embed: oneOf(['', '0', '1'], (state, text) => { state.isEmbedded = text !== '0'; }),
+  view: given((text) => {
+    const numbers = numbersIn(text);
+    // the eye, which is not where it looks
+    return numbers && numbers.length === 6 && [0, 1, 2].some((k) => numbers[k] !== numbers[k + 3]) ? numbers : null;
+  }, (state, view) => { state.view = view; }),
+};
+
+// What a link says. What is missing, or makes no sense, is left as it is by default; `ignored` has the names of the latter.
 export function fromHash(hash) {
   const state = defaultState();
-  const items = new URLSearchParams(hash.replace(/^#/, ''));
-  if (items.has('file')) {
-    state.sample = null;
-    state.file = items.get('file');
-  }
-  if (items.has('sample')) state.sample = items.get('sample');
-  const faces = Number(items.get('faces'));
-  if (faces >= 100 && faces <= 2e6) state.faces = faces;
-  state.sources = sourcesIn(items.get('source'));
-  if (['exact', 'heat', 'graph'].includes(items.get('solver'))) state.solver = items.get('solver');
-  if (methods.includes(items.get('method'))) state.method = items.get('method');
+  const ignored = [];
+  for (const [name, text] of new URLSearchParams(hash.replace(/^#/, '')))
+    if (!Object.hasOwn(readers, name) || !readers[name](state, text)) ignored.push(name);
   if (state.solver !== 'exact') state.method = 'laplacian';
-  for (const name of ['width', 'angle', 'laplacian', 'minimumEdges', 'minimumLength', 'smoothing']) {
-    const value = Number(items.get(name));
-    if (items.has(name) && Number.isFinite(value) && (name !== 'width' || value >= 0)) state.parameters[name] = value;
-  }
-  if (items.get('policy') === 'grow') state.parameters.policy = 'grow';
-  if (keptParts.includes(items.get('keep'))) state.parameters.keep = items.get('keep');
-  if (['also', 'only'].includes(items.get('border'))) state.border = items.get('border');
-  for (const item of (items.get('show') || '').split(',')) {
-    const name = item.replace(/^-/, '');
-    if (name in state.show) state.show[name] = !item.startsWith('-');
-  }
-  state.isCut = items.get('cut') === '1';
-  readLook(items, state.look);
-  const view = numbersIn(items.get('view'));
-  if (view.length === 6) state.view = view;
-  return state;
+  return { state, ignored };
 }

@@ -1,4 +1,4 @@
-// The surface as it is drawn: its colours, lines of equal distance, the injectivity disk and a checker texture are
+// The surface as it is drawn: its colors, lines of equal distance, the injectivity disk and a checker texture are
 // computed for each pixel from attributes of the vertices.
 import * as THREE from 'three';
 import { distanceColor, laplacianColor, makeTexture } from './color_maps.js';
@@ -35,6 +35,8 @@ varying vec3 vPlace;
 varying vec2 vUv;
 uniform bool isAtlas;
 uniform bool isFlat;
+uniform float front; // how far a wave has come, or less than 0 if there is none
+uniform vec3 wave;
 uniform bool showIsolines;
 uniform bool showDisk;
 uniform bool showChecker;
@@ -51,7 +53,7 @@ uniform sampler2D laplacianMap;
 
 void main() {
   vec3 color = plain;
-  bool isReached = vDistance >= 0.;
+  bool isReached = vDistance >= 0. && (front < 0. || vDistance <= front);
   if(coloring == 1 && isReached)
     color = texture2D(distanceMap, vec2(vDistance / largest, .5)).rgb;
   if(coloring == 2 && isReached)
@@ -74,6 +76,10 @@ void main() {
     float line = (1. - smoothstep(.3 * width, width, off)) * (1. - smoothstep(.3, .8, width));
     color *= 1. - .22 * line;
   }
+  if(front >= 0. && vDistance >= 0.) {
+    float behind = (front - vDistance) / largest;
+    color = mix(color, wave, behind < 0. ? 0. : .25 * exp(-3. * behind) + .65 * exp(-60. * behind));
+  }
   if(!isAtlas) {
     vec3 n = isFlat ? cross(dFdx(vPlace), dFdy(vPlace)) : (gl_FrontFacing ? vNormal : -vNormal);
     n = normalize(n);
@@ -95,6 +101,8 @@ function makeUniforms(isAtlas) {
     showChecker: { value: false },
     coloring: { value: 0 },
     plain: { value: new THREE.Vector3(0.8, 0.8, 0.8) },
+    front: { value: -1 },
+    wave: { value: new THREE.Vector3() },
     spacing: { value: 0.1 },
     radius: { value: 0 },
     largest: { value: 1 },

@@ -85,6 +85,13 @@ export class SurfaceLayer {
     this.isValid = false;
   }
 
+  // Its pictures are gone, with the graphics card that had them.
+  renew() {
+    this.isValid = false;
+    this.hasOcclusion = false;
+    this.pass = null;
+  }
+
   // What is drawn changes from now on until `settle()`. Where that takes long, as without a graphics card, it is drawn
   // coarsely, with one sample in each pixel, and, after `pace()`, less often than what is above it.
   hurry() {

@@ -1,4 +1,4 @@
-// Light or dark: the colours are those of the style sheet, which the picture shares.
+// Light or dark: the colors are those of the style sheet, which the picture shares.
 
 const preference = window.matchMedia('(prefers-color-scheme: dark)');
 

@@ -20,7 +20,7 @@ const coarseness = 1 / 2; // of the pixels along each axis, where drawing takes 
 const modelRadius = 1.02; // the mesh fills the unit ball
 
 export class Viewer {
-  constructor(canvas, views, { onPick, onHover, onFollow, onChange, overlays = [] }) {
+  constructor(canvas, views, { onPick, onHover, onFollow, onChange, onLost, overlays = [] }) {
     this.canvas = canvas;
     this.onChange = onChange;
     this.placement = new Placement(this, overlays);
@@ -36,6 +36,7 @@ export class Viewer {
     this.hasAxes = true;
     this.hasAtlas = false;
     this.isDirty = false;
+    this.afterDraw = new Set(); // what lies above the picture, and moves with it
 
     this.model = this.makePane(views.model, new THREE.PerspectiveCamera(viewAngle, 1, 0.01, 100));
     this.plane = this.makePane(views.atlas, new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10));
@@ -81,9 +82,24 @@ export class Viewer {
 
     this.makeControls();
     this.pointer = new Pointer(this, { onPick, onHover, onFollow });
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    this.watchContext(onLost);
+    new ResizeObserver(() => this.resize()).observe(canvas);
     this.resize();
     this.resetView();
+  }
+
+  // The graphics card may be taken away, as by another program or when a notebook sleeps. When it comes back, three.js has
+  // everything that it draws sent there again; pictures that were kept are gone.
+  watchContext(onLost) {
+    this.canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault(); // it may come back
+      onLost(true);
+    });
+    this.canvas.addEventListener('webglcontextrestored', () => {
+      for (const pane of [this.model, this.plane]) pane.layer.renew();
+      this.invalidate();
+      onLost(false);
+    });
   }
 
   makePane(element, camera) {
@@ -126,8 +142,8 @@ export class Viewer {
 
   setTheme(colors) {
     this.colors = colors;
-    this.surface.setUniforms({ plain: new THREE.Vector3(...colors.surface) });
-    this.atlas.setUniforms({ plain: new THREE.Vector3(...colors.surface) });
+    const wave = new THREE.Vector3(...new THREE.Color(colors.source).toArray());
+    for (const surface of [this.surface, this.atlas]) surface.setUniforms({ plain: new THREE.Vector3(...colors.surface), wave });
     this.faceCurve.setColors(colors.curve, colors.hidden, colors.casing);
     this.previewCurve.setColors(new THREE.Color(colors.curve).lerp(new THREE.Color(colors.back), previewFading), colors.hidden, colors.casing);
     this.edgeCurve.setColors(colors.edges, new THREE.Color(colors.edges).lerp(new THREE.Color(colors.back), 0.6), colors.casing);
@@ -212,6 +228,23 @@ export class Viewer {
       renderer.setViewport(0, 0, this.size.width, this.size.height);
       this.drawAxes();
     }
+    for (const action of this.afterDraw) action();
+  }
+
+  // where a point of the model's space is seen, from the upper left corner of the canvas
+  pixelAt(place) {
+    const { left, bottom, width, height } = this.boxOf(this.model);
+    this.setAspect(this.model, width / height);
+    this.camera.updateMatrixWorld();
+    const seen = new THREE.Vector3(...place).project(this.camera);
+    return [left + (seen.x + 1) / 2 * width, this.size.height - bottom - height + (1 - seen.y) / 2 * height];
+  }
+
+  // How far a wave from the sources has come, or null: what it has not reached is plain, and has no curve.
+  setFront(front) {
+    this.setUniforms({ front: front ?? -1 });
+    for (const curve of [this.faceCurve, this.edgeCurve]) curve.showUpTo(front);
+    this.invalidateCurves();
   }
 
   // in the lower right corner of the model's part
@@ -283,7 +316,7 @@ export class Viewer {
   }
 
   resize() {
-    const { clientWidth, clientHeight } = this.canvas.parentElement;
+    const { clientWidth, clientHeight } = this.canvas;
     this.size = { width: Math.max(clientWidth, 1), height: Math.max(clientHeight, 1) };
     this.isStacked = window.matchMedia('(max-width: 640px)').matches;
     this.renderer.setSize(this.size.width, this.size.height, false);
@@ -433,6 +466,7 @@ export class Viewer {
     this.distance = null;
     this.laplacian = null;
     this.cells = null;
+    this.exactCells = null;
     this.wireframe.geometry.dispose();
     this.wireframe.geometry = new THREE.BufferGeometry();
     this.showUncut();
@@ -453,7 +487,7 @@ export class Viewer {
     this.atlas.setGeometry(geometry);
     this.setDistance(this.distance);
     this.setLaplacian(this.laplacian);
-    this.setCells(this.cells);
+    this.paintCells();
     this.model.layer.hasOcclusion = false;
   }
 
@@ -464,10 +498,29 @@ export class Viewer {
     geometry.setAttribute('position', this.pickable.geometry.getAttribute('position'));
     geometry.setAttribute('normal', this.pickable.geometry.getAttribute('normal'));
     this.cut = null;
+    this.exactCells = null;
     this.setHasAtlas(false);
     this.setSurfaceGeometry(geometry);
     this.seams.set(new Float32Array(0));
     this.invalidate();
+  }
+
+  // The surface divided into cells, where the curve between them runs; `colors` are those of its vertices.
+  showCells({ triangles, colors, ...cut }) {
+    this.cut = cut;
+    this.exactCells = colors;
+    this.setSurfaceGeometry(this.dividedGeometry(cut, triangles));
+    this.invalidate();
+  }
+
+  dividedGeometry(cut, triangles) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
+    for (const name of ['position', 'normal']) {
+      const values = valuesAt(cut, this.pickable.geometry.getAttribute(name).array, 3);
+      geometry.setAttribute(name, new THREE.BufferAttribute(values, 3));
+    }
+    return geometry;
   }
 
   setHasAtlas(hasAtlas) {
@@ -480,13 +533,9 @@ export class Viewer {
 
   // The surface cut open, as in `atlas.js`: vertex i has the texture coordinates uv[2 i], uv[2 i + 1]; face i is a part of
   // faces[i] of the mesh.
-  showCut({ triangles, faces, uv, seams, atlasSeams, sheets, ...cut }) {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
-    for (const name of ['position', 'normal']) {
-      const values = valuesAt(cut, this.pickable.geometry.getAttribute(name).array, 3);
-      geometry.setAttribute(name, new THREE.BufferAttribute(values, 3));
-    }
+  // `colors` are those of its vertices by their cells, or null.
+  showCut({ triangles, faces, uv, seams, atlasSeams, sheets, colors, ...cut }) {
+    const geometry = this.dividedGeometry(cut, triangles);
     geometry.setAttribute('uv', new THREE.BufferAttribute(uv, 2));
     const flat = new Float32Array(1.5 * uv.length);
     for (let i = 0; i < uv.length / 2; ++i) flat.set([uv[2 * i], uv[2 * i + 1]], 3 * i);
@@ -497,6 +546,7 @@ export class Viewer {
     this.cut = cut;
     this.cutTriangles = triangles;
     this.cutFaces = faces;
+    this.exactCells = colors;
     this.setHasAtlas(true);
     this.setSurfaceGeometry(geometry);
     this.seams.set(seams);
@@ -541,18 +591,22 @@ export class Viewer {
     this.setAttribute('distanceLaplacian', values);
   }
 
-  // the colour of each vertex of the mesh, or null
+  // the colors of the vertices of the mesh, three numbers each, or null
   setCells(colors) {
     this.cells = colors;
+    this.exactCells = null;
+    this.paintCells();
+  }
+
+  paintCells() {
     const { geometry } = this.surface.opaque;
-    if (!colors) {
+    const { cells, exactCells } = this;
+    if (!cells) {
       geometry.deleteAttribute('cellColor');
       return;
     }
-    const attribute = new Float32Array(3 * colors.length);
-    colors.forEach((color, i) => attribute.set(color, 3 * i));
     this.attributeFor('cellColor', geometry.getAttribute('position').count, 3)
-      .set(this.cut ? valuesAt(this.cut, attribute, 3) : attribute);
+      .set(exactCells || (this.cut ? valuesAt(this.cut, cells, 3) : cells));
     this.invalidateValues();
   }
 

@@ -4,7 +4,6 @@ import { arrays, causeNames, curveNames } from './arrays.js';
 import { keptParts } from './state.js';
 
 const base = new URL('.', self.location.href);
-importScripts(new URL('cut_locus.js', base).href);
 
 const stageNames = ['preprocessing', 'distance', 'strength', 'tree', 'homology', 'filter',
   'flattening', 'cutting'];
@@ -13,7 +12,7 @@ let stageStart = 0;
 let lastShare = 0; // when it was told
 const betweenShares = 60; // milliseconds
 
-const ready = self.createCutLocus({
+const settings = {
   locateFile: (name) => new URL(name, base).href,
   printErr: () => {},
   onStage(stage, starts) {
@@ -32,7 +31,18 @@ const ready = self.createCutLocus({
     lastShare = now;
     self.postMessage({ stage: stageNames[stage], share });
   },
-});
+};
+
+// What cannot be loaded is said to each command.
+const ready = (async () => {
+  try {
+    importScripts(new URL('cut_locus.js', base).href);
+    return await self.createCutLocus(settings);
+  } catch (error) {
+    throw Object.assign(new Error(error.message || String(error)), { cause: 'notLoaded', fatal: true });
+  }
+})();
+ready.catch(() => {});
 
 const typedArrays = { f32: Float32Array, f64: Float64Array, u32: Uint32Array, u8: Uint8Array };
 
@@ -161,6 +171,12 @@ const commands = {
     return { ...arraysOf(module, arrays.atlas), curve: arraysOf(module, arrays[curveNames[curve]]) };
   },
 
+  cells(module, { parameters, curve }) {
+    setThresholds(module, parameters);
+    check(module, module._divide_into_cells(curve));
+    return arraysOf(module, arrays.cells);
+  },
+
   laplacian(module) {
     check(module, module._compute_laplacian());
     return arrayOf(module, arrays.laplacian);
@@ -196,7 +212,7 @@ self.onmessage = async ({ data }) => {
     self.postMessage({ id: data.id, result }, buffersOf(result));
   } catch (error) {
     // what is not an error of the library leaves the module in an unknown state
-    const fatal = error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
+    const fatal = error.fatal || error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
     self.postMessage({ id: data.id, error: error.message || String(error), cause: error.cause, fatal });
   }
 };

@@ -91,6 +91,7 @@ export class Driver {
       () => this.noMessage(), () => null);
     const [download] = await Promise.all([Promise.race([this.page.waitForEvent('download'), refused]), this.page.click('#export')]);
     await this.idle();
+    this.exportedName = download.suggestedFilename();
     return readFile(await download.path());
   }
 
@@ -133,10 +134,25 @@ export class Driver {
     }, n);
   }
 
-  async picture(name) {
-    await this.page.waitForTimeout(500); // the shadows of hollows come when the view rests
+  // to be compared, and kept if pictures are wanted
+  async shot(name) {
+    // the shadows of hollows come when the view rests
+    await this.page.waitForTimeout(await this.app(({ viewer }) => viewer.occlusionStrength > 0) ? 500 : 60);
     const file = this.pictureFolder ? { path: join(this.pictureFolder, name) } : {};
     return this.page.screenshot(file);
+  }
+
+  // for who looks at them
+  async picture(name) {
+    if (this.pictureFolder) await this.shot(name);
+  }
+
+  // the link, with what has changed just now
+  hash() {
+    return this.app(({ address }) => {
+      address.flush();
+      return location.hash;
+    });
   }
 
   async resize(width = usualSize[0], height = usualSize[1]) {

@@ -11,12 +11,15 @@ import { serve } from '../serve.mjs';
 import * as accessibility from './cases/accessibility.mjs';
 import * as exporting from './cases/exporting.mjs';
 import * as files from './cases/files.mjs';
+import * as firstScreen from './cases/first_screen.mjs';
 import * as hosting from './cases/hosting.mjs';
 import * as layout from './cases/layout.mjs';
 import * as links from './cases/links.mjs';
 import * as look from './cases/look.mjs';
 import * as meshes from './cases/meshes.mjs';
 import * as results from './cases/results.mjs';
+import * as touch from './cases/touch.mjs';
+import * as trouble from './cases/trouble.mjs';
 import * as work from './cases/work.mjs';
 
 const [pageFolder, ...rest] = process.argv.slice(2);
@@ -33,11 +36,14 @@ const requests = new Set();
 page.on('pageerror', (error) => pageErrors.push(error.message));
 page.on('request', (request) => requests.add(new URL(request.url()).origin));
 
+// links are opened by who has been here
+await page.addInitScript(() => { if (location.hash.length > 1) localStorage.setItem('cut-locus-intro', 'read'); });
+
 const driver = new Driver({ page, address, scratch, pictureFolder: options.pictures });
 const facts = { pageFolder, meshFolder: options.meshes, pageErrors, requests, address };
 if (options.pictures) await mkdir(options.pictures, { recursive: true });
 let failures = 0;
-for (const { tests } of [results, work, look, exporting, links, files, layout, accessibility, meshes, hosting])
+for (const { tests } of [firstScreen, results, work, touch, look, exporting, links, files, trouble, layout, accessibility, meshes, hosting])
   for (const [name, test] of Object.entries(tests)) {
     if (!name.match(options.only || '')) continue;
     const start = performance.now();

@@ -74,8 +74,75 @@ export const tests = {
     assert.match(String(await d.exported('cut', 'svg')), /^<svg [^]*d="M/);
   },
 
+  async 'files tell by their names what is in them, and a sheet is laid flat once for all of them'(d) {
+    await d.open('#sample=torus&faces=5000');
+    const names = [];
+    await d.app(({ app }) => {
+      const { run } = app.engine;
+      app.cuts = 0;
+      app.engine.run = function counted(command, ...rest) {
+        app.cuts += command === 'cut';
+        return run.call(this, command, ...rest);
+      };
+    });
+    for (const [what, format] of [['faceCurve', 'obj'], ['edgeCurve', 'obj'], ['surface', 'obj'], ['cut', 'obj'], ['cut', 'ply'],
+      ['faceCurve', 'txt'], ['edgeCurve', 'txt'], ['picture', 'png']]) {
+      await d.exported(what, format);
+      names.push(d.exportedName);
+    }
+    assert.equal(new Set(names).size, names.length, names.join());
+    assert.ok(names.every((name) => name.startsWith('torus_')), names.join());
+    assert.equal(await d.app(({ app }) => app.cuts), 1);
+    // other sources have another sheet
+    await d.click(...await d.placeOnSurface());
+    await d.exported('cut', 'obj');
+    assert.equal(await d.app(({ app }) => app.cuts), 2);
+  },
+
+  async 'curves are exported with the widths of their branches'(d) {
+    await d.open('#sample=torus&faces=5000');
+    for (const what of ['faceCurve', 'edgeCurve']) {
+      const ply = String(await d.exported(what, 'ply'));
+      const [, header] = ply.match(/element edge \d+\n((?:property .*\n)*)/);
+      const column = header.trim().split('\n').findIndex((line) => / width$/.test(line));
+      assert.ok(column >= 0, header);
+      const { edges, vertices } = { edges: Number(ply.match(/element edge (\d+)/)[1]), vertices: Number(ply.match(/element vertex (\d+)/)[1]) };
+      const rows = ply.split('end_header\n')[1].trim().split('\n').slice(vertices, vertices + edges);
+      const widths = rows.map((row) => Number(row.split(' ')[column]));
+      // those by which the page colors it are parts of the diagonal
+      const ratio = await d.app(async ({ app }, [name, list]) => {
+        const { width } = await app.curveFor(name);
+        const all = list.map((w, i) => w / width[i]).sort((a, b) => a - b);
+        return [all[0], all[all.length - 1]];
+      }, [what, widths]);
+      assert.ok(ratio[0] > 0 && ratio[1] / ratio[0] < 1.001, `${what}: ${ratio}`);
+      assert.match(String(await d.exported(what, 'vtp')), /Name="width"/);
+    }
+  },
+
+  async 'where no path leads, files have a finite distance'(d) {
+    const tetrahedron = (x) => [[x, 0, 0], [x + 1, 0, 0], [x, 1, 0], [x, 0, 1]].map((p) => p.join(' '));
+    const faces = (v) => [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]].map((f) => `3 ${f.map((k) => k + v).join(' ')}`);
+    await d.openFile('parts.off', ['OFF', '8 8 0', ...tetrahedron(0), ...tetrahedron(5), ...faces(0), ...faces(4)].join('\n'));
+    // that is cut open is the part with the source
+    for (const [what, least] of [['surface', /^-1$/], ['cut', /^0\.\d+$/]]) {
+      const vtp = String(await d.exported(what, 'vtp'));
+      assert.doesNotMatch(vtp, /inf|nan/i);
+      const distances = vtp.match(/Name="distance"[^>]*>([^<]*)</)[1].trim().split(/\s+/).map(Number);
+      assert.match(String(Math.min(...distances)), least);
+      const glb = await d.exported(what, 'glb');
+      const { accessors, meshes } = readGlb(glb);
+      const distance = accessors[meshes[0].primitives[0].attributes._DISTANCE];
+      assert.match(String(distance.min[0]), least, JSON.stringify(distance));
+      assert.ok(Number.isFinite(distance.max[0]), JSON.stringify(distance));
+    }
+    for (const what of ['faceCurve', 'edgeCurve'])
+      for (const format of ['obj', 'ply', 'vtp', 'txt']) assert.doesNotMatch(String(await d.exported(what, format)), /\b(inf|nan)/i);
+  },
+
   async 'pictures have the size that is asked for, and a transparent background if wished'(d) {
     const { page } = d;
+    await d.open('#sample=torus&faces=5000');
     await page.selectOption('#export-what', 'picture');
     await page.fill('#picture-width', '3000');
     await page.fill('#picture-height', '1100');

@@ -114,6 +114,35 @@ export const tests = {
     assert.ok(!await d.page.locator('#drop').isVisible());
   },
 
+  async 'a second file can be dropped, also while the first one is read, and of two at once one is shown'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000');
+    const drop = (names) => page.evaluate((list) => {
+      const faces = ['3 0 2 1', '3 0 1 3', '3 1 2 3', '3 0 3 2'].join('\n');
+      const dataTransfer = new DataTransfer();
+      for (const name of list) dataTransfer.items.add(new File([`OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n${faces}\n`], name));
+      for (const type of ['dragenter', 'dragover', 'drop'])
+        document.getElementById('model-view').dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+    }, names);
+    const shows = async (name) => {
+      await page.waitForFunction((n) => document.getElementById('mesh-info').textContent.startsWith(`${n}:`), name);
+      await d.idle();
+      await d.noMessage();
+    };
+    for (const name of ['one.off', 'two.off', 'one.off']) {
+      await drop([name]);
+      await shows(name);
+    }
+    await drop(['three.off']);
+    await drop(['four.off']);
+    await shows('four.off');
+    await page.waitForTimeout(300);
+    await shows('four.off');
+    await drop(['five.off', 'six.off']);
+    await shows('five.off');
+    assert.match(await page.innerText('#message-text'), /at a time: this is “five.off”/);
+  },
+
   async 'a surface with a border is taken, too'(d) {
     const n = 12;
     const points = [], faces = [];
@@ -132,5 +161,39 @@ export const tests = {
     await d.settle();
     await d.noMessage();
     assert.deepEqual(surfaceTopology(readObj(String(await d.exported('cut', 'obj')))), { euler: 1, loops: 1 });
+  },
+
+  async 'a mesh of one’s own is there again when the page is loaded, until it is forgotten'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000');
+    const torus = String(await d.exported('surface', 'obj'));
+    assert.equal(await d.openFile('my torus.obj', torus), null);
+    await d.click(...await d.placeOnSurface());
+    const { point, length } = await d.result();
+    await d.hash();
+    await page.reload();
+    await page.waitForFunction(() => window.cutLocusPage && window.cutLocusPage.app.isSolved);
+    await d.idle();
+    const again = await d.result();
+    again.point.forEach((x, k) => assert.ok(Math.abs(x - point[k]) < 1e-6));
+    assert.ok(Math.abs(again.length - length) < 1e-6 * length);
+    assert.ok(!await page.locator('#invitation').isVisible());
+    // three of them
+    const hash = await d.hash();
+    const small = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n';
+    for (const name of ['a.obj', 'b.obj']) await d.openFile(name, small);
+    const kept = (name) => d.app(async ({ app }, n) => Boolean(await app.kept.get(n)), name);
+    assert.ok(await kept('my torus.obj') && await kept('a.obj') && await kept('b.obj'));
+    await d.openFile('c.obj', small);
+    await page.waitForFunction(async () => !await window.cutLocusPage.app.kept.get('my torus.obj'));
+    assert.ok(await kept('c.obj'));
+    await d.unfold('about');
+    await page.click('#forget');
+    await page.waitForSelector('#message:not([hidden])');
+    assert.ok(!await kept('c.obj'));
+    await page.goto('about:blank');
+    await page.goto(d.address + hash);
+    await page.waitForSelector('#invitation:not([hidden])');
+    assert.match(await page.innerText('#invitation'), /my torus.obj/);
   },
 };

@@ -1,7 +1,7 @@
 // The page at the sizes of a desktop, a small laptop and a phone, in light and dark.
 import assert from 'node:assert/strict';
 
-const sizes = { desktop: [1440, 900], laptop: [1024, 700], phone: [390, 844] };
+const sizes = { desktop: [1440, 900], laptop: [1024, 700], phone: [390, 844], landscape: [844, 390] };
 
 const boxOf = (d, selector) => d.page.locator(selector).boundingBox();
 
@@ -11,7 +11,7 @@ export const tests = {
   async 'at every size the surface has most of the room, and the result is on it'(d) {
     for (const [name, [width, height]] of Object.entries(sizes)) {
       await d.resize(width, height);
-      await d.open('#sample=torus&faces=5000&occlusion=true');
+      await d.open(`#sample=torus&faces=5000${d.pictureFolder ? '&occlusion=true' : ''}`);
       await d.page.evaluate(() => { document.getElementById('result-fold').open = innerWidth > 1200; });
       const stage = await boxOf(d, '#stage');
       assert.ok(stage.width * stage.height > 0.6 * width * height, `${name}: the surface has ${stage.width} x ${stage.height}`);
@@ -24,7 +24,7 @@ export const tests = {
       assert.match(await d.page.innerText('#result'), /Injectivity radius [\d.]+\s±/);
       const overflow = await d.page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
       assert.ok(overflow <= 0, `${name}: ${overflow} pixels too wide`);
-      for (const scheme of ['light', 'dark']) {
+      for (const scheme of d.pictureFolder ? ['light', 'dark'] : []) {
         await d.page.emulateMedia({ colorScheme: scheme });
         for (const side of ['front', 'back']) {
           await d.page.selectOption('#view', side);
@@ -38,6 +38,7 @@ export const tests = {
 
   async 'nothing that lies above the picture covers the mesh, nor the sheet'(d) {
     for (const [name, [width, height]] of Object.entries(sizes)) {
+      if (name === 'laptop') continue; // is laid out as a desktop
       await d.resize(width, height);
       await d.open('#sample=genus-3&faces=5000');
       await d.page.evaluate(() => { document.getElementById('result-fold').open = false; });
@@ -84,6 +85,73 @@ export const tests = {
     await d.resize();
   },
 
+  async 'the panel can be hidden, and comes back'(d) {
+    await d.open('#sample=torus&faces=5000');
+    const width = async () => (await boxOf(d, '#canvas')).width;
+    const before = await width();
+    await d.page.click('#panel-hide');
+    assert.equal(await width(), 1000);
+    assert.ok(!await d.page.locator('#panel').isVisible());
+    assert.equal(await d.page.evaluate(() => document.activeElement.id), 'panel-show');
+    assert.ok(!overlaps(await boxOf(d, '#result'), await boxOf(d, '#tools')));
+    await d.picture('panel_hidden.png');
+    await d.page.keyboard.press('Enter');
+    assert.equal(await width(), before);
+    assert.ok(await d.page.locator('#width').isVisible());
+  },
+
+  async 'magnified four times, all is there, one below the other'(d) {
+    await d.resize(320, 256);
+    for (const cut of ['', '&cut=1']) {
+      await d.open(`#sample=torus&faces=5000${cut}`);
+      assert.ok(await d.page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'it has to be scrolled sideways');
+      const boxes = await Promise.all(['#canvas', '#tools', '#result', '#legend', '#panel'].map((id) => boxOf(d, id)));
+      assert.ok(boxes[0].height >= 150);
+      boxes.forEach((a, i) => boxes.slice(0, i).forEach((b) => assert.ok(!overlaps(a, b), JSON.stringify(boxes))));
+      await d.picture(`magnified${cut ? '_cut' : ''}.png`);
+      await d.page.click('#panel-toggle');
+      await d.page.locator('#export').scrollIntoViewIfNeeded();
+      assert.ok((await boxOf(d, '#export')).y < 256);
+      const text = await d.page.evaluate(() => [...document.querySelectorAll('#panel *')].filter((e) => e.checkVisibility() && e.getBoundingClientRect().right > 321).map((e) => e.id || e.tagName));
+      assert.deepEqual(text, []);
+      await d.page.evaluate(() => window.scrollTo(0, 0));
+    }
+    await d.resize();
+  },
+
+  async 'in forced colors, what is on is told from what is off, and the keys keep their colors'(d) {
+    await d.page.emulateMedia({ forcedColors: 'active' });
+    await d.open('#sample=torus&faces=5000&cut=1');
+    const background = (selector) => d.page.$eval(selector, (e) => getComputedStyle(e).backgroundColor);
+    assert.notEqual(await background('#modes input:checked + span'), await background('#modes input:not(:checked) + span'));
+    assert.notEqual(await background('#cut[aria-pressed=true]'), await background('#fit'));
+    assert.equal(await background('.face-curve'), 'rgb(200, 20, 31)');
+    assert.equal(await background('#legend i.dot'), 'rgb(20, 80, 210)');
+    await d.picture('forced_colors.png');
+    await d.page.emulateMedia({ forcedColors: 'none' });
+  },
+
+  async 'in a frame there is the picture, and a link to all the rest'(d) {
+    const { page } = d;
+    await d.resize(480, 320);
+    await page.goto('about:blank');
+    await page.goto(`${d.address}#embed&sample=genus-3&faces=5000&occlusion=false`);
+    await page.waitForFunction(() => window.cutLocusPage && window.cutLocusPage.app.isSolved);
+    await d.idle();
+    for (const id of ['#panel', '#modes', '#intro']) assert.ok(!await page.locator(id).isVisible(), id);
+    for (const id of ['#wave-play', '#fit', '#legend']) assert.ok(await page.locator(id).isVisible(), id);
+    assert.equal((await boxOf(d, '#canvas')).width, 480);
+    await d.click(...await d.placeOnSurface());
+    await d.noMessage();
+    await d.picture('embedded.png');
+    assert.match(await d.hash(), /embed=1/);
+    const link = await page.getAttribute('#embed-open', 'href');
+    assert.match(link, /sample=genus-3/);
+    assert.doesNotMatch(link, /embed/);
+    assert.equal(await page.getAttribute('#embed-open', 'target'), '_blank');
+    await d.resize();
+  },
+
   async 'groups fold, and only what everybody needs is open at first'(d) {
     await d.page.goto('about:blank');
     await d.page.goto(`${d.address}#sample=torus&faces=5000`);
@@ -94,7 +162,7 @@ export const tests = {
     await d.page.click('#method-group summary');
     assert.ok(await d.page.locator('#method').isVisible());
     // the first slider is that of the detail
-    assert.equal(await d.page.evaluate(() => document.querySelector('#panel input[type=range]').id), 'width');
+    assert.equal(await d.page.evaluate(() => document.querySelector('#panel input[type=range]:not(#wave-front)').id), 'width');
   },
 
   async 'on a phone, the panel is a sheet that unfolds, and everything is large enough for fingers'(d) {
@@ -129,6 +197,7 @@ export const tests = {
     assert.match(await d.page.innerText('#readout'), /from the source/);
     assert.match(await d.page.innerText('#legend'), /the shortest path/);
     await d.picture('phone_path.png');
+    await d.page.focus('#model-view');
     await d.page.keyboard.press('c');
     await d.page.waitForFunction(() => window.cutLocusPage.app.atlas);
     await d.settle();

@@ -1,8 +1,8 @@
-// How it looks: the hidden parts of the curve, the layers, views, the axis that is up, the colours and their legend.
+// How it looks: the hidden parts of the curve, the layers, views, the axis that is up, the colors and their legend.
 import assert from 'node:assert/strict';
 
-// the colours, in [0, 255], of the canvas at pixels of the page
-const colorsAt = (d, pixels) => d.app(({ viewer }, list) => {
+// the colors, in [0, 255], of the canvas at pixels of the page
+export const colorsAt = (d, pixels) => d.app(({ viewer }, list) => {
   viewer.draw();
   const gl = viewer.renderer.getContext();
   const ratio = viewer.renderer.getPixelRatio();
@@ -13,10 +13,10 @@ const colorsAt = (d, pixels) => d.app(({ viewer }, list) => {
   });
 }, pixels);
 
-const isReddish = ([r, g, b]) => r > g + 18 && r > b + 18;
+export const isReddish = ([r, g, b]) => r > g + 18 && r > b + 18;
 
 // Of points on the curve, those that are seen and those that are not, at their pixels.
-const curvePixels = (d) => d.app(({ app, viewer }) => {
+export const curvePixels = (d) => d.app(({ app, viewer }) => {
   const { segments } = app.curve;
   const { width, height } = viewer.size;
   const result = { seen: [], hidden: [] };
@@ -59,7 +59,7 @@ export const tests = {
     await d.page.fill('#look-transparency', '0.6');
     await d.page.waitForTimeout(200);
     assert.ok(await saturation() > before + 20);
-    assert.match(await d.app(() => location.hash), /transparency=0.6/);
+    assert.match(await d.hash(), /transparency=0.6/);
     await d.picture('transparent.png');
     await d.page.fill('#look-transparency', '0');
   },
@@ -117,6 +117,7 @@ export const tests = {
       });
       assert.ok(outside < 1 && outside > 0.6, `${name}: up to ${outside}`);
     }
+    await d.page.focus('#model-view');
     for (let i = 0; i < 8; ++i) await d.page.keyboard.press('+');
     await d.page.click('#fit');
     assert.ok(Math.hypot(...await eye()) > 0.99);
@@ -153,25 +154,25 @@ export const tests = {
       ['#look-wireframe', /edges of the mesh/], ['#look-occlusion', null], ['#look-axes', null], ['#show-isolines', /equal distance, every/]];
     for (const [box, words] of layers) {
       const wasOn = await page.isChecked(box);
-      const before = await d.picture('layer.png');
+      const before = await d.shot('layer.png');
       await page.locator(box).click();
       await d.settle();
-      assert.ok(!before.equals(await d.picture('layer.png')), `${box} is not seen`);
+      assert.ok(!before.equals(await d.shot('layer.png')), `${box} is not seen`);
       if (wasOn) await page.locator(box).click();
       if (words) assert.match(await page.innerText('#legend'), words);
     }
     for (const [choice, value, words] of [['#look-color', 'distance', /distance:\s*0\s*[\d.]+/],
       ['#look-color', 'laplacian', /Laplacian:\s*−[\d.]+\s*[\d.]+/], ['#look-shading', 'flat', null]]) {
-      const before = await d.picture('layer.png');
+      const before = await d.shot('layer.png');
       await page.selectOption(choice, value);
       await d.settle();
-      assert.ok(!before.equals(await d.picture('layer.png')), `${value} is not seen`);
+      assert.ok(!before.equals(await d.shot('layer.png')), `${value} is not seen`);
       if (words) assert.match(await page.innerText('#legend'), words);
     }
     await d.picture('layers.png');
   },
 
-  async 'colours of the distance are those of their scale'(d) {
+  async 'colors of the distance are those of their scale'(d) {
     await d.open('#sample=bumpy-sphere&faces=5000&color=distance&shading=smooth&occlusion=false&show=-isolines,-faceCurve,-hidden');
     // near the source it is yellow, far away blue: red over blue, whatever the light
     const [near, far] = await d.app(({ app, viewer }) => {
@@ -190,7 +191,7 @@ export const tests = {
     assert.ok(b2 > r2, `far away ${[r2, b2]}`);
   },
 
-  async 'colours tell which source is the nearest'(d) {
+  async 'colors tell which source is the nearest'(d) {
     const { page } = d;
     await d.open('#sample=torus&faces=5000&color=cells&show=-isolines,-hidden,-values&source=10,0.3,0.3,0.4,2000,0.2,0.3,0.5');
     assert.match(await page.innerText('#legend'), /nearest source:\s*1\s*2/);
@@ -217,6 +218,57 @@ export const tests = {
     await d.open('#sample=torus&faces=5000&color=cells');
     assert.doesNotMatch(await page.innerText('#legend'), /nearest source/);
     await page.selectOption('#look-color', 'plain');
+  },
+
+  async 'cells have their colors exactly along the curve, on the surface and on the sheets'(d) {
+    for (const cut of ['', '&cut=1']) {
+      await d.open(`#sample=torus&faces=600&color=cells&show=-isolines,-hidden,-values,-checker&source=10,0.3,0.3,0.4,300,0.2,0.3,0.5${cut}`);
+      // by distances to each of the sources, where they differ by more than what a face makes of them
+      const places = await d.app(async ({ app, viewer }) => {
+        const { sources } = app.state;
+        const distances = [];
+        for (const source of sources) {
+          const { solver, method, parameters } = app.state;
+          distances.push((await app.engine.run('solve', { solver, method, sources: [source], border: false, parameters, curves: [1] })).distance);
+        }
+        viewer.draw();
+        const found = { pure: [[], []], mixed: [[], []] };
+        const { width, height } = viewer.boxOf(viewer.model);
+        for (let x = 4; x < width; x += 4)
+          for (let y = 4; y < height; y += 4) {
+            const hit = viewer.pointer.onModel(x, y);
+            if (!hit) continue;
+            const corners = [0, 1, 2].map((k) => viewer.triangles[3 * hit.face + k]);
+            const [a, b] = distances.map((values) => hit.coordinates.reduce((sum, c, k) => sum + c * values[corners[k]], 0));
+            if (Math.abs(a - b) < 0.3 * app.mesh.edgeLength) continue;
+            const isMixed = new Set(corners.map((v) => app.source.nearest[v])).size > 1;
+            found[isMixed ? 'mixed' : 'pure'][a < b ? 0 : 1].push([x, y]);
+          }
+        return found;
+      });
+      const hue = ([r, g, b]) => (b - r) / (r + g + b);
+      const hues = [];
+      for (const list of places.pure) {
+        assert.ok(list.length > 50);
+        hues.push((await colorsAt(d, list)).map(hue).sort((a, b) => a - b)[list.length >> 1]);
+      }
+      const colors = await Promise.all(places.mixed.map((list) => colorsAt(d, list)));
+      const total = places.mixed.flat().length;
+      assert.ok(total > 60, `${total} pixels`);
+      // markers and lines lie above a few
+      const right = colors.map((list, i) => list.filter((color) => Math.abs(hue(color) - hues[i]) < 0.12 * Math.abs(hues[1] - hues[0])).length);
+      assert.ok((right[0] + right[1]) / total > 0.85, `${cut}: ${right} of ${places.mixed.map((list) => list.length)}`);
+      await d.picture(`cells${cut ? '_cut' : ''}.png`);
+    }
+    // a threshold moves the curve, and the colors with it; closed again, the surface is divided again
+    await d.page.click('#cut');
+    await d.settle();
+    const step = () => d.app(({ app }) => app.cellColors.step);
+    const before = await step();
+    assert.ok(before);
+    await d.setWidth('1');
+    await d.page.waitForFunction((old) => window.cutLocusPage.app.cellColors.step !== old, before);
+    await d.noMessage();
   },
 
   async 'light and dark'(d) {

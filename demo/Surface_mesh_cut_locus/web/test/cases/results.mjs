@@ -317,7 +317,7 @@ export const tests = {
     await d.settle();
     assert.match(await page.innerText('#message-text'), /too close to each other/);
     assert.equal((await d.result()).sources, 3);
-    assert.match(await page.evaluate(() => location.hash), new RegExp(`source=${threePoints}`));
+    assert.match(await d.hash(), new RegExp(`source=${threePoints}`));
     // others take them, and get them back
     await page.click('#defaults');
     await d.settle();
@@ -332,7 +332,7 @@ export const tests = {
       assert.deepEqual([await page.inputValue('#solver'), await page.inputValue('#method')], ['exact', 'direction']);
       assert.ok(await d.app(({ app }) => app.isSolved));
       assert.equal((await d.result()).sources, 2);
-      assert.match(await page.evaluate(() => location.hash), /method=direction/);
+      assert.match(await d.hash(), /method=direction/);
       await page.click('#message-close');
     }
     await page.selectOption('#method', 'polyhedral');
@@ -367,7 +367,7 @@ export const tests = {
     assert.ok(heights.every((z) => Math.abs(z - 2.4) < 0.05), `${Math.min(...heights)} to ${Math.max(...heights)}`);
     assert.match(await page.innerText('#legend'), /the border, as a source/);
     assert.match(await page.innerText('#numbers'), /sources\s*2/);
-    assert.match(await page.evaluate(() => location.hash), /border=only/);
+    assert.match(await d.hash(), /border=only/);
     assert.match(String(await d.exported('faceCurve', 'svg')), /id="border"[^>]*d="M/);
     // what is for points alone says so
     await page.focus('#model-view');
@@ -491,7 +491,7 @@ export const tests = {
     assert.match(await page.innerText('#cut-info'), /3 sheets, one for each cell/);
     await page.click('#cut');
     // a link opens with the same
-    const hash = await page.evaluate(() => location.hash);
+    const hash = await d.hash();
     assert.match(hash, /border=also/);
     assert.match(hash, /method=laplacian/);
     await page.click('#defaults');

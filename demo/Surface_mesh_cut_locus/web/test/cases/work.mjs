@@ -4,7 +4,7 @@ import { describeAtlas } from '../../src/words.js';
 import { patience } from '../page_driver.mjs';
 import { borderCrossings, flippedFaces as flippedFacesOf, readObj } from '../topology.mjs';
 
-const followMilliseconds = 3000;
+const followMilliseconds = 2000;
 
 // of the sheet, by its coordinates
 const flippedFaces = ({ app }) => {
@@ -307,6 +307,7 @@ export const tests = {
       const rates = [], computing = [];
       for (const isByKey of [false, true]) {
         await page.mouse.move(...place(0));
+        await page.focus('#model-view');
         await (isByKey ? page.keyboard.down('d') : page.mouse.down());
         const start = await marker();
         const before = await d.app(({ app }) => [app.follower.updates, performance.now()]);
@@ -355,6 +356,7 @@ export const tests = {
       // no rest: what is exact must not come while this looks at the preview
       await d.app(({ app }) => { app.follower.replace = async () => {}; });
       await page.mouse.move(...place(0));
+      await page.focus('#model-view');
       await page.keyboard.down('d');
       for (let k = 1; k < 8; ++k) await page.mouse.move(...place(k));
       await page.waitForFunction(() => window.cutLocusPage.viewer.isPreview && !window.cutLocusPage.app.follower.running);
@@ -445,6 +447,7 @@ export const tests = {
     const point = () => d.app(({ app }) => app.source.points[0]);
     const start = await point();
     await d.page.mouse.move(box.x + at[0] * box.width, box.y + at[1] * box.height);
+    await d.page.focus('#model-view');
     await d.page.keyboard.down('d');
     await d.page.waitForFunction((p) => window.cutLocusPage.app.source.points[0][0] !== p, start[0]);
     assert.ok(!await d.app(({ viewer }) => viewer.isPreview));
@@ -474,7 +477,7 @@ export const tests = {
         onProgress(stage, share);
         found.push([stage, share, document.getElementById('busy-share').value]);
       };
-      await app.openSample('torus', 400000);
+      await app.openSample('torus', 200000);
       return found;
     });
     assert.ok(shares.length >= 3, JSON.stringify(shares));
