@@ -34,7 +34,8 @@ namespace internal {
 class Surface_without_flat_faces
 {
 public:
-  Surface_without_flat_faces(const Indexed_triangle_mesh& with, const Indexed_location& location)
+  explicit Surface_without_flat_faces(const Indexed_triangle_mesh& with,
+                                      const Indexed_location& location = Indexed_location())
     : mesh_(with), location_(location), usual_(usual_edge_length(with)), vertex_(with.number_of_vertices()),
       origin_(with.number_of_halfedges()), is_removed_(with.number_of_faces(), 0)
   {
@@ -409,7 +410,8 @@ private:
       }
     mesh_.triangles.resize(faces);
     mesh_.opposite.resize(3 * std::size_t(faces));
-    location_.face = face[location_.face];
+    if(location_.face != null_index)
+      location_.face = face[location_.face];
     vertex_with_.resize(vertices);
     for(Index v = 0; v < vertex.size(); ++v)
       if(vertex[v] != null_index)
