@@ -188,6 +188,7 @@ void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Inp
   report["leaves"] = statistics.leaves;
   report["branchings"] = statistics.branchings;
   report["narrow_corridors"] = statistics.narrow_corridors;
+  report["one_of_several"] = statistics.is_one_of_several;
   report["length"] = statistics.length;
   report["injectivity_radius"] = statistics.injectivity_radius;
 
@@ -237,6 +238,10 @@ std::string summary(const Options& options, CGAL::Cut_loci::Curve curve, const M
   const std::string doubt = CGAL::Cut_loci::description(statistics.status);
   if(!doubt.empty())
     text << "\nnote: " << doubt;
+  if(statistics.is_one_of_several)
+    text
+      << "\nnote: the source is placed symmetrically: some points have several shortest paths in a whole region around "
+         "them, and other curves through it are as right as this one";
   return text.str();
 }
 

@@ -13,11 +13,51 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
 namespace curve_measures {
 namespace internal {
+
+// Barycentric coordinates of a point of a triangle, negative if it is outside; of one without area, those of the nearest
+// point of its edges, and how far away that is, as a negative part of their length.
+inline std::array<double, 3> coordinates_in(const std::array<CGAL::Cut_loci::internal::Vector, 3>& corners,
+                                            const CGAL::Cut_loci::internal::Vector& point, double& least)
+{
+  using namespace CGAL::Cut_loci::internal;
+  std::array<double, 3> result;
+  double longest = 0.;
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const Vector edge = corners[(i + 1) % 3] - corners[i];
+    longest = (std::max)(longest, dot(edge, edge));
+  }
+  const Vector normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const double area = dot(normal, normal);
+  if(area > 1e-24 * longest * longest)
+  {
+    for(std::size_t i = 0; i < 3; ++i)
+      result[i] = dot(cross(corners[(i + 1) % 3] - point, corners[(i + 2) % 3] - point), normal) / area;
+    least = *std::min_element(result.begin(), result.end());
+    return result;
+  }
+  least = -(std::numeric_limits<double>::infinity)();
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const Vector edge = corners[(i + 1) % 3] - corners[i], to_point = point - corners[i];
+    const double l = dot(edge, edge), s = l > 0. ? (std::min)((std::max)(dot(to_point, edge) / l, 0.), 1.) : 0.;
+    const double away = norm(to_point - s * edge), here = longest > 0. ? -away / std::sqrt(longest) : -away;
+    if(!(here > least))
+      continue;
+    least = here;
+    result = {{0., 0., 0.}};
+    result[i] = 1. - s;
+    result[(i + 1) % 3] = s;
+  }
+  return result;
+}
 
 // The place of a point of a mesh on one of which each face is a part of that with the number `face_origin`: in the part
 // that has it, or that it misses least by rounding.
@@ -38,13 +78,9 @@ inline CGAL::Cut_loci::Indexed_location location_in_part(const CGAL::Cut_loci::I
     if(face_origin[part] != x.face)
       continue;
     const auto& t = refined.triangles[part];
-    const Vector &p = refined.points[t[0]], &q = refined.points[t[1]], &r = refined.points[t[2]];
-    const Vector normal = cross(q - p, r - p);
-    const double area = dot(normal, normal);
-    std::array<double, 3> c = {{dot(cross(q - point, r - point), normal) / area,
-                                dot(cross(r - point, p - point), normal) / area,
-                                dot(cross(p - point, q - point), normal) / area}};
-    const double least = *std::min_element(c.begin(), c.end());
+    double least;
+    std::array<double, 3> c =
+      coordinates_in({{refined.points[t[0]], refined.points[t[1]], refined.points[t[2]]}}, point, least);
     if(!(least > best_least))
       continue;
     double sum = 0.;

@@ -131,10 +131,11 @@ public:
 
   Cut_locus(Graph graph, std::vector<Vertex> sources, mesh_vertex_descriptor farthest,
             std::shared_ptr<const Cut_loci::internal::Source_result> result, Distance_function distance,
-            Nearest_source_function nearest_source, std::size_t number_of_narrow_corridors)
+            Nearest_source_function nearest_source, std::size_t number_of_narrow_corridors,
+            bool is_one_of_several = false)
     : graph_(std::move(graph)), sources_(std::move(sources)), farthest_(farthest), result_(std::move(result)),
       distance_(std::move(distance)), nearest_source_(std::move(nearest_source)),
-      number_of_narrow_corridors_(number_of_narrow_corridors)
+      number_of_narrow_corridors_(number_of_narrow_corridors), is_one_of_several_(is_one_of_several)
   {
   }
 
@@ -193,6 +194,15 @@ public:
   /// It is 0 for a curve through the faces, and with `Cut_loci::Method::LAPLACIAN`, which does not know them
   std::size_t number_of_narrow_corridors() const { return number_of_narrow_corridors_; }
 
+  /// whether other curves are as right: several shortest paths of the same length, up to rounding, lead to a vertex at
+  /// which they bend, so that all points of a region behind it have several shortest paths. That takes a symmetric surface
+  /// and source, or a regular grid. The curve runs on one side of the region, as if the source were a little beside it, in
+  /// a direction that depends on the shape of the surface alone. The injectivity radius and the length are those of this
+  /// curve. For sources that are symmetric to each other they are equal, but where the curve follows edges of the mesh in a
+  /// second plane of symmetry. It is not looked for with `Cut_loci::Method::LAPLACIAN`, `maximum_relative_error` or curves
+  /// as sources
+  bool is_one_of_several() const { return is_one_of_several_; }
+
 private:
   Graph graph_;
   std::vector<Vertex> sources_;
@@ -201,6 +211,7 @@ private:
   Distance_function distance_;
   Nearest_source_function nearest_source_; // if there are several sources
   std::size_t number_of_narrow_corridors_;
+  bool is_one_of_several_;
 };
 
 } // namespace CGAL

@@ -10,7 +10,7 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/face_graph/intrinsic_flips.h>
-#include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
+#include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
@@ -79,15 +79,12 @@ private:
 
   struct Factored
   {
-    Mesh mesh;
+    Cut_loci::internal::Mesh_of_points input;
     Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, Mode> heat_method;
 
-    explicit Factored(const Cut_loci::Indexed_triangle_mesh& input)
-      : mesh(checked(Cut_loci::internal::surface_mesh_copy(input))), heat_method(mesh)
-    {
-    }
+    explicit Factored(const Cut_loci::Indexed_triangle_mesh& mesh) : input(mesh), heat_method(checked(input.mesh)) {}
 
-    static Mesh checked(Mesh mesh)
+    static const Mesh& checked(const Mesh& mesh)
     {
       if constexpr(std::is_same<Mode, Heat_method_3::Intrinsic_Delaunay>::value)
         if(!Cut_loci::internal::Intrinsic_flips(mesh).end())
@@ -104,12 +101,11 @@ private:
       using Vertex = Mesh::Vertex_index;
       heat_method.clear_sources();
       for(Cut_loci::Index source : sources)
-        heat_method.add_source(Vertex(source));
-      Mesh::Property_map<Vertex, double> distance = mesh.add_property_map<Vertex, double>("v:heat_distance", 0.).first;
+        heat_method.add_source(input.vertex(source));
+      Mesh::Property_map<Vertex, double> distance =
+        input.mesh.add_property_map<Vertex, double>("v:heat_distance", 0.).first;
       heat_method.estimate_geodesic_distances(distance);
-      distances.resize(mesh.number_of_vertices());
-      for(Vertex v : mesh.vertices())
-        distances[v] = distance[v];
+      input.get_values([&](Vertex v) { return distance[v]; }, distances);
     }
   };
 

@@ -8,7 +8,7 @@
 #define CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
 
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
-#include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
+#include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <CGAL/Surface_mesh_shortest_path.h>
@@ -26,7 +26,7 @@ namespace CGAL {
  * \ingroup PkgSurfaceMeshCutLocusSolvers
  *
  * computes exact geodesic distances with `CGAL::Surface_mesh_shortest_path` \cgalCite{Xin2009Improvingchenandhan}.
- * Exact on the polyhedron, unless it has faces without area, and slow: a sequence tree for 100 000 faces takes many seconds.
+ * Exact on the polyhedron, and slow: a sequence tree for 100 000 faces takes many seconds.
  *
  * It gives no directions, so the default of the parameter `cut_locus_method` is `Cut_loci::Method::LAPLACIAN`:
  * directions that are estimated from distances put the ends of branches off by up to 2.8 edges, where those of
@@ -40,7 +40,7 @@ public:
   void set_mesh(const Cut_loci::Indexed_triangle_mesh& mesh)
   {
     input_ = &mesh;
-    mesh_ = std::make_shared<const Mesh>(Cut_loci::internal::surface_mesh_copy(mesh));
+    mesh_ = std::make_shared<const Mesh>(mesh);
   }
 
   void compute_distances(const Cut_loci::Indexed_source& source, std::vector<double>& distances)
@@ -51,20 +51,27 @@ public:
   /// computes the distances to the nearest of several sources, in one run
   void compute_distances(const std::vector<Cut_loci::Indexed_source>& sources, std::vector<double>& distances)
   {
-    if(std::none_of(sources.begin(), sources.end(), is_on_edge))
+    const bool is_whole = mesh_->is_whole();
+    if(std::none_of(sources.begin(), sources.end(),
+                    [&](const Cut_loci::Indexed_source& source)
+                    { return is_whole ? is_on_edge(source) : source.vertex == Cut_loci::null_index; }))
       return compute_distances(*mesh_, sources, distances);
-    // CGAL 5.5 takes the mirror image of a source on an edge, on the border as inside: there it becomes a vertex of its own.
+    // CGAL 5.5 takes the mirror image of a source on an edge, on the border as inside: there it becomes a vertex of its own,
+    // and everywhere if faces have other numbers.
     const Cut_loci::internal::Mesh_with_sources refined(*input_, sources);
     std::vector<Cut_loci::Indexed_source> inserted = sources;
     for(std::size_t i = 0; i < sources.size(); ++i)
       inserted[i].vertex = refined.vertices()[i];
-    compute_distances(Cut_loci::internal::surface_mesh_copy(refined.mesh()), inserted, distances);
+    compute_distances(Mesh(refined.mesh()), inserted, distances);
     distances.resize(input_->number_of_vertices());
   }
 
 private:
-  using Mesh = Cut_loci::internal::Geodesic_mesh;
-  using Traits = CGAL::Surface_mesh_shortest_path_traits<Cut_loci::internal::Geodesic_kernel, Mesh>;
+  using Mesh = Cut_loci::internal::Mesh_of_points;
+  using Vertex = Cut_loci::internal::Geodesic_mesh::Vertex_index;
+  using Face = Cut_loci::internal::Geodesic_mesh::Face_index;
+  using Traits =
+    CGAL::Surface_mesh_shortest_path_traits<Cut_loci::internal::Geodesic_kernel, Cut_loci::internal::Geodesic_mesh>;
   using Shortest_path = CGAL::Surface_mesh_shortest_path<Traits>;
 
   static bool is_on_edge(const Cut_loci::Indexed_source& source)
@@ -76,22 +83,22 @@ private:
   static void compute_distances(const Mesh& mesh, const std::vector<Cut_loci::Indexed_source>& sources,
                                 std::vector<double>& distances)
   {
-    Shortest_path solver(mesh);
+    Shortest_path solver(mesh.mesh);
     for(const Cut_loci::Indexed_source& source : sources)
       if(source.vertex != Cut_loci::null_index)
-        solver.add_source_point(Mesh::Vertex_index(source.vertex));
+        solver.add_source_point(mesh.vertex(source.vertex));
       else
       {
         const std::array<double, 3>& c = source.location.coordinates;
-        solver.add_source_point(Mesh::Face_index(source.location.face), {{c[0], c[1], c[2]}});
+        solver.add_source_point(Face(source.location.face), {{c[0], c[1], c[2]}});
       }
     solver.build_sequence_tree();
-    distances.resize(mesh.number_of_vertices());
-    for(Mesh::Vertex_index v : mesh.vertices())
+    const auto distance = [&](Vertex v)
     {
       const double d = solver.shortest_distance_to_source_points(v).first;
-      distances[v] = d < 0. ? (std::numeric_limits<double>::infinity)() : d;
-    }
+      return d < 0. ? (std::numeric_limits<double>::infinity)() : d;
+    };
+    mesh.get_values(distance, distances);
   }
 
   const Cut_loci::Indexed_triangle_mesh* input_ = nullptr;

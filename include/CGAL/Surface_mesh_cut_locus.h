@@ -780,6 +780,8 @@ private:
     solver.report_to(progress);
     solver.compute_distances(points_, curves_, distance);
     Cut_loci::internal::check_distances(distance, component, read_->positions, "the geodesic solver returned");
+    Cut_loci::internal::check_range(distance, component, read_->positions, "the geodesic solver returned",
+                                    "take another solver, or a mesh with better faces");
     return solver.geodesics();
   }
 
@@ -791,7 +793,8 @@ private:
     for(Index v = 0; v < distance.size(); ++v)
       distance[v] = to_double(get(internal_np::get_reference(map), read_->vertices[component.vertex(v)])) / read_->unit;
     Cut_loci::internal::check_distances(distance, component, read_->positions, "the vertex distance map holds");
-    Cut_loci::internal::check_range(distance, component, read_->positions);
+    Cut_loci::internal::check_range(distance, component, read_->positions, "the vertex distance map holds",
+                                    "it must hold the geodesic distances to the source, in the unit of the points");
     Cut_loci::internal::check_is_not_constant(distance, *component.mesh, points_, curves_);
     return nullptr;
   }

@@ -181,6 +181,12 @@ class Result:
         return self._core.narrow_corridors
 
     @property
+    def one_of_several(self) -> bool:
+        """Whether other curves are as right: the source is placed symmetrically, so that all points of some region have
+        several shortest paths of the same length."""
+        return self._core.one_of_several
+
+    @property
     def genus(self) -> int:
         """The genus of the source's component of the mesh."""
         return self._core.genus

@@ -4,10 +4,13 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-// Runs the program on damaged files and on command lines at random, for a given time. Each run must end soon, by
-// itself, with a result or with one line that names the cause.
+// Runs the program on damaged files, on command lines and on surfaces at random, for a given time. Each run must end soon,
+// by itself, with a result or with one line that names the cause; a result has the right topology, and nodes with exact
+// distances; vertices that are doubled at seams change nothing; and where it is killed, outputs are whole or not there.
 //
 //   program_fuzz [SECONDS [SEED]]
+
+#include "fuzz_surfaces.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -18,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -38,6 +42,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using Words = std::vector<std::string>;
+using fuzz_surfaces::Random;
 
 // the files are of a few hundred bytes; most of it is for loaded machines
 constexpr std::chrono::seconds time_limit(10);
@@ -46,22 +51,6 @@ constexpr rlim_t memory_limit = RLIM_INFINITY; // the sanitizer maps more than t
 #else
 constexpr rlim_t memory_limit = rlim_t(1) << 30;
 #endif
-
-class Random
-{
-public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(engine_); }
-  bool one_in(std::size_t n) { return below(n) == 0; }
-  template <typename Range>
-  const auto& of(const Range& range)
-  {
-    return range[below(std::size(range))];
-  }
-
-private:
-  std::mt19937 engine_;
-};
 
 // The words of a binary file, in either byte order.
 class Bytes
@@ -369,7 +358,8 @@ struct Outcome
   std::string messages;
 };
 
-Outcome run(const Words& arguments, const fs::path& folder)
+// `time` after which it is killed, if it has not ended
+Outcome run(const Words& arguments, const fs::path& folder, std::chrono::microseconds time = time_limit)
 {
   const std::string messages = (folder / "messages.txt").string();
   const pid_t child = fork();
@@ -393,11 +383,11 @@ Outcome run(const Words& arguments, const fs::path& folder)
   }
   Outcome outcome;
   int status = 0;
-  for(const auto start = Clock::now(); !outcome.has_ended && Clock::now() - start < time_limit;)
+  for(const auto start = Clock::now(); !outcome.has_ended && Clock::now() - start < time;)
   {
     outcome.has_ended = waitpid(child, &status, WNOHANG) == child;
     if(!outcome.has_ended)
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      std::this_thread::sleep_for((std::min)(time / 10, std::chrono::microseconds(2000)));
   }
   if(!outcome.has_ended)
   {
@@ -409,6 +399,12 @@ Outcome run(const Words& arguments, const fs::path& folder)
   std::ifstream is(messages);
   outcome.messages.assign(std::istreambuf_iterator<char>(is), std::istreambuf_iterator<char>());
   return outcome;
+}
+
+std::string content_of(const fs::path& file)
+{
+  std::ifstream is(file, std::ios_base::binary);
+  return std::string(std::istreambuf_iterator<char>(is), std::istreambuf_iterator<char>());
 }
 
 // What is wrong with an outcome, or nothing.
@@ -429,12 +425,184 @@ std::string fault(const Outcome& outcome, const fs::path& folder)
     return "a small file, and not enough memory";
   if(outcome.status == 0)
   {
-    std::ifstream report(folder / "report.json");
-    const std::string text((std::istreambuf_iterator<char>(report)), std::istreambuf_iterator<char>());
+    const std::string text = content_of(folder / "report.json");
     if(text.find("\"length\": null") != std::string::npos) // how JSON says that a number is none
       return "a length that is not a number";
   }
   return std::string();
+}
+
+// -- surfaces --------------------------------------------------------------------------------------------------------
+
+std::string point(const fuzz_surfaces::Point& p)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << p[0] << ',' << p[1] << ',' << p[2];
+  return text.str();
+}
+
+// in the middle of a face, but by `away` in direction of a corner
+std::string source_point(const fuzz_surfaces::Surface& s, std::size_t face, double away)
+{
+  const fuzz_surfaces::Face& f = s.faces[face];
+  const fuzz_surfaces::Point middle =
+    fuzz_surfaces::between(fuzz_surfaces::between(s.points[f[0]], s.points[f[1]], 0.47), s.points[f[2]], 0.31);
+  return "--source-point=" + point(fuzz_surfaces::between(middle, s.points[f[0]], away));
+}
+
+// A surface with thin faces, curves as sources, or sources that are close to each other, or all of that.
+Words surface_with_sources(const fs::path& folder, Random& random, std::string& kind, bool& has_thin_faces)
+{
+  fuzz_surfaces::Surface s = fuzz_surfaces::surface(random);
+  const std::size_t which = random.below(3);
+  kind = which == 0 ? "thin faces" : which == 1 ? "curves" : "close sources";
+  has_thin_faces = which == 0 || random.one_in(8);
+  if(has_thin_faces)
+    add_thin_faces(s, random);
+  const fs::path file = folder / "mesh.off";
+  std::ofstream(file) << fuzz_surfaces::off(s);
+  Words words = {file.string(), "--quiet", "--check", "--report", (folder / "report.json").string()};
+  if(which == 1)
+  {
+    std::ofstream(folder / "curves.txt") << fuzz_surfaces::curves(s, random);
+    words.insert(words.end(), {"--source-edges", (folder / "curves.txt").string()});
+    if(random.one_in(4))
+      words.push_back("--source-border"); // of a closed surface that is refused
+    if(random.one_in(4))
+      words.push_back(source_point(s, random.below(s.faces.size()), 0.));
+  }
+  else if(which == 2)
+  {
+    const std::size_t face = random.below(s.faces.size());
+    const double away = std::pow(10., random.between(-9., -1.));
+    for(std::size_t i = 2 + random.below(3); i > 0; --i)
+      words.push_back(source_point(s, random.one_in(6) ? random.below(s.faces.size()) : face, away * double(i)));
+  }
+  else if(random.one_in(2))
+    words.push_back(source_point(s, random.below(s.faces.size()), 0.));
+  else
+    words.insert(words.end(), {"--source", std::to_string(random.of(random.of(s.faces)))});
+  if(random.one_in(3))
+    words.insert(words.end(), {"--method", "polyhedral"});
+  if(random.one_in(4))
+    words.insert(words.end(), {"--curve", "edges"});
+  return words;
+}
+
+double number_after(const std::string& text, const std::string& words)
+{
+  const std::size_t start = text.find(words);
+  return start == std::string::npos ? 0. : std::strtod(text.c_str() + start + words.size(), nullptr);
+}
+
+// What `--check` says. Paths across thin faces may be longer by two millionths of their edges each.
+std::string fault_of_result(const Outcome& outcome, bool has_thin_faces)
+{
+  const double most = has_thin_faces ? 5e-5 : 1e-6;
+  for(const char* wrong : {"WRONG", "can not be measured"})
+    if(outcome.messages.find(wrong) != std::string::npos)
+      return "the result is wrong";
+  const std::size_t distances = outcome.messages.find("distances of nodes");
+  if(distances != std::string::npos && number_after(outcome.messages.substr(distances), ", max ") > most)
+    return "distances of nodes are off";
+  return std::string();
+}
+
+struct Trial
+{
+  std::string kind;
+  Words arguments; // of the last run
+  Outcome outcome;
+  std::string fault;
+};
+
+Trial try_sources(const fs::path& folder, Random& random)
+{
+  Trial trial;
+  bool has_thin_faces = false;
+  trial.arguments = surface_with_sources(folder, random, trial.kind, has_thin_faces);
+  trial.outcome = run(trial.arguments, folder);
+  trial.fault = fault(trial.outcome, folder);
+  if(trial.fault.empty())
+    trial.fault = fault_of_result(trial.outcome, has_thin_faces);
+  return trial;
+}
+
+// The curve does not depend on vertices that are doubled.
+Trial try_seams(const fs::path& folder, Random& random)
+{
+  Trial trial;
+  trial.kind = "seams";
+  const fuzz_surfaces::Surface whole = fuzz_surfaces::surface(random);
+  const std::string source = source_point(whole, random.below(whole.faces.size()), 0.);
+  std::array<std::string, 2> report;
+  for(std::size_t i = 0; i < 2 && trial.fault.empty(); ++i)
+  {
+    const fs::path file = folder / (i == 0 ? "mesh.off" : "seams.off");
+    std::ofstream(file) << fuzz_surfaces::off(i == 0 ? whole : with_seams(whole, random));
+    trial.arguments = {file.string(), "--quiet", source, "--report", (folder / "report.json").string()};
+    trial.outcome = run(trial.arguments, folder);
+    trial.fault = fault(trial.outcome, folder);
+    report[i] = trial.outcome.status == 0 ? content_of(folder / "report.json") : trial.outcome.messages;
+  }
+  for(const char* key :
+      {"\"edges\": ", "\"cycles\": ", "\"genus\": ", "\"border_loops\": ", "\"length\": ", "\"injectivity_radius\": "})
+  {
+    const double a = number_after(report[0], key), b = number_after(report[1], key);
+    if(trial.fault.empty() && !(std::fabs(a - b) <= 1e-9 * (1. + std::fabs(a))))
+      trial.fault = "seams change " + std::string(key);
+  }
+  return trial;
+}
+
+// Killed at any time, each output is the old one or the new one.
+Trial try_to_kill(const fs::path& folder, Random& random)
+{
+  Trial trial;
+  trial.kind = "killed";
+  const fuzz_surfaces::Surface s = fuzz_surfaces::surface(random);
+  const fs::path file = folder / "mesh.off";
+  std::ofstream(file) << fuzz_surfaces::off(s);
+  const Words outputs = {"a.obj", "a.vtp", "a.ply", "a.json", "s.vtp", "c.ply", "edges.txt"};
+  trial.arguments = {file.string(), "--quiet", "-o",        "a.obj", "-o",      "a.vtp", "-o",      "a.ply",
+                     "-o",          "a.json",  "--surface", "s.vtp", "--cells", "c.ply", "--edges", "edges.txt"};
+  const auto start = Clock::now();
+  trial.outcome = run(trial.arguments, folder);
+  const auto time = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - start);
+  trial.fault = fault(trial.outcome, folder);
+  if(!trial.fault.empty() || trial.outcome.status != 0)
+    return trial;
+  Words complete;
+  for(const std::string& name : outputs)
+    complete.push_back(content_of(folder / name));
+  for(int i = 0; i < 5 && trial.fault.empty(); ++i)
+  {
+    for(const std::string& name : outputs)
+      std::ofstream(folder / name) << "old\n";
+    const Outcome outcome = run(trial.arguments, folder, time * random.below(1100) / 1000);
+    for(std::size_t k = 0; k < outputs.size(); ++k)
+    {
+      const std::string content = content_of(folder / outputs[k]);
+      if(content != complete[k] && (content != "old\n" || outcome.has_ended))
+        trial.fault = "half of " + outputs[k];
+    }
+  }
+  return trial;
+}
+
+Trial try_any(const fs::path& folder, Random& random)
+{
+  if(random.one_in(2))
+    return random.one_in(6)   ? try_to_kill(folder, random)
+           : random.one_in(3) ? try_seams(folder, random)
+                              : try_sources(folder, random);
+  Trial trial;
+  trial.arguments =
+    random.one_in(4) ? wrong_command_line(folder, random, trial.kind) : damaged_file(folder, random, trial.kind);
+  trial.outcome = run(trial.arguments, folder);
+  trial.fault = fault(trial.outcome, folder);
+  return trial;
 }
 
 } // namespace
@@ -451,22 +619,18 @@ int main(int argc, char* argv[])
   {
     fs::remove_all(folder);
     fs::create_directories(folder);
-    std::string kind;
-    const Words arguments =
-      random.one_in(4) ? wrong_command_line(folder, random, kind) : damaged_file(folder, random, kind);
-    const Outcome outcome = run(arguments, folder);
-    ++counts[kind][outcome.status == 0 ? 0 : 1];
-    const std::string cause = fault(outcome, folder);
-    if(cause.empty())
+    const Trial trial = try_any(folder, random);
+    ++counts[trial.kind][trial.outcome.status == 0 ? 0 : 1];
+    if(trial.fault.empty())
       continue;
     ++faults;
     const fs::path kept =
       fs::temp_directory_path() / ("cut_locus_fault_" + std::to_string(getpid()) + "_" + std::to_string(faults));
     fs::rename(folder, kept);
-    std::cout << kind << ": " << cause << ", in " << kept.string() << ":\n  cut_locus";
-    for(const std::string& a : arguments)
+    std::cout << trial.kind << ": " << trial.fault << ", in " << kept.string() << ":\n  cut_locus";
+    for(const std::string& a : trial.arguments)
       std::cout << " '" << a << "'";
-    std::cout << "\n  " << outcome.messages << std::endl;
+    std::cout << "\n  " << trial.outcome.messages << std::endl;
   }
   fs::remove_all(folder);
   int runs = 0;

@@ -207,7 +207,9 @@ TEST(Weak_connections, are_found_where_they_are_though_what_is_weak_is_not_looke
   for(const Case& c : cases())
   {
     const Indexed_triangle_mesh mesh = indexed(c.data);
-    for(Index source : {Index(1), mesh.number_of_vertices() / 3, mesh.number_of_vertices() - 1})
+    for(Index source :
+        {Index(1), mesh.number_of_vertices() / 5, mesh.number_of_vertices() / 3, mesh.number_of_vertices() / 2,
+         3 * mesh.number_of_vertices() / 4, mesh.number_of_vertices() - 1})
       for(double width : {2., 5., 1000.})
       {
         SCOPED_TRACE(c.name + ", source " + std::to_string(source) + ", width " + std::to_string(width));

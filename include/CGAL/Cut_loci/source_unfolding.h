@@ -15,7 +15,12 @@
 #include <CGAL/Cut_loci/face_graph/read_source.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/named_parameters.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/Surface_without_flat_faces.h>
+#include <CGAL/Cut_loci/surface/checked_mesh.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
+#include <CGAL/Cut_loci/surface/mollified_lengths.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 #include <CGAL/Cut_locus.h>
 
@@ -29,6 +34,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -75,7 +81,7 @@ struct Source_unfolding
   /// the points of the surface that the corners are copies of: the vertices of the cut locus, and those of the border
   std::vector<Vertex> vertices;
   std::vector<Corner> corners;       ///< counterclockwise
-  std::vector<Fold_line> fold_lines; ///< all edges of the mesh inside of the polygon, in parts
+  std::vector<Fold_line> fold_lines; ///< all edges of the mesh inside of the polygon, in parts, each place once
   Vertex source;                     ///< for which the cut locus has been computed: the one asked for, unless
   /// it had to be moved a little; see `source_unfolding()`
   bool is_source_moved = false;
@@ -84,8 +90,8 @@ struct Source_unfolding
 namespace internal {
 
 // Without vertices at which shortest paths bend, what is left without the cut locus is flat.
-template <typename Read>
-void throw_if_paths_bend(const Read& read, const Surface_component& component, const Geodesic_faces& faces)
+template <typename VertexName>
+void throw_if_paths_bend(const Geodesic_faces& faces, const VertexName& name)
 {
   for(Index v = 0; v < faces.number_of_vertices(); ++v)
   {
@@ -94,9 +100,8 @@ void throw_if_paths_bend(const Read& read, const Surface_component& component, c
     const bool is_border = faces.is_border(v);
     std::ostringstream text;
     text.precision(10);
-    text << vertex_name(read.positions[component.vertex(v)]) << " has a total angle of "
-         << faces.total_angle(v) * (180. / geodesic_pi) << " degrees, more than " << (is_border ? 180 : 360)
-         << (is_border ? ", on the border" : "")
+    text << name(v) << " has a total angle of " << faces.total_angle(v) * (180. / geodesic_pi) << " degrees, more than "
+         << (is_border ? 180 : 360) << (is_border ? ", on the border" : "")
          << ": shortest paths bend there, and what the cut locus leaves of the surface is not flat. Source unfoldings "
             "are for convex surfaces (CGAL::convex_hull_3() makes one); to flatten others see "
             "CGAL::cut_along_cut_locus()";
@@ -145,6 +150,48 @@ inline Unfolded_polygon unfolded_polygon(const Indexed_triangle_mesh& mesh, Exac
   }
 }
 
+/*
+ * The surface that is unfolded, with its source: a component, without its faces that have no area. Other lengths for these
+ * would change the polygon, and fold it over itself.
+ */
+class Surface_to_unfold
+{
+public:
+  Surface_to_unfold(const Surface_component& component, const Indexed_source& source)
+    : component_(component), source_(source)
+  {
+    if(!component.mollified)
+      return;
+    const Mesh_connectivity connectivity(*component.mesh);
+    if(!connectivity.first_non_manifold.empty())
+      throw Non_manifold_vertex{connectivity.first_non_manifold.front()};
+    without_.reset(new Surface_without_flat_faces(*component.mesh, source.location));
+    source_.location = without_->location();
+    if(source.vertex != null_index)
+      source_.vertex = without_->vertex_without(source.vertex);
+    else
+      source_.vertex = vertex_of(without_->mesh(), source_.location);
+    if(source_.vertex != null_index)
+      source_.location = location_of_vertex(Mesh_connectivity(without_->mesh()), source_.vertex);
+    measured_ = without_->mesh();
+    if(needs_mollification(measured_)) // some could not be left out
+      measured_.lengths = Mollification(measured_).lengths;
+  }
+
+  const Indexed_triangle_mesh& mesh() const { return without_ ? measured_ : *component_.mesh; }
+  const Indexed_source& source() const { return source_; }
+  // the numbers of the component
+  Index vertex(Index v) const { return without_ ? without_->vertex_with(v) : v; }
+  Index halfedge(Index h) const { return without_ ? without_->halfedge_with(h) : h; }
+  Indexed_location location(const Indexed_location& at) const { return without_ ? without_->location_with(at) : at; }
+
+private:
+  const Surface_component& component_;
+  Indexed_source source_;
+  std::unique_ptr<const Surface_without_flat_faces> without_; // if there are any
+  Indexed_triangle_mesh measured_;
+};
+
 template <typename TriangleMesh, typename VertexPointMap>
 class Source_unfolding_builder
 {
@@ -156,8 +203,8 @@ public:
   using Read = Read_triangle_mesh<TriangleMesh>;
 
   Source_unfolding_builder(const TriangleMesh& tm, const VertexPointMap& vpm, const Read& read,
-                           const Surface_component& component)
-    : tm_(tm), vpm_(vpm), read_(read), component_(component)
+                           const Surface_component& component, const Surface_to_unfold& surface)
+    : tm_(tm), vpm_(vpm), read_(read), component_(component), surface_(surface)
   {
   }
 
@@ -170,10 +217,13 @@ public:
       result.corners.push_back({point(polygon.corners[i].point), polygon.corners[i].node,
                                 polygon.glued[i] != null_index ? std::size_t(polygon.glued[i]) : Result::no_edge});
     for(const Unfolded_polygon::Fold& f : polygon.folds)
-      result.fold_lines.push_back({point(f.ends[0]), point(f.ends[1]), read_.halfedges[component_.halfedge(f.halfedge)],
-                                   fold_angle(*component_.mesh, f.halfedge)});
+      if(const Index h = surface_.halfedge(f.halfedge); h != null_index)
+        result.fold_lines.push_back({point(f.ends[0]), point(f.ends[1]), read_.halfedges[component_.halfedge(h)],
+                                     fold_angle(surface_.mesh(), f.halfedge)});
     result.is_source_moved = polygon.is_source_moved;
-    result.source = vertex({polygon.source, polygon.is_source_moved ? null_index : wanted.vertex, 0.});
+    result.source = vertex({polygon.source, null_index, 0.});
+    if(!polygon.is_source_moved && wanted.vertex != null_index)
+      set_vertex(result.source, wanted.vertex);
     return result;
   }
 
@@ -183,29 +233,31 @@ private:
   typename Result::Vertex vertex(const Indexed_cut_locus::Node& n) const
   {
     typename Result::Vertex result;
-    const Index f = n.location.face;
-    result.location.first = face(read_.halfedges[3 * std::size_t(component_.face(f))], tm_);
-    Vector p = {{0., 0., 0.}};
+    const Indexed_location at = surface_.location(n.location);
+    result.location.first = face(read_.halfedges[3 * std::size_t(component_.face(at.face))], tm_);
     for(std::size_t i = 0; i < 3; ++i)
-    {
-      result.location.second[i] = FT(n.location.coordinates[i]);
-      p = p + n.location.coordinates[i] * component_.mesh->points[component_.mesh->triangles[f][i]];
-    }
+      result.location.second[i] = FT(at.coordinates[i]);
+    const Vector p = position(*component_.mesh, at);
     result.distance = n.distance;
     result.mesh_vertex = boost::graph_traits<TriangleMesh>::null_vertex();
     result.point = Point_3(FT(p[0]), FT(p[1]), FT(p[2]));
     if(n.vertex != null_index)
-    {
-      result.mesh_vertex = read_.vertices[component_.vertex(n.vertex)];
-      result.point = get(vpm_, result.mesh_vertex);
-    }
+      set_vertex(result, surface_.vertex(n.vertex));
     return result;
+  }
+
+  // of the component
+  void set_vertex(typename Result::Vertex& result, Index v) const
+  {
+    result.mesh_vertex = read_.vertices[component_.vertex(v)];
+    result.point = get(vpm_, result.mesh_vertex);
   }
 
   const TriangleMesh& tm_;
   const VertexPointMap& vpm_;
   const Read& read_;
   const Surface_component& component_;
+  const Surface_to_unfold& surface_;
 };
 
 template <typename TriangleMesh, typename Read>
@@ -253,6 +305,9 @@ read_source(const TriangleMesh& tm, const Read& read,
  * than pi on the border. These are convex polyhedra, open ones with a convex border, and what is isometric to such, as
  * cylinders and flat pieces of paper. With a border, that is a part of the boundary of the polygon; it may overlap itself
  * then. Vertices whose angle is less than 2 pi by less than 1e-7 are taken for flat.
+ *
+ * Faces without area are no part of the surface, and the polygon is what it is without them. Their edges lie on others, and
+ * a fold line is given as a part of one of those.
  *
  * Time and space are those of the exact solver and the method `Cut_loci::Method::POLYHEDRAL`, and O(k log k) for a result
  * of k corners and fold lines; k is O(n^2) for n faces, and on most meshes O(n).
@@ -305,15 +360,23 @@ auto source_unfolding(const TriangleMesh& tm, const Source& source,
   Index number_of_components = 0;
   const std::vector<Index> labels = internal::face_components(read.mesh, number_of_components);
   internal::Surface_component component(read.mesh, labels, labels[in_mesh.location.face], number_of_components);
+  const Indexed_source in_component = component.local(in_mesh);
+  std::unique_ptr<const internal::Surface_to_unfold> surface;
   std::unique_ptr<internal::Exact_tree_solver> solver;
   component.name_faults(read.mesh, read.positions,
-                        [&] { solver.reset(new internal::Exact_tree_solver(component.measured())); });
-  internal::throw_if_paths_bend(read, component, solver->geodesics().faces());
+                        [&]
+                        {
+    surface.reset(new internal::Surface_to_unfold(component, in_component));
+    solver.reset(new internal::Exact_tree_solver(surface->mesh()));
+  });
+  internal::throw_if_paths_bend(solver->geodesics().faces(),
+                                [&](Index v) {
+    return internal::vertex_name(read.positions[component.vertex(surface->vertex(v))]);
+  });
 
-  const Indexed_source in_component = component.local(in_mesh);
-  const internal::Unfolded_polygon polygon = internal::unfolded_polygon(component.measured(), *solver, in_component);
-  return internal::Source_unfolding_builder<TriangleMesh, Vertex_point_map>(tm, vpm, read, component)(polygon,
-                                                                                                      in_component);
+  const internal::Unfolded_polygon polygon = internal::unfolded_polygon(surface->mesh(), *solver, surface->source());
+  return internal::Source_unfolding_builder<TriangleMesh, Vertex_point_map>(tm, vpm, read, component,
+                                                                            *surface)(polygon, in_component);
 }
 
 } // namespace Cut_loci

@@ -65,6 +65,7 @@ struct Cut_locus_statistics
   std::size_t branchings = 0;       ///< vertices of degree 3 or more
   double length = 0.;               ///< the sum of the lengths of the edges
   std::size_t narrow_corridors = 0; ///< see `Cut_locus::number_of_narrow_corridors()`
+  bool is_one_of_several = false;   ///< see `Cut_locus::is_one_of_several()`
   /// as by `CGAL::Cut_loci::injectivity_radius()`; infinity if the cut locus is empty
   double injectivity_radius = (std::numeric_limits<double>::infinity)();
 };
@@ -85,6 +86,7 @@ Cut_locus_statistics compute_statistics(const Cut_locus<TriangleMesh, Point_3>& 
     result.status =
       cut_locus.number_of_border_loops() > 0 ? Cut_locus_status::ONLY_A_BORDER : Cut_locus_status::ONE_POINT;
   result.narrow_corridors = cut_locus.number_of_narrow_corridors();
+  result.is_one_of_several = cut_locus.is_one_of_several();
   std::vector<std::size_t> component(result.vertices);
   if(!component.empty())
     result.components = boost::connected_components(graph, component.data());

@@ -47,6 +47,7 @@ struct Indexed_cut_locus
   std::vector<Node> nodes; ///< the root first
   std::vector<Edge> edges;
   Index number_of_narrow_corridors = 0; ///< see `Cut_locus::number_of_narrow_corridors()`
+  bool is_one_of_several = false;       ///< see `Cut_locus::is_one_of_several()`
 };
 
 namespace internal {

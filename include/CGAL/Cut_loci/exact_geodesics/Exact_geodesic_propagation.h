@@ -182,6 +182,8 @@ private:
   Apex_view look_at_apex(const Geodesic_window_list& list, const Crossing& crossing);
   template <int columns>
   void reach_apex(const Geodesic_window_list& list, const Crossing& crossing, const Apex_view& view);
+  template <int columns>
+  void reach_as_soon(const Geodesic_window_list& list, const Crossing& crossing, const Apex_view& view);
   double bound_at_apex(const Crossing& crossing) const;
   /// what goes on to the two other edges
   template <int columns>

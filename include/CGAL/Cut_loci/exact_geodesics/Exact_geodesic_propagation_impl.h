@@ -28,6 +28,8 @@ CGAL_CUT_LOCI_INLINE void Exact_geodesic_propagation::run(const std::vector<Inde
 {
   start(sources, options);
   observer_ = observer;
+  if(observer_ != nullptr && !is_approximate() && !has_lines())
+    count_paths();
   if(has_directions_ && is_approximate())
     propagate<9>();
   else if(has_directions_ || sources_.size() > 1)

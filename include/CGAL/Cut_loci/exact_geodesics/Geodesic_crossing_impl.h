@@ -165,6 +165,8 @@ inline void Exact_geodesic_propagation::reach_apex(const Geodesic_window_list& l
   {
     if(view.shortest < distance_[v])
       reach(v, view.shortest, end_of(list.get<columns>(view.winner), crossing.halfedge));
+    if(counts_paths() && view.shortest < (1. + equal_lengths) * distance_[v])
+      reach_as_soon<columns>(list, crossing, view);
   }
   else
   {
@@ -173,6 +175,22 @@ inline void Exact_geodesic_propagation::reach_apex(const Geodesic_window_list& l
     if(view.first_right < list.end)
       note_path_beside<columns>(crossing, list, view.first_right, list.column(0)[view.first_right]);
   }
+}
+
+/// paths to the apex that are as long as the shortest one
+template <int columns>
+inline void Exact_geodesic_propagation::reach_as_soon(const Geodesic_window_list& list, const Crossing& crossing,
+                                                      const Apex_view& view)
+{
+  const Index v = crossing.apex_vertex;
+  for(std::size_t w = view.first; w < view.last; ++w)
+    if(sides_[w - view.first] == covers)
+    {
+      const double d =
+        list.column(4)[w] + std::hypot(crossing.apex.x - list.column(2)[w], crossing.apex.y - list.column(3)[w]);
+      if(d < (1. + equal_lengths) * distance_[v])
+        reach(v, d, end_of(list.get<columns>(w), crossing.halfedge));
+    }
 }
 
 /// an upper bound of the distance of the apex

@@ -72,6 +72,17 @@ public:
     return has_directions_ && faces_.total_angle(v) - straight > merging_angle_;
   }
   bool is_reached(Index v) const { return distance_[v] < infinity; }
+  /// whether several shortest paths lead to `v`, which come from different directions: where that is so up to rounding, it
+  /// is symmetry that makes them equally long. Only with windows that are shown, and exact.
+  bool has_several_paths(Index v) const { return !has_several_paths_.empty() && has_several_paths_[v] != 0; }
+  /// and paths bend at `v`, so that all points behind it have several shortest paths as well
+  bool has_several_paths_to_bends() const
+  {
+    for(Index v = 0; v < has_several_paths_.size(); ++v)
+      if(has_several_paths_[v] && faces_.is_pseudo_source(v))
+        return true;
+    return false;
+  }
 
   /// the direction at its source in which the shortest path to `v` starts
   ///
@@ -82,9 +93,9 @@ public:
 
   /// the direction at `v` in which the shortest path to it leads back
   /// \pre `v` is reached and no source
-  Geodesic_arrival_direction arrival_direction(Index v) const
+  Geodesic_arrival_direction arrival_direction(Index v) const { return arrival_direction(v, arrival_[v]); }
+  Geodesic_arrival_direction arrival_direction(Index v, const Geodesic_arrival& arrival) const
   {
-    const Geodesic_arrival& arrival = arrival_[v];
     Index h = arrival.halfedge;
     while(faces_.source(h) != v)
       h = Indexed_triangle_mesh::next(h);
@@ -114,9 +125,10 @@ public:
   }
 
   /// the same as an angle in the unrolled tangent plane of `v`, counterclockwise from its first halfedge
-  double arrival_angle(Index v) const
+  double arrival_angle(Index v) const { return arrival_angle(v, arrival_[v]); }
+  double arrival_angle(Index v, const Geodesic_arrival& arrival) const
   {
-    const Geodesic_arrival_direction direction = arrival_direction(v);
+    const Geodesic_arrival_direction direction = arrival_direction(v, arrival);
     return faces_.angle_around_source(direction.halfedge) + direction.angle;
   }
 
@@ -245,6 +257,7 @@ protected:
     has_directions_ = options.directions || (sources_.size() > 1 && !is_approximate_);
     distance_.assign(faces_.number_of_vertices(), infinity);
     arrival_.resize(faces_.number_of_vertices());
+    has_several_paths_.clear();
     bends_.clear();
     if(has_directions_)
       bends_.resize(faces_.number_of_vertices());
@@ -253,11 +266,20 @@ protected:
     queries_.prepare(options.queries, options.all_centroids, faces_.number_of_faces());
   }
 
+  /// up to which lengths of paths are equal: far above rounding, and far below what happens by chance
+  static constexpr double equal_lengths = 1e-10;
+
+  void count_paths() { has_several_paths_.assign(distance_.size(), 0); }
+  bool counts_paths() const { return !has_several_paths_.empty(); }
+
   /// a path of length `d` to the vertex `v` has been found; returns whether it is the shortest so far
   bool improve(Index v, double d, const Geodesic_arrival& arrival)
   {
     if(distance_[v] == 0.) // at the end of a line, rounding may be below it
       return false;
+    if(counts_paths() && distance_[v] < infinity && d < (1. + equal_lengths) * distance_[v])
+      has_several_paths_[v] =
+        d > (1. - equal_lengths) * distance_[v] && (has_several_paths_[v] != 0 || are_apart(v, arrival_[v], arrival));
     // a smaller gain is rounding, and may be one forever
     if(!(d < distance_[v] * (1. - 1e-14)) && !(distance_[v] == infinity))
       return false;
@@ -410,6 +432,14 @@ protected:
   }
 
 private:
+  /// whether two paths come to `v` from different directions
+  bool are_apart(Index v, const Geodesic_arrival& first, const Geodesic_arrival& second) const
+  {
+    constexpr double least = 1e-4; // by less, the lengths of paths that are the same up to rounding are equal, too
+    const double angle = std::fabs(arrival_angle(v, first) - arrival_angle(v, second));
+    return angle > least && (faces_.is_border(v) || angle < faces_.total_angle(v) - least);
+  }
+
   void finish_queries(std::size_t number, Index h, const Plane_point& source, double turn)
   {
     const auto finish = [&](Geodesic_queries::Query& query)
@@ -438,6 +468,7 @@ protected:
   bool has_directions_ = false;
 
 private:
+  std::vector<unsigned char> has_several_paths_; // by vertex, or empty
   Geodesic_queries queries_;
   bool is_approximate_ = false;
   double merging_angle_ = 0.;

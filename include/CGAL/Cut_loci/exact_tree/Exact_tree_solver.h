@@ -19,6 +19,7 @@
 #include <CGAL/Cut_loci/exact_tree/Mesh_edge_curve.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_curves.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
+#include <CGAL/Cut_loci/exact_tree/Source_moves.h>
 #include <CGAL/Cut_loci/exact_tree/Tree_curve.h>
 #include <CGAL/Cut_loci/exact_tree/cut_locus_of_curves.h>
 #include <CGAL/Cut_loci/exact_tree/distances_from_curves.h>
@@ -89,6 +90,8 @@ public:
     divided_.reset();
     other_.reset();
     curves_ = curves;
+    moves_.reset();
+    number_of_moves_ = 0;
     if(!curves.empty() || (has_source_off_vertices() && points.size() > 1))
       divided_.reset(new Divided_surface(mesh_, points, curves, progress_.part(0., 0.1)));
     const Progress all = progress_;
@@ -102,6 +105,9 @@ public:
     for(Index v = 0; v < mesh_.number_of_vertices() && sources_.size() + curves_.size() > 1; ++v)
       nearest_source_.push_back(geodesics().nearest_source(v));
     find_farthest();
+    is_one_of_several_ = geodesics().has_several_paths_to_bends();
+    if(is_one_of_several_ && sources_.size() == 1 && curves_.empty())
+      start(1);
   }
   void compute_distance(const Indexed_source& source) { compute_distance({source}, {}); }
 
@@ -111,10 +117,11 @@ public:
    * Where several shortest paths lead to a vertex at which they bend, all points behind it have several, and where such
    * paths run along edges of the mesh, it takes no more than rounding to choose other ones in neighboring faces. Both
    * need a symmetric placement of the source. Then it is moved, unless what is left out matters more: by far less than
-   * the accuracy of any mesh, and far more than that of the windows. Of several sources all are moved, each one by
-   * another length, as they may be symmetric to each other too. Vertices of curves are always moved, as the waves of the
-   * edges at a corner are symmetric to each other often, and once more where a face could be drawn by its labels only:
-   * that may be where edges face each other.
+   * the accuracy of any mesh, and far more than that of the windows. The former is seen by the distances: it is moved at
+   * once, as rounding would decide whether it matters. Of several sources all are moved, each one by another length, as
+   * they may be symmetric to each other too. Vertices of curves are always moved, as the waves of the edges at a corner are
+   * symmetric to each other often, and once more where a face could be drawn by its labels only: that may be where edges
+   * face each other.
    */
   void grow_tree() override
   {
@@ -122,10 +129,14 @@ public:
     const double first = least_.is_none() ? 0.2 : 1.;
     report_to(all.part(0., first));
     tree_->join();
-    const int most = has_curves() ? 4 : most_moves;
+    remove_branches_to_moved_sources();
+    const int most = has_curves() || is_one_of_several_ ? Source_moves::most_moves : most_moves;
     const auto needs_move = [this]
-    { return (least_.is_none() && !tree_->is_sure()) || (has_curves() && tree_->has_doubtful_faces()); };
-    for(int number = 1; number <= most && needs_move(); ++number)
+    {
+      return (least_.is_none() && !tree_->is_sure()) ||
+             ((has_curves() || number_of_moves_ > 0) && tree_->has_doubtful_faces());
+    };
+    for(int number = number_of_moves_ + 1; number <= most && needs_move(); ++number)
     {
       const Progress part = all.part(first + (1. - first) * (number - 1) / most, first + (1. - first) * number / most);
       report_to(part.part(0., 0.6));
@@ -134,7 +145,7 @@ public:
       tree_->draw_ridges(threads_);
       report_to(part.part(0.8, 1.));
       tree_->join();
-      remove_branches_to_sources();
+      remove_branches_to_moved_sources();
     }
   }
 
@@ -151,7 +162,9 @@ public:
     const Progress all = progress_;
     std::vector<Tree_branches::Edge> kept;
     Exact_tree_solver& solver = solver_for(thresholds, kept, all.part(0., 0.7));
-    return solver.curve_of(kept, thresholds, curve, edges, all);
+    Indexed_cut_locus result = solver.curve_of(kept, thresholds, curve, edges, all);
+    result.is_one_of_several = edges.is_one_of_several = is_one_of_several_;
+    return result;
   }
 
   const Mesh_connectivity& connectivity() const { return connectivity_; }
@@ -167,6 +180,10 @@ public:
 
 private:
   static constexpr int most_moves = 2; // of a source: what one leaves doubtful, another one decides
+
+  // By how much it is moved. Where regions have several shortest paths, by the same each time, in other directions: the
+  // radius of sources that are symmetric to each other differs by no more, whichever move leaves no doubts.
+  double share_of_face(int number) const { return is_one_of_several_ ? 2e-6 : 1e-6 * number; }
 
   // The solver that has all that is asked for, as it is after the source has been set: this one, or one for weaker branches.
   // It is never a tree that other questions have completed in places, as that would be another one. Weaker branches are
@@ -248,7 +265,7 @@ private:
     if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
       Source_faces::throw_source_without_face(at_sources.first_without_face(),
                                               "ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
-    edges = Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, at_sources, geodesics().distances(), {},
+    edges = Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, at_sources, distance_, {},
                             lone_vertex(), all.part(0.8, 0.9))
               .graph;
     const Curve_filter filter(mesh_, connectivity_, thresholds);
@@ -264,7 +281,9 @@ private:
                       all.part(0.9, 1.));
     if(divided_ != nullptr)
       divided_->remove_sources(result.graph, result.face);
-    if(!tree_->is_known(kept)) // pieces that the topology alone has added have no paths to tell it
+    // pieces that the topology alone has added have no paths to tell it, in doubtful faces there may be shorter ones, and
+    // those of a moved source are of other lengths
+    if(number_of_moves_ > 0 || !tree_->is_known(kept) || (tree_->has_doubtful_faces() && maximum_relative_error_ == 0.))
       set_distances_from_curves(mesh_, sources_, {}, result.graph);
     set_origins(mesh_, connectivity_, edges, result.face, result.graph);
     if(drops_branches)
@@ -298,6 +317,9 @@ private:
   // `number` other than 0: with the sources moved, each time elsewhere
   void start(int number = 0)
   {
+    if(number > 0 && !moves_)
+      moves_.reset(new Source_moves(geodesics()));
+    number_of_moves_ = number;
     if(number > 0 && has_curves())
       divided_.reset(new Divided_surface(mesh_, sources_, curves_, Progress(), number + 1));
     if(divided_ != nullptr)
@@ -344,13 +366,14 @@ private:
       compute_more(Branch_strength(), 0, progress);
       return;
     }
-    look_where_paths_part(kept, asked, 0, progress.part(0., 0.4));
-    for(int number = 1; number <= most_moves && sources_.size() == 1 && !tree_->is_known(kept); ++number)
+    look_where_paths_part(kept, asked, progress.part(0., 0.4));
+    for(int number = number_of_moves_ + 1; number <= most_moves && sources_.size() == 1 && !tree_->is_known(kept);
+        ++number)
     {
       const Progress part = progress.part(0.4 + 0.3 * (number - 1), 0.4 + 0.3 * number);
       compute_more(least_, number, part.part(0., 0.5));
       kept = tree_->kept(asked);
-      look_where_paths_part(kept, asked, number, part.part(0.5, 1.));
+      look_where_paths_part(kept, asked, part.part(0.5, 1.));
     }
     not_found_ = tree_->unknown(kept);
   }
@@ -369,7 +392,7 @@ private:
   // A branch may leave the faces that are seen, and come back, mostly after a few: more and more are seen around it, and
   // where shortest paths part after these few only, as it takes long to follow all of them.
   static constexpr Index few_rings = 3;
-  void look_where_paths_part(std::vector<Tree_branches::Edge>& kept, const Branch_strength& asked, int number,
+  void look_where_paths_part(std::vector<Tree_branches::Edge>& kept, const Branch_strength& asked,
                              const Progress& progress)
   {
     double done = 0.;
@@ -381,7 +404,7 @@ private:
       const bool is_far = rings > few_rings;
       if(tree_->propagate_once_more(kept, rings, is_far))
       {
-        finish(number, part.part(0.6, 0.95));
+        finish(part.part(0.6, 0.95));
         kept = tree_->kept(asked, part.part(0.95, 1.));
       }
       else if(is_far)
@@ -396,22 +419,22 @@ private:
     least_ = least;
     report_to(progress.part(0., 0.6));
     start(number);
-    finish(number, progress.part(0.6, 1.));
+    finish(progress.part(0.6, 1.));
   }
 
-  void finish(int number, const Progress& progress)
+  void finish(const Progress& progress)
   {
     report_to(progress.part(0., 0.4));
     compute_strengths();
     report_to(progress.part(0.4, 1.));
     grow_tree();
-    if(number > 0)
-      remove_branches_to_sources();
     tree_->prepare_widths();
   }
 
-  void remove_branches_to_sources()
+  void remove_branches_to_moved_sources()
   {
+    if(number_of_moves_ == 0)
+      return;
     for(Index v : divided_ != nullptr ? divided_->vertices() : source_vertices())
       tree_->remove_branch_to(v);
   }
@@ -439,19 +462,10 @@ private:
       const Indexed_location at =
         divided_ != nullptr ? divided_->geodesics.vertex_location(divided_->vertices()[i]) : sources_[i].location;
       const double share = static_cast<double>(i) / static_cast<double>(sources_.size());
-      result.push_back(number == 0 ? at : moved(at, 1e-6 * number * (1. + share)));
+      result.push_back(number == 0 ? at : moves_->moved(i, share_of_face(number) * (1. + share), number));
     }
     if(has_curves())
       result.insert(result.end(), divided_->with_curves->points().begin(), divided_->with_curves->points().end());
-    return result;
-  }
-
-  // in the interior of its face, by a share of it, in a direction without any symmetry
-  static Indexed_location moved(Indexed_location result, double by)
-  {
-    constexpr std::array<double, 3> part = {{0.2113, 0.3301, 0.4586}};
-    for(std::size_t i = 0; i < 3; ++i)
-      result.coordinates[i] = (1. - by) * result.coordinates[i] + by * part[i];
     return result;
   }
 
@@ -549,6 +563,9 @@ private:
   std::vector<double> distance_;
   std::vector<Index> nearest_source_; // of each vertex, if there are several
   Index farthest_ = null_index;
+  std::unique_ptr<Source_moves> moves_; // once the sources have been moved
+  int number_of_moves_ = 0;
+  bool is_one_of_several_ = false; // see `Cut_locus`
   std::unique_ptr<Exact_tree> tree_;
   std::vector<Index> not_found_;             // of the edges of the tree: where they are is not known
   std::unique_ptr<Exact_tree_solver> other_; // for the same sources and other thresholds, the last that needed one

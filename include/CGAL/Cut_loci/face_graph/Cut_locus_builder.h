@@ -89,7 +89,7 @@ public:
     for(const Indexed_source& source : sources)
       source_points.push_back(make_vertex(source.location, source.vertex, 0.));
     return Result(std::move(graph), std::move(source_points), read_->vertices[shared->farthest], shared, distance,
-                  nearest_source, cut_locus.number_of_narrow_corridors);
+                  nearest_source, cut_locus.number_of_narrow_corridors, cut_locus.is_one_of_several);
   }
 
 private:

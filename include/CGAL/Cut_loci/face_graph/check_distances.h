@@ -35,19 +35,18 @@ inline void check_distances(const std::vector<double>& distance, const Surface_c
                                                      vertex_name(positions[component.vertex(v)]));
 }
 
-/// Throws if one of the distances in a `vertex_distance_map` cannot be that of a shortest path: none is longer than one
-/// of edges, which passes each of them once at most. What is longer may also be too large to compute with.
+/// Throws if one of the distances cannot be that of a shortest path: none is longer than one of edges, which passes each of
+/// them once at most. What is longer may also be too large to compute with. `what_to_do` ends the message.
 inline void check_range(const std::vector<double>& distance, const Surface_component& component,
-                        const std::vector<Index>& positions)
+                        const std::vector<Index>& positions, const std::string& who, const std::string& what_to_do)
 {
   const double longest = component.sum_of_edge_lengths();
   for(Index v = 0; v < distance.size(); ++v)
     if(distance[v] < 0. || distance[v] > longest)
       throw Invalid_input(Cause::INVALID_DISTANCE,
-                          "the vertex distance map holds a distance that is " +
-                            std::string(distance[v] < 0. ? "negative" : "longer than all edges together") + " for " +
-                            vertex_name(positions[component.vertex(v)]) +
-                            ": it must hold the geodesic distances to the source, in the unit of the points");
+                          who + " a distance that is " +
+                            (distance[v] < 0. ? "negative" : "longer than all edges together") + " for " +
+                            vertex_name(positions[component.vertex(v)]) + ": " + what_to_do);
 }
 
 /// Throws if all distances in a `vertex_distance_map` are the same, though not all vertices are on sources.

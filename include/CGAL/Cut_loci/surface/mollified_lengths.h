@@ -27,12 +27,19 @@ inline std::array<double, 3> edge_lengths(const Indexed_triangle_mesh& mesh, Ind
   return {{edge_length(mesh, 3 * f), edge_length(mesh, 3 * f + 1), edge_length(mesh, 3 * f + 2)}};
 }
 
-/// the median: long spikes do not matter
+/// the median of those that have a length: neither long spikes nor points that coincide matter
 inline double usual_edge_length(const Indexed_triangle_mesh& mesh)
 {
   std::vector<double> length(mesh.number_of_halfedges());
+  double longest = 0.;
   for(Index h = 0; h < length.size(); ++h)
+  {
     length[h] = edge_length(mesh, h);
+    longest = (std::max)(longest, length[h]);
+  }
+  constexpr double least = 1e-12; // of the longest: rounding of coordinates
+  length.erase(std::remove_if(length.begin(), length.end(), [longest](double l) { return !(l > least * longest); }),
+               length.end());
   const auto middle = length.begin() + static_cast<std::ptrdiff_t>(length.size() / 2);
   std::nth_element(length.begin(), middle, length.end());
   return length.empty() ? 0. : *middle;
