@@ -75,6 +75,10 @@ public:
   /// whether several shortest paths lead to `v`, which come from different directions: where that is so up to rounding, it
   /// is symmetry that makes them equally long. Only with windows that are shown, and exact.
   bool has_several_paths(Index v) const { return !has_several_paths_.empty() && has_several_paths_[v] != 0; }
+  bool has_several_paths() const
+  {
+    return std::find(has_several_paths_.begin(), has_several_paths_.end(), 1) != has_several_paths_.end();
+  }
   /// and paths bend at `v`, so that all points behind it have several shortest paths as well
   bool has_several_paths_to_bends() const
   {
@@ -435,7 +439,7 @@ private:
   /// whether two paths come to `v` from different directions
   bool are_apart(Index v, const Geodesic_arrival& first, const Geodesic_arrival& second) const
   {
-    constexpr double least = 1e-4; // by less, the lengths of paths that are the same up to rounding are equal, too
+    constexpr double least = 0.01; // a path that bends by less is longer by a share of the square of that
     const double angle = std::fabs(arrival_angle(v, first) - arrival_angle(v, second));
     return angle > least && (faces_.is_border(v) || angle < faces_.total_angle(v) - least);
   }

@@ -83,11 +83,15 @@ public:
   /// computes the distances, and where the cut locus crosses the edges of the mesh
   ///
   /// @param least what is weaker may be left out
-  void propagate(const std::vector<Indexed_location>& sources, const Branch_strength& least)
+  /// @param move may move the sources by a little once the distances are known, if something is left out
+  template <typename Move>
+  void propagate(const std::vector<Indexed_location>& sources, const Branch_strength& least, const Move& move)
   {
     least_ = least;
     sources_ = sources;
     find_drawn_faces();
+    if(!least.is_none())
+      move(sources_);
     find_crossings();
   }
 
@@ -248,6 +252,19 @@ public:
     return result;
   }
   bool is_known(const std::vector<Tree_branches::Edge>& edges) const { return unknown(edges).empty(); }
+  /// the faces of those that do not follow bisectors of labels, so that distances may be wrong on them, in order
+  std::vector<Index> faces_off_bisectors(const std::vector<Tree_branches::Edge>& edges) const
+  {
+    std::vector<Index> result;
+    for(const Tree_branches::Edge& b : edges)
+    {
+      const Tree_graph::Edge& e = graph_->edges[b.edge];
+      if(!e.is_virtual && (e.piece == null_index || !ridges_.piece(e.piece).is_bisector))
+        result.push_back(e.face);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
 
 private:
   std::vector<Tree_branches::Edge> find_kept(const Branch_strength& least, const Progress& progress)

@@ -90,23 +90,17 @@ public:
     divided_.reset();
     other_.reset();
     curves_ = curves;
+    distance_.clear();
     moves_.reset();
-    number_of_moves_ = 0;
     if(!curves.empty() || (has_source_off_vertices() && points.size() > 1))
       divided_.reset(new Divided_surface(mesh_, points, curves, progress_.part(0., 0.1)));
     const Progress all = progress_;
     report_to(divided_ != nullptr ? all.part(0.1, 1.) : all);
     start();
-    distance_ = curves.empty() ? geodesics().distances() : distances_from_curves(mesh_, points, curves, {}).of_vertices;
-    for(Index v = 0; v < distance_.size() && maximum_relative_error_ > 0.; ++v)
-      distance_[v] += geodesics().distance_error(v);
-    distance_.resize(mesh_.number_of_vertices());
-    nearest_source_.clear();
-    for(Index v = 0; v < mesh_.number_of_vertices() && sources_.size() + curves_.size() > 1; ++v)
-      nearest_source_.push_back(geodesics().nearest_source(v));
-    find_farthest();
-    is_one_of_several_ = geodesics().has_several_paths_to_bends();
-    if(is_one_of_several_ && sources_.size() == 1 && curves_.empty())
+    if(!distance_.empty())
+      return;
+    read_distances();
+    if(has_to_be_moved())
       start(1);
   }
   void compute_distance(const Indexed_source& source) { compute_distance({source}, {}); }
@@ -132,10 +126,7 @@ public:
     remove_branches_to_moved_sources();
     const int most = has_curves() || is_one_of_several_ ? Source_moves::most_moves : most_moves;
     const auto needs_move = [this]
-    {
-      return (least_.is_none() && !tree_->is_sure()) ||
-             ((has_curves() || number_of_moves_ > 0) && tree_->has_doubtful_faces());
-    };
+    { return (least_.is_none() && !tree_->is_sure()) || (has_curves() && tree_->has_doubtful_faces()); };
     for(int number = number_of_moves_ + 1; number <= most && needs_move(); ++number)
     {
       const Progress part = all.part(first + (1. - first) * (number - 1) / most, first + (1. - first) * number / most);
@@ -281,16 +272,38 @@ private:
                       all.part(0.9, 1.));
     if(divided_ != nullptr)
       divided_->remove_sources(result.graph, result.face);
-    // pieces that the topology alone has added have no paths to tell it, in doubtful faces there may be shorter ones, and
-    // those of a moved source are of other lengths
-    if(number_of_moves_ > 0 || !tree_->is_known(kept) || (tree_->has_doubtful_faces() && maximum_relative_error_ == 0.))
-      set_distances_from_curves(mesh_, sources_, {}, result.graph);
+    correct_distances(kept, result.graph);
     set_origins(mesh_, connectivity_, edges, result.face, result.graph);
     if(drops_branches)
       filter.remove_short_branches(edges, result);
     if(!thresholds.has_all_parts())
       filter.remove_other_parts(edges, result.graph);
     return std::move(result.graph);
+  }
+
+  // Pieces that the topology alone has added have no paths to tell them, in doubtful faces there may be shorter ones, and
+  // those of a moved source are of other lengths.
+  void correct_distances(const std::vector<Tree_branches::Edge>& kept, Indexed_cut_locus& curve) const
+  {
+    const std::vector<Index> faces = tree_->faces_off_bisectors(kept);
+    if(number_of_moves_ == 0 && (faces.empty() || maximum_relative_error_ > 0.))
+      return;
+    const bool are_all = number_of_moves_ > 0 || divided_ != nullptr; // else faces have their own numbers
+    std::vector<Index> nodes;
+    Exact_geodesic_options options;
+    for(Index i = 0; i < curve.nodes.size(); ++i)
+      if(are_all || std::binary_search(faces.begin(), faces.end(), curve.nodes[i].location.face))
+      {
+        nodes.push_back(i);
+        options.queries.push_back(curve.nodes[i].location);
+      }
+    std::vector<Indexed_location> sources;
+    for(const Indexed_source& source : sources_)
+      sources.push_back(source.location);
+    Exact_geodesic_propagation exact(surface_->faces);
+    exact.run(sources, options);
+    for(std::size_t i = 0; i < nodes.size(); ++i)
+      curve.nodes[nodes[i]].distance = exact.query_distance(i);
   }
 
   // With a vertex at each source, and cut open along curves.
@@ -314,12 +327,35 @@ private:
 
   bool has_curves() const { return divided_ != nullptr && divided_->with_curves; }
 
-  // `number` other than 0: with the sources moved, each time elsewhere
-  void start(int number = 0)
+  // of the sources where they are
+  void read_distances()
+  {
+    distance_ =
+      curves_.empty() ? geodesics().distances() : distances_from_curves(mesh_, sources_, curves_, {}).of_vertices;
+    for(Index v = 0; v < distance_.size() && maximum_relative_error_ > 0.; ++v)
+      distance_[v] += geodesics().distance_error(v);
+    distance_.resize(mesh_.number_of_vertices());
+    nearest_source_.clear();
+    for(Index v = 0; v < mesh_.number_of_vertices() && sources_.size() + curves_.size() > 1; ++v)
+      nearest_source_.push_back(geodesics().nearest_source(v));
+    find_farthest();
+    is_symmetric_ = geodesics().has_several_paths();
+    is_one_of_several_ = geodesics().has_several_paths_to_bends();
+  }
+
+  bool has_to_be_moved() const { return is_one_of_several_ && sources_.size() == 1 && curves_.empty(); }
+
+  std::vector<Indexed_location> moved_sources(int number)
   {
     if(number > 0 && !moves_)
       moves_.reset(new Source_moves(geodesics()));
     number_of_moves_ = number;
+    return locations(number);
+  }
+
+  // `number` other than 0: with the sources moved, each time elsewhere
+  void start(int number = 0)
+  {
     if(number > 0 && has_curves())
       divided_.reset(new Divided_surface(mesh_, sources_, curves_, Progress(), number + 1));
     if(divided_ != nullptr)
@@ -332,7 +368,15 @@ private:
       tree_->add_lines(divided_->with_curves->lines(), divided_->with_curves->owners());
     // Windows may be merged where what is between them is half of what the weakest branch needs.
     tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(surface_->extent));
-    tree_->propagate(locations(number), least_);
+    tree_->propagate(moved_sources(number), least_,
+                     [this](std::vector<Indexed_location>& sources)
+                     {
+      if(!distance_.empty())
+        return;
+      read_distances();
+      if(has_to_be_moved())
+        sources = moved_sources(1);
+    });
     for(double d : geodesics().distances())
       if(!(d < (std::numeric_limits<double>::infinity)()))
         throw Invalid_input(Cause::TOO_INACCURATE,
@@ -352,8 +396,8 @@ private:
   /*
    * Cycles stay whatever their strength, and what leads to a hole of the surface. Where that is weaker than what has been
    * looked for, it is looked for where shortest paths separate what it joins, and again where it leaves these faces and
-   * comes back. A symmetric source leaves it to rounding where it is: then the source is moved, if there is one only, as
-   * what is between several depends on where they are.
+   * comes back. A symmetric source leaves it to rounding where it is, or what is drawn along an edge of the mesh: then the
+   * source is moved, if there is one only, as what is between several depends on where they are.
    */
   void see_all_of(const Branch_strength& asked, const Progress& progress)
   {
@@ -367,8 +411,9 @@ private:
       return;
     }
     look_where_paths_part(kept, asked, progress.part(0., 0.4));
-    for(int number = number_of_moves_ + 1; number <= most_moves && sources_.size() == 1 && !tree_->is_known(kept);
-        ++number)
+    const auto is_open = [&]
+    { return !tree_->is_known(kept) || (is_symmetric_ && !tree_->faces_off_bisectors(kept).empty()); };
+    for(int number = number_of_moves_ + 1; number <= most_moves && sources_.size() == 1 && is_open(); ++number)
     {
       const Progress part = progress.part(0.4 + 0.3 * (number - 1), 0.4 + 0.3 * number);
       compute_more(least_, number, part.part(0., 0.5));
@@ -565,6 +610,7 @@ private:
   Index farthest_ = null_index;
   std::unique_ptr<Source_moves> moves_; // once the sources have been moved
   int number_of_moves_ = 0;
+  bool is_symmetric_ = false;      // whether several shortest paths of one length lead to some vertex
   bool is_one_of_several_ = false; // see `Cut_locus`
   std::unique_ptr<Exact_tree> tree_;
   std::vector<Index> not_found_;             // of the edges of the tree: where they are is not known
