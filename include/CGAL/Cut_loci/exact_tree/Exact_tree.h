@@ -83,15 +83,15 @@ public:
   /// computes the distances, and where the cut locus crosses the edges of the mesh
   ///
   /// @param least what is weaker may be left out
-  /// @param move may move the sources by a little once the distances are known, if something is left out
+  /// @param move may move the sources by a little once the distances are known, if something is left out; returns whether
   template <typename Move>
   void propagate(const std::vector<Indexed_location>& sources, const Branch_strength& least, const Move& move)
   {
     least_ = least;
     sources_ = sources;
     find_drawn_faces();
-    if(!least.is_none())
-      move(sources_);
+    if(!least.is_none() && move(sources_))
+      find_drawn_faces();
     find_crossings();
   }
 

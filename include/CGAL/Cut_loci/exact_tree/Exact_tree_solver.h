@@ -126,7 +126,10 @@ public:
     remove_branches_to_moved_sources();
     const int most = has_curves() || is_one_of_several_ ? Source_moves::most_moves : most_moves;
     const auto needs_move = [this]
-    { return (least_.is_none() && !tree_->is_sure()) || (has_curves() && tree_->has_doubtful_faces()); };
+    {
+      return (least_.is_none() && !tree_->is_sure()) ||
+             ((has_curves() || number_of_moves_ > 0) && tree_->has_doubtful_faces());
+    };
     for(int number = number_of_moves_ + 1; number <= most && needs_move(); ++number)
     {
       const Progress part = all.part(first + (1. - first) * (number - 1) / most, first + (1. - first) * number / most);
@@ -345,17 +348,18 @@ private:
 
   bool has_to_be_moved() const { return is_one_of_several_ && sources_.size() == 1 && curves_.empty(); }
 
-  std::vector<Indexed_location> moved_sources(int number)
+  /// \pre distances are known if `number` is not 0
+  void set_number_of_moves(int number)
   {
     if(number > 0 && !moves_)
       moves_.reset(new Source_moves(geodesics()));
     number_of_moves_ = number;
-    return locations(number);
   }
 
   // `number` other than 0: with the sources moved, each time elsewhere
   void start(int number = 0)
   {
+    set_number_of_moves(number);
     if(number > 0 && has_curves())
       divided_.reset(new Divided_surface(mesh_, sources_, curves_, Progress(), number + 1));
     if(divided_ != nullptr)
@@ -368,14 +372,17 @@ private:
       tree_->add_lines(divided_->with_curves->lines(), divided_->with_curves->owners());
     // Windows may be merged where what is between them is half of what the weakest branch needs.
     tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(surface_->extent));
-    tree_->propagate(moved_sources(number), least_,
+    tree_->propagate(locations(number), least_,
                      [this](std::vector<Indexed_location>& sources)
                      {
       if(!distance_.empty())
-        return;
+        return false;
       read_distances();
-      if(has_to_be_moved())
-        sources = moved_sources(1);
+      if(!has_to_be_moved())
+        return false;
+      set_number_of_moves(1);
+      sources = locations(1);
+      return true;
     });
     for(double d : geodesics().distances())
       if(!(d < (std::numeric_limits<double>::infinity)()))
