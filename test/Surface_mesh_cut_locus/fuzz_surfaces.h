@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <sstream>
@@ -128,14 +129,18 @@ inline Surface surface(Random& random)
   return random.one_in(2) ? ball(random) : grid(random);
 }
 
-/// points beside corners and edges of faces, or on edges, which leave faces of an area down to nothing
+/// points beside corners and edges of faces, or on edges, which leave faces of an area down to 1e-12 of the square of their
+/// longest edge, or of none; each in another face, as what is beside such a point in such a face may be thinner
 inline void add_thin_faces(Surface& s, Random& random)
 {
-  for(std::size_t i = 1 + random.below(6); i > 0; --i)
+  std::vector<std::size_t> undivided(s.faces.size());
+  std::iota(undivided.begin(), undivided.end(), std::size_t(0));
+  for(std::size_t i = 1 + random.below(6); i > 0 && !undivided.empty(); --i)
   {
-    const std::size_t f = random.below(s.faces.size()), v = s.points.size();
+    const std::size_t k = random.below(undivided.size()), f = undivided[k], v = s.points.size();
+    undivided.erase(undivided.begin() + static_cast<std::ptrdiff_t>(k));
     const Face t = s.faces[f];
-    const double share = random.one_in(6) ? 0. : std::pow(10., random.between(-13., -2.)),
+    const double share = random.one_in(6) ? 0. : std::pow(10., random.between(-11., -2.)),
                  along = random.one_in(3) ? 0. : random.between(0.05, 0.95);
     const double third = share * random.between(0.2, 0.8), second = along * (1. - third) + (along == 0. ? share : 0.);
     if(share == 0. && along == 0.)
