@@ -43,10 +43,13 @@ inline void check_range(const std::vector<double>& distance, const Surface_compo
   const double longest = component.sum_of_edge_lengths();
   for(Index v = 0; v < distance.size(); ++v)
     if(distance[v] < 0. || distance[v] > longest)
-      throw Invalid_input(Cause::INVALID_DISTANCE,
-                          who + " a distance that is " +
-                            (distance[v] < 0. ? "negative" : "longer than all edges together") + " for " +
-                            vertex_name(positions[component.vertex(v)]) + ": " + what_to_do);
+    {
+      std::string message = who;
+      message += " a distance that is ";
+      message += distance[v] < 0. ? "negative" : "longer than all edges together";
+      message += " for " + vertex_name(positions[component.vertex(v)]) + ": " + what_to_do;
+      throw Invalid_input(Cause::INVALID_DISTANCE, message);
+    }
 }
 
 /// Throws if all distances in a `vertex_distance_map` are the same, though not all vertices are on sources.
