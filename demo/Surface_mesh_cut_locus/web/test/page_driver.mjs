@@ -109,6 +109,7 @@ export class Driver {
   // parts of the view, from the upper left, at which a point in space is seen
   seenAt(point) {
     return this.app(({ viewer }, p) => {
+      viewer.draw(); // with the camera where it has been put last
       const v = viewer.farthestMarker.position.clone().set(...p).project(viewer.camera);
       return [(v.x + 1) / 2, (1 - v.y) / 2];
     }, point);

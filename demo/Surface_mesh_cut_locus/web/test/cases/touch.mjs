@@ -1,5 +1,6 @@
 // Fingers: a tap sets the source, two of them zoom and leave it where it is.
 import assert from 'node:assert/strict';
+import { patience } from '../page_driver.mjs';
 
 class Fingers {
   constructor(session) {
@@ -19,6 +20,13 @@ async function touch(d) {
 
 const sourcePlace = async (d) => d.seenAt(await d.app(({ app }) => app.toView(app.source.points[0])));
 
+// Touches wait for the next picture, which takes long on a slow machine.
+async function sourceMoves(d, from) {
+  await d.page.waitForFunction((point) => `${window.cutLocusPage.app.source.points[0]}` !== point, `${from}`, { timeout: patience });
+  await d.page.waitForFunction(() => !window.cutLocusPage.app.follower.isActive, null, { timeout: patience });
+  await d.settle();
+}
+
 const plus = ([x, y], dx, dy = 0) => [x + dx, y + dy];
 
 export const tests = {
@@ -31,7 +39,7 @@ export const tests = {
     await fingers.send('touchMove', [plus(at, 4, 3)]);
     await fingers.send('touchMove', [plus(at, 6, 4)]);
     await fingers.send('touchEnd', []);
-    await d.settle();
+    await sourceMoves(d, point);
     const tapped = (await d.result()).point;
     assert.notDeepEqual(tapped, point);
     // farther, it turns the view
@@ -80,10 +88,10 @@ export const tests = {
     const { point } = await d.result();
     const view = await d.view();
     await fingers.send('touchStart', [at]);
+    await d.page.waitForFunction(() => !window.cutLocusPage.viewer.controls.enabled, null, { timeout: patience }); // it is pressed
     for (let i = 1; i < 8; ++i) await fingers.send('touchMove', [plus(at, 5 * i)]);
     await fingers.send('touchEnd', []);
-    await d.page.waitForFunction(() => !window.cutLocusPage.app.follower.isActive);
-    await d.settle();
+    await sourceMoves(d, point);
     assert.notDeepEqual((await d.result()).point, point);
     assert.deepEqual(await d.view(), view);
   },
