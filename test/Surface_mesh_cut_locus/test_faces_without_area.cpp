@@ -10,6 +10,7 @@
 #include "built_mesh.h"
 #include "curve_topology.h"
 #include "detour.h"
+#include "fuzz_surfaces.h"
 #include "node_distances.h"
 #include "test_meshes.h"
 
@@ -228,6 +229,25 @@ TEST(Faces_without_area, or_nearly_so_block_hardly_a_path)
     }
   }
   EXPECT_GE(right, 0.9 * runs);
+}
+
+// Rays that bound windows are inexact behind such a face, and leave gaps between windows.
+TEST(Faces_without_area, or_nearly_so_hide_no_place_from_queries)
+{
+  std::vector<unsigned> seeds = {417,  1201,  3322,  4239,  5059,  9007,
+                                 9439, 10418, 11520, 12179, 12376, 14637}; // had gaps
+  for(unsigned seed = 0; seed < 300; ++seed)
+    seeds.push_back(seed);
+  for(const unsigned seed : seeds)
+  {
+    fuzz_surfaces::Random random(seed);
+    fuzz_surfaces::Surface surface = fuzz_surfaces::surface(random);
+    fuzz_surfaces::add_thin_faces(surface, random);
+    const Built built({surface.points, {surface.faces.begin(), surface.faces.end()}});
+    const auto curve = CGAL::compute_cut_locus(built.mesh, built.vertices[random.below(built.vertices.size())],
+                                               params::cut_locus_method(Method::POLYHEDRAL));
+    EXPECT_LT(curve_measures::node_distance_errors(built.mesh, curve).max, 5e-5) << "seed " << seed;
+  }
 }
 
 // Returns the distances of the solver.

@@ -179,6 +179,37 @@ TEST(Several_sources, in_symmetric_places_have_one_disk_each)
     }
 }
 
+// Three edges of the diagram come to a vertex within rounding, and are none of each other's.
+TEST(Several_sources, nearly_in_symmetric_places_have_one_disk_each)
+{
+  const Built octahedron(
+    {{{{1, 0, 0}}, {{-1, 0, 0}}, {{0, 1, 0}}, {{0, -1, 0}}, {{0, 0, 1}}, {{0, 0, -1}}},
+     {{{0, 2, 4}}, {{2, 1, 4}}, {{1, 3, 4}}, {{3, 0, 4}}, {{2, 0, 5}}, {{1, 2, 5}}, {{3, 1, 5}}, {{0, 3, 5}}}});
+  for(unsigned seed = 0; seed < 1500; ++seed)
+  {
+    std::mt19937 engine(seed);
+    const double size = std::pow(10., -10. + 4. * test_meshes::random_unit(engine)),
+                 shift = test_meshes::random_unit(engine);
+    std::vector<Source> sources;
+    for(const std::size_t f : {0, 1, 2, 3}) // around a vertex
+      if(f != seed % 5)
+      {
+        std::array<double, 3> c = {{0.25 + 0.1 * shift, 0.35 - 0.1 * shift, 0.}};
+        for(double& x : c)
+          x += size * test_meshes::random_unit(engine);
+        c[2] = 1. - c[0] - c[1];
+        sources.push_back(Location(octahedron.faces[f], c));
+      }
+    for(const Method method : methods)
+    {
+      Solver solver(octahedron.mesh, params::cut_locus_method(method));
+      solver.set_sources(sources);
+      EXPECT_EQ(fault_through_faces(octahedron, solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES))), "")
+        << name_of(method) << ", seed " << seed;
+    }
+  }
+}
+
 // -- closed forms ------------------------------------------------------------------------------------------------------
 
 // the points of the Voronoi diagram, each with the sources beside it

@@ -31,9 +31,8 @@ template <int columns>
 inline void Exact_geodesic_propagation::note_path_beside(const Crossing& crossing, const Geodesic_window_list& list,
                                                          std::size_t i, double t)
 {
-  const Plane_point& apex = crossing.apex;
-  const Plane_point image{list.column(2)[i], list.column(3)[i]};
-  const double d = distance_on_axis(image, t) + distance_on_axis(apex, t);
+  const Plane_point image{list.column(2)[i], list.column(3)[i]}, &apex = crossing.apex;
+  const double d = length_through(image, t, apex);
   // the accuracy of windows; what bends by more than its root is in a shadow
   if(d > (1. + geodesic_cover) * std::hypot(apex.x - image.x, apex.y - image.y))
     return;

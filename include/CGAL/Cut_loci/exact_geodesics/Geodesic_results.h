@@ -14,6 +14,7 @@
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_queries.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_sources.h>
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_windows.h>
+#include <CGAL/Cut_loci/exact_geodesics/geodesic_window_filters.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_kernels.h>
 #include <CGAL/Cut_loci/exact_geodesics/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -351,19 +352,22 @@ protected:
   bool has_queries() const { return !queries_.empty(); }
 
   /// considers the paths to the query locations of the face that windows of `h` lead to
+  ///
+  /// A location in a gap that rounding has left between two windows is reached around the end of one: no path is shorter
+  /// than it is.
   template <int columns>
   void answer_queries(Index h, const Geodesic_window_list& list)
   {
-    const double tolerance = geodesic_cover * faces_.length(h);
     const double *a = list.column(0), *b = list.column(1), *x = list.column(2), *y = list.column(3);
     const auto answer = [&](Geodesic_queries::Query& query)
     {
       const Plane_point p = faces_.in_frame(h, query.location.coordinates);
       for(std::size_t i = list.begin; i < list.end; ++i)
       {
-        if(side_of_rays(a[i], b[i], x[i], y[i], p, tolerance) != covers)
-          continue;
-        const double d = list.column(4)[i] + std::sqrt((p.x - x[i]) * (p.x - x[i]) + (p.y - y[i]) * (p.y - y[i]));
+        const Geodesic_side side = side_of_rays(a[i], b[i], x[i], y[i], p, 0.);
+        const double way = side == covers ? std::sqrt((p.x - x[i]) * (p.x - x[i]) + (p.y - y[i]) * (p.y - y[i]))
+                                          : length_through({x[i], y[i]}, side == passes_left ? b[i] : a[i], p);
+        const double d = list.column(4)[i] + way;
         if(d < query.distance)
         {
           const Geodesic_window w = list.get<columns>(i);

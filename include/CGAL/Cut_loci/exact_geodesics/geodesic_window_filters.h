@@ -35,6 +35,12 @@ inline double distance_on_axis(const Plane_point& v, double t)
   return std::sqrt((v.x - t) * (v.x - t) + v.y * v.y);
 }
 
+/// of the way from `image` to `point`, on the other side of the halfedge, through the point `t` of this
+inline double length_through(const Plane_point& image, double t, const Plane_point& point)
+{
+  return distance_on_axis(image, t) + distance_on_axis(point, t);
+}
+
 inline void filter_begin(Geodesic_window_list& list, double distance_source)
 {
   for(; !list.empty(); ++list.begin)

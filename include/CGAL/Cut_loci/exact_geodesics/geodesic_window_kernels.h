@@ -58,7 +58,8 @@ inline void step_turns(const Geodesic_window_list& in, std::size_t first, std::s
   out.end += static_cast<std::uint32_t>(n);
 }
 
-/// appends to `out` what `n` windows from `first` on become behind the edge from the apex to the source of the halfedge
+/// appends to `out` what `n` windows from `first` on become behind the edge from the apex to the source of the halfedge;
+/// nothing is left of those whose image is not behind that edge: rounding alone has led their rays there
 template <int columns>
 inline void step_left(const Geodesic_window_list& in, std::size_t first, std::size_t n, Geodesic_window_list& out,
                       const Geodesic_step& step)
@@ -78,10 +79,11 @@ inline void step_left(const Geodesic_window_list& in, std::size_t first, std::si
     const double ta = a * y / (da < geodesic_away ? da : geodesic_away);
     const double tb = b * y / (db < geodesic_away ? db : geodesic_away);
     const double depth = yc - x * s;
-    q[i] = ta < length ? ta : length;
-    q[i + co] = tb < length ? tb : length;
+    const double begin = ta < length ? ta : length, end = tb < length ? tb : length;
+    q[i] = begin;
+    q[i + co] = depth < 0. ? end : begin;
     q[i + 2 * co] = x * c + y * s;
-    q[i + 3 * co] = depth < 0. ? depth : 0.;
+    q[i + 3 * co] = depth;
     q[i + 4 * co] = p[i + 4 * ci];
   }
   step_turns<columns>(in, first, n, out, step.turn);
@@ -106,10 +108,11 @@ inline void step_right(const Geodesic_window_list& in, std::size_t first, std::s
     const double ta = (base - a) * y / (da < geodesic_away ? da : geodesic_away);
     const double tb = (base - b) * y / (db < geodesic_away ? db : geodesic_away);
     const double depth = yc - from_target * s;
-    q[i] = length - (ta < length ? ta : length);
-    q[i + co] = length - (tb < length ? tb : length);
+    const double begin = length - (ta < length ? ta : length), end = length - (tb < length ? tb : length);
+    q[i] = begin;
+    q[i + co] = depth < 0. ? end : begin;
     q[i + 2 * co] = length - (from_target * c + y * s);
-    q[i + 3 * co] = depth < 0. ? depth : 0.;
+    q[i + 3 * co] = depth;
     q[i + 4 * co] = p[i + 4 * ci];
   }
   step_turns<columns>(in, first, n, out, step.turn);

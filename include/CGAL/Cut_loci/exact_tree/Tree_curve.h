@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -92,6 +93,32 @@ private:
     for(const Tree_branches::Edge& b : kept)
       if(is_nothing(b.edge))
         is_drawn_[b.edge] = merge(representative(b.outer), representative(b.inner));
+    fold(kept);
+  }
+
+  /// Branches that are nearer to a vertex than it is known where they are, and come from one point: pieces between the same
+  /// two places are one, that with the largest gap.
+  void fold(const std::vector<Tree_branches::Edge>& kept)
+  {
+    std::map<std::pair<Index, Index>, Index> edge_to; // from a node, to a vertex
+    for(const Tree_branches::Edge& b : kept)
+      for(const bool is_outer : {false, true})
+      {
+        const Index from = representative(is_outer ? b.inner : b.outer),
+                    to = representative(is_outer ? b.outer : b.inner);
+        if(is_drawn_[b.edge] || vertex_[to] == null_index)
+          continue;
+        Index& other = edge_to.insert({{from, vertex_[to]}, b.edge}).first->second;
+        const Tree_graph::Edge &e = tree_.graph().edges[b.edge], &o = tree_.graph().edges[other];
+        if(other == b.edge || e.face != o.face)
+          continue;
+        const Index end = representative(representative(o.nodes[0]) == from ? o.nodes[1] : o.nodes[0]);
+        if(end == to || !merge(end, to))
+          continue;
+        is_drawn_[e.gap > o.gap ? other : b.edge] = 1;
+        if(e.gap > o.gap)
+          other = b.edge;
+      }
   }
 
   /// Makes one node of two, unless its place would be in no common face with what is joined to either.
