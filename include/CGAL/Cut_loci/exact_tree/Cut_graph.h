@@ -331,7 +331,7 @@ private:
   static float angle(const Edge_crossing& c)
   {
     constexpr double least = 1e-29; // above `weight_of_place()`
-    return static_cast<float>((std::min)((std::max)({c.angle, c.gap, least}), geodesic_pi));
+    return static_cast<float>((std::min)((std::max)(c.larger_angle(), least), geodesic_pi));
   }
 
   /// the node on the side of `h`, an edge without crossing

@@ -38,6 +38,8 @@ struct Edge_crossing
   bool is_shadow;          // it is the same path on both sides: the boundary of a shadow, not on the cut locus
   bool is_between_sources; // the paths come from different ones
   bool is_weak;            // see `Label_jumps::is_weak()`
+
+  double larger_angle() const { return (std::max)(angle, gap); }
 };
 
 inline Edge_crossing edge_crossing(const Geodesic_results& geodesics, const Branch_strength& least, Index h,

@@ -79,17 +79,6 @@ public:
     draw_by_labels(changes, nodes, ridges);
   }
 
-  /// the shortest straight path that enters the face and leads to `p`, where labels alone told what to draw; infinite if
-  /// there is none
-  double shortest_to(const Plane_point& p) const
-  {
-    double result = infinity;
-    for(const Entry& e : *entries_)
-      if(sees(e, p))
-        result = (std::min)(result, e.image.distance(p));
-    return result;
-  }
-
 private:
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
 

@@ -115,7 +115,8 @@ public:
           break;
         if(is_kept[c])
           keep(c);
-        else if(!(*this)[c].is_shadow && (widest == null_index || angle(widest) < angle(c)))
+        else if(!(*this)[c].is_shadow &&
+                (widest == null_index || (*this)[widest].larger_angle() < (*this)[c].larger_angle()))
           widest = c;
       }
     }
@@ -125,9 +126,6 @@ public:
     std::iota(order_.begin(), order_.end(), Index(0));
     return result;
   }
-
-  /// that at which paths meet at a crossing, or part at the source if that is larger
-  double angle(Index c) const { return (std::max)((*this)[c].angle, (*this)[c].gap); }
 
   /// frees that of all else but which faces are drawn
   void forget_crossings()

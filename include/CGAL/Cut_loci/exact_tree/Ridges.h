@@ -162,46 +162,16 @@ public:
     std::vector<Index> position, parent, group; // the last of hidden crossings: by what is drawn between them
     for(Face& face : faces_)
     {
-      const Index first = std::exchange(face.first_node, static_cast<Index>(nodes_.size()));
-      const Index crossings = std::exchange(face.number_of_crossings, Index(0));
-      const Index size = std::exchange(face.end_node, Index(0)) - first;
+      const Face before = face;
+      const std::array<bool, 3> ends_at_corner = corners_with_nodes(old, before);
+      face.first_node = static_cast<Index>(nodes_.size());
       position.clear();
-      group.clear();
-      std::array<bool, 3> ends_at_corner = {{false, false, false}};
-      for(Index i = crossings; i < size; ++i)
-        for(Index k = 0; k < 3; ++k)
-          ends_at_corner[k] = ends_at_corner[k] || old[first + i].vertex == mesh_->triangles[face.face][k];
-      const auto add = [&](Node node)
-      {
-        if(!node.is_hidden)
-          position.push_back(static_cast<Index>(nodes_.size()) - face.first_node);
-        node.tree = null_index;
-        nodes_.push_back(node);
-      };
       crossings_around(face.face, around);
-      Index corner = 0, drawn = ends_at_corner[0];
-      for(const Crossing_on_face& c : around)
-      {
-        for(; corner < c.corner; ++corner)
-          drawn += ends_at_corner[corner + 1];
-        const std::size_t next = position.size();
-        Node node;
-        node.is_hidden = next == crossings || number[old[first + next].crossing] != c.crossing;
-        if(!node.is_hidden)
-          node = old[first + next];
-        node.crossing = c.crossing;
-        add(node);
-        group.push_back(node.is_hidden ? drawn : null_index);
-        drawn += !node.is_hidden;
-        ++face.number_of_crossings;
-      }
-      for(; corner < 2; ++corner)
-        drawn += ends_at_corner[corner + 1];
-      for(Index& g : group)
-        if(g != null_index && drawn > 0)
-          g %= drawn;
-      for(Index i = crossings; i < size; ++i)
-        add(old[first + i]);
+      add_crossings_around(old, before, face, number, around, position);
+      face.number_of_crossings = static_cast<Index>(nodes_.size()) - face.first_node;
+      group_hidden_crossings(face, around, ends_at_corner, group);
+      for(Index i = before.first_node + before.number_of_crossings; i < before.end_node; ++i)
+        add_again(old[i], face, position);
       face.end_node = static_cast<Index>(nodes_.size());
       for(Index p = face.first_piece; p < face.end_piece; ++p)
       {
@@ -417,9 +387,6 @@ private:
     {
       Node& node = nodes_[face.first_node + piece.nodes[k]];
       node.distance = 0.5 * (piece.images[0].distance(node.point) + piece.images[1].distance(node.point));
-      if(work.drawing.is_doubtful && node.crossing == null_index && node.vertex == null_index)
-        if(const double d = work.drawing.shortest_to(node.point); std::isfinite(d))
-          node.distance = d;
       if(node.crossing != null_index)
         piece.gaps[k] = (*changes_)[node.crossing].gap;
       else if(node.vertex == null_index)
@@ -444,6 +411,64 @@ private:
     piece.images[0] = own[best];
     piece.images[1] = own[1 - best];
     piece.gaps[1 - best] = (std::min)(piece.gaps[1 - best], (1. - 1e-6) * piece.gaps[best]);
+  }
+
+  std::array<bool, 3> corners_with_nodes(const Growing_list<Node>& nodes, const Face& face) const
+  {
+    std::array<bool, 3> result = {{false, false, false}};
+    for(Index i = face.first_node + face.number_of_crossings; i < face.end_node; ++i)
+      for(Index k = 0; k < 3; ++k)
+        result[k] = result[k] || nodes[i].vertex == mesh_->triangles[face.face][k];
+    return result;
+  }
+
+  void add_again(Node node, const Face& face, std::vector<Index>& position)
+  {
+    if(!node.is_hidden)
+      position.push_back(static_cast<Index>(nodes_.size()) - face.first_node);
+    node.tree = null_index;
+    nodes_.push_back(node);
+  }
+
+  /// those at which pieces end, and in between those at which none does
+  void add_crossings_around(const Growing_list<Node>& old, const Face& before, const Face& face,
+                            const std::vector<Index>& number, const std::vector<Crossing_on_face>& around,
+                            std::vector<Index>& position)
+  {
+    for(const Crossing_on_face& c : around)
+    {
+      const std::size_t next = before.first_node + position.size();
+      Node node;
+      node.is_hidden = position.size() == before.number_of_crossings || number[old[next].crossing] != c.crossing;
+      if(!node.is_hidden)
+        node = old[next];
+      node.crossing = c.crossing;
+      add_again(node, face, position);
+    }
+  }
+
+  /// Hidden crossings between the same two ends of pieces, at crossings or at corners, are one group; null for others.
+  void group_hidden_crossings(const Face& face, const std::vector<Crossing_on_face>& around,
+                              const std::array<bool, 3>& ends_at_corner, std::vector<Index>& group) const
+  {
+    group.clear();
+    Index corner = 0, drawn = ends_at_corner[0];
+    const auto go_on = [&](Index to)
+    {
+      while(corner < to)
+        drawn += ends_at_corner[++corner];
+    };
+    for(Index i = 0; i < around.size(); ++i)
+    {
+      go_on(around[i].corner);
+      const bool is_hidden = nodes_[face.first_node + i].is_hidden;
+      group.push_back(is_hidden ? drawn : null_index);
+      drawn += !is_hidden;
+    }
+    go_on(2);
+    for(Index& g : group)
+      if(g != null_index && drawn > 0)
+        g %= drawn;
   }
 
   /// numbers the trees in the order of their first crossing; crossings of one group are one tree
