@@ -354,10 +354,11 @@ protected:
   /// considers the paths to the query locations of the face that windows of `h` lead to
   ///
   /// A location in a gap that rounding has left between two windows is reached around the end of one: no path is shorter
-  /// than it is.
+  /// than it is. What bends there comes after all that is straight, up to the accuracy of windows.
   template <int columns>
   void answer_queries(Index h, const Geodesic_window_list& list)
   {
+    const double accuracy = geodesic_cover * faces_.length(h);
     const double *a = list.column(0), *b = list.column(1), *x = list.column(2), *y = list.column(3);
     const auto answer = [&](Geodesic_queries::Query& query)
     {
@@ -365,8 +366,9 @@ protected:
       for(std::size_t i = list.begin; i < list.end; ++i)
       {
         const Geodesic_side side = side_of_rays(a[i], b[i], x[i], y[i], p, 0.);
-        const double way = side == covers ? std::sqrt((p.x - x[i]) * (p.x - x[i]) + (p.y - y[i]) * (p.y - y[i]))
-                                          : length_through({x[i], y[i]}, side == passes_left ? b[i] : a[i], p);
+        const double way = side == covers
+                             ? std::sqrt((p.x - x[i]) * (p.x - x[i]) + (p.y - y[i]) * (p.y - y[i]))
+                             : length_through({x[i], y[i]}, side == passes_left ? b[i] : a[i], p) + accuracy;
         const double d = list.column(4)[i] + way;
         if(d < query.distance)
         {
