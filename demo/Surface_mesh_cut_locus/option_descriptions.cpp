@@ -165,7 +165,9 @@ po::options_description output()
       "write the surface with the number of the source nearest to each face, in the order of points, curves and the "
       "border: faces between two sources are split. Where no path leads from a source, number and distance are -1");
   add("surface", text("FILE.vtp"),
-      "write the mesh with the distance, the number of the nearest source, and that in the file of each vertex");
+      "write the mesh with the distance, the number of the nearest source, that in the file, and the logarithmic map "
+      "of each "
+      "vertex");
   add("uv", text("FILE.obj"),
       "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a texture");
   add("parameterization", text("injective|arap|lscm|convex")->default_value("injective"),
