@@ -233,14 +233,9 @@ Repair to_repair(const std::string& name)
 
 std::string to_input_format(const std::string& name)
 {
-  std::string list;
-  for(const std::string& format : input_formats())
-  {
-    if(name == format)
-      return name;
-    list += " " + format;
-  }
-  throw Usage_error("--input-format takes one of" + list + ", not '" + name + "'");
+  if((input_formats() + " ").find(" ." + name + " ") == std::string::npos)
+    throw Usage_error("--input-format takes one of" + input_formats() + " without the dot, not '" + name + "'");
+  return name;
 }
 
 Kept_part to_part(const std::string& name)

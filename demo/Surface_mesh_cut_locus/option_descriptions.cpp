@@ -5,6 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "option_descriptions.h"
+#include "file_checks.h"
 #include "output.h"
 #include "solvers.h"
 
@@ -43,7 +44,7 @@ po::options_description input()
 {
   po::options_description result;
   auto add = result.add_options();
-  add("input-format", text("off|obj|stl|ply|ts|vtp"),
+  add("input-format", text(with_bars(input_formats())),
       "the format of the mesh (default: by the extension; if MESH is -, standard input, by its first words)");
   add("repair", text("weld|orient|none")->default_value("weld"),
       "weld: of any file with faces a mesh of triangles is made, and a line says how; border edges "

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <map>
 #include <random>
 #include <set>
@@ -106,6 +108,46 @@ std::string off(const std::vector<std::array<double, 3>>& points, const std::vec
   for(const auto& f : faces)
     text << "3 " << f[0] << ' ' << f[1] << ' ' << f[2] << '\n';
   return text.str();
+}
+
+std::string base_64(const std::string& bytes)
+{
+  const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string result;
+  for(std::size_t i = 0; i < bytes.size(); i += 3)
+  {
+    unsigned three = 0;
+    for(std::size_t k = 0; k < 3; ++k)
+      three = 256 * three + (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for(std::size_t k = 0; k < 4; ++k)
+      result += i + k <= bytes.size() ? digits[(three >> (18 - 6 * k)) % 64] : '=';
+  }
+  return result;
+}
+
+// The upper half of an octahedron, placed by nodes: as it is, and mirrored below, both twice as large.
+Json octahedron_gltf()
+{
+  const float points[][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
+  const std::uint16_t corners[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4};
+  const std::string bytes = std::string(reinterpret_cast<const char*>(points), sizeof(points)) +
+                            std::string(reinterpret_cast<const char*>(corners), sizeof(corners));
+  return {
+    {"asset", {{"version", "2.0"}}},
+    {"scene", 0},
+    {"scenes", {{{"nodes", {0}}}}},
+    {"nodes",
+     {{{"children", {1, 2}}, {"scale", {2, 2, 2}}, {"translation", {5, 0, 3}}},
+      {{"mesh", 0}},
+      {{"mesh", 0}, {"scale", {1, 1, -1}}}}},
+    {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}}}}}}},
+    {"accessors",
+     {{{"bufferView", 0}, {"componentType", 5126}, {"count", 5}, {"type", "VEC3"}},
+      {{"bufferView", 1}, {"componentType", 5123}, {"count", 12}, {"type", "SCALAR"}}}},
+    {"bufferViews",
+     {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", sizeof(points)}},
+      {{"buffer", 0}, {"byteOffset", sizeof(points)}, {"byteLength", sizeof(corners)}}}},
+    {"buffers", {{{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base_64(bytes)}}}}};
 }
 
 } // namespace
@@ -421,7 +463,63 @@ TEST_F(Files, Standard_input_in_all_formats)
   expect_failure(run("- --quiet < " + quoted(path("text"))), "say --input-format");
   expect_failure(run("- --quiet --input-format ply < " + quoted(path("text"))), "does not start with 'ply'");
   expect_failure(run("- --quiet --input-format obj < " + quoted(path("text"))), "standard input");
-  expect_failure(run_on_torus("--input-format xyz"), "--input-format takes one of off obj stl ply ts vtp");
+  expect_failure(run_on_torus("--input-format xyz"), "--input-format takes one of .off .obj .stl .ply .ts .vtp");
+}
+
+TEST_F(Files, Scenes_are_read_with_their_nodes)
+{
+  const std::string mesh = quoted(path("a.gltf"));
+  const Json scene = octahedron_gltf();
+  write("a.gltf", scene.dump());
+  const Outcome outcome = run(mesh + " --quiet --report -");
+  if(outcome.messages.find("built without libassimp") != std::string::npos)
+  {
+    expect_failure(outcome, "install it (Debian: libassimp-dev)");
+    GTEST_SKIP() << "without libassimp";
+  }
+  ASSERT_EQ(outcome.status, 0) << outcome.messages;
+  const Json found = Json::parse(outcome.messages);
+  EXPECT_EQ(found.at("faces"), 8);
+  EXPECT_EQ(found.at("genus"), 0);
+  EXPECT_NEAR(found.at("farthest_distance").get<double>(), 2. * std::sqrt(6.),
+              1e-5); // of a vertex from the opposite one
+  write("A.GLTF", scene.dump());
+  for(const std::string& other : {quoted(path("A.GLTF")), "- --input-format gltf < " + mesh})
+    EXPECT_EQ(Json::parse(run(other + " --quiet --report -").messages).at("faces"), 8) << other;
+
+  const auto fail = [&](const std::string& text, const std::string& message)
+  {
+    write("a.gltf", text);
+    expect_failure(run(mesh + " --quiet"), message);
+  };
+  const std::string damaged = "it is damaged, not of the format gltf, or has parts in other files that are not there";
+  Json changed = scene;
+  changed["buffers"][0]["uri"] = "missing.bin";
+  fail(changed.dump(), damaged);
+  changed = scene;
+  changed["meshes"][0]["primitives"][0]["mode"] = 1; // lines
+  fail(changed.dump(), "there is no mesh in the scene");
+  changed = scene;
+  changed["nodes"][1]["children"] = Json::array({0});
+  fail(changed.dump(), damaged);
+  fail(std::string(1000000, '['), damaged); // what crashes the library
+  fail("text\n", damaged);
+  std::mt19937 random(3);
+  const std::string text = scene.dump();
+  const std::string pieces[] = {"", "9", "99999999", "-1", "{", "}", "[", "\"", ",", "1e300"};
+  for(int i = 0; i < 100; ++i)
+  {
+    std::string other = text;
+    const std::size_t at = random() % other.size();
+    if(i % 4 == 0)
+      other.resize(at);
+    else
+      other.replace(at, 1, pieces[random() % std::size(pieces)]);
+    write("a.gltf", other);
+    const Outcome result = run(mesh + " --quiet --repair weld -o " + quoted(path("a.vtp")));
+    if(result.status != 0)
+      expect_failure(result, "cut_locus: ");
+  }
 }
 
 TEST_F(Files, A_surface_that_was_written_is_read)
