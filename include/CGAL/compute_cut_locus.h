@@ -80,7 +80,15 @@ auto compute_cut_locus(const TriangleMesh& tm, const Source& source,
   if constexpr(Cut_loci::internal::Is_range<Source>::value)
     solver.set_sources(source, np);
   else
+  {
+    using Solver = decltype(solver);
+    static_assert(
+      std::is_convertible<Source, typename Solver::vertex_descriptor>::value ||
+        std::is_convertible<Source, typename Solver::Face_location>::value,
+      "the source must be a vertex_descriptor, a pair of a face_descriptor and three barycentric coordinates, "
+      "or a range of these; Polygon_mesh_processing::locate() finds such a pair for a point in space");
     solver.set_source(source, np);
+  }
   return solver.cut_locus(np);
 }
 
