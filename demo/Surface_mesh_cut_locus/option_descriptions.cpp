@@ -40,6 +40,17 @@ std::string with_bars(const std::string& names)
   return result;
 }
 
+// "a", "b" of "a|b (=a)"
+std::vector<std::string> words_of(const po::option_description& option)
+{
+  const std::string value = option.format_parameter();
+  std::istringstream name(value.substr(0, value.find(' ')));
+  std::vector<std::string> result(1);
+  for(std::string word; std::getline(name, word, '|');)
+    result.back().empty() ? result.back() = word : result.emplace_back(word);
+  return result;
+}
+
 po::options_description input()
 {
   po::options_description result;
@@ -216,7 +227,9 @@ const char usage[] = "Usage: cut_locus MESH [OPTION]...\n";
 
 std::string purpose()
 {
-  return "Computes the cut locus of a point on a mesh (.off, .obj, .ply, .stl, .ts, .vtp, or - for standard input).";
+  return "Computes the cut locus of a point on a mesh (.off, .obj, .ply, .stl, .ts, .vtp, a scene such as .glb, or - "
+         "for "
+         "standard input).";
 }
 
 std::vector<std::pair<std::string, po::options_description>> option_groups()
@@ -236,6 +249,21 @@ po::options_description all_options()
     result.add(group);
   }
   return result;
+}
+
+std::vector<std::string> choices(const po::option_description& option)
+{
+  const std::vector<std::string> words = words_of(option);
+  return words.size() > 1 && words.front().compare(0, 4, "FILE") != 0 ? words : std::vector<std::string>();
+}
+
+std::vector<std::string> file_extensions(const po::option_description& option)
+{
+  std::vector<std::string> words = words_of(option);
+  if(words.front().compare(0, 5, "FILE.") != 0)
+    return {};
+  words.front().erase(0, 4);
+  return words;
 }
 
 std::string help()

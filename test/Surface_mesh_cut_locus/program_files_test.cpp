@@ -463,7 +463,8 @@ TEST_F(Files, Standard_input_in_all_formats)
   expect_failure(run("- --quiet < " + quoted(path("text"))), "say --input-format");
   expect_failure(run("- --quiet --input-format ply < " + quoted(path("text"))), "does not start with 'ply'");
   expect_failure(run("- --quiet --input-format obj < " + quoted(path("text"))), "standard input");
-  expect_failure(run_on_torus("--input-format xyz"), "--input-format takes one of .off .obj .stl .ply .ts .vtp");
+  expect_failure(run_on_torus("--input-format xyz"),
+                 "--input-format takes off, obj, stl, ply, ts, vtp, gltf, glb, fbx, dae or 3ds, not 'xyz'");
 }
 
 TEST_F(Files, Scenes_are_read_with_their_nodes)
