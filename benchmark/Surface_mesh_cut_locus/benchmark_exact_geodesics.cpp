@@ -12,7 +12,7 @@
 //   benchmark_exact_geodesics [--cpu] [--error e] [--csv file] --growth [largest number of faces]
 //     on jittered tori of 12500 faces, twice as many, and so on, and of the largest number; prints time, memory and
 //     windows, as comma-separated values, and the exponents fitted to them; the file gets the values alone
-//     (scripts/plot_growth draws them)
+//     (scripts/plot_benchmark draws them)
 //   --error e allows distances to be too long by e times their length: no directions then
 //   --cpu measures processor time instead of elapsed time, for machines with other work to do
 

@@ -69,7 +69,7 @@ struct Needs_repair : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-// `format` is empty, or one of `input_formats()`. Throws `Needs_repair` if it is not allowed, or `std::runtime_error` with the cause if the file has no surface.
+// `format` is empty, or one of `input_formats()` without its dot. Throws `Needs_repair` if it is not allowed, or `std::runtime_error` with the cause if the file has no surface.
 Input_mesh read_mesh(const std::string& filename, Repair repair, const std::string& format = "");
 
 // A mesh of the file as it is. `name` is for messages.

@@ -5,25 +5,24 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "Options.h"
-#include "cells.h"
 #include "file_checks.h"
-#include "flatten.h"
 #include "generated_texts.h"
 #include "option_descriptions.h"
 #include "output.h"
 #include "output_file.h"
 #include "solvers.h"
 #include "threads.h"
-#include "unfolding.h"
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <typeinfo>
 #include <utility>
 
 namespace po = boost::program_options;
@@ -55,6 +54,72 @@ namespace {
 constexpr std::size_t maximum_smoothing = 1000;
 
 constexpr double pi = 3.14159265358979323846;
+
+struct Number_option
+{
+  const char* name;
+  double largest;
+  std::optional<double> Options::*target;
+};
+constexpr Number_option number_options[] = {{"max-relative-error", 0.1, &Options::maximum_relative_error},
+                                            {"angle", pi, &Options::angle},
+                                            {"min-branch-length", 1000., &Options::minimum_branch_length},
+                                            {"min-branch-gap", pi, &Options::minimum_branch_gap},
+                                            {"min-branch-curvature", 4. * pi, &Options::minimum_branch_curvature},
+                                            {"min-branch-width", 1., &Options::minimum_branch_width}};
+
+struct File_option
+{
+  const char* name;
+  std::string Options::*target;
+  bool may_be_standard_output;
+};
+constexpr File_option file_options[] = {{"edges", &Options::edges, true},     {"cells", &Options::cells, false},
+                                        {"surface", &Options::surface, true}, {"uv", &Options::uv, false},
+                                        {"unfold", &Options::unfold, false},  {"report", &Options::report, true}};
+
+// "a, b or c"
+std::string listed(const std::vector<std::string>& words)
+{
+  std::string result = words.front();
+  for(std::size_t i = 1; i < words.size(); ++i)
+    result += (i + 1 < words.size() ? ", " : " or ") + words[i];
+  return result;
+}
+
+// What the descriptions allow: one of some words, or the name of a file with one of some extensions.
+void check_words(const po::variables_map& given)
+{
+  const auto has = [](const std::vector<std::string>& words, const std::string& word)
+  { return words.empty() || std::find(words.begin(), words.end(), word) != words.end(); };
+  for(const auto& group : option_groups())
+    for(const auto& option : group.second.options())
+    {
+      const std::string name = option->long_name();
+      if(!given.count(name) || given[name].value().type() != typeid(std::string))
+        continue;
+      const std::string value = given[name].as<std::string>();
+      const std::vector<std::string> words = choices(*option), extensions = file_extensions(*option);
+      if(!has(words, value) && !(name == "repair" && value == "auto")) // as weld was called before
+        throw Usage_error("--" + name + " takes " + listed(words) + ", not '" + value + "'");
+      if(value != standard_stream && !has(extensions, std::filesystem::path(value).extension().string()))
+        throw Usage_error("--" + name + ": the extension of '" + value + "' must be " + listed(extensions));
+    }
+}
+
+// Boost's errors, as all others are put.
+std::string message(const po::error& error)
+{
+  if(const auto* unknown = dynamic_cast<const po::unknown_option*>(&error))
+    return "there is no option " + unknown->get_option_name() + ": cut_locus --help-all lists all of them";
+  if(const auto* several = dynamic_cast<const po::multiple_occurrences*>(&error))
+    return several->get_option_name() + " may be given once only";
+  const auto* syntax = dynamic_cast<const po::invalid_command_line_syntax*>(&error);
+  if(syntax == nullptr)
+    return error.what();
+  return syntax->get_option_name() +
+         (syntax->kind() == po::invalid_syntax::extra_parameter ? " takes no value" : " takes a value");
+}
 
 double to_number_in_range(const std::string& text, const std::string& option, double largest)
 {
@@ -120,14 +185,6 @@ void check_output_path(const std::string& path, const std::string& option)
     throw Usage_error(option + ": cannot write to '" + path + "': " + cause);
 }
 
-// An output that may be `-`, standard output.
-std::string to_output(const std::string& path, const std::string& option)
-{
-  if(path != standard_stream)
-    check_output_path(path, option);
-  return path;
-}
-
 // No output may replace what is read, nor another output.
 void check_overwriting(const po::variables_map& given, const Options& options)
 {
@@ -135,12 +192,9 @@ void check_overwriting(const po::variables_map& given, const Options& options)
   std::vector<std::pair<fs::path, std::string>> outputs;
   for(const std::string& output : options.outputs)
     outputs.emplace_back(is_standard_output(output) ? standard_stream : output, "-o");
-  for(const auto& [path, option] :
-      {std::make_pair(options.edges, "--edges"), std::make_pair(options.cells, "--cells"),
-       std::make_pair(options.surface, "--surface"), std::make_pair(options.uv, "--uv"),
-       std::make_pair(options.unfold, "--unfold"), std::make_pair(options.report, "--report")})
-    if(!path.empty())
-      outputs.emplace_back(path, option);
+  for(const File_option& file : file_options)
+    if(!(options.*file.target).empty())
+      outputs.emplace_back(options.*file.target, std::string("--") + file.name);
   if(!options.uv.empty()) // it has two files more
     for(const char* extension : {".mtl", ".png"})
     {
@@ -174,16 +228,10 @@ void check_overwriting(const po::variables_map& given, const Options& options)
 void read_method(const std::string& name, Options& options)
 {
   using CGAL::Cut_loci::Method;
-  if(name == "auto")
-    options.method = default_method(options.solver);
-  else if(name == "direction")
-    options.method = Method::DIRECTION;
-  else if(name == "polyhedral")
-    options.method = Method::POLYHEDRAL;
-  else if(name == "laplacian")
-    options.method = Method::LAPLACIAN;
-  else
-    throw Usage_error("--method takes auto, direction, laplacian or polyhedral, not '" + name + "'");
+  options.method = name == "auto"         ? default_method(options.solver)
+                   : name == "direction"  ? Method::DIRECTION
+                   : name == "polyhedral" ? Method::POLYHEDRAL
+                                          : Method::LAPLACIAN;
   options.method_name = options.method == Method::DIRECTION   ? "direction"
                         : options.method == Method::LAPLACIAN ? "laplacian"
                                                               : "polyhedral";
@@ -212,46 +260,12 @@ void check_options_of_method(const po::variables_map& given, const Options& opti
       refuse(option, "direction or polyhedral");
 }
 
-void read_maximum_relative_error(const std::string& text, Options& options)
+void check_maximum_relative_error(const Options& options)
 {
-  const double error = to_number_in_range(text, "--max-relative-error", 0.1);
-  if(options.solver != "exact")
+  if(options.maximum_relative_error && options.solver != "exact")
     throw Usage_error("--max-relative-error is for --solver exact");
-  if(options.method == CGAL::Cut_loci::Method::POLYHEDRAL)
+  if(options.maximum_relative_error && options.method == CGAL::Cut_loci::Method::POLYHEDRAL)
     throw Usage_error("--max-relative-error: --method polyhedral needs exact distances");
-  options.maximum_relative_error = error;
-}
-
-Repair to_repair(const std::string& name)
-{
-  if(name == "weld" || name == "auto") // as it was called before
-    return Repair::WELD;
-  if(name != "orient" && name != "none")
-    throw Usage_error("--repair takes weld, orient or none, not '" + name + "'");
-  return name == "orient" ? Repair::ORIENT : Repair::NONE;
-}
-
-std::string to_input_format(const std::string& name)
-{
-  std::string list;
-  for(const std::string& format : input_formats())
-  {
-    if(name == format)
-      return name;
-    list += " " + format;
-  }
-  throw Usage_error("--input-format takes one of" + list + ", not '" + name + "'");
-}
-
-Kept_part to_part(const std::string& name)
-{
-  if(name == "voronoi")
-    return Kept_part::VORONOI;
-  if(name == "medial")
-    return Kept_part::MEDIAL;
-  if(name != "all")
-    throw Usage_error("--keep takes all, voronoi or medial, not '" + name + "'");
-  return Kept_part::ALL;
 }
 
 // "2/10"
@@ -291,8 +305,6 @@ void read_each_source(const po::variables_map& given, Options& options)
 void read_curve(const std::string& name, Options& options)
 {
   using CGAL::Cut_loci::Curve;
-  if(name != "edges" && name != "faces")
-    throw Usage_error("--curve takes edges or faces, not '" + name + "'");
   options.curve = name == "edges" ? Curve::MESH_EDGES : Curve::THROUGH_FACES;
   if(options.smoothing && (*options.smoothing > 0) != (options.curve == Curve::THROUGH_FACES))
     throw Usage_error("--curve " + name + " and --smooth " + std::to_string(*options.smoothing) +
@@ -322,8 +334,9 @@ Options parse_command_line(int argc, char* argv[])
   }
   catch(const po::error& error)
   {
-    throw Usage_error(error.what());
+    throw Usage_error(message(error));
   }
+  check_words(given);
 
   Options options;
   for(const auto& [name, text] :
@@ -335,10 +348,7 @@ Options parse_command_line(int argc, char* argv[])
     }
   if(given.count("generate"))
   {
-    const std::string what = given["generate"].as<std::string>();
-    if(what != "man" && what != "completion")
-      throw Usage_error("--generate takes man or completion, not '" + what + "'");
-    options.text = what == "man" ? man_page() : bash_completion();
+    options.text = given["generate"].as<std::string>() == "man" ? man_page() : bash_completion();
     return options;
   }
   options.is_quiet = given["quiet"].as<bool>();
@@ -353,8 +363,8 @@ Options parse_command_line(int argc, char* argv[])
     throw Usage_error("one mesh at a time: '" + meshes[1] + "' is too much");
   options.mesh = meshes.front();
   if(given.count("input-format"))
-    options.input_format = to_input_format(text("input-format"));
-  options.repair = to_repair(text("repair"));
+    options.input_format = text("input-format");
+  options.repair = text("repair") == "orient" ? Repair::ORIENT : text("repair") == "none" ? Repair::NONE : Repair::WELD;
   if(given.count("source"))
     for(const std::string& source : given["source"].as<std::vector<std::string>>())
       options.sources.push_back(to_count(source, "--source"));
@@ -370,8 +380,6 @@ Options parse_command_line(int argc, char* argv[])
   if((number_of_source_points(options) > 1 || has_curves(options)) && given.count("unfold"))
     throw Usage_error("--unfold takes one source, a point");
   options.solver = text("solver");
-  if(!is_solver_name(options.solver))
-    throw Usage_error("--solver takes one of" + solver_names() + ", not '" + options.solver + "'");
   read_method(text("method"), options);
   check_options_of_method(given, options);
   for(const char* name : {"min-branch-edges", "min-branch-length"})
@@ -381,39 +389,25 @@ Options parse_command_line(int argc, char* argv[])
                         " is for a cut locus along edges of the mesh, which sources that are curves have with "
                         "--curve edges only");
   if(given.count("keep"))
-    options.kept = to_part(text("keep"));
+    options.kept = text("keep") == "voronoi"  ? Kept_part::VORONOI
+                   : text("keep") == "medial" ? Kept_part::MEDIAL
+                                              : Kept_part::ALL;
   for(const char* name : {"uv", "check", "check-completeness"})
     if(options.kept != Kept_part::ALL && given.count(name) && !given[name].defaulted())
       throw Usage_error("--" + std::string(name) +
                         " is about all of the cut locus, and not about a part: leave --keep away");
-  if(given.count("max-relative-error"))
-    read_maximum_relative_error(text("max-relative-error"), options);
-  if(given.count("angle"))
-  {
-    options.angle = to_number_in_range(text("angle"), "--angle", pi);
-    if(*options.angle == 0.)
-      throw Usage_error("--angle takes an angle above 0, not '" + text("angle") + "'");
-  }
+  for(const Number_option& number : number_options)
+    if(given.count(number.name))
+      options.*number.target = to_number_in_range(text(number.name), std::string("--") + number.name, number.largest);
+  check_maximum_relative_error(options);
+  if(options.angle == 0.)
+    throw Usage_error("--angle takes an angle above 0, not '" + text("angle") + "'");
   if(given.count("laplacian"))
     options.laplacian = to_number(text("laplacian"), "--laplacian");
   if(given.count("policy"))
-  {
-    const std::string policy = text("policy");
-    if(policy != "prune" && policy != "grow")
-      throw Usage_error("--policy takes prune or grow, not '" + policy + "'");
-    options.grow = policy == "grow";
-  }
+    options.grow = text("policy") == "grow";
   if(given.count("min-branch-edges"))
     options.minimum_branch_edges = to_count(text("min-branch-edges"), "--min-branch-edges");
-  if(given.count("min-branch-length"))
-    options.minimum_branch_length = to_number_in_range(text("min-branch-length"), "--min-branch-length", 1000.);
-  if(given.count("min-branch-gap"))
-    options.minimum_branch_gap = to_number_in_range(text("min-branch-gap"), "--min-branch-gap", pi);
-  if(given.count("min-branch-curvature"))
-    options.minimum_branch_curvature =
-      to_number_in_range(text("min-branch-curvature"), "--min-branch-curvature", 4. * pi);
-  if(given.count("min-branch-width"))
-    options.minimum_branch_width = to_number_in_range(text("min-branch-width"), "--min-branch-width", 1.);
   if(given.count("smooth"))
     options.smoothing = to_count(text("smooth"), "--smooth");
   if(options.smoothing && *options.smoothing > maximum_smoothing)
@@ -426,12 +420,12 @@ Options parse_command_line(int argc, char* argv[])
     options.outputs = given["output"].as<std::vector<std::string>>();
   for(std::string& output : options.outputs)
   {
-    if(to_output(output, "-o") == standard_stream && given.count("each-source") == 0)
+    if(output != standard_stream)
+      check_output_path(output, "-o");
+    else if(given.count("each-source") == 0)
       output += "." + text("output-format");
     if(!is_output_name(output) && given.count("each-source") == 0)
-      throw Usage_error((is_standard_output(output) ? "--output-format: '" + output.substr(2) + "'"
-                                                    : "-o: the extension of '" + output + "'") +
-                        " must be one of" + output_extensions());
+      throw Usage_error("-o: the extension of '" + output + "' must be one of" + output_extensions());
   }
   if(given.count("view"))
   {
@@ -439,44 +433,19 @@ Options parse_command_line(int argc, char* argv[])
     if(*options.view == std::array<double, 3>{{0., 0., 0.}})
       throw Usage_error("--view takes a direction, not '" + text("view") + "'");
   }
-  if(given.count("edges"))
-  {
-    options.edges = to_output(text("edges"), "--edges");
-    if(options.curve == CGAL::Cut_loci::Curve::THROUGH_FACES || options.smoothing.value_or(0) > 0)
-      throw Usage_error("--edges writes a curve of edges of the mesh: not with --curve faces or --smooth");
-  }
-  if(given.count("cells"))
-  {
-    check_output_path(options.cells = text("cells"), "--cells");
-    if(!is_cells_name(options.cells))
-      throw Usage_error("--cells: the extension of '" + options.cells + "' must be .ply, .vtp or .obj");
-  }
-  if(given.count("surface"))
-  {
-    options.surface = to_output(text("surface"), "--surface");
-    if(options.surface != standard_stream && std::filesystem::path(options.surface).extension() != ".vtp")
-      throw Usage_error("--surface: the extension of '" + options.surface + "' must be .vtp");
-  }
-  if(given.count("uv"))
-  {
-    check_output_path(options.uv = text("uv"), "--uv");
-    if(std::filesystem::path(options.uv).extension() != ".obj")
-      throw Usage_error("--uv: the extension of '" + options.uv + "' must be .obj");
-  }
-  else if(!given["parameterization"].defaulted())
+  for(const File_option& file : file_options)
+    if(given.count(file.name))
+    {
+      options.*file.target = text(file.name);
+      if(!file.may_be_standard_output || text(file.name) != standard_stream)
+        check_output_path(text(file.name), std::string("--") + file.name);
+    }
+  if(!options.edges.empty() &&
+     (options.curve == CGAL::Cut_loci::Curve::THROUGH_FACES || options.smoothing.value_or(0) > 0))
+    throw Usage_error("--edges writes a curve of edges of the mesh: not with --curve faces or --smooth");
+  if(options.uv.empty() && !given["parameterization"].defaulted())
     throw Usage_error("--parameterization is for --uv");
   options.parameterization = text("parameterization");
-  if(!is_parameterization_name(options.parameterization))
-    throw Usage_error("--parameterization takes injective, arap, lscm or convex, not '" + options.parameterization +
-                      "'");
-  if(given.count("unfold"))
-  {
-    check_output_path(options.unfold = text("unfold"), "--unfold");
-    if(!is_unfolding_name(options.unfold))
-      throw Usage_error("--unfold: the extension of '" + options.unfold + "' must be .svg or .obj");
-  }
-  if(given.count("report"))
-    options.report = to_output(text("report"), "--report");
   read_each_source(given, options);
   if(given.count("threads"))
     options.threads = number_of_threads(to_count(text("threads"), "--threads"));

@@ -217,12 +217,6 @@ Cells make_cells(const Mesh& mesh, const Cut_locus& cut_locus)
   return cells;
 }
 
-bool is_cells_name(const std::string& filename)
-{
-  const std::string extension = std::filesystem::path(filename).extension().string();
-  return extension == ".ply" || extension == ".vtp" || extension == ".obj";
-}
-
 void write_cells(const std::string& filename, const Cells& cells)
 {
   const std::string extension = std::filesystem::path(filename).extension().string();

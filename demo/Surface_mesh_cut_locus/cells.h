@@ -32,8 +32,6 @@ struct Cells
 // The cut locus has what is between two sources, and may have what is inside the cells.
 Cells make_cells(const Mesh& mesh, const Cut_locus& cut_locus);
 
-bool is_cells_name(const std::string& filename);
-
 // As a mesh, PLY, VTP or OBJ by the extension. Throws `std::runtime_error` if the file can not be written.
 void write_cells(const std::string& filename, const Cells& cells);
 

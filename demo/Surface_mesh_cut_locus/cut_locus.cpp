@@ -13,6 +13,7 @@
 #include "cells.h"
 #include "check.h"
 #include "each_source.h"
+#include "log_map.h"
 #include "output.h"
 #include "report.h"
 #include "set_source.h"
@@ -102,7 +103,7 @@ bool run(const Options& options)
     if(!options.cells.empty())
       write_cells(options.cells, *cells);
     if(!options.surface.empty())
-      write_surface(options.surface, input, cut_locus);
+      write_surface(options, input, cut_locus);
     if(!options.edges.empty())
       write_edges(options.edges, cut_locus, input);
   });
@@ -142,6 +143,8 @@ bool run(const Options& options)
       std::cerr << component_note(options, input, cut_locus) << std::endl;
     std::cerr << moved_source_points(options, mesh, cut_locus)
               << summary(fill_in_defaults(options, *solver), curve, mesh, cut_locus) << std::endl;
+    if(!options.surface.empty() && !cause_of_no_log_map(options).empty())
+      std::cerr << "note: --surface has no log_map: " << cause_of_no_log_map(options) << std::endl;
     if(atlas)
       std::cerr << summary(*atlas) << std::endl;
     if(unfolding)

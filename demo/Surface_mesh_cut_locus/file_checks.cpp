@@ -32,6 +32,13 @@ namespace {
 namespace fs = std::filesystem;
 using boost::interprocess::ibufferstream;
 
+constexpr char own_formats[] = " .off .obj .stl .ply .ts .vtp", scene_formats[] = " .gltf .glb .fbx .dae .3ds";
+
+bool has_word(const std::string& words, const std::string& word)
+{
+  return !word.empty() && (words + " ").find(" " + word + " ") != std::string::npos;
+}
+
 void check_kind(const std::string& filename)
 {
   std::error_code error;
@@ -60,17 +67,11 @@ std::string file_extension(const std::string& filename)
 
 void check_extension(const std::string& filename, const std::string& extension)
 {
-  std::string list;
-  for(const std::string& format : input_formats())
-  {
-    if(extension == "." + format)
-      return;
-    list += " ." + format;
-  }
-  refuse_file(filename,
-              "its extension must be one of" + list +
-                ", unless there is an --input-format: other formats have to be converted first, as by MeshLab or "
-                "meshio");
+  if(!has_word(input_formats(), extension))
+    refuse_file(filename,
+                "its extension must be one of" + input_formats() +
+                  ", unless there is an --input-format: other formats have to be converted first, as by MeshLab or "
+                  "meshio");
 }
 
 // The position after comments, where the keyword of the format starts.
@@ -101,6 +102,12 @@ std::string extension_by_content(const std::string& text)
     return ".stl";
   if(word == "ply")
     return ".ply";
+  if(text.compare(0, 4, "glTF") == 0)
+    return ".glb";
+  if(text.compare(0, 18, "Kaydara FBX Binary") == 0)
+    return ".fbx";
+  if(word == "<COLLADA" || (word == "<?xml" && text.substr(0, 1000).find("<COLLADA") != std::string::npos))
+    return ".dae";
   if(word == "<?xml" || word == "<VTKFile")
     return ".vtp";
   if(word == "GOCAD")
@@ -206,10 +213,14 @@ void refuse_file(const std::string& filename, const std::string& cause)
   throw std::runtime_error("cannot read '" + filename + "': " + cause);
 }
 
-const std::vector<std::string>& input_formats()
+std::string input_formats()
 {
-  static const std::vector<std::string> formats = {"off", "obj", "stl", "ply", "ts", "vtp"};
-  return formats;
+  return std::string(own_formats) + scene_formats;
+}
+
+bool is_scene_format(const std::string& extension)
+{
+  return has_word(scene_formats, extension);
 }
 
 Mesh_file load_file(const std::string& filename, const std::string& format)

@@ -19,8 +19,8 @@ struct Mesh_file
   std::string name, extension, text;
 };
 
-// "off", "obj", ...
-const std::vector<std::string>& input_formats();
+std::string input_formats();                        // " .off .obj ...": those with readers here, and scenes
+bool is_scene_format(const std::string& extension); // which another library reads
 
 // Reads a file, or standard input, and looks at it before CGAL's readers do: they believe the numbers in its header. The
 // format is that of the extension, or of the first words, unless one is given. Throws `std::runtime_error` with the cause.

@@ -58,11 +58,6 @@ bool make_rigid(const Mesh& disk, Flat_disk::UV_map uv)
 
 } // namespace
 
-bool is_parameterization_name(const std::string& name)
-{
-  return name == "injective" || name == "arap" || name == "lscm" || name == "convex";
-}
-
 Flat_disk::Flat_disk()
   : origin(mesh.add_property_map<Mesh::Vertex_index, Mesh::Vertex_index>("v:origin").first),
     face_origin(mesh.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:origin").first),

@@ -28,8 +28,6 @@ struct Flat_disk
   UV_map uv;
 };
 
-bool is_parameterization_name(const std::string& name);
-
 // Along the edges of the cut locus, or straight through the faces, as it runs. `disk` must be empty; `uv` stays at zero.
 void cut_open(const Mesh& mesh, const Cut_locus& cut_locus, Flat_disk& disk);
 

@@ -37,16 +37,6 @@ std::string value_of(const po::option_description& option)
   return option.semantic()->max_tokens() > 0 ? option.format_parameter() : std::string();
 }
 
-// The words among which an option chooses, with blanks between them, or nothing.
-std::string words_of(const po::option_description& option)
-{
-  std::string words = value_of(option).substr(0, value_of(option).find(' '));
-  if(words.find('|') == std::string::npos || words.find("FILE") != std::string::npos)
-    return std::string();
-  std::replace(words.begin(), words.end(), '|', ' ');
-  return words;
-}
-
 } // namespace
 
 std::string man_page()
@@ -71,20 +61,23 @@ std::string man_page()
 
 std::string bash_completion()
 {
-  std::ostringstream all, choices;
+  std::ostringstream all, cases;
   for(const auto& group : option_groups())
     for(const auto& option : group.second.options())
     {
       all << " --" << option->long_name();
-      if(const std::string words = words_of(*option); !words.empty())
-        choices << "    --" << option->long_name() << ") words='" << words << "' ;;\n";
+      std::string words;
+      for(const std::string& word : choices(*option))
+        words += (words.empty() ? "" : " ") + word;
+      if(!words.empty())
+        cases << "    --" << option->long_name() << ") words='" << words << "' ;;\n";
     }
   return R"(# bash completion for cut_locus; where no word fits, names of files are completed
 _cut_locus()
 {
   local words=
   case $3 in
-)" + choices.str() +
+)" + cases.str() +
          "    *) [[ $2 == -* ]] && words='" + all.str().substr(1) + R"(' ;;
   esac
   COMPREPLY=($(compgen -W "$words" -- "$2"))

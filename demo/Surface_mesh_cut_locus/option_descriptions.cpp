@@ -5,6 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "option_descriptions.h"
+#include "file_checks.h"
 #include "output.h"
 #include "solvers.h"
 
@@ -39,11 +40,22 @@ std::string with_bars(const std::string& names)
   return result;
 }
 
+// "a", "b" of "a|b (=a)"
+std::vector<std::string> words_of(const po::option_description& option)
+{
+  const std::string value = option.format_parameter();
+  std::istringstream name(value.substr(0, value.find(' ')));
+  std::vector<std::string> result(1);
+  for(std::string word; std::getline(name, word, '|');)
+    result.back().empty() ? result.back() = word : result.emplace_back(word);
+  return result;
+}
+
 po::options_description input()
 {
   po::options_description result;
   auto add = result.add_options();
-  add("input-format", text("off|obj|stl|ply|ts|vtp"),
+  add("input-format", text(with_bars(input_formats())),
       "the format of the mesh (default: by the extension; if MESH is -, standard input, by its first words)");
   add("repair", text("weld|orient|none")->default_value("weld"),
       "weld: of any file with faces a mesh of triangles is made, and a line says how; border edges "
@@ -165,7 +177,9 @@ po::options_description output()
       "write the surface with the number of the source nearest to each face, in the order of points, curves and the "
       "border: faces between two sources are split. Where no path leads from a source, number and distance are -1");
   add("surface", text("FILE.vtp"),
-      "write the mesh with the distance, the number of the nearest source, and that in the file of each vertex");
+      "write the mesh with the distance, the number of the nearest source, that in the file, and the logarithmic map "
+      "of each "
+      "vertex");
   add("uv", text("FILE.obj"),
       "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a texture");
   add("parameterization", text("injective|arap|lscm|convex")->default_value("injective"),
@@ -213,7 +227,9 @@ const char usage[] = "Usage: cut_locus MESH [OPTION]...\n";
 
 std::string purpose()
 {
-  return "Computes the cut locus of a point on a mesh (.off, .obj, .ply, .stl, .ts, .vtp, or - for standard input).";
+  return "Computes the cut locus of a point on a mesh (.off, .obj, .ply, .stl, .ts, .vtp, a scene such as .glb, or - "
+         "for "
+         "standard input).";
 }
 
 std::vector<std::pair<std::string, po::options_description>> option_groups()
@@ -233,6 +249,21 @@ po::options_description all_options()
     result.add(group);
   }
   return result;
+}
+
+std::vector<std::string> choices(const po::option_description& option)
+{
+  const std::vector<std::string> words = words_of(option);
+  return words.size() > 1 && words.front().compare(0, 4, "FILE") != 0 ? words : std::vector<std::string>();
+}
+
+std::vector<std::string> file_extensions(const po::option_description& option)
+{
+  std::vector<std::string> words = words_of(option);
+  if(words.front().compare(0, 5, "FILE.") != 0)
+    return {};
+  words.front().erase(0, 4);
+  return words;
 }
 
 std::string help()

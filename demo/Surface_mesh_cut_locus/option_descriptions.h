@@ -18,6 +18,10 @@ std::vector<std::pair<std::string, boost::program_options::options_description>>
 
 boost::program_options::options_description all_options();
 
+// The words that an option takes, and the extensions of its file, by the name of its value; nothing if it takes any.
+std::vector<std::string> choices(const boost::program_options::option_description& option);
+std::vector<std::string> file_extensions(const boost::program_options::option_description& option);
+
 // What most runs need, with examples.
 std::string help();
 std::string help_on_all();

@@ -44,7 +44,7 @@ const Format formats[] = {
   {".vtp", "VTK, with distances, and with strength, width, enclosed curvature and sources of edges", nullptr},
   {".ply", "PLY, vertices and edges with the same", nullptr},
   {".json", "the graph, with the same, and the sources", nullptr},
-  {".png", "picture from two sides, of several sources with coloured cells", picture::write_png},
+  {".png", "picture from two sides, of several sources with colored cells", picture::write_png},
   {".svg", "the same, vector graphics", picture::write_svg},
 };
 
@@ -65,7 +65,7 @@ picture::Vector to_vector(const Kernel::Point_3& p)
   return {{p.x(), p.y(), p.z()}};
 }
 
-// Light colours that differ from those beside them, however many there are: hues by the golden ratio.
+// Light colors that differ from those beside them, however many there are: hues by the golden ratio.
 picture::Color color_of_cell(std::size_t source)
 {
   if(source == Cells::none)

@@ -22,7 +22,7 @@ bool is_picture_name(const std::string& filename);
 
 // Writes a cut locus to each file, in the format of its extension. Pictures look from the direction of `view`, or from
 // two sides if there is none, and show sources that are curves, and the cells of several sources, if they are given, in
-// colours. Edges that are none of the file are marked. Throws `std::runtime_error` if a file can not be written.
+// colors. Edges that are none of the file are marked. Throws `std::runtime_error` if a file can not be written.
 void write_outputs(const std::vector<std::string>& filenames, const Cut_locus& cut_locus, const Input_mesh& input,
                    const std::vector<std::vector<Mesh::Edge_index>>& source_curves, const std::optional<Cells>& cells,
                    const std::optional<std::array<double, 3>>& view);

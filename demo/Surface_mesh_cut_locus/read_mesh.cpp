@@ -7,6 +7,7 @@
 #include "Input_mesh.h"
 #include "Ply_header.h"
 #include "file_checks.h"
+#include "scene_mesh.h"
 #include "text_meshes.h"
 #include "vtp_mesh.h"
 
@@ -187,7 +188,9 @@ Input_mesh read_mesh(const std::string& filename, Repair repair, const std::stri
 {
   std::optional<Mesh_file> file = load_file(filename, format);
   const std::string name = file->name;
-  const Polygon_soup soup = file->extension == ".vtp" ? read_VTP(*file) : read_polygon_soup(*file);
+  const Polygon_soup soup = is_scene_format(file->extension) ? read_scene(*file)
+                            : file->extension == ".vtp"      ? read_VTP(*file)
+                                                             : read_polygon_soup(*file);
   file.reset(); // its text is not needed any more
   return make_mesh(soup, repair, name);
 }

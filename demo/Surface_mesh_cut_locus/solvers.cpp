@@ -69,11 +69,6 @@ std::string default_solver_name()
   return solvers[0].name;
 }
 
-bool is_solver_name(const std::string& name)
-{
-  return find_solver(name) != nullptr;
-}
-
 std::string solver_names()
 {
   std::string result;

@@ -18,7 +18,6 @@
 using Cut_locus_solver = CGAL::Surface_mesh_cut_locus<Mesh>;
 
 std::string default_solver_name();
-bool is_solver_name(const std::string& name);
 std::string solver_names();        // " a b c"
 std::string solver_descriptions(); // a line for each
 

@@ -5,6 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "surface_files.h"
+#include "log_map.h"
 #include "output_file.h"
 
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
@@ -32,8 +33,16 @@ void write_arrays(std::ostream& os, const std::string& element, Index size, cons
 {
   os << "<" << element << " Scalars=\"" << (arrays.empty() ? "" : arrays.front().name) << "\">\n";
   for(const Surface_array& array : arrays)
-    write_array(os, (array.is_whole ? "type=\"Int32\" Name=\"" : "type=\"Float64\" Name=\"") + array.name + "\"", size,
-                [&](Index i) { os << array.value(i); });
+    write_array(os,
+                (array.is_whole ? "type=\"Int32\" Name=\"" : "type=\"Float64\" Name=\"") + array.name + "\"" +
+                  (array.second ? " NumberOfComponents=\"2\"" : ""),
+                size,
+                [&](Index i)
+                {
+      os << array.value(i);
+      if(array.second)
+        os << ' ' << array.second(i);
+    });
   os << "</" << element << ">\n";
 }
 
@@ -63,21 +72,23 @@ void write_vtp(std::ostream& os, const CGAL::Cut_loci::Indexed_triangle_mesh& me
   os << "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
-void write_surface(const std::string& filename, const Input_mesh& input, const Cut_locus& cut_locus)
+void write_surface(const Options& options, const Input_mesh& input, const Cut_locus& cut_locus)
 {
   const auto read = CGAL::Cut_loci::internal::read_triangle_mesh(input.mesh, input.mesh.points());
+  Log_map log;
+  if(cause_of_no_log_map(options).empty())
+    log = log_map(input.mesh, cut_locus);
   const auto source = [&](Index v)
   {
     const auto nearest = cut_locus.nearest_source(read.vertices[v]);
-    return nearest ? static_cast<double>(*nearest) : -1.;
+    return !nearest ? -1. : static_cast<double>(log.source.empty() ? *nearest : log.source[v]); // of two as near
   };
-  write_file(filename,
-             [&](std::ostream& os)
-             {
-    write_vtp(os, read.mesh,
-              {{"distance", false, [&](Index v) { return finite_distance(cut_locus.distance(read.vertices[v])); }},
-               {"source", true, source},
-               {"vertex", true, [&](Index v) { return static_cast<double>(input.number[read.vertices[v]]); }}},
-              {});
-  });
+  std::vector<Surface_array> arrays = {
+    {"distance", false, [&](Index v) { return finite_distance(cut_locus.distance(read.vertices[v])); }},
+    {"source", true, source},
+    {"vertex", true, [&](Index v) { return static_cast<double>(input.number[read.vertices[v]]); }}};
+  if(!log.place.empty())
+    arrays.push_back(
+      {"log_map", false, [&](Index v) { return log.place[v][0]; }, [&](Index v) { return log.place[v][1]; }});
+  write_file(options.surface, [&](std::ostream& os) { write_vtp(os, read.mesh, arrays, {}); });
 }

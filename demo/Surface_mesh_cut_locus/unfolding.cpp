@@ -148,12 +148,6 @@ void write_obj(std::ostream& os, const Unfolding& unfolding)
 
 } // namespace
 
-bool is_unfolding_name(const std::string& filename)
-{
-  const std::filesystem::path extension = std::filesystem::path(filename).extension();
-  return extension == ".svg" || extension == ".obj";
-}
-
 void write_unfolding(const std::string& filename, const Unfolding& unfolding)
 {
   const auto write = std::filesystem::path(filename).extension() == ".svg" ? write_svg : write_obj;

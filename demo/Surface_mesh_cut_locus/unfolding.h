@@ -15,8 +15,6 @@
 
 using Unfolding = CGAL::Cut_loci::Source_unfolding<Mesh, Kernel::Point_3>;
 
-bool is_unfolding_name(const std::string& filename);
-
 // Writes a net, by the extension: to print (.svg), or as a flat mesh with fold lines (.obj). Throws `std::runtime_error`
 // if it can not be written.
 void write_unfolding(const std::string& filename, const Unfolding& unfolding);

@@ -25,9 +25,9 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using CGAL::Cut_loci::Stage;
 
-struct Cancelled : public std::runtime_error
+struct Canceled : public std::runtime_error
 {
-  Cancelled() : std::runtime_error("it takes too long") {}
+  Canceled() : std::runtime_error("it takes too long") {}
 };
 
 class Stopwatch : public CGAL::Cut_loci::Default_visitor
@@ -41,7 +41,7 @@ public:
   {
     start_ = timer_.time();
     if(start_ > most_)
-      throw Cancelled(); // the solver can be used again
+      throw Canceled(); // the solver can be used again
   }
 
   void end_stage(Stage stage) { seconds[stage] += timer_.time() - start_; }
@@ -70,7 +70,7 @@ int main(int argc, char* argv[])
     const auto cut_locus = solver.cut_locus();
     std::cout << num_edges(cut_locus.graph()) << " edges\n";
   }
-  catch(const Cancelled& error)
+  catch(const Canceled& error)
   {
     std::cout << error.what() << '\n';
   }

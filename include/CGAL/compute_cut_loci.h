@@ -43,9 +43,9 @@ namespace CGAL {
  * @param output the iterator that gets the cut locus of each source, in the order of `sources`, and by one thread at a
  *        time. Where a number of each cut locus is all that is wanted, an iterator that calls a function, such as
  *        `boost::function_output_iterator`, saves the memory for the others.
- * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of the constructor, of
- *        `set_source()` and of `cut_locus()` of `Surface_mesh_cut_locus`, and the one below. A `vertex_distance_map` and
- *        an `edge_is_constrained_map` belong to one source, and are not taken here.
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those that
+ *        `compute_cut_locus()` lists, and the one below. A `vertex_distance_map` and an `edge_is_constrained_map` belong to
+ *        one source, and are not taken here; there are no `source_curves`, nor is the border one.
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{concurrency_tag}

@@ -54,8 +54,17 @@ struct Is_range<T, std::void_t<decltype(std::declval<const T&>().begin()), declt
  *
  * @param tm a triangle mesh
  * @param source the source, or the range of sources
- * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor, of
- *        `set_source()` or `set_sources()` and of `cut_locus()` of `Surface_mesh_cut_locus`
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters", which are explained where the class takes
+ *        them
+ *        - the mesh and the method, see \link Surface_mesh_cut_locus::Surface_mesh_cut_locus() the constructor\endlink:
+ *          `vertex_point_map`, `edge_length_map`, `geodesic_solver`, `laplacian_operator`, `cut_locus_method`,
+ *          `concurrency_tag`, `visitor`
+ *        - the sources, see `Surface_mesh_cut_locus::set_source()` and `Surface_mesh_cut_locus::set_sources()`:
+ *          `vertex_distance_map`, `maximum_relative_error`, `snapping_tolerance`, `source_curves`, `source_border`
+ *        - what is kept, see `Surface_mesh_cut_locus::cut_locus()`: `minimum_branch_width`, `minimum_branch_curvature`,
+ *          `minimum_branch_gap`, `gradient_angle_threshold`, `laplacian_threshold`, `filter_policy`,
+ *          `minimum_branch_edges`, `minimum_branch_length`, `voronoi`, `medial`
+ *        - how it is drawn, there too: `cut_locus_curve`, `number_of_iterations`, `edge_is_constrained_map`
  *
  * @return the graph of the cut locus, and the distances to the source, or to the nearest one
  *
@@ -71,7 +80,15 @@ auto compute_cut_locus(const TriangleMesh& tm, const Source& source,
   if constexpr(Cut_loci::internal::Is_range<Source>::value)
     solver.set_sources(source, np);
   else
+  {
+    using Solver = decltype(solver);
+    static_assert(
+      std::is_convertible<Source, typename Solver::vertex_descriptor>::value ||
+        std::is_convertible<Source, typename Solver::Face_location>::value,
+      "the source must be a vertex_descriptor, a pair of a face_descriptor and three barycentric coordinates, "
+      "or a range of these; Polygon_mesh_processing::locate() finds such a pair for a point in space");
     solver.set_source(source, np);
+  }
   return solver.cut_locus(np);
 }
 

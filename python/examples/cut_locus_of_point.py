@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The cut locus of a point on a surface of genus 2, from Python, cell by cell as in a notebook.
+"""The cut locus of a point on a surface of genus 2, from Python, cell by cell as in a notebook. The picture takes matplotlib.
 
-    cut_locus_of_point.py [PICTURE.svg [MESH.off]]
+    cut_locus_of_point.py [PICTURE [MESH.off]]
 """
 
 # %% A mesh is an array of points and one of faces, wherever they come from.
@@ -9,10 +9,14 @@ import pathlib
 import sys
 
 import cut_locus
+import matplotlib
 import numpy as np
+matplotlib.use("agg")
+import matplotlib.pyplot as plt
+from matplotlib.collections import LineCollection, PolyCollection
 
 package = pathlib.Path(__file__).resolve().parents[2]
-picture = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "cut_locus_of_point.svg")
+picture = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "cut_locus_of_point.png")
 mesh = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else (
     package / "examples" / "Surface_mesh_cut_locus" / "data" / "double_torus.off")
 
@@ -47,67 +51,44 @@ print(f"the farthest vertex is {distance.max():.3f} away, by a path across {len(
 disk = cut_locus.cut_open(V, F, source, curve="faces")
 print(f"the disk: {len(disk.vertices)} vertices, {int(disk.is_flipped.sum())} of {len(disk.faces)} faces flipped")
 
-# %% A picture of both, as SVG: what is nearer hides what is behind it.
-SIZE = 480.
-NEAR, FAR = np.array([255., 240., 225.]), np.array([90., 160., 245.])
-
-
-def shade(values, light):
-    """The color of each distance, in bands, under a light."""
-    bands = np.round(values / distance.max(), 1)[:, None]
-    colors = ((1. - bands) * NEAR + bands * FAR) * light[:, None]
-    return ["#%02x%02x%02x" % tuple(c) for c in colors.astype(int)]
-
-
-def fit(points, low, high, offset):
-    """Points of a plane in a square of the picture."""
-    scaled = (points - 0.5 * (low + high)) / (high - low).max() * 0.94 * SIZE
-    return scaled * [1., -1.] + [0.5 * SIZE + offset, 0.5 * SIZE]
-
-
-def line(points, style):
-    corners = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
-    return f'<polyline points="{corners}" fill="none" {style}/>'
-
-
-def triangle(points, fill):
-    corners = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
-    return f'<polygon points="{corners}" fill="{fill}" stroke="{fill}" stroke-width="0.5"/>'
-
-
+# %% A picture of both: what is nearer is drawn later, and lines in front of the faces that they run in.
+figure, (left, right) = plt.subplots(1, 2, figsize=(10, 5), layout="constrained")
 depth_axis = view / np.linalg.norm(view)
-right = np.cross([0., 0., 1.], depth_axis)
-right /= np.linalg.norm(right)
-axes = np.stack([right, np.cross(depth_axis, right)], axis=1)
-flat = V @ axes
-low, high = flat.min(axis=0), flat.max(axis=0)
+horizontal = np.cross([0., 0., 1.], depth_axis)
+horizontal /= np.linalg.norm(horizontal)
+axes = np.stack([horizontal, np.cross(depth_axis, horizontal), depth_axis], axis=1)
+lines = [(result.points[result.edges], "#c00000", 2.5),
+         (np.stack([path.points[:-1], path.points[1:]], axis=1), "#0040a0", 1.5)]
+
+
+def shade(values, light=1.):
+    """The color of each distance, in bands, under a light."""
+    return plt.cm.YlGnBu(np.round(values / distance.max(), 1) * 0.6)[:, :3] * np.reshape(light, (-1, 1))
+
+
 normals = np.cross(V[F[:, 1]] - V[F[:, 0]], V[F[:, 2]] - V[F[:, 0]])
 normals /= np.linalg.norm(normals, axis=1)[:, None]
-light = 0.6 + 0.4 * np.abs(normals @ (depth_axis + 0.5 * right)) / np.hypot(1., 0.5)
-shapes = []
-for corners, fill in zip(F, shade(distance[F].mean(axis=1), light)):
-    shapes.append((V[corners].mean(axis=0) @ depth_axis, triangle(fit(flat[corners], low, high, 0.), fill)))
-lift = 0.05 * (high - low).max()  # a line is in front of its faces
-for ends in result.points[result.edges]:
-    shapes.append((ends.mean(axis=0) @ depth_axis + lift,
-                   line(fit(ends @ axes, low, high, 0.), 'stroke="#c00000" stroke-width="2.5"')))
-for ends in np.stack([path.points[:-1], path.points[1:]], axis=1):
-    shapes.append((ends.mean(axis=0) @ depth_axis + lift,
-                   line(fit(ends @ axes, low, high, 0.), 'stroke="#0040a0" stroke-width="1.5"')))
-x, y = fit(flat[source], low, high, 0.)
-shapes.append((np.inf, f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="#0040a0"/>'))
-drawing = [shape for _, shape in sorted(shapes, key=lambda s: s[0])]
+light = 0.6 + 0.4 * np.abs(normals @ (depth_axis + 0.5 * horizontal)) / np.hypot(1., 0.5)
+shapes = [(triangle @ axes, color, 0.5) for triangle, color in zip(V[F], shade(distance[F].mean(axis=1), light))]
+lift = [0., 0., 0.05 * np.ptp(V @ axes, axis=0).max()]
+shapes += [(ends @ axes + lift, color, width) for pairs, color, width in lines for ends in pairs]
+shapes.sort(key=lambda shape: shape[0][:, 2].mean())
+left.add_collection(PolyCollection([shape[:, :2] for shape, _, _ in shapes], facecolors=[c for _, c, _ in shapes],
+                                   edgecolors=[c for _, c, _ in shapes], linewidths=[w for _, _, w in shapes],
+                                   closed=False, capstyle="round"))
+left.plot(*(V[source] @ axes)[:2], "o", color="#0040a0")
 
 known = disk.vertex_origin >= 0  # vertices that were added have no distance of their own: they get that of the curve
 of_vertices = np.where(known, distance[disk.vertex_origin], result.distance.mean())
-low, high = disk.uv.min(axis=0), disk.uv.max(axis=0)
-drawing += [triangle(fit(disk.uv[corners], low, high, SIZE), fill)
-            for corners, fill in zip(disk.faces, shade(of_vertices[disk.faces].mean(axis=1), np.ones(len(disk.faces))))]
+colors = shade(of_vertices[disk.faces].mean(axis=1))
+right.add_collection(PolyCollection(disk.uv[disk.faces], facecolors=colors, edgecolors=colors, linewidths=0.5))
 sides = disk.faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
 _, first, count = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
-drawing += [line(fit(disk.uv[side], low, high, SIZE), 'stroke="#c00000" stroke-width="2"')
-            for side in sides[first[count == 1]]]
+right.add_collection(LineCollection(disk.uv[sides[first[count == 1]]], colors="#c00000", linewidths=2, capstyle="round"))
 
-picture.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {2 * SIZE:g} {SIZE:g}" '
-                   f'stroke-linecap="round" stroke-linejoin="round">\n' + "\n".join(drawing) + "\n</svg>\n")
+for panel in left, right:
+    panel.autoscale_view()
+    panel.set_aspect("equal")
+    panel.axis("off")
+figure.savefig(picture)
 print(f"the picture: {picture}")

@@ -13,9 +13,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <map>
+#include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -72,6 +78,77 @@ Arrays ply_edges(const std::string& text)
 }
 
 using Files = Program;
+using Place = std::array<double, 2>;
+
+// The place of each vertex of a file with all vertices in faces.
+std::vector<Place> log_map(const std::string& text)
+{
+  const std::vector<double> coordinates = vtp_arrays(text, "PointData")["log_map"];
+  std::vector<Place> result;
+  for(std::size_t i = 0; i + 1 < coordinates.size(); i += 2)
+    result.push_back({{coordinates[i], coordinates[i + 1]}});
+  return result;
+}
+
+// Seen from a point of the plane, with an x-axis from there to another.
+Place seen_from(const Place& source, const Place& on_axis, const Place& p)
+{
+  const double x = on_axis[0] - source[0], y = on_axis[1] - source[1], length = std::hypot(x, y);
+  const double dx = p[0] - source[0], dy = p[1] - source[1];
+  return {{(x * dx + y * dy) / length, (x * dy - y * dx) / length}};
+}
+
+std::string off(const std::vector<std::array<double, 3>>& points, const std::vector<std::array<int, 3>>& faces)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << "OFF\n" << points.size() << ' ' << faces.size() << " 0\n";
+  for(const auto& p : points)
+    text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  for(const auto& f : faces)
+    text << "3 " << f[0] << ' ' << f[1] << ' ' << f[2] << '\n';
+  return text.str();
+}
+
+std::string base_64(const std::string& bytes)
+{
+  const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string result;
+  for(std::size_t i = 0; i < bytes.size(); i += 3)
+  {
+    unsigned three = 0;
+    for(std::size_t k = 0; k < 3; ++k)
+      three = 256 * three + (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for(std::size_t k = 0; k < 4; ++k)
+      result += i + k <= bytes.size() ? digits[(three >> (18 - 6 * k)) % 64] : '=';
+  }
+  return result;
+}
+
+// The upper half of an octahedron, placed by nodes: as it is, and mirrored below, both twice as large.
+Json octahedron_gltf()
+{
+  const float points[][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
+  const std::uint16_t corners[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4};
+  const std::string bytes = std::string(reinterpret_cast<const char*>(points), sizeof(points)) +
+                            std::string(reinterpret_cast<const char*>(corners), sizeof(corners));
+  return {
+    {"asset", {{"version", "2.0"}}},
+    {"scene", 0},
+    {"scenes", {{{"nodes", {0}}}}},
+    {"nodes",
+     {{{"children", {1, 2}}, {"scale", {2, 2, 2}}, {"translation", {5, 0, 3}}},
+      {{"mesh", 0}},
+      {{"mesh", 0}, {"scale", {1, 1, -1}}}}},
+    {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}}}}}}},
+    {"accessors",
+     {{{"bufferView", 0}, {"componentType", 5126}, {"count", 5}, {"type", "VEC3"}},
+      {{"bufferView", 1}, {"componentType", 5123}, {"count", 12}, {"type", "SCALAR"}}}},
+    {"bufferViews",
+     {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", sizeof(points)}},
+      {{"buffer", 0}, {"byteOffset", sizeof(points)}, {"byteLength", sizeof(corners)}}}},
+    {"buffers", {{{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base_64(bytes)}}}}};
+}
 
 } // namespace
 
@@ -140,6 +217,168 @@ TEST_F(Files, A_surface_with_distances_and_sources)
   EXPECT_EQ(of_vertices["distance"], (std::vector<double>{0., 1., 1., -1., -1., -1.}));
   EXPECT_EQ(of_vertices["source"], (std::vector<double>{0., 0., 0., -1., -1., -1.}));
   expect_failure(run_on_torus("--surface " + quoted(path("a.ply"))), "must be .vtp");
+}
+
+// On a plane the logarithmic map is what the plane looks like from the source, wherever that is.
+TEST_F(Files, The_logarithmic_map_of_a_plane)
+{
+  const int n = 12;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> jitter(-0.3, 0.3);
+  std::vector<Place> at;
+  std::vector<std::array<double, 3>> points;
+  std::vector<Triangle> faces;
+  for(int j = 0; j <= n; ++j)
+    for(int i = 0; i <= n; ++i)
+    {
+      const bool is_inside_x = i > 0 && i<n, is_inside_y = j> 0 && j < n;
+      at.push_back({{i + (is_inside_x ? jitter(random) : 0.), j + (is_inside_y ? jitter(random) : 0.)}});
+      points.push_back({{at.back()[0], at.back()[1], 0.}});
+      const int v = i + (n + 1) * j;
+      if(i < n && j < n)
+      {
+        faces.push_back({{v, v + 1, v + n + 2}});
+        faces.push_back({{v, v + n + 2, v + n + 1}});
+      }
+    }
+  std::shuffle(faces.begin(), faces.end(), random);
+  write("plane.off", off(points, faces));
+  const auto first_face_of = [&](int v)
+  {
+    return *std::find_if(faces.begin(), faces.end(),
+                         [&](const Triangle& f) { return std::count(f.begin(), f.end(), v); });
+  };
+  const auto check = [&](const std::string& options, const std::vector<std::pair<Place, Place>>& axes)
+  {
+    const Outcome outcome = run(quoted(path("plane.off")) + " " + options + " --surface " + quoted(path("s.vtp")));
+    ASSERT_EQ(outcome.status, 0) << outcome.messages;
+    EXPECT_EQ(outcome.messages.find("log_map"), std::string::npos);
+    const std::string text = read_file(path("s.vtp"));
+    const std::vector<Place> found = log_map(text);
+    const std::vector<double> source = vtp_arrays(text, "PointData")["source"];
+    ASSERT_EQ(found.size(), at.size());
+    for(std::size_t v = 0; v < at.size(); ++v)
+    {
+      const auto& [from, to] = axes[static_cast<std::size_t>(source[v])];
+      const Place expected = seen_from(from, to, at[v]);
+      EXPECT_NEAR(found[v][0], expected[0], 1e-9) << options << " " << v;
+      EXPECT_NEAR(found[v][1], expected[1], 1e-9) << options << " " << v;
+    }
+  };
+  const auto axis_of = [&](int v)
+  {
+    const Triangle f = first_face_of(v);
+    const auto i = std::find(f.begin(), f.end(), v) - f.begin();
+    return std::make_pair(at[v], at[f[(i + 1) % 3]]);
+  };
+  for(int v : {30, 84, 100, 140})
+    check("--source " + std::to_string(v), {axis_of(v)});
+  // from the border, with that on the right of the axis: along the side, and at a corner
+  check("--source 5", {{at[5], at[6]}});
+  check("--source 0", {{at[0], at[1]}});
+  check("--source 40 --source 121", {axis_of(40), axis_of(121)});
+  // in a face, whose first edge is that in the file with the map, and on an edge of the border
+  const std::vector<double> corners = vtp_arrays(read_file(path("s.vtp")), "Polys")["connectivity"];
+  for(std::size_t i : {3, 50, 100})
+  {
+    const Triangle f = {{int(corners[3 * i]), int(corners[3 * i + 1]), int(corners[3 * i + 2])}};
+    Place middle = {{0., 0.}};
+    for(int v : f)
+      for(int k = 0; k < 2; ++k)
+        middle[k] += at[v][k] / 3.;
+    std::ostringstream option;
+    option.precision(17);
+    option << "--source-point=" << middle[0] << ',' << middle[1] << ",0";
+    const double x = at[f[1]][0] - at[f[0]][0], y = at[f[1]][1] - at[f[0]][1];
+    check(option.str(), {{middle, {{middle[0] + x, middle[1] + y}}}});
+  }
+  check("--source-point=3.5,0,0", {{{{3.5, 0.}}, {{4., 0.}}}});
+}
+
+// Of a cone with sectors of different angles: from its apex, around which they are scaled, and from beside it.
+TEST_F(Files, The_logarithmic_map_of_a_cone)
+{
+  const std::vector<double> turns = {0., 0.4, 1.3, 1.9, 2.8, 3.3, 4.1, 5.2, 5.8};
+  const int n = static_cast<int>(turns.size()), rings = 3;
+  const double pi = std::acos(-1.);
+  std::vector<std::array<double, 3>> points = {{{0., 0., 0.}}};
+  std::vector<Triangle> faces;
+  for(int ring = 1; ring <= rings; ++ring)
+    for(int k = 0; k < n; ++k)
+    {
+      points.push_back({{0.6 * ring * std::cos(turns[k]), 0.6 * ring * std::sin(turns[k]), -0.8 * ring}});
+      const int next = (k + 1) % n, a = 1 + (ring - 1) * n + k, b = 1 + (ring - 1) * n + next;
+      if(ring == 1)
+        faces.push_back({{0, a, b}});
+      else
+      {
+        faces.push_back({{a, b, a - n}});
+        faces.push_back({{b, b - n, a - n}});
+      }
+    }
+  std::vector<double> angle = {0.}; // at the apex, up to each vertex of a ring
+  for(int k = 0; k < n; ++k)
+  {
+    const double turn = k + 1 < n ? turns[k + 1] - turns[k] : 2. * pi - turns[k];
+    angle.push_back(angle.back() + 2. * std::asin(0.6 * std::sin(0.5 * turn)));
+  }
+  write("cone.off", off(points, faces));
+  ASSERT_EQ(run(quoted(path("cone.off")) + " --quiet --source 0 --surface " + quoted(path("s.vtp"))).status, 0);
+  std::vector<Place> found = log_map(read_file(path("s.vtp")));
+  ASSERT_EQ(found.size(), points.size());
+  for(int v = 1; v < static_cast<int>(points.size()); ++v)
+  {
+    const double distance = 1. + (v - 1) / n, direction = 2. * pi * angle[(v - 1) % n] / angle.back();
+    EXPECT_NEAR(found[v][0], distance * std::cos(direction), 1e-12) << v;
+    EXPECT_NEAR(found[v][1], distance * std::sin(direction), 1e-12) << v;
+  }
+
+  const int s = 1 + n + 4; // of the second ring
+  ASSERT_EQ(
+    run(quoted(path("cone.off")) + " --quiet --source " + std::to_string(s) + " --surface " + quoted(path("s.vtp")))
+      .status,
+    0);
+  found = log_map(read_file(path("s.vtp")));
+  EXPECT_NEAR(std::hypot(found[0][0], found[0][1]), 2., 1e-12);
+  for(int v = 1; v < static_cast<int>(points.size()); ++v)
+  {
+    const double r = 1. + (v - 1) / n;
+    double apart = angle[(v - 1) % n] - angle[4]; // around the apex, the shorter way
+    apart -= angle.back() * std::round(apart / angle.back());
+    // the apex is at the origin, and the source on the axis; seen from there, with the apex on the x-axis
+    const Place expected = seen_from({{2., 0.}}, {{0., 0.}}, {{r * std::cos(apart), r * std::sin(apart)}});
+    const Place is = seen_from({{0., 0.}}, found[0], found[v]);
+    EXPECT_NEAR(is[0], expected[0], 1e-9) << v;
+    EXPECT_NEAR(is[1], expected[1], 1e-9) << v;
+  }
+}
+
+TEST_F(Files, The_logarithmic_map_is_as_long_as_the_distance)
+{
+  const std::string to_surface = " --surface " + quoted(path("s.vtp"));
+  for(const char* options :
+      {"--source 5", "--source 5 --source 150 --source-point 1,0.9,0.2", "--method laplacian --source 9"})
+  {
+    ASSERT_EQ(run_on_torus(options + to_surface).status, 0) << options;
+    const std::string text = read_file(path("s.vtp"));
+    const std::vector<double> distance = vtp_arrays(text, "PointData")["distance"];
+    const std::vector<Place> found = log_map(text);
+    ASSERT_EQ(found.size(), distance.size()) << options;
+    for(std::size_t v = 0; v < distance.size(); ++v)
+      EXPECT_NEAR(std::hypot(found[v][0], found[v][1]), distance[v], 1e-12) << options << " " << v;
+  }
+  write("curve.txt", "5 6 7\n");
+  const std::map<std::string, std::string> without = {
+    {"--source-edges " + quoted(path("curve.txt")), "the paths from a curve start at no single point"},
+    {"--solver heat", "it takes --solver exact"},
+    {"--max-relative-error 1e-5", "it takes distances without --max-relative-error"}};
+  for(const auto& [options, cause] : without)
+  {
+    const Outcome outcome = run_on_torus(options + to_surface);
+    EXPECT_EQ(outcome.status, 0) << outcome.messages;
+    EXPECT_NE(outcome.messages.find("note: --surface has no log_map: " + cause), std::string::npos) << outcome.messages;
+    EXPECT_TRUE(log_map(read_file(path("s.vtp"))).empty());
+  }
 }
 
 TEST_F(Files, Standard_output_has_nothing_but_the_result)
@@ -224,7 +463,64 @@ TEST_F(Files, Standard_input_in_all_formats)
   expect_failure(run("- --quiet < " + quoted(path("text"))), "say --input-format");
   expect_failure(run("- --quiet --input-format ply < " + quoted(path("text"))), "does not start with 'ply'");
   expect_failure(run("- --quiet --input-format obj < " + quoted(path("text"))), "standard input");
-  expect_failure(run_on_torus("--input-format xyz"), "--input-format takes one of off obj stl ply ts vtp");
+  expect_failure(run_on_torus("--input-format xyz"),
+                 "--input-format takes off, obj, stl, ply, ts, vtp, gltf, glb, fbx, dae or 3ds, not 'xyz'");
+}
+
+TEST_F(Files, Scenes_are_read_with_their_nodes)
+{
+  const std::string mesh = quoted(path("a.gltf"));
+  const Json scene = octahedron_gltf();
+  write("a.gltf", scene.dump());
+  const Outcome outcome = run(mesh + " --quiet --report -");
+  if(outcome.messages.find("built without libassimp") != std::string::npos)
+  {
+    expect_failure(outcome, "install it (Debian: libassimp-dev)");
+    GTEST_SKIP() << "without libassimp";
+  }
+  ASSERT_EQ(outcome.status, 0) << outcome.messages;
+  const Json found = Json::parse(outcome.messages);
+  EXPECT_EQ(found.at("faces"), 8);
+  EXPECT_EQ(found.at("genus"), 0);
+  EXPECT_NEAR(found.at("farthest_distance").get<double>(), 2. * std::sqrt(6.),
+              1e-5); // of a vertex from the opposite one
+  write("A.GLTF", scene.dump());
+  for(const std::string& other : {quoted(path("A.GLTF")), "- --input-format gltf < " + mesh})
+    EXPECT_EQ(Json::parse(run(other + " --quiet --report -").messages).at("faces"), 8) << other;
+
+  const auto fail = [&](const std::string& text, const std::string& message)
+  {
+    write("a.gltf", text);
+    expect_failure(run(mesh + " --quiet"), message);
+  };
+  const std::string damaged = "it is damaged, not of the format gltf, or has parts in other files that are not there";
+  Json changed = scene;
+  changed["buffers"][0]["uri"] = "missing.bin";
+  fail(changed.dump(), damaged);
+  changed = scene;
+  changed["meshes"][0]["primitives"][0]["mode"] = 1; // lines
+  fail(changed.dump(), "there is no mesh in the scene");
+  changed = scene;
+  changed["nodes"][1]["children"] = Json::array({0});
+  fail(changed.dump(), damaged);
+  fail(std::string(1000000, '['), damaged); // what crashes the library
+  fail("text\n", damaged);
+  std::mt19937 random(3);
+  const std::string text = scene.dump();
+  const std::string pieces[] = {"", "9", "99999999", "-1", "{", "}", "[", "\"", ",", "1e300"};
+  for(int i = 0; i < 100; ++i)
+  {
+    std::string other = text;
+    const std::size_t at = random() % other.size();
+    if(i % 4 == 0)
+      other.resize(at);
+    else
+      other.replace(at, 1, pieces[random() % std::size(pieces)]);
+    write("a.gltf", other);
+    const Outcome result = run(mesh + " --quiet --repair weld -o " + quoted(path("a.vtp")));
+    if(result.status != 0)
+      expect_failure(result, "cut_locus: ");
+  }
 }
 
 TEST_F(Files, A_surface_that_was_written_is_read)

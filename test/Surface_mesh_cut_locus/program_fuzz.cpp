@@ -191,6 +191,51 @@ struct Sample
   std::string kind, extension, content;
 };
 
+std::string dae()
+{
+  const std::string end = "</p></triangles></mesh></geometry></library_geometries><library_visual_scenes>"
+                          "<visual_scene id=\"s\"><node><instance_geometry url=\"#g\"/></node></visual_scene>"
+                          "</library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>\n";
+  const std::string middle = "</float_array><technique_common><accessor source=\"#a\" count=\"6\" stride=\"3\">"
+                             "<param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/>"
+                             "<param name=\"Z\" type=\"float\"/></accessor></technique_common></source>"
+                             "<vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>"
+                             "<triangles count=\"8\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>";
+  std::string text = "<?xml version=\"1.0\"?>\n<COLLADA version=\"1.4.1\"><library_geometries><geometry id=\"g\">"
+                     "<mesh><source id=\"p\"><float_array id=\"a\" count=\"18\">";
+  for(const auto& p : octahedron_points)
+    for(int x : p)
+      text += std::to_string(x) + " ";
+  text += middle;
+  for(const auto& f : octahedron_faces)
+    for(int v : f)
+      text += std::to_string(v) + " ";
+  return text + end;
+}
+
+std::string glb()
+{
+  Bytes data("", true);
+  for(const auto& p : octahedron_points)
+    for(int x : p)
+      data.add(static_cast<float>(x));
+  for(const auto& f : octahedron_faces)
+    for(int v : f)
+      data.add<std::uint16_t>(static_cast<std::uint16_t>(v));
+  std::string json = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{)"
+                     R"("primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[{"bufferView":0,)"
+                     R"("componentType":5126,"count":6,"type":"VEC3"},{"bufferView":1,"componentType":5123,"count":24,)"
+                     R"("type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteLength":72},{"buffer":0,"byteOffset":72,)"
+                     R"("byteLength":48}],"buffers":[{"byteLength":120}]})";
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  Bytes bytes("glTF", true);
+  bytes.add<std::uint32_t>(2).add(static_cast<std::uint32_t>(28 + json.size() + data.text().size()));
+  bytes.add(static_cast<std::uint32_t>(json.size()));
+  Bytes end("JSON" + json, true);
+  end.add(static_cast<std::uint32_t>(data.text().size()));
+  return bytes.text() + end.text() + std::string("BIN\0", 4) + data.text();
+}
+
 std::vector<Sample> samples()
 {
   return {{"OFF", ".off", text_file("OFF\n6 8 0\n", "", "", "3 ", 0, false)},
@@ -210,6 +255,8 @@ std::vector<Sample> samples()
           {"STL", ".stl", text_stl()},
           {"STL, binary", ".stl", binary_stl()},
           {"VTP", ".vtp", vtp()},
+          {"DAE", ".dae", dae()},
+          {"GLB", ".glb", glb()},
           {"TS", ".ts", text_file("GOCAD TSurf 1\nTFACE\n", "VRTX ", "", "TRGL ", 1, true) + "END\n"}};
 }
 

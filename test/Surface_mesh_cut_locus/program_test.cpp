@@ -928,7 +928,11 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--curve both"), "--curve takes edges or faces");
   expect_failure(run_on_torus("--method laplacian --curve edges --smooth 4"), "contradict");
   expect_failure(run_on_torus("--method laplacian --curve faces --smooth 0"), "contradict");
-  expect_failure(run_on_torus("--strength 3"), "unrecognised option '--strength'");
+  expect_failure(run_on_torus("--strength 3"), "there is no option --strength");
+  expect_failure(run_on_torus("--curve edges --curve faces"), "--curve may be given once only");
+  expect_failure(run_on_torus("--quiet=3"), "--quiet takes no value");
+  expect_failure(run_on_torus("--source"), "--source takes a value");
+  expect_failure(run_on_torus("--curve="), "--curve takes a value");
   expect_failure(run_on_torus("--source=-1"), "--source takes");
   expect_failure(run_on_torus("--quiet --source 99999"), "out of range");
   expect_failure(run_on_torus("--source-point 1,0,0 --source-point 0,1,0 --unfold " + quoted(path("a.svg"))),
@@ -954,7 +958,8 @@ TEST_F(Program, Wrong_command_lines)
 
 TEST_F(Program, Wrong_outputs)
 {
-  expect_failure(run_on_torus("-o - --output-format jpg"), "--output-format: 'jpg' must be one of .polylines.txt");
+  expect_failure(run_on_torus("-o - --output-format jpg"),
+                 "--output-format takes polylines.txt, obj, vtp, ply, json, png or svg, not 'jpg'");
   expect_failure(run_on_torus("-o - --edges -"), "--edges would overwrite '-', which -o writes, too");
   expect_failure(run_on_torus("-o -x.obj"), "write './-x.obj' if that is its name");
   for(const char* option : {"--cells", "--uv", "--unfold"})

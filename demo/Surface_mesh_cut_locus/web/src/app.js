@@ -2,7 +2,7 @@
 // the engine, the viewer and the panel, which do not know each other.
 import { Appearance } from './appearance.js';
 import { CellColors, colorsOf } from './cell_colors.js';
-import { Cancelled, Engine } from './engine.js';
+import { Canceled, Engine } from './engine.js';
 import { exportAs } from './exports.js';
 import { Follower } from './follow.js';
 import { History } from './history.js';
@@ -77,7 +77,7 @@ export class App {
       return true;
     } catch (error) {
       // what another command has replaced needs no words
-      if (!(error instanceof Cancelled))
+      if (!(error instanceof Canceled))
         this.panel.showMessage(explain(error), { onRetry: error.fatal ? () => this.attempt(text, action) : null });
       return false;
     } finally {
@@ -90,7 +90,7 @@ export class App {
     this.isSolved = false;
     this.engine.cancel();
     this.sheet.drop(); // it may be that of other thresholds
-    this.panel.showMessage('Cancelled.', { isPlain: true });
+    this.panel.showMessage('Canceled.', { isPlain: true });
   }
 
   openSample(name, faces, keepsSource = false) {
@@ -143,7 +143,7 @@ export class App {
         this.mesh = await this.engine.load(recipe);
       } catch (error) {
         // the module has dropped the mesh it had
-        if (this.mesh && !(error instanceof Cancelled) && !error.fatal) this.engine.restart();
+        if (this.mesh && !(error instanceof Canceled) && !error.fatal) this.engine.restart();
         this.isSolved = false;
         this.panel.setSample(this.state);
         throw error;
@@ -167,7 +167,7 @@ export class App {
     try {
       await this.solveNow();
     } catch (error) {
-      if (error instanceof Cancelled || error.fatal) throw error;
+      if (error instanceof Canceled || error.fatal) throw error;
       const { solver, method, border, parameters } = defaultState();
       Object.assign(this.state, { solver, method, border, parameters, sources: [this.firstSource()], isCut: false });
       this.exactMethod = method;
@@ -244,7 +244,7 @@ export class App {
     return this.change({ solver, method: solver === 'exact' ? this.exactMethod : 'laplacian' });
   }
 
-  // If that fails, or is cancelled, all becomes what it was when it was solved last, unless another command has come.
+  // If that fails, or is canceled, all becomes what it was when it was solved last, unless another command has come.
   async change(values, replacesStep = false) {
     const { state } = this;
     Object.assign(state, values);
@@ -471,7 +471,7 @@ export class App {
       this.sheet.cutAtRest();
       this.cellColors.showAtRest();
     } catch (error) {
-      if (!(error instanceof Cancelled)) this.panel.showMessage(explain(error));
+      if (!(error instanceof Canceled)) this.panel.showMessage(explain(error));
     } finally {
       this.isUpdating = false;
     }

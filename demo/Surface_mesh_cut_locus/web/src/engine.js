@@ -1,7 +1,7 @@
 // The page's side of the worker: commands give promises; `cancel` ends what runs, whatever it is. A worker that breaks, or
 // cannot be loaded, fails what waits for it, and the next command starts another one.
 
-export class Cancelled extends Error {}
+export class Canceled extends Error {}
 
 const startWorker = () => new Worker(new URL('worker.js', import.meta.url));
 
@@ -106,6 +106,6 @@ export class Engine {
     const waiting = [...this.pending.values()];
     this.pending.clear();
     this.restart(keepsMesh);
-    for (const { reject } of waiting) reject(new Cancelled('cancelled'));
+    for (const { reject } of waiting) reject(new Canceled('canceled'));
   }
 }

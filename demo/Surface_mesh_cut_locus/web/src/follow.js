@@ -1,6 +1,6 @@
 // The source follows the pointer while a key or a button is held: by previews while it moves, on a simplified mesh if there
 // is one, otherwise with a bounded error; exactly when it rests or is let go.
-import { Cancelled } from './engine.js';
+import { Canceled } from './engine.js';
 import { rounded } from './state.js';
 
 // of distances: as the manual has it for a source that moves
@@ -48,7 +48,7 @@ export class Follower {
         this.sources = sources;
         this.countFrame();
       } catch (error) {
-        if (error instanceof Cancelled) this.stop();
+        if (error instanceof Canceled) this.stop();
         // otherwise there can be no source here, as beside another one: it stays where it was
       }
     }

@@ -1,7 +1,7 @@
 // Previews of the curve while a source moves: on a simplified mesh, in a worker of its own, so that what is exported, taken
 // back or goes on to be worked with is always that of the mesh. The simplified mesh is made when the page has nothing else to
 // do, and is as large as this computer computes in time.
-import { Cancelled, Engine } from './engine.js';
+import { Canceled, Engine } from './engine.js';
 import { coarse } from './words.js';
 
 // For each preview: thirty pictures in a second look like motion, and drawing needs half of the time.
@@ -57,7 +57,7 @@ export class Preview {
       this.faces = faces;
     } catch (error) {
       // replaced by another one; or a mesh that cannot be simplified: sources move on the whole one
-      if (error instanceof Cancelled || this.key !== key) return;
+      if (error instanceof Canceled || this.key !== key) return;
     }
     this.isSettled = true;
   }

@@ -2,7 +2,7 @@
 import { curveNames } from './arrays.js';
 import { seamsOf } from './atlas.js';
 import { colorsOfSheets } from './cell_colors.js';
-import { Cancelled } from './engine.js';
+import { Canceled } from './engine.js';
 import { sheetsOf } from './sheets.js';
 import { describeAtlas } from './words.js';
 
@@ -59,7 +59,7 @@ export class Sheet {
       atlas = await this.current();
     } catch (error) {
       // what cancels it by a new command cuts again
-      if (!(error instanceof Cancelled)) this.drop();
+      if (!(error instanceof Canceled)) this.drop();
       throw error;
     }
     this.atlas = atlas;

@@ -16,6 +16,8 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -100,9 +102,25 @@ private:
     virtual const Geodesic_results* geodesics() const = 0;
   };
 
+  template <typename Solver, typename = void>
+  struct Is_solver : std::false_type
+  {
+  };
+  template <typename Solver>
+  struct Is_solver<Solver,
+                   std::void_t<decltype(std::declval<Solver&>().set_mesh(std::declval<const Indexed_triangle_mesh&>())),
+                               decltype(std::declval<Solver&>().compute_distances(
+                                 std::declval<const Indexed_source&>(), std::declval<std::vector<double>&>()))>>
+    : std::true_type
+  {
+  };
+
   template <typename Solver>
   struct Model : public Concept
   {
+    static_assert(Is_solver<Solver>::value,
+                  "geodesic_solver takes a model of GeodesicSolver: an object with set_mesh() "
+                  "and compute_distances()");
     explicit Model(const Solver& s) : solver(s) {}
     std::unique_ptr<Concept> copy() const override { return std::unique_ptr<Concept>(new Model(solver)); }
     void set_mesh(const Indexed_triangle_mesh& mesh) override { solver.set_mesh(mesh); }

@@ -1,4 +1,4 @@
-// Nothing that the user has done is lost: undo, the cut surface, other meshes, cancelling, the keyboard.
+// Nothing that the user has done is lost: undo, the cut surface, other meshes, canceling, the keyboard.
 import assert from 'node:assert/strict';
 import { describeAtlas } from '../../src/words.js';
 import { patience } from '../page_driver.mjs';
@@ -493,7 +493,7 @@ export const tests = {
     assert.ok(!await page.locator('#busy').isVisible());
   },
 
-  async 'what takes long can be cancelled, and the page goes on'(d) {
+  async 'what takes long can be canceled, and the page goes on'(d) {
     const { page } = d;
     await d.open('#sample=torus&faces=5000');
     // within the page: from outside, the click may come too late
@@ -507,7 +507,7 @@ export const tests = {
     });
     assert.match(text, /…$/);
     await d.settle();
-    assert.match(await page.innerText('#message-text'), /Cancelled/);
+    assert.match(await page.innerText('#message-text'), /Canceled/);
     await page.click('text="Capsule"');
     await page.selectOption('#faces', '5000');
     await d.settle();

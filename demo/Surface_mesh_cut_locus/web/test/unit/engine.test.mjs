@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Cancelled, Engine } from '../../src/engine.js';
+import { Canceled, Engine } from '../../src/engine.js';
 import { explain } from '../../src/messages.js';
 
 // What the page says to a worker, and what it answers when the test says so.
@@ -73,13 +73,13 @@ test('a module that is not there, or breaks down, says so, and the worker is giv
   }
 });
 
-test('cancelling ends all, and the mesh is loaded again', async () => {
+test('canceling ends all, and the mesh is loaded again', async () => {
   const { workers, engine } = start();
   const loading = engine.load({ sample: 'torus' });
   workers[0].answer({ result: {} });
   await loading;
   const solving = engine.run('solve');
   engine.cancel();
-  await assert.rejects(solving, Cancelled);
+  await assert.rejects(solving, Canceled);
   assert.deepEqual(commandsOf(workers[1]), ['load']);
 });
