@@ -475,6 +475,8 @@ Options parse_command_line(int argc, char* argv[])
     if(!is_unfolding_name(options.unfold))
       throw Usage_error("--unfold: the extension of '" + options.unfold + "' must be .svg or .obj");
   }
+  if(!options.curve && !options.smoothing && (given.count("edges") || given.count("uv")))
+    options.curve = CGAL::Cut_loci::Curve::MESH_EDGES; // these need them
   if(given.count("report"))
     options.report = to_output(text("report"), "--report");
   read_each_source(given, options);

@@ -162,7 +162,7 @@ Source_result compute(const Named_source& named, const Source& source, const Run
   {
     solver.set_sources(std::array<Source, 1>{{source}},
                        CGAL::parameters::maximum_relative_error(options.maximum_relative_error.value_or(0.)));
-    return describe(apply_thresholds(options, solver, curve_of(options)), run.input, line);
+    return describe(apply_thresholds(options, solver), run.input, line);
   }
   catch(const std::bad_alloc&)
   {

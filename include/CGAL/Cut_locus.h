@@ -70,7 +70,6 @@ struct Cut_locus_edge
   /// diagram of several sources, and are the same within the cell of one
   std::array<std::size_t, 2> sources = {{0, 0}};
   bool is_on_border = false; ///< whether it follows the border of the mesh
-  std::size_t origin = 0;    ///< the edge it replaces, or is, in the graph of mesh edges of the same thresholds
 };
 
 namespace internal {

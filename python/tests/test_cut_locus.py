@@ -106,7 +106,7 @@ def test_input_is_copied(bumpy, reference):
 
 def test_result_outlives_all(bumpy):
     points, faces = (a.copy() for a in bumpy)
-    result = cut_locus.compute(points, faces, 0, minimum_branch_width=0.05)
+    result = cut_locus.compute(points, faces, 0, curve="edges", minimum_branch_width=0.05)
     edges = result.edges
     expected = edges.copy()
     disk = result.cut_open()
@@ -187,6 +187,19 @@ def test_parameters_of_laplacian(bumpy):
     smooth = computation.cut_locus(gradient_angle_threshold=default / 4., number_of_iterations=2)
     assert (smooth.mesh_vertices < 0).any()
     assert computation.cut_locus(minimum_branch_length=10.).length == 0.
+
+
+@pytest.mark.parametrize("method", ["direction", "polyhedral", "laplacian"])
+@pytest.mark.parametrize("source", [3, [3, 50, 90]])
+def test_the_curve_runs_through_the_faces_unless_edges_are_asked_for(method, source):
+    computation = cut_locus.CutLocus(*meshes.torus(16, 8), method=method)
+    computation.set_source(source)
+    assert (computation.cut_locus().mesh_vertices < 0).any()
+    assert np.array_equal(computation.cut_locus().points, computation.cut_locus(curve="faces").points)
+    assert (computation.cut_locus(curve="edges").mesh_vertices >= 0).all()
+    if method == "laplacian":
+        assert (computation.cut_locus(number_of_iterations=0).mesh_vertices >= 0).all()
+        assert (computation.cut_locus(number_of_iterations=2).mesh_vertices < 0).any()
 
 
 def test_components_and_isolated_vertices():

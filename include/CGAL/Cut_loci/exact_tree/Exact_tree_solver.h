@@ -9,10 +9,10 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/curve/curve_correspondence.h>
+#include <CGAL/Cut_loci/curve/kept_parts.h>
+#include <CGAL/Cut_loci/curve/short_branches.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/exact_tree/Curve_filter.h>
 #include <CGAL/Cut_loci/exact_tree/Default_branch_strength.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
@@ -149,15 +149,14 @@ public:
     see_all_of(expected_, progress_);
   }
 
-  // once per threshold; `edges` becomes the curve of mesh edges, whichever curve is asked for. What it returns does not
-  // depend on what has been asked before.
-  Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges) override
+  // once per threshold. What it returns does not depend on what has been asked before.
+  Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve) override
   {
     const Progress all = progress_;
     std::vector<Tree_branches::Edge> kept;
     Exact_tree_solver& solver = solver_for(thresholds, kept, all.part(0., 0.7));
-    Indexed_cut_locus result = solver.curve_of(kept, thresholds, curve, edges, all);
-    result.is_one_of_several = edges.is_one_of_several = is_one_of_several_;
+    Indexed_cut_locus result = solver.curve_of(kept, thresholds, curve, all);
+    result.is_one_of_several = is_one_of_several_;
     return result;
   }
 
@@ -246,41 +245,42 @@ private:
   }
 
   Indexed_cut_locus curve_of(std::vector<Tree_branches::Edge>& kept, const Exact_tree_thresholds& thresholds,
-                             Curve curve, Indexed_cut_locus& edges, const Progress& all)
+                             Curve curve, const Progress& all)
   {
     tree_->measure_widths(kept, all.part(0.7, 0.8));
     if(has_curves())
       return curve == Curve::MESH_EDGES
-               ? edges =
-                   mesh_edges_between_curves(mesh_, sources_, curves_, distance_, *divided_, *tree_, kept, thresholds)
+               ? mesh_edges_between_curves(mesh_, sources_, curves_, distance_, *divided_, *tree_, kept, thresholds)
                : curve_between_curves(mesh_, connectivity_, sources_, curves_, *divided_, *divided_->with_curves,
                                       *tree_, kept, thresholds, lone_vertex());
+    std::vector<Index> face;
+    Indexed_cut_locus result =
+      curve == Curve::MESH_EDGES ? mesh_edges(kept, all.part(0.8, 1.)) : through_faces(kept, face, all.part(0.8, 1.));
+    remove_short_branches(mesh_, connectivity_, face, thresholds.minimum_edges, thresholds.minimum_length, result);
+    remove_other_parts(mesh_, connectivity_, thresholds, result);
+    return result;
+  }
+
+  Indexed_cut_locus mesh_edges(const std::vector<Tree_branches::Edge>& kept, const Progress& progress)
+  {
     const Source_faces at_sources(mesh_, connectivity_, sources_);
-    if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
+    if(at_sources.first_without_face() != null_index)
       Source_faces::throw_source_without_face(at_sources.first_without_face(),
                                               "ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
-    edges = Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, at_sources, distance_, {},
-                            lone_vertex(), all.part(0.8, 0.9))
-              .graph;
-    const Curve_filter filter(mesh_, connectivity_, thresholds);
-    const bool drops_branches = thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.;
-    if(curve == Curve::MESH_EDGES)
-    {
-      if(drops_branches)
-        filter.remove_short_branches(edges);
-      filter.remove_other_parts(edges);
-      return edges;
-    }
-    Tree_curve result(tree_->mesh(), tree_->connectivity(), geodesics(), *tree_, kept, lone_vertex(),
-                      all.part(0.9, 1.));
+    return std::move(Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, at_sources, distance_, {},
+                                     lone_vertex(), progress)
+                       .graph);
+  }
+
+  // `face` becomes that of each edge
+  Indexed_cut_locus through_faces(const std::vector<Tree_branches::Edge>& kept, std::vector<Index>& face,
+                                  const Progress& progress)
+  {
+    Tree_curve result(tree_->mesh(), tree_->connectivity(), geodesics(), *tree_, kept, lone_vertex(), progress);
     if(divided_ != nullptr)
       divided_->remove_sources(result.graph, result.face);
     correct_distances(kept, result.graph);
-    set_origins(mesh_, connectivity_, edges, result.face, result.graph);
-    if(drops_branches)
-      filter.remove_short_branches(edges, result);
-    if(!thresholds.has_all_parts())
-      filter.remove_other_parts(edges, result.graph);
+    face = std::move(result.face);
     return std::move(result.graph);
   }
 

@@ -55,9 +55,9 @@ public:
   // exact solver found: null, or there until the tree has grown
   virtual void set_distance(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
                             std::vector<double> distance, const Geodesic_results* geodesics) = 0;
-  // `edges` becomes the curve of mesh edges, which the result is if there are no iterations of smoothing
+  // the result is made of edges of the mesh if there are no iterations of smoothing
   virtual Indexed_cut_locus filter(const Branch_thresholds& thresholds, const Smoothing_parameters& smoothing,
-                                   const Kept_parts& parts, Indexed_cut_locus& edges) = 0;
+                                   const Kept_parts& parts) = 0;
 
   // In radians. Around the end of a branch, gradients are focused before they cross: a few edges beyond the end they
   // still meet at half a radian. On tori of 7 K to 113 K faces thresholds from 0.5 to 1 put the ends within 2.5
@@ -81,8 +81,7 @@ public:
   // common
   virtual void compute_distance(const std::vector<Indexed_source>& points,
                                 const std::vector<Indexed_curve>& curves) = 0;
-  // `edges` becomes the curve of mesh edges, whichever curve is asked for
-  virtual Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges) = 0;
+  virtual Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve) = 0;
 };
 
 } // namespace internal
