@@ -121,6 +121,7 @@ Source_result describe(const Cut_locus& cut_locus, const Input_mesh& input, Json
   line["branchings"] = statistics.branchings;
   line["length"] = statistics.length;
   line["injectivity_radius"] = statistics.injectivity_radius;
+  line["injectivity_lower_bound"] = statistics.injectivity_lower_bound;
   line["polylines"] = to_json(CGAL::Cut_loci::extract_polylines(cut_locus));
   return {line, statistics.injectivity_radius, true};
 }

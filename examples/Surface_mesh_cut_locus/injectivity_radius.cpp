@@ -33,6 +33,8 @@ int main(int argc, char* argv[])
   const auto cut_locus = CGAL::compute_cut_locus(mesh, *mesh.vertices().begin());
   const auto radius = CGAL::Cut_loci::injectivity_radius(cut_locus);
   std::cout << "The injectivity radius is " << radius.distance << ", reached at (" << radius.point << "), "
-            << (radius.edge ? "within an edge" : "at a vertex") << " of the cut locus.\n";
+            << (radius.edge ? "within an edge" : "at a vertex") << " of the cut locus.\n"
+            << "Branches that are left out may be nearer: the polyhedron has none within " << radius.lower_bound
+            << ".\n";
   return EXIT_SUCCESS;
 }

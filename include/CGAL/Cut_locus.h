@@ -84,6 +84,7 @@ struct Source_result
   Index genus = 0;
   Index number_of_border_loops = 0;
   Index number_of_curves = 0; // the last of the sources
+  double least_distance = 0.; // no nearer point has several shortest paths
 };
 
 } // namespace internal
@@ -192,6 +193,10 @@ public:
   /// beside them instead: shortest paths through these cross the curve, and what is behind them is reached by a detour.
   /// It is 0 for a curve through the faces, and with `Cut_loci::Method::LAPLACIAN`, which does not know them
   std::size_t number_of_narrow_corridors() const { return number_of_narrow_corridors_; }
+
+  /// the distance within which no point has several shortest paths, whatever the thresholds; see
+  /// `Cut_loci::Injectivity_radius::lower_bound`
+  double least_distance() const { return result_->least_distance; }
 
   /// whether other curves are as right: several shortest paths of the same length, up to rounding, lead to a vertex at
   /// which they bend, so that all points of a region behind it have several shortest paths. That takes a symmetric surface

@@ -726,6 +726,7 @@ private:
     result->genus = solver.genus();
     result->number_of_border_loops = solver.number_of_border_loops();
     result->number_of_curves = static_cast<Index>(curves_.size());
+    result->least_distance = read_->unit * solver.least_distance();
     const std::size_t n = read_->vertices.size();
     result->distance = component.in_whole(solver.distance(), n, (std::numeric_limits<double>::infinity)());
     result->nearest_source = component.in_whole(solver.nearest_sources(), n, Cut_loci::null_index);

@@ -142,8 +142,18 @@ class Result:
 
     @property
     def injectivity_radius(self) -> float:
-        """The smallest distance on the cut locus: within it, shortest paths are unique."""
+        """The smallest distance on the cut locus, of the branches that are shown."""
         return self._nearest[0]
+
+    @property
+    def injectivity_lower_bound(self) -> float:
+        """Within this distance shortest paths are unique, whatever the thresholds: weak branches begin no nearer.
+
+        On a mesh of a smooth surface it is mostly the distance of the nearest vertex of positive curvature, at which the
+        polyhedron has a branch. It is 0 beside a curve with corners, and with the method "laplacian", which does not
+        know it.
+        """
+        return self._nearest[2]
 
     @property
     def injectivity_point(self) -> Floats:
@@ -209,7 +219,7 @@ class Result:
         return disk_of(self._core, parameterization)
 
     @cached_property
-    def _nearest(self) -> Tuple[float, Floats]:
+    def _nearest(self) -> Tuple[float, Floats, float]:
         return self._core.nearest()
 
 

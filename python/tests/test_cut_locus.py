@@ -54,7 +54,7 @@ def test_arrays(bumpy, curve):
     assert (degree == 1).sum() == result.leaves and (degree > 2).sum() == result.branchings
     assert m - n + result.components == result.cycles == 0
     assert meshes.length_of(result.points, result.edges).sum() == pytest.approx(result.length)
-    assert 0. < result.injectivity_radius <= result.distance.min()
+    assert 0. < result.injectivity_lower_bound <= result.injectivity_radius <= result.distance.min()
     assert result.vertex_distance.argmax() == result.farthest_vertex
     assert result.distance[result.farthest_node] == result.distance.max()
     assert np.all(result.width > 0.) and np.all(result.strength > 0.)
@@ -187,6 +187,7 @@ def test_parameters_of_laplacian(bumpy):
     smooth = computation.cut_locus(gradient_angle_threshold=default / 4., number_of_iterations=2)
     assert (smooth.mesh_vertices < 0).any()
     assert computation.cut_locus(minimum_branch_length=10.).length == 0.
+    assert smooth.injectivity_lower_bound == 0. < smooth.injectivity_radius
 
 
 @pytest.mark.parametrize("method", ["direction", "polyhedral", "laplacian"])

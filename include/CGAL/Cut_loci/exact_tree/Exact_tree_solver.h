@@ -171,6 +171,22 @@ public:
   Index root() const override { return farthest_; }
   std::vector<Index> nearest_sources() const override { return nearest_source_; }
 
+  /*
+   * What is left out, or has not been looked for, is on branches on which paths meet at small angles: there the distance
+   * grows from a vertex of positive curvature on, or from a corner of a curve. So what is nearest is such a vertex, or
+   * known. Sources that are moved, and errors, have other distances.
+   */
+  double least_distance() const override
+  {
+    double result = tree_->least_distance();
+    if(number_of_moves_ > 0 || has_curves())
+      result -= 1.2e-4 * longest_edge(); // more than any move, and what the waves of lines are off
+    for(Index v = 0; v < distance_.size(); ++v)
+      if(surface_->faces->is_tip(v) && distance_[v] > 0.)
+        result = (std::min)(result, distance_[v]);
+    return has_corners() ? 0. : (std::max)(result, 0.) / (1. + maximum_relative_error_);
+  }
+
 private:
   static constexpr int most_moves = 2; // of a source: what one leaves doubtful, another one decides
 
@@ -329,6 +345,26 @@ private:
   };
 
   bool has_curves() const { return divided_ != nullptr && divided_->with_curves; }
+
+  double longest_edge() const
+  {
+    double result = 0.;
+    for(Index h = 0; h < mesh_.number_of_halfedges(); ++h)
+      result = (std::max)(result, surface_->faces->length(h));
+    return result;
+  }
+
+  // whether a branch starts at a source that is a curve, where that has an angle of less than pi on a side
+  bool has_corners() const
+  {
+    if(!has_curves())
+      return false;
+    const Geodesic_faces& faces = geodesics().faces();
+    for(Index v = 0; v < faces.number_of_vertices(); ++v)
+      if(geodesics().is_on_line(v) && geodesics().has_corner(v))
+        return true;
+    return false;
+  }
 
   // of the sources where they are
   void read_distances()

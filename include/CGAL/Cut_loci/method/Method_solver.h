@@ -41,6 +41,8 @@ public:
   virtual Index farthest() const = 0;
   virtual Index genus() const = 0;
   virtual Index number_of_border_loops() const = 0;
+  // no point that is nearer has several shortest paths, however weak the branch; 0 if that is not known
+  virtual double least_distance() const { return 0.; }
   // the number of the nearest source of each vertex; empty if there is one source
   virtual std::vector<Index> nearest_sources() const { return {}; }
 };
