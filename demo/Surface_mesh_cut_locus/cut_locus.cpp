@@ -93,7 +93,7 @@ bool run(const Options& options)
   std::optional<Cells> cells;
   const bool has_picture = std::any_of(options.outputs.begin(), options.outputs.end(), is_picture_name);
   if(!options.cells.empty() || (has_picture && cut_locus.number_of_sources() > 1))
-    progress.run("cells", [&]() { cells = make_cells(mesh, voronoi_diagram(*solver)); });
+    progress.run("cells", [&]() { cells = make_cells(mesh, voronoi_diagram(options, *solver)); });
   progress.run("write",
                [&]()
                {

@@ -99,9 +99,12 @@ Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solve
       .number_of_iterations(curve.iterations));
 }
 
-Cut_locus voronoi_diagram(const Cut_locus_solver& solver)
+Cut_locus voronoi_diagram(const Options& options, const Cut_locus_solver& solver)
 {
-  return solver.cut_locus(CGAL::parameters::voronoi(true));
+  const auto curve = curve_parameters(options);
+  const auto part = CGAL::parameters::voronoi(true);
+  return options.method == Method::LAPLACIAN ? solver.cut_locus(part.number_of_iterations(curve.iterations))
+                                             : solver.cut_locus(part.cut_locus_curve(curve.curve));
 }
 
 Curve curve_of(const Options& options)

@@ -23,8 +23,8 @@ Options fill_in_defaults(Options options, const Cut_locus_solver& solver);
 
 Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver);
 
-// That of several sources, through the faces.
-Cut_locus voronoi_diagram(const Cut_locus_solver& solver);
+// That of several sources, by the curve of all outputs.
+Cut_locus voronoi_diagram(const Options& options, const Cut_locus_solver& solver);
 
 // The curve that all outputs are about: that of the library for these options.
 CGAL::Cut_loci::Curve curve_of(const Options& options);
