@@ -675,6 +675,7 @@ private:
     if(method_ != Cut_loci::Method::LAPLACIAN)
     {
       component.exact_tree->set_maximum_relative_error(error);
+      component.exact_tree->set_curves(curves_);
       component.exact_tree->expect(thresholds_of(component, parameters::default_values()));
     }
     {

@@ -309,12 +309,13 @@ private:
     for(Tree_branches::Edge& b : result)
       b.edge = edges[b.edge];
     remove_spurs(
-      result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, root_, least.spur,
+      result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, least.spur,
       [this](Index e) { return height(e); },
       [&](const Tree_branches::Edge& b)
       {
-      return graph_->edges[b.edge].piece != null_index && curvature(b.edge) >= least.enclosed &&
-             is_wide(b.edge, least.narrow);
+      // in the middle of a curve that is nearly a circle, what it encloses is no corner
+      return options_.lines.empty() && graph_->edges[b.edge].piece != null_index &&
+             curvature(b.edge) >= least.enclosed && is_wide(b.edge, least.narrow);
       });
     return result;
   }

@@ -64,8 +64,18 @@ public:
     return std::unique_ptr<Exact_tree_method>(new Exact_tree_solver(mesh_, surface_));
   }
 
+  void set_curves(const std::vector<Indexed_curve>& curves) override
+  {
+    thresholds_ = surface_->thresholds;
+    if(!curves.empty())
+      static_cast<Branch_strength&>(thresholds_) =
+        Default_branch_strength(mesh_, connectivity_, *surface_->faces, surface_->extent, {},
+                                Curve_turns(mesh_, *surface_->faces, curves))
+          .strength;
+  }
+
   // for the cut locus of the surface that the polyhedron stands for
-  const Exact_tree_thresholds& default_thresholds() const override { return surface_->thresholds; }
+  const Exact_tree_thresholds& default_thresholds() const override { return thresholds_; }
 
   // What does not pass may be left out; `filter()` computes it if it is asked for.
   void expect(const Branch_strength& least) override { start_ = expected_ = least; }
@@ -633,7 +643,8 @@ private:
   };
 
   Exact_tree_solver(const Indexed_triangle_mesh& mesh, std::shared_ptr<const Surface> surface)
-    : mesh_(mesh), surface_(std::move(surface)), connectivity_(*surface_->connectivity), geodesics_(surface_->faces)
+    : mesh_(mesh), surface_(std::move(surface)), connectivity_(*surface_->connectivity), geodesics_(surface_->faces),
+      thresholds_(surface_->thresholds)
   {
   }
 
@@ -641,6 +652,7 @@ private:
   std::shared_ptr<const Surface> surface_;
   const Mesh_connectivity& connectivity_; // of that
   Exact_geodesic_propagation geodesics_;
+  Exact_tree_thresholds thresholds_;   // the default for the curves among the sources
   Branch_strength start_, expected_;   // of the first tree, and of those for which it is completed
   Branch_strength least_;              // of what the tree has
   double maximum_relative_error_ = 0.; // of the distances

@@ -73,6 +73,8 @@ class Exact_tree_method : public Method_solver
 public:
   // another one for the same mesh, which shares what depends on it alone, also in another thread
   virtual std::unique_ptr<Exact_tree_method> for_other_sources() const = 0;
+  // of the sources that follow; comes first, as the default depends on them
+  virtual void set_curves(const std::vector<Indexed_curve>& curves) = 0;
   // for the cut locus of the surface that the polyhedron stands for
   virtual const Exact_tree_thresholds& default_thresholds() const = 0;
   // What does not pass may be left out; `filter()` computes it if it is asked for.
