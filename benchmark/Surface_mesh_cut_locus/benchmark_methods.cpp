@@ -69,10 +69,8 @@ void run(const std::string& solver_name, const Solver& solver, Method method, co
 
   CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(mesh, params::geodesic_solver(solver).cut_locus_method(method));
   cut_loci.set_source(source);
-  const auto along_edges = cut_loci.cut_locus();
-  const auto through_faces = method == Method::DIRECTION
-                               ? cut_loci.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES))
-                               : cut_loci.cut_locus(params::number_of_iterations(4));
+  const auto along_edges = cut_loci.cut_locus(params::cut_locus_curve(Curve::MESH_EDGES));
+  const auto through_faces = cut_loci.cut_locus();
   double error_mean = 0., error_max = 0.;
   for(Vertex v : mesh.vertices())
     if(v != source)

@@ -116,7 +116,8 @@ int main(int argc, char** argv)
             {CGAL::Cut_loci::Filter_policy::PRUNING, CGAL::Cut_loci::Filter_policy::GROWING})
         {
           const Clock::time_point start = Clock::now();
-          const auto result = cut_loci.cut_locus(params::gradient_angle_threshold(angle).filter_policy(policy));
+          const auto result =
+            cut_loci.cut_locus(params::gradient_angle_threshold(angle).filter_policy(policy).number_of_iterations(0));
           thresholds.push_back(seconds_since(start));
           cycles = num_edges(result.graph()) + 1 - num_vertices(result.graph());
         }

@@ -69,9 +69,8 @@ Completeness check_completeness(const Options& options, const Input_mesh& input,
     set_source(options, input, *usual);
     width = usual->minimum_branch_width();
   }
-  const auto faces = CGAL::parameters::cut_locus_curve(Curve::THROUGH_FACES);
-  return {width, share_near(input.mesh, full->cut_locus(faces.minimum_branch_width(width)), cut_locus),
-          share_near(input.mesh, cut_locus, full->cut_locus(faces))};
+  return {width, share_near(input.mesh, full->cut_locus(CGAL::parameters::minimum_branch_width(width)), cut_locus),
+          share_near(input.mesh, cut_locus, full->cut_locus())};
 }
 
 // whether the result is right, as far as it is checked
@@ -91,11 +90,11 @@ bool run(const Options& options)
     return compute_each_source(options, input, *solver, progress);
   const std::vector<std::vector<Mesh::Edge_index>> source_curves = set_source(options, input, *solver);
   const Curve curve = curve_of(options);
-  const Cut_locus cut_locus = apply_thresholds(options, *solver, curve);
+  const Cut_locus cut_locus = apply_thresholds(options, *solver);
   std::optional<Cells> cells;
   const bool has_picture = std::any_of(options.outputs.begin(), options.outputs.end(), is_picture_name);
   if(!options.cells.empty() || (has_picture && cut_locus.number_of_sources() > 1))
-    progress.run("cells", [&]() { cells = make_cells(mesh, voronoi_diagram(*solver)); });
+    progress.run("cells", [&]() { cells = make_cells(mesh, voronoi_diagram(options, *solver)); });
   progress.run("write",
                [&]()
                {

@@ -121,6 +121,7 @@ Source_result describe(const Cut_locus& cut_locus, const Input_mesh& input, Json
   line["branchings"] = statistics.branchings;
   line["length"] = statistics.length;
   line["injectivity_radius"] = statistics.injectivity_radius;
+  line["injectivity_lower_bound"] = statistics.injectivity_lower_bound;
   line["polylines"] = to_json(CGAL::Cut_loci::extract_polylines(cut_locus));
   return {line, statistics.injectivity_radius, true};
 }
@@ -162,7 +163,7 @@ Source_result compute(const Named_source& named, const Source& source, const Run
   {
     solver.set_sources(std::array<Source, 1>{{source}},
                        CGAL::parameters::maximum_relative_error(options.maximum_relative_error.value_or(0.)));
-    return describe(apply_thresholds(options, solver, curve_of(options)), run.input, line);
+    return describe(apply_thresholds(options, solver), run.input, line);
   }
   catch(const std::bad_alloc&)
   {

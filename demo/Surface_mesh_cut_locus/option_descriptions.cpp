@@ -75,11 +75,9 @@ po::options_description sources()
       "the Voronoi diagram of several with the cut loci in its cells");
   add("source-point", texts("X,Y,Z"), "the point of the surface closest to x,y,z; repeatable, also with --source");
   add("sources", text("FILE"), "the vertices whose numbers are in this file");
-  add(
-    "source-edges", text("FILE"),
-    "curves along edges of the mesh: each line of the file has the numbers of the vertices along some edges, and all "
-    "edges that are connected are one source. The cut locus of these, and of the border, runs through the faces unless "
-    "there is a --curve edges");
+  add("source-edges", text("FILE"),
+      "curves along edges of the mesh: each line of the file has the numbers of the vertices along some edges, and all "
+      "edges that are connected are one source");
   add("source-border", po::bool_switch(),
       "each border loop: of a flat mesh, its medial axis. Points, curves and the border may be mixed");
   add("each-source", text("FILE"),
@@ -137,8 +135,10 @@ po::options_description shown()
     "do not explain; the width alone counts if one is given)");
   add("min-branch-gap", text("RAD"),
       "least angle, in radians, between these paths where they part, at most pi (default: 0)");
-  add("min-branch-edges", text("N"),
-      "branches of fewer edges are removed (default: 3 with the method laplacian, else 0)");
+  add(
+    "min-branch-edges", text("N"),
+    "branches of fewer edges of the curve, or with the method laplacian of the mesh, are removed (default: 3 with the "
+    "method laplacian, else 0)");
   add("min-branch-length", text("L"),
       "branches that are shorter are removed, in units of the diagonal of the bounding box (default: 0)");
   add("keep", text("all|voronoi|medial"),

@@ -191,6 +191,7 @@ void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Inp
   report["one_of_several"] = statistics.is_one_of_several;
   report["length"] = statistics.length;
   report["injectivity_radius"] = statistics.injectivity_radius;
+  report["injectivity_lower_bound"] = statistics.injectivity_lower_bound;
 
   if(check)
     add_check(report, *check);
@@ -223,6 +224,17 @@ std::string basis_of_radius(const Options& options, CGAL::Cut_loci::Curve curve)
   return text.str();
 }
 
+// what branches that are left out may make of it
+std::string whatever_the_thresholds(const CGAL::Cut_loci::Cut_locus_statistics& statistics)
+{
+  if(statistics.injectivity_lower_bound == 0. ||
+     statistics.injectivity_lower_bound > (1. - 1e-6) * statistics.injectivity_radius)
+    return {};
+  std::ostringstream text;
+  text << std::setprecision(3) << ", with all weak branches at least " << statistics.injectivity_lower_bound;
+  return text.str();
+}
+
 } // namespace
 
 std::string summary(const Options& options, CGAL::Cut_loci::Curve curve, const Mesh& mesh, const Cut_locus& cut_locus)
@@ -234,7 +246,7 @@ std::string summary(const Options& options, CGAL::Cut_loci::Curve curve, const M
   // It is off by a part of an edge, which more digits would hide. That of a lone vertex says nothing.
   if(statistics.edges > 0)
     text << ", injectivity radius " << std::setprecision(3) << statistics.injectivity_radius << " ("
-         << basis_of_radius(options, curve) << ")";
+         << basis_of_radius(options, curve) << ")" << whatever_the_thresholds(statistics);
   const std::string doubt = CGAL::Cut_loci::description(statistics.status);
   if(!doubt.empty())
     text << "\nnote: " << doubt;

@@ -14,7 +14,10 @@ using CGAL::Cut_loci::Method;
 
 namespace {
 
-constexpr std::size_t enough_smoothing = 4; // steps
+CGAL::Cut_loci::internal::Curve_parameters curve_parameters(const Options& options)
+{
+  return CGAL::Cut_loci::internal::curve_parameters(options.curve, options.smoothing);
+}
 
 // Gap or width replace the defaults of all three, the curvature its own.
 template <typename NamedParameters>
@@ -59,7 +62,7 @@ Options fill_in_defaults(Options options, const Cut_locus_solver& solver)
   {
     fill_in(options.angle, solver.gradient_angle_threshold());
     fill_in(options.grow, false);
-    fill_in(options.smoothing, curve_of(options) == Curve::THROUGH_FACES ? enough_smoothing : 0);
+    fill_in(options.smoothing, curve_parameters(options).iterations);
   }
   else if(options.minimum_branch_gap || options.minimum_branch_width)
   {
@@ -77,37 +80,34 @@ Options fill_in_defaults(Options options, const Cut_locus_solver& solver)
   return options;
 }
 
-Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver, Curve curve)
+Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver)
 {
   using CGAL::Cut_loci::Filter_policy;
-  const double least_length = options.minimum_branch_length.value_or(0.);
-  const auto part =
-    CGAL::parameters::voronoi(options.kept == Kept_part::VORONOI).medial(options.kept == Kept_part::MEDIAL);
-  if(has_curves(options) && curve == Curve::THROUGH_FACES && options.method != Method::LAPLACIAN)
-    return apply_exact_thresholds(options, solver, part);
+  const auto part = CGAL::parameters::voronoi(options.kept == Kept_part::VORONOI)
+                      .medial(options.kept == Kept_part::MEDIAL)
+                      .minimum_branch_length(options.minimum_branch_length.value_or(0.));
+  const auto curve = curve_parameters(options);
   if(options.method != Method::LAPLACIAN)
-    return apply_exact_thresholds(options, solver,
-                                  part.minimum_branch_edges(options.minimum_branch_edges.value_or(0))
-                                    .minimum_branch_length(least_length)
-                                    .cut_locus_curve(curve));
-  const std::size_t smoothing = curve == Curve::MESH_EDGES ? 0 : options.smoothing.value_or(enough_smoothing);
+    return apply_exact_thresholds(
+      options, solver,
+      part.minimum_branch_edges(options.minimum_branch_edges.value_or(0)).cut_locus_curve(curve.curve));
   return solver.cut_locus(
     part.gradient_angle_threshold(options.angle.value_or(solver.gradient_angle_threshold()))
       .laplacian_threshold(options.laplacian.value_or(-std::numeric_limits<double>::infinity()))
       .filter_policy(options.grow.value_or(false) ? Filter_policy::GROWING : Filter_policy::PRUNING)
       .minimum_branch_edges(options.minimum_branch_edges.value_or(solver.default_minimum_branch_edges()))
-      .minimum_branch_length(least_length)
-      .number_of_iterations(smoothing));
+      .number_of_iterations(curve.iterations));
 }
 
-Cut_locus voronoi_diagram(const Cut_locus_solver& solver)
+Cut_locus voronoi_diagram(const Options& options, const Cut_locus_solver& solver)
 {
-  return solver.cut_locus(CGAL::parameters::cut_locus_curve(Curve::THROUGH_FACES).voronoi(true));
+  const auto curve = curve_parameters(options);
+  const auto part = CGAL::parameters::voronoi(true);
+  return options.method == Method::LAPLACIAN ? solver.cut_locus(part.number_of_iterations(curve.iterations))
+                                             : solver.cut_locus(part.cut_locus_curve(curve.curve));
 }
 
 Curve curve_of(const Options& options)
 {
-  const bool is_of_edges =
-    !options.edges.empty() || !options.uv.empty() || (options.smoothing && *options.smoothing == 0);
-  return options.curve.value_or(is_of_edges ? Curve::MESH_EDGES : Curve::THROUGH_FACES);
+  return curve_parameters(options).curve;
 }

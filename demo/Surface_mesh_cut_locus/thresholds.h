@@ -21,12 +21,12 @@ Mesh::Vertex_index find_vertex(std::size_t number, const Input_mesh& input, cons
 // The options with the defaults of the library for the source of `solver`. What they are is not passed to it.
 Options fill_in_defaults(Options options, const Cut_locus_solver& solver);
 
-Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver, CGAL::Cut_loci::Curve curve);
+Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver);
 
-// That of several sources, through the faces.
-Cut_locus voronoi_diagram(const Cut_locus_solver& solver);
+// That of several sources, by the curve of all outputs.
+Cut_locus voronoi_diagram(const Options& options, const Cut_locus_solver& solver);
 
-// The curve that all outputs are about: through the faces, unless edges of the mesh are asked for, or needed for seams.
+// The curve that all outputs are about: that of the library for these options.
 CGAL::Cut_loci::Curve curve_of(const Options& options);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_THRESHOLDS_H

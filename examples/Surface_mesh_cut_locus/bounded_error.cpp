@@ -35,7 +35,6 @@ int main(int argc, char* argv[])
     CGAL::Subdivision_method_3::Loop_subdivision(mesh, params::number_of_iterations(3));
 
   CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh);
-  const auto through_faces = params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES);
   CGAL::Real_timer timer;
   for(Mesh::size_type i = 0; i < 4; ++i)
   {
@@ -44,7 +43,7 @@ int main(int argc, char* argv[])
     timer.reset();
     timer.start();
     solver.set_source(source, params::maximum_relative_error(error));
-    const auto cut_locus = solver.cut_locus(through_faces);
+    const auto cut_locus = solver.cut_locus();
     timer.stop();
     std::cout << "an error of " << error << " at most: " << num_edges(cut_locus.graph())
               << " segments, the farthest vertex at " << cut_locus.distance(cut_locus.farthest_vertex()) << ", "

@@ -39,7 +39,9 @@ int main(int argc, char* argv[])
     std::cerr << "Cannot read " << filename << std::endl;
     return EXIT_FAILURE;
   }
-  const auto cut_locus = CGAL::compute_cut_locus(mesh, *mesh.vertices().begin());
+  // seams are edges of the mesh: the default curve runs through the faces
+  const auto cut_locus = CGAL::compute_cut_locus(mesh, *mesh.vertices().begin(),
+                                                 CGAL::parameters::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
 
   Mesh disk;
   const auto origin = disk.add_property_map<Mesh::Vertex_index, Mesh::Vertex_index>("v:origin").first;

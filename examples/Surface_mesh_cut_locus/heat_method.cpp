@@ -40,7 +40,8 @@ int main(int argc, char* argv[])
     solver.set_source(Mesh::Vertex_index(i));
     for(const Mesh::Edge_index e : mesh.edges())
       is_cut[e] = false;
-    solver.cut_locus(CGAL::parameters::edge_is_constrained_map(is_cut));
+    solver.cut_locus(
+      CGAL::parameters::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES).edge_is_constrained_map(is_cut));
     std::cout << "source " << i << ": "
               << std::count_if(mesh.edges_begin(), mesh.edges_end(), [&](Mesh::Edge_index e) { return is_cut[e]; })
               << " edges to cut\n";

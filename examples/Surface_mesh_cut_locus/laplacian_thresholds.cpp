@@ -49,6 +49,6 @@ int main(int argc, char* argv[])
   describe("as far from the farthest vertex as it is strong",
            solver.cut_locus(params::filter_policy(CGAL::Cut_loci::Filter_policy::GROWING)));
   describe("branches of ten edges and more", solver.cut_locus(params::minimum_branch_edges(10)));
-  describe("smoothed: through the faces", solver.cut_locus(params::number_of_iterations(4)));
+  describe("edges of the mesh", solver.cut_locus(params::number_of_iterations(0)));
   return EXIT_SUCCESS;
 }

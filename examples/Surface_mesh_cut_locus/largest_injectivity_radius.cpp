@@ -48,8 +48,7 @@ try
   const auto keep_radius = [&](const Cut_locus& cut_locus)
   { radius.push_back(CGAL::Cut_loci::injectivity_radius(cut_locus).distance); };
   CGAL::compute_cut_loci(mesh, sources, boost::make_function_output_iterator(keep_radius),
-                         CGAL::parameters::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)
-                           .concurrency_tag(CGAL::Parallel_if_available_tag()));
+                         CGAL::parameters::concurrency_tag(CGAL::Parallel_if_available_tag()));
 
   const auto best = std::max_element(radius.begin(), radius.end());
   std::cout << "Of " << sources.size() << " vertices, " << sources[static_cast<std::size_t>(best - radius.begin())]

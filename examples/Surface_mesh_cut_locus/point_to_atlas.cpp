@@ -94,8 +94,7 @@ int main(int argc, char* argv[])
     const Kernel::Point_3 query =
       argc > 1 ? Kernel::Point_3(std::stod(argv[2]), std::stod(argv[3]), std::stod(argv[4])) : Kernel::Point_3(0, 0, 1);
     const auto source = PMP::locate(query, mesh); // a face and barycentric coordinates
-    const auto cut_locus = CGAL::compute_cut_locus(
-      mesh, source, CGAL::parameters::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES).visitor(Progress()));
+    const auto cut_locus = CGAL::compute_cut_locus(mesh, source, CGAL::parameters::visitor(Progress()));
     CGAL::cut_along_curve(mesh, cut_locus, disk);
   }
   catch(const std::invalid_argument& error) // Cut_loci::Invalid_input is one: it names the cause and the element

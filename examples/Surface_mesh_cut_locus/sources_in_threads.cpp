@@ -49,8 +49,7 @@ int main(int argc, char* argv[])
       for(std::size_t k = i * step; k < vertices.size(); k += number * step)
       {
         solver.set_source(vertices[k]);
-        const auto cut_locus =
-          solver.cut_locus(CGAL::parameters::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+        const auto cut_locus = solver.cut_locus();
         radius[k] = CGAL::Cut_loci::injectivity_radius(cut_locus).distance;
       }
     });

@@ -30,9 +30,7 @@ int main(int argc, char* argv[])
     std::cerr << "Cannot read " << filename << std::endl;
     return EXIT_FAILURE;
   }
-  const auto cut_locus = CGAL::compute_cut_locus(mesh, *mesh.vertices().begin(),
-                                                 CGAL::parameters::cut_locus_method(CGAL::Cut_loci::Method::DIRECTION)
-                                                   .cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+  const auto cut_locus = CGAL::compute_cut_locus(mesh, *mesh.vertices().begin());
 
   Mesh refined;
   const auto is_seam = refined.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;

@@ -70,7 +70,6 @@ struct Cut_locus_edge
   /// diagram of several sources, and are the same within the cell of one
   std::array<std::size_t, 2> sources = {{0, 0}};
   bool is_on_border = false; ///< whether it follows the border of the mesh
-  std::size_t origin = 0;    ///< the edge it replaces, or is, in the graph of mesh edges of the same thresholds
 };
 
 namespace internal {
@@ -85,6 +84,7 @@ struct Source_result
   Index genus = 0;
   Index number_of_border_loops = 0;
   Index number_of_curves = 0; // the last of the sources
+  double least_distance = 0.; // no nearer point has several shortest paths
 };
 
 } // namespace internal
@@ -193,6 +193,10 @@ public:
   /// beside them instead: shortest paths through these cross the curve, and what is behind them is reached by a detour.
   /// It is 0 for a curve through the faces, and with `Cut_loci::Method::LAPLACIAN`, which does not know them
   std::size_t number_of_narrow_corridors() const { return number_of_narrow_corridors_; }
+
+  /// the distance within which no point has several shortest paths, whatever the thresholds; see
+  /// `Cut_loci::Injectivity_radius::lower_bound`
+  double least_distance() const { return result_->least_distance; }
 
   /// whether other curves are as right: several shortest paths of the same length, up to rounding, lead to a vertex at
   /// which they bend, so that all points of a region behind it have several shortest paths. That takes a symmetric surface

@@ -300,8 +300,7 @@ public:
    * result is that to the nearest source.
    *
    * In a curve of mesh edges, each source has its disk if there is a face for each of them at which it lies. If not, such
-   * a curve is refused, and one through the faces has to be asked for; the edges that `edge_is_constrained_map` is given
-   * separate what they can. A source at a vertex all of whose faces are at other sources too may lie on the curve.
+   * a curve is refused. A source at a vertex all of whose faces are at other sources too may lie on the curve.
    *
    * A set of one source is treated as by `set_source()`.
    *
@@ -312,9 +311,7 @@ public:
    *
    * Curves along edges of the mesh, and the border, may be sources, too. They are numbered behind the points. The surface
    * without the sources shrinks to the cut locus: its parts are disks around points and open curves, and rings around
-   * loops. The cut locus runs through the faces then, unless `cut_locus_curve` asks for edges of the mesh. Without that, and
-   * unless the method is `Cut_loci::Method::LAPLACIAN`, parameters of `cut_locus()` that are about edges of the mesh are
-   * refused.
+   * loops.
    *
    * Edges of the mesh stay off the curves. Where all ways lead along them, as between two curves that are one face or one edge
    * of the border apart, `cut_locus()` throws. `Cut_loci::Method::LAPLACIAN`, which starts with edges of the mesh, throws
@@ -438,31 +435,35 @@ public:
    *     \cgalParamExtra{for `Cut_loci::Method::LAPLACIAN` only}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{minimum_branch_edges}
-   *     \cgalParamDescription{branches of fewer edges of the mesh are removed; where branches meet, the longest
-   *                           continues, and at the root and on cycles all of them end}
+   *     \cgalParamDescription{branches of fewer edges of the graph are removed: edges of the mesh, or segments through
+   *                           its faces. Where branches meet, the longest continues, and at the root and on cycles all
+   *                           of them end}
    *     \cgalParamType{`std::size_t`}
    *     \cgalParamDefault{with `Cut_loci::Method::LAPLACIAN` 3, as in the paper; with the
    *                       others, which judge branches as a whole, 0}
+   *     \cgalParamExtra{With `Cut_loci::Method::LAPLACIAN` they are edges of the mesh, also if the curve moves into the
+   *                     faces then. With the others, of sources that are curves, for
+   *                     `Cut_loci::Curve::MESH_EDGES` only.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{minimum_branch_length}
    *     \cgalParamDescription{branches that are shorter are removed; in units of the diagonal of the bounding box of
    *                           the source's component}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{0}
-   *     \cgalParamExtra{The length is that of the curve of mesh edges, also for a curve through the faces.}
+   *     \cgalParamExtra{as of `minimum_branch_edges`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{cut_locus_curve}
    *     \cgalParamDescription{whether the result is made of edges of the mesh or of segments through its faces}
    *     \cgalParamType{`Cut_loci::Curve`}
-   *     \cgalParamDefault{`Cut_loci::Curve::MESH_EDGES`, unless there is a `number_of_iterations` above 0;
-   *                       `Cut_loci::Curve::THROUGH_FACES` with `Cut_loci::Method::POLYHEDRAL`, and if there are sources
-   *                       that are curves and no `number_of_iterations`}
+   *     \cgalParamDefault{`Cut_loci::Curve::THROUGH_FACES`, unless `number_of_iterations` is 0}
+   *     \cgalParamExtra{All of the result is about this curve; the other one is not computed. What needs edges of the mesh,
+   *                     such as `cut_along_cut_locus()`, refuses a curve through the faces.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{number_of_iterations}
    *     \cgalParamDescription{the number of steps that move the curves from the edges of the mesh onto the cut locus,
    *                           through the faces}
    *     \cgalParamType{`unsigned int`}
-   *     \cgalParamDefault{0, or 4 if `cut_locus_curve` is `Cut_loci::Curve::THROUGH_FACES`}
+   *     \cgalParamDefault{4, or 0 if `cut_locus_curve` is `Cut_loci::Curve::MESH_EDGES`}
    *     \cgalParamExtra{for `Cut_loci::Method::LAPLACIAN` only: the others find the curve through the faces at once. Each
    *                     step leaves half of the way that the one before has left; 4 are enough.}
    *   \cgalParamNEnd
@@ -486,8 +487,7 @@ public:
    *                           others are left as they are}
    *     \cgalParamType{a class model of `WritablePropertyMap` with
    *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
-   *     \cgalParamExtra{These are the edges of the curve of mesh edges, also if a curve through the faces is
-   *                     returned.}
+   *     \cgalParamExtra{for `Cut_loci::Curve::MESH_EDGES` only, which has to be passed}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
@@ -504,28 +504,30 @@ public:
       throw Cut_loci::Invalid_input(Cut_loci::Cause::NO_SOURCE,
                                     "there is no source: set_source() comes before cut_locus()");
     refuse_parameters_of_other_methods(method_, np);
-    if(!curves_.empty() && method_ != Cut_loci::Method::LAPLACIAN)
-      refuse_mesh_edges(np);
+    const Curve_parameters curve = read_curve(np);
+    refuse_map_of_other_curve(np, curve.curve);
 
-    const Curve_parameters curve = read_curve(np, method_, !curves_.empty());
     std::unique_lock<std::mutex> lock(component_->in_use); // what has been measured once is kept
     const Stage_scope scope(visitor_, Cut_loci::Stage::FILTER);
     report(*component_, Cut_loci::Stage::FILTER); // what has been left out may be computed
-    Cut_loci::Indexed_cut_locus found, mesh_edges;
+    Cut_loci::Indexed_cut_locus found;
     if(method_ == Cut_loci::Method::LAPLACIAN)
     {
       Cut_loci::Smoothing_parameters smoothing;
       smoothing.number_of_iterations = static_cast<Index>(curve.iterations);
       found = component_->laplacian->filter(
         read_branch_thresholds(np, source_angle_threshold_, default_minimum_branch_edges(), component_->diagonal),
-        smoothing, read_kept_parts(np), mesh_edges);
+        smoothing, read_kept_parts(np));
     }
     else
     {
-      found = component_->exact_tree->filter(thresholds_of(*component_, np), curve.curve, mesh_edges);
+      const Exact_tree_thresholds thresholds = thresholds_of(*component_, np);
+      if(!curves_.empty())
+        refuse_short_branches(thresholds, curve.curve);
+      found = component_->exact_tree->filter(thresholds, curve.curve);
     }
     lock.unlock();
-    mark_edges(mesh_edges, parameters::get_parameter(np, internal_np::edge_is_constrained));
+    mark_edges(found, parameters::get_parameter(np, internal_np::edge_is_constrained));
     return Builder(tm_, vpm_, read_, *component_)(found, points_of_sources(), source_result_);
   }
 
@@ -673,6 +675,7 @@ private:
     if(method_ != Cut_loci::Method::LAPLACIAN)
     {
       component.exact_tree->set_maximum_relative_error(error);
+      component.exact_tree->set_curves(curves_);
       component.exact_tree->expect(thresholds_of(component, parameters::default_values()));
     }
     {
@@ -724,6 +727,7 @@ private:
     result->genus = solver.genus();
     result->number_of_border_loops = solver.number_of_border_loops();
     result->number_of_curves = static_cast<Index>(curves_.size());
+    result->least_distance = read_->unit * solver.least_distance();
     const std::size_t n = read_->vertices.size();
     result->distance = component.in_whole(solver.distance(), n, (std::numeric_limits<double>::infinity)());
     result->nearest_source = component.in_whole(solver.nearest_sources(), n, Cut_loci::null_index);

@@ -39,7 +39,7 @@ namespace CGAL {
  * @tparam OutputMesh a model of `MutableFaceGraph`
  *
  * @param tm the triangle mesh of which the cut locus was computed
- * @param cut_locus a cut locus of edges of the mesh, as `Surface_mesh_cut_locus` returns it by default
+ * @param cut_locus a cut locus of edges of the mesh, as with `Cut_loci::Curve::MESH_EDGES`
  * @param output the mesh to which the disk is added; it should be empty
  * @param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
@@ -133,7 +133,7 @@ void cut_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh, P
  *         as key type and `bool` as value type
  *
  * @param tm the triangle mesh of which the cut locus was computed
- * @param cut_locus a cut locus of edges of the mesh
+ * @param cut_locus a cut locus of edges of the mesh, as with `Cut_loci::Curve::MESH_EDGES`
  * @param seam_edges is set to `true` for the seams, and to `false` for all other edges
  * @param seam_vertices is set to `true` for the ends of seams, and to `false` for all other vertices
  *

@@ -142,8 +142,18 @@ class Result:
 
     @property
     def injectivity_radius(self) -> float:
-        """The smallest distance on the cut locus: within it, shortest paths are unique."""
+        """The smallest distance on the cut locus, of the branches that are shown."""
         return self._nearest[0]
+
+    @property
+    def injectivity_lower_bound(self) -> float:
+        """Within this distance shortest paths are unique, whatever the thresholds: weak branches begin no nearer.
+
+        On a mesh of a smooth surface it is mostly the distance of the nearest vertex of positive curvature, at which the
+        polyhedron has a branch. It is 0 beside a curve with corners, and with the method "laplacian", which does not
+        know it.
+        """
+        return self._nearest[2]
 
     @property
     def injectivity_point(self) -> Floats:
@@ -209,7 +219,7 @@ class Result:
         return disk_of(self._core, parameterization)
 
     @cached_property
-    def _nearest(self) -> Tuple[float, Floats]:
+    def _nearest(self) -> Tuple[float, Floats, float]:
         return self._core.nearest()
 
 
@@ -279,8 +289,7 @@ class CutLocus:
         source_curves : sequence of (k,) or (k, 2) whole numbers, optional
             Curves along edges of the mesh, which are sources too, numbered behind the points: of each one the vertices
             along it, or the pairs of vertices that its edges join. Each is connected, and no two have a vertex in
-            common. The cut locus runs through the faces then, unless `curve` asks for edges of the mesh. The method
-            "laplacian" starts with such edges, and needs a vertex between sources.
+            common. The method "laplacian" starts with edges of the mesh, and needs a vertex between sources.
         source_border : bool
             Whether each border loop is a source, behind all others: of a flat region, that gives its medial axis.
         distances : (n,) real numbers, optional
@@ -314,8 +323,7 @@ class CutLocus:
         Parameters
         ----------
         curve : str, optional
-            "edges": the result is made of edges of the mesh (default); or "faces": of segments through its faces
-            (default of the method "polyhedral", and what there is for sources that are curves).
+            "faces": the result is made of segments through the faces of the mesh (default); or "edges": of its edges.
         minimum_branch_width : float, optional
             The least separation of the two shortest paths that a branch reaches, in diagonals of the bounding box of
             the source's component; not for "laplacian". Default: see the property of this name.
@@ -332,11 +340,12 @@ class CutLocus:
         filter_policy : str, optional
             "prune" weak branches from their tips (default), or "grow" the tree from its root; for "laplacian".
         minimum_branch_edges : int, optional
-            Branches of fewer edges of the mesh are removed. Default: 3 with "laplacian", else 0.
+            Branches of fewer edges are removed: of `curve`, or with "laplacian" of the mesh. Of sources that are curves
+            for the curve "edges" or "laplacian" only. Default: 3 with "laplacian", else 0.
         minimum_branch_length : float, optional
-            Shorter branches are removed, in diagonals of the bounding box. Default: 0.
+            Shorter branches are removed, in diagonals of the bounding box; as `minimum_branch_edges`. Default: 0.
         number_of_iterations : int, optional
-            Of the smoothing that makes the curve through the faces, for "laplacian": 4 by default.
+            Of the smoothing that makes the curve through the faces, for "laplacian": 4 by default. 0 leaves edges.
         voronoi : bool, optional
             Keep the edges between two sources alone.
         medial : bool, optional

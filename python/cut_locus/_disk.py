@@ -44,8 +44,8 @@ def cut_open(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *,
              parameterization: Optional[str] = "arap", **parameters: Any) -> Disk:
     """Cuts a surface open along the cut locus of a point, to a disk, and flattens it.
 
-    The disk has the component of the source alone. By default seams are edges of the mesh; with ``curve="faces"`` they
-    are straight, and the faces that they run through are split.
+    The disk has the component of the source alone. By default it asks for the curve of edges of the mesh, so that faces
+    stay whole; with ``curve="faces"`` seams are straight, and the faces that they run through are split.
 
     Parameters
     ----------
@@ -70,6 +70,8 @@ def cut_open(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *,
     from ._cut_locus import compute
 
     _check(parameterization)  # before what takes long
+    if not parameters.get("number_of_iterations"):  # which is a way to ask for the other curve
+        parameters.setdefault("curve", "edges")
     return compute(vertices, faces, source, **parameters).cut_open(parameterization=parameterization)
 
 

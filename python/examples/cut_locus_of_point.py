@@ -29,7 +29,7 @@ print(f"{mesh.name}: {len(V)} vertices, {len(F)} faces")
 # %% One call computes the cut locus: here straight through the faces, of the vertex that is farthest to the front.
 view = np.array([0.3, -0.6, 0.75])
 source = int((V @ view).argmax())
-result = cut_locus.compute(V, F, source, curve="faces")
+result = cut_locus.compute(V, F, source)
 print(result)
 print(f"genus {result.genus}: {result.cycles} cycles; within {result.injectivity_radius:.3f} of the source, "
       "shortest paths are unique")

@@ -199,7 +199,7 @@ void bind_result(py::module_& m)
     const auto nearest = loci::injectivity_radius(r.cut_locus);
     std::vector<double> point;
     append_point(point, nearest.point);
-    return py::make_tuple(nearest.distance, to_array(std::move(point)));
+    return py::make_tuple(nearest.distance, to_array(std::move(point)), nearest.lower_bound);
     })
     .def_property_readonly("status", [](const Result& r) { return status_name(r.statistics.status); })
     .def_property_readonly("components", [](const Result& r) { return r.statistics.components; })

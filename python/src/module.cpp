@@ -72,8 +72,7 @@ struct Computation
   }
   // for another thread: see the copy constructor of the solver
   explicit Computation(const Computation& other, const Solver& of_other)
-    : mesh(other.mesh), progress(other.progress), is_copy(true), has_curves(false),
-      solver(std::make_unique<Solver>(of_other))
+    : mesh(other.mesh), progress(other.progress), is_copy(true), solver(std::make_unique<Solver>(of_other))
   {
   }
 
@@ -89,7 +88,6 @@ struct Computation
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<Progress> progress;
   bool is_copy = false;
-  bool has_curves = false; // among its sources
   std::unique_ptr<Solver> solver;
   Exclusive exclusive;
 };
@@ -106,6 +104,7 @@ std::string in_python(std::string message)
     {"cut_locus_method(Cut_loci::Method::LAPLACIAN)", "method=\"laplacian\""},
     {"cut_locus_method(Cut_loci::Method::DIRECTION)", "method=\"direction\""},
     {"cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)", "curve=\"faces\""},
+    {"cut_locus_curve(Cut_loci::Curve::MESH_EDGES)", "curve=\"edges\""},
     {"Cut_loci::Method::LAPLACIAN", "\"laplacian\""},
     {"Cut_loci::Method::DIRECTION", "\"direction\""},
     {"Cut_loci::Method::POLYHEDRAL", "\"polyhedral\""},
@@ -255,7 +254,6 @@ PYBIND11_MODULE(_core, m)
         set_sources(*c.solver, sources, parameters);
       else
         set_source(*c.solver, sources.front(), parameters);
-      c.has_curves = parameters.has_curves();
     });
       },
       "sources"_a, "is_set"_a, "curves"_a, "border"_a, "snapping_tolerance"_a, "maximum_relative_error"_a,
@@ -282,7 +280,7 @@ PYBIND11_MODULE(_core, m)
                                    voronoi,
                                    medial};
     std::unique_ptr<Result> result;
-    c.run([&] { result = std::make_unique<Result>(c.mesh, compute_cut_locus(*c.solver, thresholds, c.has_curves)); });
+    c.run([&] { result = std::make_unique<Result>(c.mesh, compute_cut_locus(*c.solver, thresholds)); });
     return result;
       },
       py::kw_only(), "minimum_branch_width"_a, "minimum_branch_gap"_a, "minimum_branch_curvature"_a,

@@ -8,7 +8,9 @@
 
 #include <CGAL/Graph_geodesic_solver.h>
 
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <variant>
 
@@ -100,35 +102,27 @@ Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t, const Named
   return with_curvature(given);
 }
 
-// Sources that are curves have no curve of mesh edges: its parameters are passed on, to be refused, if they are given.
-Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t, bool has_curves)
+Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t, Curve curve)
 {
-  const Curve curve =
-    t.curve.value_or(solver.method() == Method::POLYHEDRAL || has_curves ? Curve::THROUGH_FACES : Curve::MESH_EDGES);
-  const auto given = np::cut_locus_curve(curve).voronoi(t.voronoi.value_or(false)).medial(t.medial.value_or(false));
-  if(has_curves && !t.minimum_branch_edges && !t.minimum_branch_length)
-    return exact_cut_locus(solver, t, given);
   return exact_cut_locus(solver, t,
-                         given.minimum_branch_edges(t.minimum_branch_edges.value_or(0))
+                         np::cut_locus_curve(curve)
+                           .voronoi(t.voronoi.value_or(false))
+                           .medial(t.medial.value_or(false))
+                           .minimum_branch_edges(t.minimum_branch_edges.value_or(0))
                            .minimum_branch_length(t.minimum_branch_length.value_or(0.)));
 }
 
-Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& t, bool has_curves)
+Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& t, std::size_t iterations)
 {
-  const auto given =
+  return solver.cut_locus(
     np::gradient_angle_threshold(t.gradient_angle_threshold.value_or(solver.gradient_angle_threshold()))
       .laplacian_threshold(t.laplacian_threshold.value_or(-std::numeric_limits<double>::infinity()))
       .filter_policy(t.filter_policy.value_or(Filter_policy::PRUNING))
       .minimum_branch_edges(t.minimum_branch_edges.value_or(static_cast<long>(Solver::default_minimum_branch_edges())))
       .minimum_branch_length(t.minimum_branch_length.value_or(0.))
       .voronoi(t.voronoi.value_or(false))
-      .medial(t.medial.value_or(false));
-  const Curve curve = t.curve.value_or(has_curves ? Curve::THROUGH_FACES : Curve::MESH_EDGES);
-  if(t.curve && t.number_of_iterations)
-    return solver.cut_locus(given.number_of_iterations(*t.number_of_iterations).cut_locus_curve(curve));
-  if(t.number_of_iterations)
-    return solver.cut_locus(given.number_of_iterations(*t.number_of_iterations));
-  return solver.cut_locus(given.cut_locus_curve(curve));
+      .medial(t.medial.value_or(false))
+      .number_of_iterations(iterations));
 }
 
 } // namespace
@@ -178,9 +172,14 @@ void set_sources(Solver& solver, const std::vector<Source>& sources, const Sourc
     solver.set_sources(sources, given.maximum_relative_error(parameters.maximum_relative_error));
 }
 
-Cut_locus compute_cut_locus(const Solver& solver, const Thresholds& thresholds, bool has_curves)
+Cut_locus compute_cut_locus(const Solver& solver, const Thresholds& thresholds)
 {
+  namespace library = CGAL::Cut_loci::internal;
   refuse_thresholds_of_other_methods(solver.method(), thresholds);
-  return solver.method() == Method::LAPLACIAN ? laplacian_cut_locus(solver, thresholds, has_curves)
-                                              : exact_cut_locus(solver, thresholds, has_curves);
+  std::optional<std::size_t> steps;
+  if(thresholds.number_of_iterations)
+    steps = library::to_count(*thresholds.number_of_iterations, "number_of_iterations");
+  const library::Curve_parameters curve = library::curve_parameters(thresholds.curve, steps);
+  return solver.method() == Method::LAPLACIAN ? laplacian_cut_locus(solver, thresholds, curve.iterations)
+                                              : exact_cut_locus(solver, thresholds, curve.curve);
 }

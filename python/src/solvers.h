@@ -53,8 +53,7 @@ struct Source_parameters
 void set_source(Solver& solver, const Source& source, const Source_parameters& parameters);
 void set_sources(Solver& solver, const std::vector<Source>& sources, const Source_parameters& parameters);
 
-// `has_curves` tells whether there are curves among the sources.
-Cut_locus compute_cut_locus(const Solver& solver, const Thresholds& thresholds, bool has_curves);
+Cut_locus compute_cut_locus(const Solver& solver, const Thresholds& thresholds);
 
 // Those that take distances from CGAL are compiled on their own: they take long.
 using Laplacian_operator = CGAL::Cut_loci::Laplacian_operator;

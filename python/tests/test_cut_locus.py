@@ -54,7 +54,7 @@ def test_arrays(bumpy, curve):
     assert (degree == 1).sum() == result.leaves and (degree > 2).sum() == result.branchings
     assert m - n + result.components == result.cycles == 0
     assert meshes.length_of(result.points, result.edges).sum() == pytest.approx(result.length)
-    assert 0. < result.injectivity_radius <= result.distance.min()
+    assert 0. < result.injectivity_lower_bound <= result.injectivity_radius <= result.distance.min()
     assert result.vertex_distance.argmax() == result.farthest_vertex
     assert result.distance[result.farthest_node] == result.distance.max()
     assert np.all(result.width > 0.) and np.all(result.strength > 0.)
@@ -106,7 +106,7 @@ def test_input_is_copied(bumpy, reference):
 
 def test_result_outlives_all(bumpy):
     points, faces = (a.copy() for a in bumpy)
-    result = cut_locus.compute(points, faces, 0, minimum_branch_width=0.05)
+    result = cut_locus.compute(points, faces, 0, curve="edges", minimum_branch_width=0.05)
     edges = result.edges
     expected = edges.copy()
     disk = result.cut_open()
@@ -187,6 +187,20 @@ def test_parameters_of_laplacian(bumpy):
     smooth = computation.cut_locus(gradient_angle_threshold=default / 4., number_of_iterations=2)
     assert (smooth.mesh_vertices < 0).any()
     assert computation.cut_locus(minimum_branch_length=10.).length == 0.
+    assert smooth.injectivity_lower_bound == 0. < smooth.injectivity_radius
+
+
+@pytest.mark.parametrize("method", ["direction", "polyhedral", "laplacian"])
+@pytest.mark.parametrize("source", [3, [3, 50, 90]])
+def test_the_curve_runs_through_the_faces_unless_edges_are_asked_for(method, source):
+    computation = cut_locus.CutLocus(*meshes.torus(16, 8), method=method)
+    computation.set_source(source)
+    assert (computation.cut_locus().mesh_vertices < 0).any()
+    assert np.array_equal(computation.cut_locus().points, computation.cut_locus(curve="faces").points)
+    assert (computation.cut_locus(curve="edges").mesh_vertices >= 0).all()
+    if method == "laplacian":
+        assert (computation.cut_locus(number_of_iterations=0).mesh_vertices >= 0).all()
+        assert (computation.cut_locus(number_of_iterations=2).mesh_vertices < 0).any()
 
 
 def test_components_and_isolated_vertices():

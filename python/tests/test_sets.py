@@ -294,7 +294,7 @@ def test_flat_torus_of_a_hexagonal_lattice():
 
 def test_surfaces_of_lengths_are_cut_open_but_not_flattened():
     points, faces = meshes.torus(12, 8)
-    result = cut_locus.compute(points, faces, 0, edge_lengths=lengths_in_space(points, faces))
+    result = cut_locus.compute(points, faces, 0, curve="edges", edge_lengths=lengths_in_space(points, faces))
     assert len(result.cut_open(parameterization=None).faces) == len(faces)
     with pytest.raises(cut_locus.InvalidInput, match="flattened by their points"):
         result.cut_open()

@@ -10,6 +10,7 @@
 #include "topology_checker.h"
 
 #include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/named_parameters.h>
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -20,6 +21,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -147,12 +149,18 @@ private:
   }
 };
 
-// The cut edges of a result of the library, by the positions of the vertices in the arrays.
+// What tests of edges of the mesh ask for.
+inline const auto mesh_edges = CGAL::parameters::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES);
+
+// The cut edges of a result of the library, by the positions of the vertices in the arrays. Throws if it has others.
 template <typename Built, typename Result>
 topology_checker::Cut cut_of(const Built& built, const Result& result)
 {
   topology_checker::Cut cut;
   const auto& graph = result.graph();
+  for(const auto v : CGAL::make_range(vertices(graph)))
+    if(graph[v].mesh_vertex == Built::Traits::null_vertex())
+      throw std::logic_error("the curve runs through faces, and the test is one of edges of the mesh");
   cut.root = built.index(graph[result.root()].mesh_vertex);
   for(const auto e : CGAL::make_range(edges(graph)))
     cut.edges.insert(topology_checker::make_edge(built.index(graph[source(e, graph)].mesh_vertex),

@@ -77,7 +77,7 @@ public:
           {
             const auto np =
               params::minimum_branch_width(width).minimum_branch_edges(edges).minimum_branch_length(length);
-            const Result result = solver.cut_locus(np);
+            const Result result = solver.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
             expect_valid(built, result, place, Method::DIRECTION,
                          "width " + std::to_string(width) + ", " + std::to_string(edges) + " edges, length " +
                            std::to_string(length));
@@ -93,13 +93,14 @@ public:
     {
       for(double angle : {0., 0.05, 0.2, 0.5, 1., 2., 3., pi})
         for(std::size_t edges : {0, 3, 10})
-          expect_valid(
-            built,
-            solver.cut_locus(params::gradient_angle_threshold(angle).filter_policy(policy).minimum_branch_edges(edges)),
-            place, Method::LAPLACIAN, "angle " + std::to_string(angle) + ", " + std::to_string(edges) + " edges");
+          expect_valid(built,
+                       solver.cut_locus(
+                         mesh_edges.gradient_angle_threshold(angle).filter_policy(policy).minimum_branch_edges(edges)),
+                       place, Method::LAPLACIAN,
+                       "angle " + std::to_string(angle) + ", " + std::to_string(edges) + " edges");
       for(double laplacian : {-1e9, -0.1, 0., 0.1, 0.5, 2., 1e9})
         expect_valid(built,
-                     solver.cut_locus(params::laplacian_threshold(laplacian)
+                     solver.cut_locus(mesh_edges.laplacian_threshold(laplacian)
                                         .gradient_angle_threshold(0.)
                                         .filter_policy(policy)
                                         .minimum_branch_length(0.05)),
@@ -153,14 +154,13 @@ TYPED_TEST(Cut_locus_test, keeps_the_root_alone_or_the_homology_where_the_thresh
   {
     const auto cut_locus = CGAL::compute_cut_locus(
       sphere.mesh, sphere.vertices[3],
-      CGAL::parameters::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(pi).filter_policy(policy));
+      mesh_edges.cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(pi).filter_policy(policy));
     EXPECT_EQ(num_vertices(cut_locus.graph()), 1u);
     EXPECT_EQ(num_edges(cut_locus.graph()), 0u);
     EXPECT_EQ(cut_locus.graph()[cut_locus.root()].mesh_vertex, cut_locus.farthest_vertex());
     Fixture::expect_valid(sphere, cut_locus, Fixture::at_vertex(ball, 3), Method::LAPLACIAN);
   }
-  const auto point =
-    CGAL::compute_cut_locus(sphere.mesh, sphere.vertices[3], CGAL::parameters::minimum_branch_width(1.));
+  const auto point = CGAL::compute_cut_locus(sphere.mesh, sphere.vertices[3], mesh_edges.minimum_branch_width(1.));
   EXPECT_EQ(num_vertices(point.graph()), 1u);
   EXPECT_EQ(num_edges(point.graph()), 0u);
   Fixture::expect_valid(sphere, point, Fixture::at_vertex(ball, 3), Method::DIRECTION);
@@ -176,9 +176,8 @@ TYPED_TEST(Cut_locus_test, keeps_the_root_alone_or_the_homology_where_the_thresh
     EXPECT_EQ(leaves, 0u);
   };
   expect_cycles_alone(CGAL::compute_cut_locus(
-    built.mesh, built.vertices[0], CGAL::parameters::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(pi)));
-  expect_cycles_alone(
-    CGAL::compute_cut_locus(built.mesh, built.vertices[0], CGAL::parameters::minimum_branch_width(1.)));
+    built.mesh, built.vertices[0], mesh_edges.cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(pi)));
+  expect_cycles_alone(CGAL::compute_cut_locus(built.mesh, built.vertices[0], mesh_edges.minimum_branch_width(1.)));
 }
 
 TYPED_TEST(Cut_locus_test, can_have_its_source_inside_a_face_or_on_an_edge)
@@ -212,7 +211,7 @@ TYPED_TEST(Cut_locus_test, reports_the_source_as_it_was_given)
   const std::size_t f = 11;
   const auto location = built.template location<typename Fixture::FT>(f, {{0.2, 0.5, 0.3}});
   solver.set_source(location);
-  const auto source = solver.cut_locus().source();
+  const auto source = solver.cut_locus(mesh_edges).source();
   EXPECT_EQ(source.location.first, location.first);
   Point expected = {{0., 0., 0.}};
   for(int i = 0; i < 3; ++i)
@@ -225,8 +224,8 @@ TYPED_TEST(Cut_locus_test, reports_the_source_as_it_was_given)
     EXPECT_NEAR(CGAL::to_double(source.point[i]), expected[i], 1e-14);
   EXPECT_EQ(source.distance, 0.);
   solver.set_source(built.vertices[7]);
-  EXPECT_TRUE(solver.cut_locus().source().mesh_vertex == built.vertices[7]);
-  EXPECT_EQ(solver.cut_locus().source().distance, 0.);
+  EXPECT_TRUE(solver.cut_locus(mesh_edges).source().mesh_vertex == built.vertices[7]);
+  EXPECT_EQ(solver.cut_locus(mesh_edges).source().distance, 0.);
 }
 
 TYPED_TEST(Cut_locus_test, a_source_at_the_corner_of_a_face_is_that_vertex)
@@ -243,14 +242,41 @@ TYPED_TEST(Cut_locus_test, a_source_at_the_corner_of_a_face_is_that_vertex)
       for(Method method : both_methods)
       {
         const auto np = CGAL::parameters::cut_locus_method(method);
-        const auto expected = CGAL::compute_cut_locus(built.mesh, built.vertices[data.triangles[f][corner]], np);
+        const auto expected = CGAL::compute_cut_locus(built.mesh, built.vertices[data.triangles[f][corner]],
+                                                      np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
         const auto found =
-          CGAL::compute_cut_locus(built.mesh, built.template location<typename Fixture::FT>(f, coordinates), np);
+          CGAL::compute_cut_locus(built.mesh, built.template location<typename Fixture::FT>(f, coordinates),
+                                  np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
         EXPECT_EQ(cut_of(built, found).edges, cut_of(built, expected).edges);
         EXPECT_EQ(cut_of(built, found).root, cut_of(built, expected).root);
         EXPECT_EQ(found.distance(built.vertices[data.triangles[f][corner]]), 0.);
         EXPECT_TRUE(found.source().mesh_vertex == expected.source().mesh_vertex);
       }
+    }
+}
+
+TYPED_TEST(Cut_locus_test, runs_through_the_faces_unless_edges_of_the_mesh_are_asked_for)
+{
+  const TypeParam built(torus(1., 0.4, 20, 10, 0.2, 2));
+  const auto null = TypeParam::Traits::null_vertex();
+  for(Method method : {Method::LAPLACIAN, Method::DIRECTION, Method::POLYHEDRAL})
+    for(std::size_t k : {1, 3})
+    {
+      typename Cut_locus_test<TypeParam>::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(method));
+      std::vector<typename TypeParam::vertex_descriptor> sources;
+      for(std::size_t i = 0; i < k; ++i)
+        sources.push_back(built.vertices[3 + 60 * i]);
+      solver.set_sources(sources);
+      const auto in_faces = [&](const auto& np)
+      {
+        const auto cut_locus = solver.cut_locus(np);
+        std::size_t result = 0;
+        for(const auto v : CGAL::make_range(vertices(cut_locus.graph())))
+          result += cut_locus.graph()[v].mesh_vertex == null;
+        return result;
+      };
+      EXPECT_GT(in_faces(CGAL::parameters::default_values()), 20u) << name_of(method) << ", " << k;
+      EXPECT_EQ(in_faces(mesh_edges), 0u) << name_of(method) << ", " << k;
     }
 }
 
@@ -262,20 +288,27 @@ TYPED_TEST(Cut_locus_test, marks_the_edges_of_the_mesh_that_it_follows_and_no_ot
   {
     typename Cut_locus_test<TypeParam>::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(method));
     solver.set_source(built.vertices[0]);
-    const topology_checker::Edges expected = cut_of(built, solver.cut_locus()).edges;
+    const topology_checker::Edges expected = cut_of(built, solver.cut_locus(mesh_edges)).edges;
     EXPECT_GT(expected.size(), 10u);
-    for(Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES}) // the curve may leave them: they are the same
+    auto is_constrained = get(CGAL::dynamic_edge_property_t<bool>(), built.mesh);
+    for(const auto e : CGAL::make_range(edges(built.mesh)))
+      put(is_constrained, e, false);
+    solver.cut_locus(mesh_edges.edge_is_constrained_map(is_constrained));
+    topology_checker::Edges marked;
+    for(const auto e : CGAL::make_range(edges(built.mesh)))
+      if(get(is_constrained, e))
+        marked.insert(
+          topology_checker::make_edge(built.index(source(e, built.mesh)), built.index(target(e, built.mesh))));
+    EXPECT_EQ(marked, expected) << name_of(method);
+    try // a curve through the faces has none
     {
-      auto is_constrained = get(CGAL::dynamic_edge_property_t<bool>(), built.mesh);
-      for(const auto e : CGAL::make_range(edges(built.mesh)))
-        put(is_constrained, e, false);
-      solver.cut_locus(CGAL::parameters::edge_is_constrained_map(is_constrained).cut_locus_curve(curve));
-      topology_checker::Edges marked;
-      for(const auto e : CGAL::make_range(edges(built.mesh)))
-        if(get(is_constrained, e))
-          marked.insert(
-            topology_checker::make_edge(built.index(source(e, built.mesh)), built.index(target(e, built.mesh))));
-      EXPECT_EQ(marked, expected) << name_of(method);
+      solver.cut_locus(CGAL::parameters::edge_is_constrained_map(is_constrained));
+      ADD_FAILURE() << "the map would be of another curve than the result";
+    }
+    catch(const CGAL::Cut_loci::Invalid_input& error)
+    {
+      EXPECT_NE(std::string(error.what()).find("cut_locus_curve(Cut_loci::Curve::MESH_EDGES)"), std::string::npos)
+        << error.what();
     }
   }
 }
@@ -289,7 +322,7 @@ TYPED_TEST(Cut_locus_test, vertices_and_edges_of_the_graph_know_where_they_are_o
   {
     typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(method));
     solver.set_source(built.vertices[3]);
-    const auto cut_locus = solver.cut_locus();
+    const auto cut_locus = solver.cut_locus(mesh_edges);
     const auto& graph = cut_locus.graph();
     const auto vpm = get(CGAL::vertex_point, built.mesh);
     for(const auto v : CGAL::make_range(vertices(graph)))
@@ -326,19 +359,18 @@ TYPED_TEST(Cut_locus_test, of_distances_that_the_user_has_is_that_of_the_solver_
   const TypeParam built(data);
   typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(Method::LAPLACIAN));
   solver.set_source(built.vertices[5]);
-  const auto expected = solver.cut_locus();
+  const auto expected = solver.cut_locus(mesh_edges);
   auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
   for(const auto v : CGAL::make_range(vertices(built.mesh)))
     put(distance, v, expected.distance(v));
-  const auto found =
-    CGAL::compute_cut_locus(built.mesh, built.vertices[5], CGAL::parameters::vertex_distance_map(distance));
+  const auto found = CGAL::compute_cut_locus(built.mesh, built.vertices[5], mesh_edges.vertex_distance_map(distance));
   EXPECT_EQ(cut_of(built, found).edges, cut_of(built, expected).edges);
   EXPECT_EQ(found.distance(built.vertices[77]), expected.distance(built.vertices[77]));
 
   try
   {
     CGAL::compute_cut_locus(built.mesh, built.vertices[5],
-                            CGAL::parameters::vertex_distance_map(distance).cut_locus_method(Method::DIRECTION));
+                            mesh_edges.vertex_distance_map(distance).cut_locus_method(Method::DIRECTION));
     ADD_FAILURE() << "the exact tree needs paths";
   }
   catch(const CGAL::Cut_loci::Invalid_input& error)
@@ -354,25 +386,24 @@ TYPED_TEST(Cut_locus_test, follows_the_distances_of_each_source_in_its_choice_of
   const TypeParam built(data);
   const auto edges_by = [&](Method method)
   {
-    return cut_of(built,
-                  CGAL::compute_cut_locus(built.mesh, built.vertices[5], CGAL::parameters::cut_locus_method(method)))
+    return cut_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[5], mesh_edges.cut_locus_method(method)))
       .edges;
   };
   typename Fixture::Solver solver(built.mesh);
   EXPECT_TRUE(solver.method() == Method::DIRECTION);
   solver.set_source(built.vertices[5]);
   EXPECT_TRUE(solver.method() == Method::DIRECTION);
-  const auto first = solver.cut_locus();
+  const auto first = solver.cut_locus(mesh_edges);
   EXPECT_EQ(cut_of(built, first).edges, edges_by(Method::DIRECTION));
   auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
   for(const auto v : CGAL::make_range(vertices(built.mesh)))
     put(distance, v, first.distance(v));
   solver.set_source(built.vertices[5], CGAL::parameters::vertex_distance_map(distance));
   EXPECT_TRUE(solver.method() == Method::LAPLACIAN);
-  EXPECT_EQ(cut_of(built, solver.cut_locus()).edges, edges_by(Method::LAPLACIAN));
+  EXPECT_EQ(cut_of(built, solver.cut_locus(mesh_edges)).edges, edges_by(Method::LAPLACIAN));
   solver.set_source(built.vertices[5]);
   EXPECT_TRUE(solver.method() == Method::DIRECTION);
-  EXPECT_EQ(cut_of(built, solver.cut_locus()).edges, edges_by(Method::DIRECTION));
+  EXPECT_EQ(cut_of(built, solver.cut_locus(mesh_edges)).edges, edges_by(Method::DIRECTION));
 }
 
 TYPED_TEST(Cut_locus_test, is_a_cut_locus_by_its_topology_even_for_distances_that_are_nonsense)
@@ -427,8 +458,8 @@ TYPED_TEST(Cut_locus_test, takes_the_points_from_the_users_vertex_point_map)
     const Point& p = right.data.points[v];
     put(points, wrong.vertices[v], Kernel_point(p[0], p[1], p[2]));
   }
-  const auto expected = CGAL::compute_cut_locus(right.mesh, right.vertices[5]);
-  const auto found = CGAL::compute_cut_locus(wrong.mesh, wrong.vertices[5], CGAL::parameters::vertex_point_map(points));
+  const auto expected = CGAL::compute_cut_locus(right.mesh, right.vertices[5], mesh_edges);
+  const auto found = CGAL::compute_cut_locus(wrong.mesh, wrong.vertices[5], mesh_edges.vertex_point_map(points));
   EXPECT_EQ(cut_of(wrong, found).edges, cut_of(right, expected).edges);
   EXPECT_TRUE(found.source().point == get(points, wrong.vertices[5]));
 }
@@ -449,8 +480,8 @@ TYPED_TEST(Cut_locus_test, is_the_same_on_every_mesh_type)
       reference_solver.set_source(reference.vertices[4]);
       const auto expect_same = [&](const auto& np)
       {
-        const auto expected = reference_solver.cut_locus(np);
-        const auto found = solver.cut_locus(np);
+        const auto expected = reference_solver.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+        const auto found = solver.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
         EXPECT_EQ(cut_of(built, found).edges, cut_of(reference, expected).edges) << name_of(method);
         EXPECT_EQ(built.index(found.farthest_vertex()), reference.index(expected.farthest_vertex()));
       };
@@ -471,7 +502,9 @@ TYPED_TEST(Cut_locus_test, does_not_depend_on_the_numbering)
   {
     const TypeParam built(data);
     const auto np = CGAL::parameters::cut_locus_method(Method::LAPLACIAN);
-    const auto expected = cut_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[4], np)).edges;
+    const auto expected = cut_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[4],
+                                                                np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)))
+                            .edges;
     // The curve by the other method: along edges of the mesh, it may go round a face on either side.
     const auto through_faces =
       CGAL::parameters::cut_locus_method(Method::DIRECTION).cut_locus_curve(Curve::THROUGH_FACES);
@@ -484,7 +517,10 @@ TYPED_TEST(Cut_locus_test, does_not_depend_on_the_numbering)
       topology_checker::Edges renamed;
       for(const auto& e : expected)
         renamed.insert(topology_checker::make_edge(new_index[e.first], new_index[e.second]));
-      EXPECT_EQ(cut_of(other, CGAL::compute_cut_locus(other.mesh, other.vertices[new_index[4]], np)).edges, renamed);
+      EXPECT_EQ(cut_of(other, CGAL::compute_cut_locus(other.mesh, other.vertices[new_index[4]],
+                                                      np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)))
+                  .edges,
+                renamed);
       const auto other_curve = CGAL::Cut_loci::compute_statistics(
         CGAL::compute_cut_locus(other.mesh, other.vertices[new_index[4]], through_faces));
       EXPECT_EQ(other_curve.edges, curve.edges);
@@ -500,7 +536,9 @@ TYPED_TEST(Cut_locus_test, does_not_depend_on_the_unit_of_length)
   const TypeParam built(data);
   const auto expect_same = [&](const auto& np)
   {
-    const auto expected = cut_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[4], np)).edges;
+    const auto expected = cut_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[4],
+                                                                np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)))
+                            .edges;
     EXPECT_GT(expected.size(), 3u);
     for(double scale : {std::ldexp(1., -20), std::ldexp(1., 20)}) // by a power of two, rounding is the same
     {
@@ -508,7 +546,10 @@ TYPED_TEST(Cut_locus_test, does_not_depend_on_the_unit_of_length)
       for(Point& p : scaled.points)
         p = scale * p;
       const TypeParam other(scaled);
-      EXPECT_EQ(cut_of(other, CGAL::compute_cut_locus(other.mesh, other.vertices[4], np)).edges, expected);
+      EXPECT_EQ(cut_of(other, CGAL::compute_cut_locus(other.mesh, other.vertices[4],
+                                                      np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)))
+                  .edges,
+                expected);
     }
   };
   expect_same(params::cut_locus_method(Method::LAPLACIAN)
@@ -526,14 +567,14 @@ TYPED_TEST(Cut_locus_test, is_the_same_each_time_and_does_not_remember_the_sourc
   {
     typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(method));
     solver.set_source(built.vertices[4]);
-    const auto first = solver.cut_locus();
+    const auto first = solver.cut_locus(mesh_edges);
     const auto first_cut = cut_of(built, first);
     const double first_distance = first.distance(built.vertices[90]);
     solver.set_source(built.vertices[50]);
-    EXPECT_NE(cut_of(built, solver.cut_locus()).edges, first_cut.edges);
+    EXPECT_NE(cut_of(built, solver.cut_locus(mesh_edges)).edges, first_cut.edges);
     EXPECT_EQ(first.distance(built.vertices[90]), first_distance) << "a result is a value of its own";
     solver.set_source(built.vertices[4]);
-    EXPECT_EQ(cut_of(built, solver.cut_locus()).edges, first_cut.edges);
+    EXPECT_EQ(cut_of(built, solver.cut_locus(mesh_edges)).edges, first_cut.edges);
   }
 }
 
@@ -545,20 +586,20 @@ TYPED_TEST(Cut_locus_test, named_parameters_chain_in_any_order_with_those_of_cga
   const auto vpm = get(CGAL::vertex_point, built.mesh);
   const CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct> heat;
   const auto first = CGAL::compute_cut_locus(built.mesh, built.vertices[4],
-                                             params::vertex_point_map(vpm)
+                                             mesh_edges.vertex_point_map(vpm)
                                                .geodesic_solver(heat)
                                                .edge_is_constrained_map(is_constrained)
                                                .gradient_angle_threshold(0.2)
                                                .minimum_branch_edges(1));
   const auto second = CGAL::compute_cut_locus(built.mesh, built.vertices[4],
-                                              params::minimum_branch_edges(1)
+                                              mesh_edges.minimum_branch_edges(1)
                                                 .gradient_angle_threshold(0.2)
                                                 .edge_is_constrained_map(is_constrained)
                                                 .geodesic_solver(heat)
                                                 .vertex_point_map(vpm));
   const auto other_solver = CGAL::compute_cut_locus(
     built.mesh, built.vertices[4],
-    params::minimum_branch_edges(1).cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(0.2));
+    mesh_edges.minimum_branch_edges(1).cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(0.2));
   EXPECT_EQ(cut_of(built, first).edges, cut_of(built, second).edges);
   EXPECT_NE(first.distance(built.vertices[20]), other_solver.distance(built.vertices[20])) << "the solver was not used";
 }
@@ -577,7 +618,7 @@ TYPED_TEST(Cut_locus_test, lies_in_the_component_of_the_source_and_leaves_the_ot
     {
       solver.set_source(built.vertices[v]);
       Fixture::expect_valid_at_all_thresholds(built, solver, Fixture::at_vertex(data, v));
-      const auto cut_locus = solver.cut_locus();
+      const auto cut_locus = solver.cut_locus(mesh_edges);
       const bool in_ball = v < ball.points.size();
       EXPECT_EQ(cut_locus.genus(), in_ball ? 0u : 1u);
       for(std::size_t w = 0; w < data.points.size(); ++w)
@@ -586,7 +627,9 @@ TYPED_TEST(Cut_locus_test, lies_in_the_component_of_the_source_and_leaves_the_ot
       const TypeParam alone(in_ball ? ball : ring);
       const std::size_t offset = in_ball ? 0 : ball.points.size();
       topology_checker::Edges expected;
-      for(const auto& e : cut_of(alone, CGAL::compute_cut_locus(alone.mesh, alone.vertices[v - offset], np)).edges)
+      for(const auto& e : cut_of(alone, CGAL::compute_cut_locus(alone.mesh, alone.vertices[v - offset],
+                                                                np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)))
+                            .edges)
         expected.insert(topology_checker::make_edge(e.first + offset, e.second + offset));
       EXPECT_EQ(cut_of(built, cut_locus).edges, expected);
     }
@@ -611,8 +654,10 @@ TYPED_TEST(Cut_locus_test, ignores_isolated_vertices)
   for(Method method : both_methods)
   {
     const auto np = CGAL::parameters::cut_locus_method(method);
-    const auto found = CGAL::compute_cut_locus(built.mesh, built.vertices[5], np);
-    const auto expected = CGAL::compute_cut_locus(alone.mesh, alone.vertices[4], np);
+    const auto found =
+      CGAL::compute_cut_locus(built.mesh, built.vertices[5], np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+    const auto expected =
+      CGAL::compute_cut_locus(alone.mesh, alone.vertices[4], np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
     Fixture::expect_valid(built, found, Fixture::at_vertex(data, 5), method);
     EXPECT_TRUE(std::isinf(found.distance(built.vertices.front())));
     EXPECT_TRUE(std::isinf(found.distance(built.vertices.back())));
@@ -641,9 +686,8 @@ TYPED_TEST(Cut_locus_test, on_a_surface_with_boundary_joins_each_border_loop_onc
       {
         solver.set_source(built.vertices[v]);
         Fixture::expect_valid_at_all_thresholds(built, solver, Fixture::at_vertex(data, v));
-        const auto cut_locus = method == Method::LAPLACIAN
-                                 ? solver.cut_locus(CGAL::parameters::gradient_angle_threshold(0.))
-                                 : solver.cut_locus(CGAL::parameters::minimum_branch_width(0.));
+        const auto cut_locus = method == Method::LAPLACIAN ? solver.cut_locus(mesh_edges.gradient_angle_threshold(0.))
+                                                           : solver.cut_locus(mesh_edges.minimum_branch_width(0.));
         const auto& graph = cut_locus.graph();
         for(const auto e : CGAL::make_range(edges(graph)))
           EXPECT_EQ(graph[e].is_on_border, surface.border_edges.count(topology_checker::make_edge(
@@ -673,8 +717,7 @@ TYPED_TEST(Cut_locus_test, of_the_torus_holds_the_opposite_meridian_and_the_inne
   const TypeParam built(data);
   for(Method method : both_methods)
   {
-    const auto cut_locus =
-      CGAL::compute_cut_locus(built.mesh, built.vertices[0], CGAL::parameters::cut_locus_method(method));
+    const auto cut_locus = CGAL::compute_cut_locus(built.mesh, built.vertices[0], mesh_edges.cut_locus_method(method));
     std::set<std::size_t> on_it;
     for(const auto& e : cut_of(built, cut_locus).edges)
       on_it.insert({e.first, e.second});

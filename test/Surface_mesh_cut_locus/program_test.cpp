@@ -384,7 +384,9 @@ TEST_F(Program, One_curve)
     const nlohmann::json report = nlohmann::json::parse(read_file(path("r.json")));
     // the figures of the report are those of the file
     std::vector<std::array<double, 3>> points;
+    std::map<std::size_t, int> degree;
     double length = 0.;
+    std::size_t edges = 0;
     std::istringstream obj(read_file(path("c.obj")));
     for(std::string line; std::getline(obj, line);)
     {
@@ -397,11 +399,28 @@ TEST_F(Program, One_curve)
       std::size_t previous = 0, next = 0;
       if(key == "l")
         for(words >> previous; words >> next; previous = next)
+        {
           length +=
             std::hypot(points[next - 1][0] - points[previous - 1][0], points[next - 1][1] - points[previous - 1][1],
                        points[next - 1][2] - points[previous - 1][2]);
+          ++degree[previous];
+          ++degree[next];
+          ++edges;
+        }
     }
+    const auto leaves = std::count_if(degree.begin(), degree.end(), [](const auto& d) { return d.second == 1; });
     EXPECT_NEAR(report.at("length").get<double>(), length, 1e-6 * length) << arguments;
+    EXPECT_EQ(report.at("edges"), edges) << arguments;
+    EXPECT_EQ(report.at("leaves"), leaves) << arguments;
+    EXPECT_NE(outcome.messages.find(" " + std::to_string(edges) + " edges, 2 cycles, " + std::to_string(leaves)),
+              std::string::npos)
+      << outcome.messages;
+    const double radius = report.at("injectivity_radius"), bound = report.at("injectivity_lower_bound");
+    EXPECT_LE(bound, radius);
+    EXPECT_EQ(bound > 0., report.at("method") != "laplacian");
+    EXPECT_EQ(outcome.messages.find("with all weak branches at least") != std::string::npos,
+              bound > 0. && report.at("method") == "direction")
+      << outcome.messages;
     const std::string words = report.at("curve") == "edges" ? "mesh edges" : "through faces";
     EXPECT_NE(outcome.messages.find(words), std::string::npos) << outcome.messages;
     return std::make_pair(report.at("curve").get<std::string>(), length);
@@ -416,6 +435,28 @@ TEST_F(Program, One_curve)
     EXPECT_EQ(all(method), faces);
     EXPECT_EQ(all(method + " --edges " + quoted(path("e.txt"))), edges);
     EXPECT_EQ(all(method + " --uv " + quoted(path("u.obj"))), edges);
+  }
+  write("sources.txt", "5\n");
+  for(const std::string curve : {"edges", "faces"})
+  {
+    const double length = all("--source 5 --curve " + curve).second;
+    EXPECT_EQ(run_on_torus("--quiet --each-source " + quoted(path("sources.txt")) + " --curve " + curve + " -o " +
+                           quoted(path(curve + ".jsonl")))
+                .status,
+              0);
+    const auto line = nlohmann::json::parse(read_file(path(curve + ".jsonl")));
+    EXPECT_NEAR(line.at("length").get<double>(), length, 1e-6 * length) << curve;
+    const nlohmann::json report = nlohmann::json::parse(read_file(path("r.json")));
+    for(const char* figure : {"edges", "leaves", "injectivity_radius", "injectivity_lower_bound", "farthest_point"})
+      EXPECT_EQ(line.at(figure), report.at(figure)) << curve;
+    // along edges of the mesh no face is split
+    EXPECT_EQ(
+      run_on_torus("--quiet --source 5 --source 200 --curve " + curve + " --cells " + quoted(path("c.obj"))).status, 0);
+    const std::string cells = read_file(path("c.obj"));
+    std::size_t faces = 0;
+    for(std::size_t at = cells.find("\nf "); at != std::string::npos; at = cells.find("\nf ", at + 1))
+      ++faces;
+    EXPECT_EQ(faces == triangles_.size(), curve == "edges") << faces;
   }
   EXPECT_EQ(all("--method laplacian --smooth 4"), all("--method laplacian"));
   EXPECT_EQ(all("--method laplacian --smooth 0"), all("--method laplacian --curve edges"));

@@ -110,16 +110,18 @@ void expect_sound_from_everywhere(const Mesh_data& data, std::size_t number_of_f
     for(double angle : {0., 0.5, 3.14})
       for(auto policy : {CGAL::Cut_loci::Filter_policy::PRUNING, CGAL::Cut_loci::Filter_policy::GROWING})
       {
-        const auto result = by_laplacian.cut_locus(params::gradient_angle_threshold(angle).filter_policy(policy));
+        const auto np = params::gradient_angle_threshold(angle).filter_policy(policy);
+        const auto result = by_laplacian.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
         EXPECT_EQ(fault_of(built, result, face, corners), "") << "source in face " << face;
         expect_finite(result);
+        expect_finite(by_laplacian.cut_locus(np));
       }
     by_direction.set_source(source);
     for(double width : {1., 0.1, 0.})
       for(std::size_t edges : {0, 4})
       {
         const auto np = params::minimum_branch_width(width).minimum_branch_edges(edges);
-        const auto result = by_direction.cut_locus(np);
+        const auto result = by_direction.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
         EXPECT_EQ(fault_of(built, result, face, corners, Method::DIRECTION), "") << "source in face " << face;
         expect_finite(result);
         expect_finite(by_direction.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
@@ -205,7 +207,7 @@ TEST(Bad_input, a_source_that_is_not_in_the_mesh_is_refused)
       Solver::Face_location location;
       location.first = Mesh::Face_index(f);
       location.second = {{0.2, 0.3, 0.5}};
-      CGAL::compute_cut_locus(built.mesh, location);
+      CGAL::compute_cut_locus(built.mesh, location, mesh_edges);
       },
       Cause::INVALID_SOURCE, {"face of the source", "not a face of the mesh"});
 }
@@ -255,7 +257,8 @@ TEST(Bad_input, a_face_without_area_in_another_component_does_no_harm)
     p = {{p[0], 0., 0.}};
   const Mesh_data data = disjoint_union(flat, octahedron(), {{5., 0., 0.}});
   const Built built(data);
-  EXPECT_EQ(fault_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[5]), 4, {5}, Method::DIRECTION), "");
+  EXPECT_EQ(
+    fault_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[5], mesh_edges), 4, {5}, Method::DIRECTION), "");
   expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, Cause::FACE_WITHOUT_AREA,
                  {"face #0", "no area"});
   // positions are those in the whole mesh
@@ -297,7 +300,7 @@ TEST(Bad_input, components_that_touch_in_a_vertex_are_surfaces_of_their_own)
   for(std::size_t f : {0, 15})
     for(std::size_t v : built.data.triangles[f])
     {
-      const auto result = CGAL::compute_cut_locus(built.mesh, built.vertices[v]);
+      const auto result = CGAL::compute_cut_locus(built.mesh, built.vertices[v], mesh_edges);
       const std::size_t seed = v == 0 ? 0 : f; // the vertex itself belongs to the component that its halfedge is in
       EXPECT_EQ(fault_of(built, result, seed, {v}, Method::DIRECTION), "") << v;
       EXPECT_EQ(result.genus(), 0u);
@@ -421,11 +424,14 @@ TEST(Bad_input, the_largest_minimum_number_of_edges_removes_more_than_any_smalle
   {
     Solver solver(built.mesh, params::cut_locus_method(method));
     solver.set_source(built.vertices[0]);
-    const auto edges_left = [&](std::size_t minimum)
-    { return num_edges(solver.cut_locus(params::minimum_branch_edges(minimum)).graph()); };
-    EXPECT_LT(edges_left(1000), edges_left(0));
-    EXPECT_EQ(edges_left(std::size_t(1) << 32), edges_left(1000));
-    EXPECT_EQ(edges_left((std::numeric_limits<std::size_t>::max)()), edges_left(1000));
+    for(const auto& np : {mesh_edges, params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)})
+    {
+      const auto edges_left = [&](std::size_t minimum)
+      { return num_edges(solver.cut_locus(np.minimum_branch_edges(minimum)).graph()); };
+      EXPECT_LT(edges_left(1000), edges_left(0));
+      EXPECT_EQ(edges_left(std::size_t(1) << 32), edges_left(1000));
+      EXPECT_EQ(edges_left((std::numeric_limits<std::size_t>::max)()), edges_left(1000));
+    }
   }
 }
 
@@ -448,10 +454,10 @@ TEST(Bad_input, a_solver_can_be_used_again_after_it_has_refused_a_source)
   const Built built(octahedron());
   Solver solver(built.mesh);
   solver.set_source(built.vertices[0]);
-  const auto edges_before = cut_of(built, solver.cut_locus()).edges;
+  const auto edges_before = cut_of(built, solver.cut_locus(mesh_edges)).edges;
   EXPECT_THROW(solver.set_source(Built::Traits::null_vertex()), Invalid_input);
   solver.set_source(built.vertices[0]);
-  EXPECT_EQ(cut_of(built, solver.cut_locus()).edges, edges_before);
+  EXPECT_EQ(cut_of(built, solver.cut_locus(mesh_edges)).edges, edges_before);
 }
 
 TEST(Odd_input, the_smallest_meshes_have_cut_loci)
@@ -509,14 +515,16 @@ TEST(Odd_input, units_of_any_size_do_no_harm)
   for(Method method : {Method::LAPLACIAN, Method::DIRECTION, Method::POLYHEDRAL})
   {
     const auto np = params::cut_locus_method(method);
-    const auto expected = CGAL::compute_cut_locus(built.mesh, built.vertices[0], np);
+    const auto expected =
+      CGAL::compute_cut_locus(built.mesh, built.vertices[0], np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
     for(double scale : {1e-150, 1e-79, 1e-20, 1e38, 1e77, 1e150})
     {
       Mesh_data data = sphere;
       for(Point& p : data.points)
         p = scale * p;
       const Built scaled(data);
-      const auto result = CGAL::compute_cut_locus(scaled.mesh, scaled.vertices[0], np);
+      const auto result =
+        CGAL::compute_cut_locus(scaled.mesh, scaled.vertices[0], np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
       EXPECT_EQ(num_edges(result.graph()), num_edges(expected.graph())) << scale;
       EXPECT_NEAR(result.distance(scaled.vertices[7]) / scale, expected.distance(built.vertices[7]), 1e-12) << scale;
     }

@@ -188,7 +188,7 @@ TEST(Bounded_error_cut_locus, laplacian)
   for(double error : {1e-4, 1e-2})
   {
     solver.set_source(built.vertices[5], params::maximum_relative_error(error));
-    const auto result = solver.cut_locus();
+    const auto result = solver.cut_locus(mesh_edges);
     EXPECT_EQ(fault_of(built, result, 0, {5}, Method::LAPLACIAN), "");
     EXPECT_NE(result.distance(built.vertices[900]), expected.distance(built.vertices[900]));
     EXPECT_NEAR(result.distance(built.vertices[900]), expected.distance(built.vertices[900]),
@@ -226,8 +226,8 @@ TEST(Bounded_error_cut_locus, refusals)
 
   solver.set_source(v, params::maximum_relative_error(1e-3));
   EXPECT_THROW(solver.cut_locus(params::minimum_branch_width(0.)), Invalid_input);
-  EXPECT_EQ(fault_of(built, solver.cut_locus(), 0, {5}, Method::DIRECTION), "") << "nothing is lost by that";
-  EXPECT_EQ(fault_of(built, solver.cut_locus(params::minimum_branch_width(1e-3)), 0, {5}, Method::DIRECTION), "");
+  EXPECT_EQ(fault_of(built, solver.cut_locus(mesh_edges), 0, {5}, Method::DIRECTION), "") << "nothing is lost by that";
+  EXPECT_EQ(fault_of(built, solver.cut_locus(mesh_edges.minimum_branch_width(1e-3)), 0, {5}, Method::DIRECTION), "");
 
   Solver heat(built.mesh, params::geodesic_solver(CGAL::Heat_method_geodesic_solver()));
   EXPECT_THROW(heat.set_source(v, params::maximum_relative_error(1e-3)), Invalid_input);

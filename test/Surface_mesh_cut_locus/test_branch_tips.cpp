@@ -128,7 +128,7 @@ TEST(Branch_tips, are_not_passed_because_of_noise)
       const double h = mean_edge_length(built.data);
       Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
       solver.set_source(built.vertices[0]);
-      for(const Point& p : leaves(solver.cut_locus()))
+      for(const Point& p : leaves(solver.cut_locus(mesh_edges)))
         EXPECT_LT(p[0], 3. * h) << noise << ", " << n; // measured: -0.9 h at most
     }
 }
@@ -151,7 +151,7 @@ TEST(Branch_tips, are_not_passed_because_of_smooth_errors)
         }
         Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
         solver.set_source(built.vertices[0], params::vertex_distance_map(CGAL::make_property_map(distance)));
-        for(const Point& p : leaves(solver.cut_locus()))
+        for(const Point& p : leaves(solver.cut_locus(mesh_edges)))
           EXPECT_LT(p[0], 3. * h) << is_along_paths << ", " << frequency << ", " << phase; // measured: -1.0 h at most
       }
 }
@@ -169,7 +169,7 @@ TEST(Branch_tips, of_a_higher_threshold_are_on_the_curve_of_a_lower_one)
     for(double angle : {0.1, 0.3, 0.5, 0.7, 1., 1.5, 2.})
     {
       const auto edges =
-        edges_of(built, solver.cut_locus(params::gradient_angle_threshold(angle).minimum_branch_edges(0)));
+        edges_of(built, solver.cut_locus(mesh_edges.gradient_angle_threshold(angle).minimum_branch_edges(0)));
       EXPECT_TRUE(angle == 0.1 || std::includes(lower.begin(), lower.end(), edges.begin(), edges.end())) << angle;
       lower = edges;
     }
@@ -182,9 +182,9 @@ TEST(Branch_tips, are_not_looked_for_when_growing)
   const Built built(spheroid(40, 0.));
   Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
   solver.set_source(built.vertices[0]);
-  const auto pruned = edges_of(built, solver.cut_locus());
-  for(const auto& less : {solver.cut_locus(params::filter_policy(Filter_policy::GROWING)),
-                          solver.cut_locus(params::gradient_angle_threshold(0.71))})
+  const auto pruned = edges_of(built, solver.cut_locus(mesh_edges));
+  for(const auto& less : {solver.cut_locus(mesh_edges.filter_policy(Filter_policy::GROWING)),
+                          solver.cut_locus(mesh_edges.gradient_angle_threshold(0.71))})
   {
     const auto edges = edges_of(built, less);
     EXPECT_LT(edges.size() + 4, pruned.size());

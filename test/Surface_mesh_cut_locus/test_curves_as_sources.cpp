@@ -479,8 +479,6 @@ curve_measures::Measures measured(const Built& built, const std::vector<Edges>& 
   return m;
 }
 
-const auto mesh_edges = params::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES);
-
 TEST(Mesh_edges_beside_curves, follow_the_medial_axis_of_a_rectangle)
 {
   for(const std::size_t n : {9, 16, 32})

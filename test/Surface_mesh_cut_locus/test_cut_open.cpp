@@ -92,7 +92,7 @@ void expect_cut_open(const Mesh_data& data, std::size_t source)
       {
         SCOPED_TRACE("angle " + std::to_string(angle) + ", " + std::to_string(edges) + " edges");
         expect_cut_open(built.mesh,
-                        solver.cut_locus(params::gradient_angle_threshold(angle).minimum_branch_edges(edges)));
+                        solver.cut_locus(mesh_edges.gradient_angle_threshold(angle).minimum_branch_edges(edges)));
       }
   }
   Solver solver(built.mesh, params::cut_locus_method(Method::DIRECTION));
@@ -100,7 +100,7 @@ void expect_cut_open(const Mesh_data& data, std::size_t source)
   for(double width : {1., 0.1, 0.03, 0.})
   {
     SCOPED_TRACE("width " + std::to_string(width));
-    expect_cut_open(built.mesh, solver.cut_locus(params::minimum_branch_width(width)));
+    expect_cut_open(built.mesh, solver.cut_locus(mesh_edges.minimum_branch_width(width)));
   }
 }
 
@@ -148,8 +148,8 @@ TEST(Cut_open, Single_vertex_is_cut_by_two_edges_that_avoid_the_source)
     Built_mesh<Mesh> built(data);
     Mesh& mesh = built.mesh;
     const Mesh::Vertex_index source = built.vertices[3];
-    const Cut_locus point =
-      CGAL::compute_cut_locus(mesh, source, params::cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(3.14));
+    const Cut_locus point = CGAL::compute_cut_locus(
+      mesh, source, mesh_edges.cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(3.14));
     ASSERT_EQ(num_edges(point.graph()), 0u);
     Edge_map seam_edges = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam").first;
     Vertex_map seam_vertices = mesh.add_property_map<Mesh::Vertex_index, bool>("v:seam").first;
@@ -172,7 +172,7 @@ TEST(Cut_open, Only_the_component_of_the_source_is_returned)
   const Mesh_data first = jittered_sphere(5, 0.1, 1), second = torus(1., 0.4, 20, 10, 0.1, 2);
   Built_mesh<Mesh> built(disjoint_union(first, second, {{5., 0., 0.}}));
   const Mesh::Vertex_index source = built.vertices[first.points.size() + 7];
-  const Cut_locus cut_locus = CGAL::compute_cut_locus(built.mesh, source);
+  const Cut_locus cut_locus = CGAL::compute_cut_locus(built.mesh, source, mesh_edges);
   Mesh disk;
   std::vector<std::pair<Mesh::Vertex_index, Mesh::Vertex_index>> vertices;
   std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> faces;
@@ -202,7 +202,7 @@ TEST(Cut_open, Other_mesh_types)
 {
   using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
   const Built_mesh<Polyhedron> built(perforated_plate(2, 1, 1, 4));
-  const auto cut_locus = CGAL::compute_cut_locus(built.mesh, built.vertices[0]);
+  const auto cut_locus = CGAL::compute_cut_locus(built.mesh, built.vertices[0], mesh_edges);
   Polyhedron polyhedron;
   CGAL::cut_along_cut_locus(built.mesh, cut_locus, polyhedron);
   EXPECT_EQ(disk_checker::fault(polyhedron), "");
@@ -239,7 +239,7 @@ TEST(Cut_open, Bad_input_gives_an_error)
   const auto contains = [](const std::string& text, const std::string& part)
   { return text.find(part) != std::string::npos; };
   Built_mesh<Mesh> built(torus(1., 0.4, 24, 12, 0.2, 3));
-  const Cut_locus cut_locus = CGAL::compute_cut_locus(built.mesh, built.vertices[0]);
+  const Cut_locus cut_locus = CGAL::compute_cut_locus(built.mesh, built.vertices[0], mesh_edges);
   ASSERT_EQ(error(built.mesh, cut_locus), "");
 
   for(const Mesh_data& data :
@@ -247,9 +247,9 @@ TEST(Cut_open, Bad_input_gives_an_error)
     EXPECT_TRUE(contains(error(Built_mesh<Mesh>(data).mesh, cut_locus), "does not belong to the mesh"));
   EXPECT_NE(error(Mesh(), cut_locus), "");
 
-  const Cut_locus smooth = CGAL::compute_cut_locus(built.mesh, built.vertices[0],
-                                                   params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
-  EXPECT_TRUE(contains(error(built.mesh, smooth), "cut_along_curve"));
+  const Cut_locus through_faces = CGAL::compute_cut_locus(built.mesh, built.vertices[0]);
+  for(const char* way_out : {"cut_along_curve", "cut_locus_curve(Cut_loci::Curve::MESH_EDGES)"})
+    EXPECT_TRUE(contains(error(built.mesh, through_faces), way_out));
 
   // a graph of its own: empty, or a part of a cut locus
   const auto with_graph = [&](const Cut_locus::Graph& graph)

@@ -278,7 +278,7 @@ TEST(Detour, Vanishes_on_the_cut_locus_and_only_there)
   const Vertex source = built.vertices[0], other = built.vertices[15 * 24 + 12];
   CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(mesh);
   cut_loci.set_source(source);
-  const auto right = cut_loci.cut_locus();
+  const auto right = cut_loci.cut_locus(mesh_edges);
   const auto through_faces = cut_loci.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
   std::vector<double> exact;
   for(const auto* curve : {&right, &through_faces})
@@ -296,13 +296,13 @@ TEST(Detour, Vanishes_on_the_cut_locus_and_only_there)
   CGAL::exact_geodesic_distances(copy, other, map);
   CGAL::Surface_mesh_cut_locus<Mesh> misled(copy);
   misled.set_source(source, params::vertex_distance_map(map));
-  const Measures m = curve_measures::measure(copy, misled.cut_locus());
+  const Measures m = curve_measures::measure(copy, misled.cut_locus(mesh_edges));
   EXPECT_EQ(m.measuring_failed, "");
   EXPECT_GT(m.max, 5.);
-  EXPECT_GT(curve_measures::node_distance_errors(copy, misled.cut_locus()).max, 5.);
+  EXPECT_GT(curve_measures::node_distance_errors(copy, misled.cut_locus(mesh_edges)).max, 5.);
 
   EXPECT_DOUBLE_EQ(curve_measures::completeness(right, right, 0.1), 1.);
-  EXPECT_LT(curve_measures::completeness(right, misled.cut_locus(), 0.1), 0.7);
+  EXPECT_LT(curve_measures::completeness(right, misled.cut_locus(mesh_edges), 0.1), 0.7);
 }
 
 TEST(Detour, Source_in_a_face)
@@ -442,7 +442,7 @@ TEST(Laplacian_detour_of_slim_faces, Wavy_surface)
     for(std::size_t i : {1, 3, 5, 7})
     {
       cut_loci.set_source(built.vertices[i * data.points.size() / 8]);
-      const Measures m = curve_measures::measure(built.mesh, cut_loci.cut_locus());
+      const Measures m = curve_measures::measure(built.mesh, cut_loci.cut_locus(mesh_edges));
       EXPECT_EQ(m.topology_fault, "");
       mean += 0.25 * m.mean;
       max = (std::max)(max, m.max);
@@ -513,7 +513,7 @@ TEST(Laplacian_with_border, Closed_forms)
       const Built_mesh<Mesh> built(data);
       CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
       cut_loci.set_source(built.vertices[row * n]);
-      const Cut_locus result = cut_loci.cut_locus();
+      const Cut_locus result = cut_loci.cut_locus(mesh_edges);
       const Measures measures = curve_measures::measure(built.mesh, result);
       EXPECT_EQ(measures.topology_fault, "");
       EXPECT_LT(measures.max, 1.);

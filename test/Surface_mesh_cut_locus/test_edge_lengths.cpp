@@ -242,8 +242,8 @@ TEST(Edge_lengths, of_a_smooth_mesh_give_its_default_curve_up_to_the_ends_of_bra
 {
   Built built(test_meshes::torus(1., 0.4, 60, 32, 0.2, 7));
   const Lengths lengths = lengths_in_space(built.mesh);
-  const auto expected = CGAL::compute_cut_locus(built.mesh, built.vertices[0]);
-  const auto found = CGAL::compute_cut_locus(built.mesh, built.vertices[0], params::edge_length_map(lengths));
+  const auto expected = CGAL::compute_cut_locus(built.mesh, built.vertices[0], mesh_edges);
+  const auto found = CGAL::compute_cut_locus(built.mesh, built.vertices[0], mesh_edges.edge_length_map(lengths));
   std::size_t in_both = 0;
   for(const auto v : CGAL::make_range(vertices(found.graph())))
     for(const auto w : CGAL::make_range(vertices(expected.graph())))

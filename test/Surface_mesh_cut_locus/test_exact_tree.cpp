@@ -51,8 +51,7 @@ Indexed_cut_locus curve_of(Exact_tree_solver& solver, double gap = 0., double wi
   CGAL::Cut_loci::internal::Exact_tree_thresholds thresholds;
   thresholds.gap = gap;
   thresholds.width = width;
-  Indexed_cut_locus edges;
-  return solver.filter(thresholds, CGAL::Cut_loci::Curve::THROUGH_FACES, edges);
+  return solver.filter(thresholds, CGAL::Cut_loci::Curve::THROUGH_FACES);
 }
 
 struct Named_mesh

@@ -32,8 +32,7 @@ struct Polyhedral
     solver.compute_strengths();
     solver.grow_tree();
     solver.close_cycles();
-    Indexed_cut_locus edges;
-    graph = solver.filter({}, CGAL::Cut_loci::Curve::THROUGH_FACES, edges);
+    graph = solver.filter({}, CGAL::Cut_loci::Curve::THROUGH_FACES);
   }
 
   double total_angle(Index v) const { return solver.geodesics().faces().total_angle(v); }

@@ -77,10 +77,9 @@ Indexed_cut_locus curve_of(const Indexed_triangle_mesh& mesh, const Indexed_sour
   solver.compute_strengths();
   solver.grow_tree();
   solver.close_cycles();
-  Indexed_cut_locus edges;
   CGAL::Cut_loci::internal::Exact_tree_thresholds thresholds;
   thresholds.gap = gap;
-  return solver.filter(thresholds, CGAL::Cut_loci::Curve::THROUGH_FACES, edges);
+  return solver.filter(thresholds, CGAL::Cut_loci::Curve::THROUGH_FACES);
 }
 
 Indexed_location random_location(const Indexed_triangle_mesh& mesh, std::mt19937& generator)

@@ -257,7 +257,7 @@ std::vector<double> laplacian_by(const Built& built, const GeodesicSolver& geode
   CGAL::Surface_mesh_cut_locus<Mesh> solver(
     built.mesh, params::cut_locus_method(Method::LAPLACIAN).geodesic_solver(geodesic_solver));
   solver.set_source(built.vertices[0]);
-  const auto edges = solver.cut_locus();
+  const auto edges = solver.cut_locus(mesh_edges);
   EXPECT_EQ(fault_of(built, edges, 0, {0}, Method::LAPLACIAN), "");
   const auto straight = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
   for(const auto v : CGAL::make_range(vertices(straight.graph())))
@@ -332,7 +332,7 @@ TEST(Faces_without_area, hold_sources_of_solvers_of_CGAL)
 TEST(Faces_without_area, can_be_cut_and_refined_along_a_cut_locus)
 {
   const Built flat(with_flat_faces(test_meshes::torus(1., 0.4, 12, 8, 0.15, 5), 8, 7));
-  const auto edges = CGAL::compute_cut_locus(flat.mesh, flat.vertices[0]);
+  const auto edges = CGAL::compute_cut_locus(flat.mesh, flat.vertices[0], mesh_edges);
   EXPECT_EQ(fault_of(flat, edges, 0, {0}, Method::DIRECTION), "");
   Mesh disk;
   CGAL::cut_along_cut_locus(flat.mesh, edges, disk);

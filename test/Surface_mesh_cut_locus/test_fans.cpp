@@ -108,10 +108,9 @@ TEST(Fans, the_default_is_what_is_strong_of_all_of_the_cut_locus)
         solver->grow_tree();
         solver->close_cycles();
       }
-      Indexed_cut_locus edges;
       const auto faces = CGAL::Cut_loci::Curve::THROUGH_FACES;
-      const double expected = length(mesh, all.filter(run.default_thresholds(), faces, edges)),
-                   found = length(mesh, run.filter(run.default_thresholds(), faces, edges));
+      const double expected = length(mesh, all.filter(run.default_thresholds(), faces)),
+                   found = length(mesh, run.filter(run.default_thresholds(), faces));
       EXPECT_GT(found, 1.);
       EXPECT_NEAR(found, expected, 1e-4); // to see all of it, a symmetric source is moved
     }

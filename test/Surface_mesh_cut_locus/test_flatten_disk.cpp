@@ -79,7 +79,8 @@ Layout_quality expect_injective(Mesh& disk)
 Mesh cut_open(const Mesh_data& data, std::size_t source)
 {
   Mesh mesh = build(data), disk;
-  CGAL::cut_along_cut_locus(mesh, CGAL::compute_cut_locus(mesh, Mesh::Vertex_index(Mesh::size_type(source))), disk);
+  CGAL::cut_along_cut_locus(
+    mesh, CGAL::compute_cut_locus(mesh, Mesh::Vertex_index(Mesh::size_type(source)), mesh_edges), disk);
   return disk;
 }
 

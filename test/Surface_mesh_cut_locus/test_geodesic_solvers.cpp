@@ -357,7 +357,7 @@ TEST(Geodesic_solver, can_be_written_by_the_user)
   for(std::size_t v : {3, 70})
   {
     solver.set_source(built.vertices[v]);
-    const auto result = solver.cut_locus();
+    const auto result = solver.cut_locus(mesh_edges);
     EXPECT_EQ(fault_of(built, result, 0, {v}), "");
     for(std::size_t w = 0; w < data.points.size(); ++w)
       EXPECT_EQ(result.distance(built.vertices[w]), norm(data.points[w] - data.points[v]));

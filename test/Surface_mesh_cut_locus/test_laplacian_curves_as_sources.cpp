@@ -366,7 +366,6 @@ TEST(Laplacian_curves, and_points_mix_with_the_points_first)
   const Result voronoi = solver.cut_locus(params::voronoi(true)), medial = solver.cut_locus(params::medial(true));
   EXPECT_EQ(num_edges(voronoi.graph()) + num_edges(medial.graph()), num_edges(result.graph()));
   EXPECT_GT(num_edges(voronoi.graph()), 0u);
-  const auto mesh_edges = params::cut_locus_curve(Curve::MESH_EDGES);
   const Result strong = solver.cut_locus(mesh_edges.gradient_angle_threshold(3.14).minimum_branch_edges(1000));
   EXPECT_EQ(num_edges(strong.graph()), num_edges(solver.cut_locus(mesh_edges.voronoi(true)).graph()))
     << "no threshold removes what is between two";

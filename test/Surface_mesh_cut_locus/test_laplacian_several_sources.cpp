@@ -62,7 +62,7 @@ void expect_all(const Built& built, const Solver& solver, const std::string& wha
   for(const double angle : {0., 0.7, 3.14})
   {
     const auto np = params::gradient_angle_threshold(angle);
-    const Result edges = solver.cut_locus(np);
+    const Result edges = solver.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
     ASSERT_EQ(fault_of_mesh_edges(built, edges), "") << what << ", angle " << angle;
     expect_labels(built, edges, what);
   }
@@ -251,7 +251,8 @@ TEST(Laplacian_several_sources, have_the_cells_that_single_sources_say)
   {
     const Built built(m.data);
     const std::vector<Source> sources = random_sources(built, 8, 3);
-    const Result result = CGAL::compute_cut_locus(built.mesh, sources, laplacian);
+    const Result result =
+      CGAL::compute_cut_locus(built.mesh, sources, laplacian.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
     const Distances d(built, sources, result);
     const double exact = 1e-9 * diagonal(built);
     for(std::size_t v = 0; v < built.vertices.size(); ++v)
@@ -268,7 +269,8 @@ TEST(Laplacian_several_sources, have_the_cells_that_single_sources_say)
 template <typename GeodesicSolver>
 double worst_cell(const Built& built, const std::vector<Source>& sources, const GeodesicSolver& geodesics)
 {
-  const Result result = CGAL::compute_cut_locus(built.mesh, sources, laplacian.geodesic_solver(geodesics));
+  const Result result = CGAL::compute_cut_locus(
+    built.mesh, sources, laplacian.geodesic_solver(geodesics).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
   const Distances d(built, sources, result);
   double worst = 0.;
   for(std::size_t v = 0; v < built.vertices.size(); ++v)
@@ -298,7 +300,8 @@ TEST(Laplacian_several_sources, have_distances_to_the_nearest_with_each_solver)
   const std::vector<Source> sources = random_sources(built, 12, 2);
   const auto distances = [&](const auto& geodesics)
   {
-    const Result result = CGAL::compute_cut_locus(built.mesh, sources, laplacian.geodesic_solver(geodesics));
+    const Result result = CGAL::compute_cut_locus(
+      built.mesh, sources, laplacian.geodesic_solver(geodesics).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
     std::vector<double> all;
     for(const Mesh::Vertex_index v : built.vertices)
       all.push_back(result.distance(v));
@@ -330,12 +333,15 @@ TEST(Laplacian_several_sources, lengthen_ways_as_little_as_with_the_default_meth
       const std::vector<Source> sources = separate_sources(built, k, 3);
       std::vector<double> exact;
       const auto measured = [&](const Result& result) { return curve_measures::measure(built.mesh, result, exact); };
-      const auto direction = measured(CGAL::compute_cut_locus(built.mesh, sources)),
-                 edges = measured(CGAL::compute_cut_locus(built.mesh, sources, laplacian)),
+      const auto direction = measured(CGAL::compute_cut_locus(built.mesh, sources, mesh_edges)),
+                 edges = measured(CGAL::compute_cut_locus(
+                   built.mesh, sources, laplacian.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES))),
                  faces = measured(
                    CGAL::compute_cut_locus(built.mesh, sources, laplacian.cut_locus_curve(Curve::THROUGH_FACES))),
-                 heat = measured(CGAL::compute_cut_locus(
-                   built.mesh, sources, laplacian.geodesic_solver(CGAL::Heat_method_geodesic_solver<>())));
+                 heat =
+                   measured(CGAL::compute_cut_locus(built.mesh, sources,
+                                                    laplacian.geodesic_solver(CGAL::Heat_method_geodesic_solver<>())
+                                                      .cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)));
       for(const auto& m : {direction, edges, faces, heat})
       {
         EXPECT_EQ(m.topology_fault, "") << k;
@@ -376,10 +382,14 @@ TEST(Laplacian_several_sources, one_of_them_is_a_source_as_ever)
     for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
     {
       const auto np = laplacian.cut_locus_curve(curve);
-      EXPECT_TRUE(is_same(CGAL::compute_cut_locus(built.mesh, location, np),
-                          CGAL::compute_cut_locus(built.mesh, std::vector<Location>{location}, np)));
-      EXPECT_TRUE(is_same(CGAL::compute_cut_locus(built.mesh, built.vertices[9], np),
-                          CGAL::compute_cut_locus(built.mesh, std::vector<Mesh::Vertex_index>{built.vertices[9]}, np)));
+      EXPECT_TRUE(
+        is_same(CGAL::compute_cut_locus(built.mesh, location, np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)),
+                CGAL::compute_cut_locus(built.mesh, std::vector<Location>{location},
+                                        np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES))));
+      EXPECT_TRUE(is_same(
+        CGAL::compute_cut_locus(built.mesh, built.vertices[9], np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)),
+        CGAL::compute_cut_locus(built.mesh, std::vector<Mesh::Vertex_index>{built.vertices[9]},
+                                np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES))));
     }
   }
 }
@@ -393,8 +403,9 @@ TEST(Laplacian_several_sources, leave_the_parts_that_are_asked_for)
     Solver solver(built.mesh, laplacian);
     solver.set_sources(sources);
     const auto np = params::cut_locus_curve(curve);
-    const Result all = solver.cut_locus(np), voronoi = solver.cut_locus(np.voronoi(true)),
-                 medial = solver.cut_locus(np.medial(true));
+    const Result all = solver.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)),
+                 voronoi = solver.cut_locus(np.voronoi(true).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)),
+                 medial = solver.cut_locus(np.medial(true).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
     EXPECT_EQ(num_edges(voronoi.graph()) + num_edges(medial.graph()), num_edges(all.graph()));
     EXPECT_GT(num_edges(voronoi.graph()), 0u);
     EXPECT_GT(num_edges(medial.graph()), 0u);
@@ -407,12 +418,11 @@ TEST(Laplacian_several_sources, leave_the_parts_that_are_asked_for)
       EXPECT_EQ(medial.graph()[e].sources[0], medial.graph()[e].sources[1]);
     for(const auto v : CGAL::make_range(vertices(voronoi.graph())))
       EXPECT_GT(out_degree(v, voronoi.graph()), 1u) << "on a closed surface it has no ends";
-    const Result mesh_edges = solver.cut_locus(params::voronoi(true));
-    for(const auto e : CGAL::make_range(edges(voronoi.graph())))
-      EXPECT_LT(voronoi.graph()[e].origin, num_edges(mesh_edges.graph()));
-    EXPECT_THROW(solver.cut_locus(np.voronoi(true).medial(true)), Invalid_input);
+    EXPECT_THROW(solver.cut_locus(np.voronoi(true).medial(true).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)),
+                 Invalid_input);
   }
-  const Result none = CGAL::compute_cut_locus(built.mesh, built.vertices[0], laplacian.voronoi(true));
+  const Result none = CGAL::compute_cut_locus(
+    built.mesh, built.vertices[0], laplacian.voronoi(true).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
   EXPECT_EQ(num_edges(none.graph()), 0u);
   EXPECT_EQ(num_vertices(none.graph()), 1u);
 }
@@ -422,8 +432,8 @@ TEST(Laplacian_several_sources, no_threshold_removes_what_is_between_two)
   const Built built(bumpy_sphere(10, 0.5, 3));
   Solver solver(built.mesh, laplacian);
   solver.set_sources(random_sources(built, 6, 3));
-  const std::size_t all = num_edges(solver.cut_locus(params::voronoi(true)).graph());
-  const Result strong = solver.cut_locus(params::gradient_angle_threshold(3.14).minimum_branch_edges(1000));
+  const std::size_t all = num_edges(solver.cut_locus(mesh_edges.voronoi(true)).graph());
+  const Result strong = solver.cut_locus(mesh_edges.gradient_angle_threshold(3.14).minimum_branch_edges(1000));
   EXPECT_EQ(num_edges(strong.graph()), all) << "on a sphere nothing else has to stay";
 }
 
@@ -434,7 +444,7 @@ TEST(Laplacian_several_sources, without_a_face_to_themselves_are_refused)
   const std::vector<Location> both = {Location(f, {{0.3, 0.3, 0.4}}), Location(f, {{0.4, 0.3, 0.3}})};
   try
   {
-    CGAL::compute_cut_locus(built.mesh, both, laplacian);
+    CGAL::compute_cut_locus(built.mesh, both, laplacian.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
     FAIL() << "nothing was thrown";
   }
   catch(const Invalid_input& error)

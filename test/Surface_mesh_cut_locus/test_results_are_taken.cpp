@@ -123,7 +123,7 @@ void expect_functions_on_all_sources(const Mesh_data& data)
       EXPECT_EQ(fault_of_functions(built.mesh, full, area), "") << f;
       const auto curve = CGAL::compute_cut_locus(built.mesh, source, params::cut_locus_curve(Curve::THROUGH_FACES));
       EXPECT_EQ(fault_of_functions(built.mesh, curve, area), "") << f;
-      const auto edges = CGAL::compute_cut_locus(built.mesh, source);
+      const auto edges = CGAL::compute_cut_locus(built.mesh, source, mesh_edges);
       EXPECT_EQ(fault_of_functions_on_edges(built.mesh, edges), "") << f;
     }
 }
@@ -207,7 +207,7 @@ TEST(Results_are_taken, where_components_touch_in_a_vertex)
     {
       const auto full = CGAL::compute_cut_locus(built.mesh, source, params::cut_locus_method(Method::POLYHEDRAL));
       EXPECT_EQ(fault_of_functions(built.mesh, full, area), "") << f;
-      const auto edges = CGAL::compute_cut_locus(built.mesh, source);
+      const auto edges = CGAL::compute_cut_locus(built.mesh, source, mesh_edges);
       EXPECT_EQ(fault_of_functions_on_edges(built.mesh, edges), "") << f;
     }
 }

@@ -629,7 +629,7 @@ TEST(Smoothing, is_reached_by_a_named_parameter)
   const auto mesh = surface_mesh_copy(irregular_torus(40, 16));
   CGAL::Surface_mesh_cut_locus<Geodesic_mesh> solver(mesh, params::geodesic_solver(CGAL::Graph_geodesic_solver()));
   solver.set_source(*mesh.vertices().begin());
-  const auto edges_of_mesh = solver.cut_locus();
+  const auto edges_of_mesh = solver.cut_locus(mesh_edges);
   const auto none = solver.cut_locus(params::number_of_iterations(0));
   const auto curves = solver.cut_locus(params::number_of_iterations(4));
   EXPECT_EQ(num_edges(none.graph()), num_edges(edges_of_mesh.graph()));

@@ -103,7 +103,7 @@ TEST(Spikes, have_cut_loci)
     for(const std::size_t source : {0, 5})
     {
       const Built built(octahedron(std::pow(10., k)));
-      const auto found = CGAL::compute_cut_locus(built.mesh, built.vertices[source]);
+      const auto found = CGAL::compute_cut_locus(built.mesh, built.vertices[source], mesh_edges);
       EXPECT_EQ(fault_of(built, found, source == 0 ? 0 : 4, {source}, Method::DIRECTION), "") << k;
       const auto full =
         CGAL::compute_cut_locus(built.mesh, built.vertices[source], params::cut_locus_method(Method::POLYHEDRAL));

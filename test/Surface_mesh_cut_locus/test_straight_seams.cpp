@@ -193,7 +193,7 @@ TEST(Straight_seams, Curves_along_edges_of_the_mesh)
 TEST(Straight_seams, Faces_off_the_curve_stay)
 {
   const Built_mesh<Mesh> built(torus(1., 0.4, 24, 12, 0.2, 3));
-  const Cut_locus on_edges = CGAL::compute_cut_locus(built.mesh, built.vertices[0]);
+  const Cut_locus on_edges = CGAL::compute_cut_locus(built.mesh, built.vertices[0], mesh_edges);
   Mesh refined;
   CGAL::refine_along_cut_locus(built.mesh, on_edges, refined);
   EXPECT_EQ(refined.number_of_faces(), built.mesh.number_of_faces());

@@ -215,13 +215,11 @@ TEST(Weak_connections, are_found_where_they_are_though_what_is_weak_is_not_looke
         SCOPED_TRACE(c.name + ", source " + std::to_string(source) + ", width " + std::to_string(width));
         CGAL::Cut_loci::internal::Exact_tree_thresholds least;
         least.width = width * test_meshes::mean_edge_length(c.data);
-        Indexed_cut_locus edges;
         Exact_tree_solver full(mesh), run(mesh);
         solve(full, at_vertex(full, source), {});
         number_of_weak += solve(run, at_vertex(run, source), least);
         const auto faces = CGAL::Cut_loci::Curve::THROUGH_FACES;
-        const double expected = length(mesh, full.filter(least, faces, edges)),
-                     found = length(mesh, run.filter(least, faces, edges));
+        const double expected = length(mesh, full.filter(least, faces)), found = length(mesh, run.filter(least, faces));
         EXPECT_TRUE(run.tree().is_known(run.tree().kept(least)));
         EXPECT_NEAR(found, expected, 0.01 * expected);
       }

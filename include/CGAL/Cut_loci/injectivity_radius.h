@@ -34,6 +34,10 @@ struct Injectivity_radius
 
   /// the injectivity radius: the distance of `point` to the source
   double distance = (std::numeric_limits<double>::infinity)();
+  /// Within this distance no point of the polyhedron has several shortest paths, whatever the thresholds: branches that
+  /// are left out begin no nearer. It is at most `distance`, and 0 if it is not known, as with
+  /// `Cut_loci::Method::LAPLACIAN`.
+  double lower_bound = 0.;
   Point_3 point; ///< where it is reached
   /// the vertex of the graph that it is reached at, or the nearer end of `edge`
   vertex_descriptor vertex = boost::graph_traits<Graph>::null_vertex();
@@ -46,8 +50,11 @@ struct Injectivity_radius
  *
  * computes the injectivity radius of the exponential map at the source: the smallest distance on the cut locus, and
  * where it is reached. On the smooth surface, each point within this radius has one shortest path to the source. On the
- * polyhedron, this holds for the cut locus of `Cut_loci::Method::POLYHEDRAL`, which has a branch to each vertex of
- * positive curvature. Time is proportional to the size of the cut locus.
+ * polyhedron, this holds within `lower_bound`, which is the radius of the cut locus of `Cut_loci::Method::POLYHEDRAL`. That
+ * has a branch to each vertex of positive curvature: on a mesh of a smooth surface, where it is positive, the bound is the
+ * distance of the nearest such vertex, about an edge, and says how little the polyhedron knows of the surface; on a
+ * polyhedron that stands for itself, and where curvature is not positive, the two are equal, or near to each other. Beside
+ * a source that is a curve with corners it is 0. Time is proportional to the size of the cut locus.
  *
  * The distance between the ends of an edge of length l, with distances a and b, is taken to be that to a point of a
  * plane: the square of the distance is a parabola, and its minimum is the foot of the perpendicular. That is exact
@@ -100,6 +107,7 @@ Injectivity_radius<TriangleMesh, Point_3> injectivity_radius(const Cut_locus<Tri
     result.vertex = a <= b ? s : t;
     result.edge = e;
   }
+  result.lower_bound = (std::min)(cut_locus.least_distance(), result.distance);
   return result;
 }
 

@@ -68,6 +68,7 @@ struct Cut_locus_statistics
   bool is_one_of_several = false;   ///< see `Cut_locus::is_one_of_several()`
   /// as by `CGAL::Cut_loci::injectivity_radius()`; infinity if the cut locus is empty
   double injectivity_radius = (std::numeric_limits<double>::infinity)();
+  double injectivity_lower_bound = 0.; ///< see `Injectivity_radius::lower_bound`
 };
 
 /*!
@@ -103,7 +104,11 @@ Cut_locus_statistics compute_statistics(const Cut_locus<TriangleMesh, Point_3>& 
     result.length += std::sqrt(CGAL::to_double((p - q) * (p - q)));
   }
   if(result.vertices > 0)
-    result.injectivity_radius = Cut_loci::injectivity_radius(cut_locus).distance;
+  {
+    const auto radius = Cut_loci::injectivity_radius(cut_locus);
+    result.injectivity_radius = radius.distance;
+    result.injectivity_lower_bound = radius.lower_bound;
+  }
   return result;
 }
 

@@ -38,7 +38,7 @@ struct Indexed_cut_locus
     Index source, target;        ///< nodes
     Index halfedge = null_index; ///< the edge of the mesh it is, if any
     float strength = 0.f;        ///< of the branch, in the unit of the method
-    Index origin = null_index;   ///< the edge of the graph of mesh edges that it replaces, or is
+    Index origin = null_index;   ///< of a smoothed curve: the edge of the mesh that it replaces
     float width = 0.f;           ///< the largest separation of the two shortest paths, a length; if the method knows it
     std::array<Index, 2> sources = {{0, 0}}; ///< the numbers of the nearest sources on its two sides
     float curvature = 0.f;                   ///< that the two shortest paths enclose; if the method knows it

@@ -33,40 +33,16 @@ struct Kept_parts
   }
 };
 
-// Removes what is not asked for; returns the new number of each edge, or null, which is its origin then. It returns
-// nothing if all parts are asked for.
-inline std::vector<Index> remove_other_parts(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                                             const Kept_parts& parts, Indexed_cut_locus& graph)
-{
-  std::vector<Index> number;
-  if(parts.has_all_parts())
-    return number;
-  std::vector<unsigned char> is_removed;
-  Index size = 0;
-  for(Indexed_cut_locus::Edge& e : graph.edges)
-  {
-    is_removed.push_back(parts.excludes(e));
-    number.push_back(is_removed.back() ? null_index : size++);
-    e.origin = number.back();
-  }
-  remove_edges(mesh, connectivity, graph, is_removed);
-  return number;
-}
-
-// from both curves, of which the second one refers to the first
+// Removes what is not asked for.
 inline void remove_other_parts(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                               const Kept_parts& parts, Indexed_cut_locus& edges, Indexed_cut_locus& curve)
+                               const Kept_parts& parts, Indexed_cut_locus& graph)
 {
   if(parts.has_all_parts())
     return;
-  std::vector<Index> origin;
-  for(const Indexed_cut_locus::Edge& e : curve.edges)
-    if(!parts.excludes(e))
-      origin.push_back(e.origin);
-  const std::vector<Index> number = remove_other_parts(mesh, connectivity, parts, edges);
-  remove_other_parts(mesh, connectivity, parts, curve);
-  for(std::size_t i = 0; i < curve.edges.size(); ++i)
-    curve.edges[i].origin = origin[i] != null_index ? number[origin[i]] : null_index;
+  std::vector<unsigned char> is_removed;
+  for(const Indexed_cut_locus::Edge& e : graph.edges)
+    is_removed.push_back(parts.excludes(e));
+  remove_edges(mesh, connectivity, graph, is_removed);
 }
 
 } // namespace internal

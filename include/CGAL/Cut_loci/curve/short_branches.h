@@ -11,9 +11,10 @@
 #include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/surface/vector_3.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -34,8 +35,9 @@ public:
     double length;
   };
 
+  // `face` is that of each edge; of edges of the mesh it may be empty
   Hanging_trees(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                const Indexed_cut_locus& graph, Index root)
+                const Indexed_cut_locus& graph, const std::vector<Index>& face)
   {
     const Index n = static_cast<Index>(graph.nodes.size());
     const Index number_of_points = n + connectivity.number_of_border_loops;
@@ -52,14 +54,16 @@ public:
       left.keep(p);
     // Edges form cycles unless they can be peeled down to one point: then the root is that point.
     if(number_of_points == n && graph.edges.size() + 1 == n)
-      left.keep(root);
+      left.keep(0);
 
     std::vector<Index> twig_at(number_of_points, null_index);
     left.peel(ends,
               [&](Index e, Index p)
               {
       twig_at[p] = static_cast<Index>(twigs_.size());
-      twigs_.push_back({e, p, Edges_left::other(ends(e), p), null_index, length(mesh, graph, graph.edges[e])});
+      const Index h = graph.edges[e].halfedge;
+      const double l = h != null_index ? edge_length(mesh, h) : length(mesh, graph, graph.edges[e], face[e]);
+      twigs_.push_back({e, p, Edges_left::other(ends(e), p), null_index, l});
       return true;
     });
     for(Twig& t : twigs_)
@@ -85,20 +89,22 @@ public:
   }
 
 private:
+  // of a segment through a face, laid out in the plane: lengths may be all that there is
   static double length(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& graph,
-                       const Indexed_cut_locus::Edge& e)
+                       const Indexed_cut_locus::Edge& e, Index face)
   {
-    return e.halfedge != null_index
-             ? edge_length(mesh, e.halfedge)
-             : norm(position(mesh, graph.nodes[e.source]) - position(mesh, graph.nodes[e.target]));
-  }
-
-  static Vector position(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus::Node& node)
-  {
-    Vector result = {{0., 0., 0.}};
-    for(int i = 0; i < 3; ++i)
-      result = result + node.location.coordinates[i] * mesh.points[mesh.triangles[node.location.face][i]];
-    return result;
+    const std::array<Planar_vector, 3> corners = {
+      {{{0., 0.}}, {{edge_length(mesh, 3 * face), 0.}}, apex(mesh, 3 * face)}};
+    const auto position = [&](const Indexed_location& location)
+    {
+      Planar_vector result = {{0., 0.}};
+      for(int i = 0; i < 3; ++i)
+        for(int j = 0; j < 3; ++j)
+          if(mesh.triangles[location.face][i] == mesh.triangles[face][j])
+            result = result + location.coordinates[i] * corners[j];
+      return result;
+    };
+    return norm(position(graph.nodes[e.source].location) - position(graph.nodes[e.target].location));
   }
 
   std::vector<Twig> twigs_;
@@ -109,17 +115,20 @@ private:
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * tells for each edge of a graph of mesh edges whether it belongs to a branch of fewer than `minimum_edges` edges or
- * one that is shorter than `minimum_length`. Where branches meet, the longest one continues and the others end; at
- * the cycles, the border and the root, which are never removed, all of them end. This is the rule of `Branch_filter`.
- * Linear time.
+ * tells for each edge of a graph whether it belongs to a branch of fewer than `minimum_edges` edges or one that is shorter
+ * than `minimum_length`. Where branches meet, the longest one continues and the others end; at the cycles, the border and
+ * the root, the first node, which are never removed, all of them end. For edges of the mesh, this is the rule of
+ * `Branch_filter`. Linear time.
+ *
+ * @param face that each edge runs through; it may be empty if they are edges of the mesh
  */
 inline std::vector<unsigned char> short_branches(const Indexed_triangle_mesh& mesh,
                                                  const Mesh_connectivity& connectivity, const Indexed_cut_locus& graph,
-                                                 Index minimum_edges, double minimum_length)
+                                                 const std::vector<Index>& face, Index minimum_edges,
+                                                 double minimum_length)
 {
   std::vector<unsigned char> result(graph.edges.size(), 0);
-  const internal::Hanging_trees trees(mesh, connectivity, graph, 0);
+  const internal::Hanging_trees trees(mesh, connectivity, graph, face);
   const auto& twigs = trees.twigs();
   struct Height
   {
@@ -149,47 +158,8 @@ inline std::vector<unsigned char> short_branches(const Indexed_triangle_mesh& me
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
- * tells for each segment of a curve through the faces whether it belongs to a branch of which most does not
- * correspond, by `origin`, to a branch of `mesh_edges` that is kept: to removed edges, or to those of the cycles and
- * joins. A branch is judged as a whole, since near a branching a segment may correspond to an edge of another branch.
- * Linear time.
- */
-inline std::vector<unsigned char> corresponding_branches(const Indexed_triangle_mesh& mesh,
-                                                         const Mesh_connectivity& connectivity,
-                                                         const Indexed_cut_locus& mesh_edges,
-                                                         const std::vector<unsigned char>& is_removed,
-                                                         const Indexed_cut_locus& curve)
-{
-  std::vector<unsigned char> is_branch(mesh_edges.edges.size(), 0);
-  const internal::Hanging_trees branches(mesh, connectivity, mesh_edges, 0);
-  for(const auto& t : branches.twigs())
-    is_branch[t.edge] = 1;
-  const auto is_kept = [&](const Indexed_cut_locus::Edge& e)
-  { return e.origin != null_index && is_branch[e.origin] && !is_removed[e.origin]; };
-  const auto first = std::find_if(curve.edges.begin(), curve.edges.end(), is_kept);
-  const internal::Hanging_trees trees(mesh, connectivity, curve, first == curve.edges.end() ? 0 : first->source);
-  const auto& twigs = trees.twigs();
-  std::vector<unsigned char> result(curve.edges.size(), 0);
-  std::vector<double> value(twigs.size(), 0.); // of the twig and what hangs on it
-  for(std::size_t i = 0; i < twigs.size(); ++i)
-  {
-    value[i] += is_kept(curve.edges[twigs[i].edge]) ? twigs[i].length : -twigs[i].length;
-    if(twigs[i].parent != null_index)
-      value[twigs[i].parent] += (std::max)(0., value[i]);
-  }
-  for(std::size_t i = twigs.size(); i-- > 0;)
-  {
-    const Index p = twigs[i].parent;
-    result[twigs[i].edge] = !(value[i] > 0.) || (p != null_index && result[twigs[p].edge] != 0);
-  }
-  return result;
-}
-
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
  * removes edges from a graph, and the nodes that have no edge then. If all edges are removed, one node stays: the first
- * one, or one on the border, if there is any. The origins of the edges stay as they are.
+ * one, or one on the border, if there is any.
  */
 inline void remove_edges(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                          Indexed_cut_locus& graph, const std::vector<unsigned char>& is_removed)
@@ -224,6 +194,20 @@ inline void remove_edges(const Indexed_triangle_mesh& mesh, const Mesh_connectiv
     e.target = new_node[e.target];
   }
   graph.edges = std::move(edges);
+}
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * removes what `short_branches()` tells.
+ */
+inline void remove_short_branches(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                                  const std::vector<Index>& face, Index minimum_edges, double minimum_length,
+                                  Indexed_cut_locus& graph)
+{
+  if(!graph.edges.empty() && (minimum_edges > 1 || minimum_length > 0.))
+    remove_edges(mesh, connectivity, graph,
+                 short_branches(mesh, connectivity, graph, face, minimum_edges, minimum_length));
 }
 
 } // namespace Cut_loci

@@ -124,6 +124,12 @@ public:
   bool is_border(Index v) const { return (kind_[v] & border) != 0; }
   /// whether shortest paths may bend at `v`
   bool is_pseudo_source(Index v) const { return (kind_[v] & bends) != 0; }
+  /// whether a branch of the cut locus ends at `v`, as no shortest path goes on behind it
+  /// @param least curvature that is no rounding
+  bool is_tip(Index v, double least = 1e-7) const
+  {
+    return !is_border(v) && 2. * geodesic_pi - total_angle_[v] > least;
+  }
   double mean_edge_length() const { return mean_edge_length_; }
 
   /// the halfedge that follows `h` counterclockwise around the source of `h`, or null

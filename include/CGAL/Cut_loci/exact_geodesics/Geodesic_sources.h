@@ -158,6 +158,13 @@ public:
     return has_lines() && meeting_angle <= 2. / line_reach_ && are_neighbors(a, b);
   }
 
+  /// whether a branch starts between the two lines at `v`, if there are two
+  bool has_corner(Index v) const
+  {
+    return first_line(v) != null_index && last_line(v) != null_index &&
+           geodesic_pi - faces_.total_angle(v) > 2. / line_reach_;
+  }
+
   // -- frames ------------------------------------------------------------------------------------------------------------
 
   /// a vertex of the face of `h` in the frame of `h`

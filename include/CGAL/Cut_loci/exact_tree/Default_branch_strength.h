@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_EXACT_TREE_DEFAULT_BRANCH_STRENGTH_H
 
 #include <CGAL/Cut_loci/exact_geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/exact_tree/Curve_turns.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -47,21 +49,27 @@ public:
   Branch_strength strength;
 
   /// @param extent see `internal::extent()`
+  /// @param turns of sources that are curves
   Default_branch_strength(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                          const Geodesic_faces& faces, double extent, const Progress& progress = {})
-    : mesh_(mesh), connectivity_(connectivity)
+                          const Geodesic_faces& faces, double extent, const Progress& progress = {},
+                          Curve_turns turns = {})
+    : mesh_(mesh), connectivity_(connectivity), turns_(std::move(turns))
   {
     read_deficits(faces, progress.part(0., 0.1));
     length_ = spread(mesh, extent) / edge_;
-    constexpr double all = (std::numeric_limits<double>::infinity)();
     const double any_turn = geodesic_pi / std::sqrt(12.);
-    const double sigma = (std::min)(any_turn, noise(all, progress.part(0.1, 1.)));
+    const double sigma = (std::min)(any_turn, noise(infinity, progress.part(0.1, 1.)));
     const double apart = sigma * std::pow(length_, 1.5) / std::sqrt(3.);
     strength.width = edge_ * std::hypot(3., (std::min)(2. * std::pow(apart, 4. / 9.), 0.25 * length_));
     strength.narrow = Branch_strength::narrow_share * strength.width;
     strength.spur = strength.width * strength.width / (2. * length_ * edge_);
     strength.enclosed = 2.5 * sharp + bends(sigma);
-    let_corners_count(ramp(2. * geodesic_pi - bends(sigma), 0., 0.5 * geodesic_pi));
+    if(!turns_.chains.empty())
+      add_turns();
+    let_corners_count(ramp(2. * geodesic_pi - bends(sigma) - bends_of_turns(infinity), 0., 0.5 * geodesic_pi));
+    if(!turns_.chains.empty())
+      strength.spur =
+        (std::max)(strength.spur, (std::min)(spur_of_turns_, 9. / 8. * smooth_ * smooth_ * length_ * edge_));
   }
 
 private:
@@ -82,10 +90,36 @@ private:
     flat_ = (std::max)(rounding, 0.01 * sum / (std::max)(1., inner));
     for(double d : deficit_)
       bent += is_bent(d) ? 1. : 0.;
+    is_flat_ = bent == 0.;
     edge_ = connectivity_.mean_edge_length * (bent > 0. ? std::sqrt(inner / bent) : 1.);
   }
 
   bool is_bent(double deficit) const { return std::fabs(deficit) > flat_; }
+
+  /*
+   * What holds for a surface and its vertices does so for curves and theirs: a branch is resolved by three edges, and turns
+   * have noise. In a curve that bends as little as a circle of the radius L, a smaller circle touches noise of the size a at
+   * two places that are up to sqrt(8 a L) apart. A surface that is flat resolves all. Curves are moved by up to 1e-4 of
+   * their edges: what is as low is no branch. Nor is what three edges that turn by t make: (3 t)^2 L / 8 at most.
+   */
+  void add_turns()
+  {
+    const double line = turns_.mean_edge_length(), whole = length_ * edge_;
+    turns_.drop_straight();
+    const double edge = turns_.number() > 0. ? turns_.mean_edge_length() : line;
+    const double a = turns_.noise(infinity) * edge / std::sqrt(6.);
+    const double width = std::hypot(3. * edge, (std::min)(std::sqrt(8. * a * whole), 0.25 * whole));
+    if(is_flat_)
+      strength.width = strength.spur = 0.;
+    strength.width = (std::max)(strength.width, width);
+    strength.narrow = Branch_strength::narrow_share * strength.width;
+    strength.enclosed += bends_of_turns(infinity);
+    strength.spur = (std::max)(strength.spur, 1.2e-4 * line);
+    spur_of_turns_ = width * width / (2. * whole);
+  }
+
+  /// the angle between the directions at two places of a curve that is noise: two standard deviations
+  double bends_of_turns(double most) const { return 2. * std::sqrt(2. / 3.) * turns_.noise(most); }
 
   /// the angle by which noise turns a closed way of twice the length of the surface
   double bends(double sigma) const { return 2. * sigma * std::sqrt(length_); }
@@ -96,29 +130,42 @@ private:
    * numbers and noise change ratios, so that there is a ramp and no limit.
    *
    * `share` is less than 1 where there are so many of them that the sum of their bends may be a full turn: then they are
-   * noise themselves, as the corners of voxels are.
+   * noise themselves, as the corners of voxels are. Of curves, turns count as deficits do, for a share.
    */
   void let_corners_count(double share)
   {
     std::vector<double> sizes;
     double next = 0.;
-    for(double d : deficit_)
+    const auto add = [&](double d, bool bends)
+    {
       if(std::fabs(d) >= 0.8 * sharp)
         sizes.push_back(std::fabs(d));
-      else if(is_bent(d))
+      else if(bends)
         next = (std::max)(next, std::fabs(d));
+    };
+    for(double d : deficit_)
+      add(d, is_bent(d));
+    for(const std::vector<double>& chain : turns_.chains)
+      for(double t : chain)
+        add(of_turn * t, true);
     std::sort(sizes.begin(), sizes.end(), std::greater<double>());
     sizes.push_back(next);
     const Branch_strength of_all = strength;
+    double most = 0.;
+    smooth_ = sizes.front();
     for(std::size_t i = 0; i + 1 < sizes.size(); ++i)
     {
       const double part =
         share * ramp(sizes[i], 0.8 * sharp, sharp) * ramp(sizes[i], 3. * sizes[i + 1], 11. * sizes[i + 1]);
       if(part == 0.)
         continue;
-      const double enough = (std::min)(of_all.enclosed, (std::max)(0.9 * sizes[i], bends(noise(sizes[i + 1]))));
+      const double enough =
+        (std::min)(of_all.enclosed,
+                   (std::max)(0.9 * sizes[i], bends(noise(sizes[i + 1])) + bends_of_turns(sizes[i + 1] / of_turn)));
       strength.enclosed = (std::min)(strength.enclosed, of_all.enclosed + part * (enough - of_all.enclosed));
       strength.narrow = (std::min)(strength.narrow, (1. - part) * of_all.narrow);
+      most = (std::max)(most, part);
+      smooth_ = (std::max)(sizes[i + 1], (1. - most) * sizes.front()); // those before it are no smaller
     }
   }
 
@@ -145,9 +192,8 @@ private:
       deviations.push_back(std::fabs(own[i] - around[i]));
       sizes.push_back(std::fabs(own[i]));
     }
-    constexpr double of_median = 1.4826; // of the sizes of normally distributed numbers: their standard deviation
     progress(0.7);
-    const double largest = 3. * of_median * median(sizes);
+    const double largest = 3. * of_median * Curve_turns::median(sizes);
     progress(0.75);
     const auto cut = [&](double d) { return (std::max)(-largest, (std::min)(d, largest)); };
     double square = 0., product = 0.;
@@ -160,7 +206,7 @@ private:
     progress(0.9);
     const double share = square > 0. ? (of_shape - product / square) / (of_shape - of_noise) : 0.;
     progress(0.95);
-    return std::sqrt((std::max)(0., (std::min)(share, 1.))) * of_median * median(deviations);
+    return std::sqrt((std::max)(0., (std::min)(share, 1.))) * of_median * Curve_turns::median(deviations);
   }
 
   /// the deficits of bent vertices, and the means of those of their neighbors
@@ -215,22 +261,22 @@ private:
     return result;
   }
 
-  static double median(std::vector<double>& values)
-  {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  }
-
-  static constexpr double sharp = 0.5;     // of vertices: a smooth surface with such ones has a dozen edges around it
+  static constexpr double sharp = 0.5; // of vertices: a smooth surface with such ones has a dozen edges around it
+  // A curve of a dozen edges around is as smooth: a twelfth of a full turn counts as the deficit at which corners begin to.
+  static constexpr double of_turn = 0.8 * sharp / (geodesic_pi / 6.);
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+  static constexpr double of_median = Curve_turns::of_median;
   static constexpr double rounding = 1e-9; // of an angle, at most
 
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
-  std::vector<double> deficit_; // of each vertex, from a full angle; 0 on the border
-  double flat_ = 0.;            // what is no larger
-  double edge_ = 0.;            // the mean length of edges if flat vertices were none
-  double length_ = 0.;          // of the surface, in these
+  std::vector<double> deficit_;             // of each vertex, from a full angle; 0 on the border
+  double flat_ = 0.;                        // what is no larger
+  bool is_flat_ = false;                    // whether all are
+  double edge_ = 0.;                        // the mean length of edges if flat vertices were none
+  double length_ = 0.;                      // of the surface, in these
+  Curve_turns turns_;                       // at vertices of curves that are not straight there
+  double smooth_ = 0., spur_of_turns_ = 0.; // the largest deficit or turn that is no corner; what is low beside curves
 };
 
 } // namespace internal

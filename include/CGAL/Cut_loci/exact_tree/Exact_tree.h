@@ -241,6 +241,31 @@ public:
   float shown_width(Index edge) const { return shown_width_[edge]; }
   float shown_curvature(Index edge) const { return shown_curvature_[edge]; }
 
+  /// No point of the branches that are known, strong or weak, is nearer to the source than this. Where two paths meet
+  /// head-on, their bisector is nearest; else the distance grows along it, so that it is least at an end.
+  double least_distance() const
+  {
+    double result = (std::numeric_limits<double>::infinity)();
+    for(const Tree_graph::Edge& e : graph_->edges)
+    {
+      if(e.is_virtual)
+        continue;
+      if(e.piece == null_index || !ridges_.piece(e.piece).is_bisector)
+      {
+        result = (std::min)(result, least_distance_in(e.face));
+        continue;
+      }
+      for(Index i : e.nodes)
+        if(graph_->nodes[i].face != null_index)
+          result = (std::min)(result, graph_->nodes[i].distance);
+      const Image &a = ridges_.piece(e.piece).images[0], &b = ridges_.piece(e.piece).images[1];
+      const auto side = [&](const Plane_point& p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); };
+      if(side(ridges_.piece_end(e.piece, 0)) * side(ridges_.piece_end(e.piece, 1)) < 0.)
+        result = (std::min)(result, 0.5 * (std::hypot(b.x - a.x, b.y - a.y) + a.sigma + b.sigma));
+    }
+    return result;
+  }
+
   /// those of the edges of which labels do not say where they are, and the topology alone that there is something
   std::vector<Index> unknown(const std::vector<Tree_branches::Edge>& edges) const
   {
@@ -284,12 +309,13 @@ private:
     for(Tree_branches::Edge& b : result)
       b.edge = edges[b.edge];
     remove_spurs(
-      result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, root_, least.spur,
+      result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, least.spur,
       [this](Index e) { return height(e); },
       [&](const Tree_branches::Edge& b)
       {
-      return graph_->edges[b.edge].piece != null_index && curvature(b.edge) >= least.enclosed &&
-             is_wide(b.edge, least.narrow);
+      // in the middle of a curve that is nearly a circle, what it encloses is no corner
+      return options_.lines.empty() && graph_->edges[b.edge].piece != null_index &&
+             curvature(b.edge) >= least.enclosed && is_wide(b.edge, least.narrow);
       });
     return result;
   }
@@ -330,6 +356,17 @@ private:
       return 0.;
     const Plane_point a = ridges_.piece_end(p, 0), b = ridges_.piece_end(p, 1);
     return std::hypot(a.x - b.x, a.y - b.y);
+  }
+
+  /// a lower bound of the distances of all points of a face
+  double least_distance_in(Index face) const
+  {
+    double result = 0.;
+    for(Index h = 3 * face; h < 3 * face + 3; ++h)
+      result = (std::max)(result, geodesics_.distance(mesh_.source(h)) -
+                                    (std::max)(geodesics_.faces().length(h),
+                                               geodesics_.faces().length(Indexed_triangle_mesh::previous(h))));
+    return result;
   }
 
   /// of the two paths to a point of the piece

@@ -9,10 +9,10 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/curve/curve_correspondence.h>
+#include <CGAL/Cut_loci/curve/kept_parts.h>
+#include <CGAL/Cut_loci/curve/short_branches.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/exact_tree/Curve_filter.h>
 #include <CGAL/Cut_loci/exact_tree/Default_branch_strength.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Label_jumps.h>
@@ -64,8 +64,18 @@ public:
     return std::unique_ptr<Exact_tree_method>(new Exact_tree_solver(mesh_, surface_));
   }
 
+  void set_curves(const std::vector<Indexed_curve>& curves) override
+  {
+    thresholds_ = surface_->thresholds;
+    if(!curves.empty())
+      static_cast<Branch_strength&>(thresholds_) =
+        Default_branch_strength(mesh_, connectivity_, *surface_->faces, surface_->extent, {},
+                                Curve_turns(mesh_, *surface_->faces, curves))
+          .strength;
+  }
+
   // for the cut locus of the surface that the polyhedron stands for
-  const Exact_tree_thresholds& default_thresholds() const override { return surface_->thresholds; }
+  const Exact_tree_thresholds& default_thresholds() const override { return thresholds_; }
 
   // What does not pass may be left out; `filter()` computes it if it is asked for.
   void expect(const Branch_strength& least) override { start_ = expected_ = least; }
@@ -149,15 +159,14 @@ public:
     see_all_of(expected_, progress_);
   }
 
-  // once per threshold; `edges` becomes the curve of mesh edges, whichever curve is asked for. What it returns does not
-  // depend on what has been asked before.
-  Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges) override
+  // once per threshold. What it returns does not depend on what has been asked before.
+  Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve) override
   {
     const Progress all = progress_;
     std::vector<Tree_branches::Edge> kept;
     Exact_tree_solver& solver = solver_for(thresholds, kept, all.part(0., 0.7));
-    Indexed_cut_locus result = solver.curve_of(kept, thresholds, curve, edges, all);
-    result.is_one_of_several = edges.is_one_of_several = is_one_of_several_;
+    Indexed_cut_locus result = solver.curve_of(kept, thresholds, curve, all);
+    result.is_one_of_several = is_one_of_several_;
     return result;
   }
 
@@ -171,6 +180,22 @@ public:
   // the farthest vertex: on a closed surface it is on the cut locus
   Index root() const override { return farthest_; }
   std::vector<Index> nearest_sources() const override { return nearest_source_; }
+
+  /*
+   * What is left out, or has not been looked for, is on branches on which paths meet at small angles: there the distance
+   * grows from a vertex of positive curvature on, or from a corner of a curve. So what is nearest is such a vertex, or
+   * known. Sources that are moved, and errors, have other distances.
+   */
+  double least_distance() const override
+  {
+    double result = tree_->least_distance();
+    if(number_of_moves_ > 0 || has_curves())
+      result -= 1.2e-4 * longest_edge(); // more than any move, and what the waves of lines are off
+    for(Index v = 0; v < distance_.size(); ++v)
+      if(surface_->faces->is_tip(v) && distance_[v] > 0.)
+        result = (std::min)(result, distance_[v]);
+    return has_corners() ? 0. : (std::max)(result, 0.) / (1. + maximum_relative_error_);
+  }
 
 private:
   static constexpr int most_moves = 2; // of a source: what one leaves doubtful, another one decides
@@ -246,41 +271,42 @@ private:
   }
 
   Indexed_cut_locus curve_of(std::vector<Tree_branches::Edge>& kept, const Exact_tree_thresholds& thresholds,
-                             Curve curve, Indexed_cut_locus& edges, const Progress& all)
+                             Curve curve, const Progress& all)
   {
     tree_->measure_widths(kept, all.part(0.7, 0.8));
     if(has_curves())
       return curve == Curve::MESH_EDGES
-               ? edges =
-                   mesh_edges_between_curves(mesh_, sources_, curves_, distance_, *divided_, *tree_, kept, thresholds)
+               ? mesh_edges_between_curves(mesh_, sources_, curves_, distance_, *divided_, *tree_, kept, thresholds)
                : curve_between_curves(mesh_, connectivity_, sources_, curves_, *divided_, *divided_->with_curves,
                                       *tree_, kept, thresholds, lone_vertex());
+    std::vector<Index> face;
+    Indexed_cut_locus result =
+      curve == Curve::MESH_EDGES ? mesh_edges(kept, all.part(0.8, 1.)) : through_faces(kept, face, all.part(0.8, 1.));
+    remove_short_branches(mesh_, connectivity_, face, thresholds.minimum_edges, thresholds.minimum_length, result);
+    remove_other_parts(mesh_, connectivity_, thresholds, result);
+    return result;
+  }
+
+  Indexed_cut_locus mesh_edges(const std::vector<Tree_branches::Edge>& kept, const Progress& progress)
+  {
     const Source_faces at_sources(mesh_, connectivity_, sources_);
-    if(curve == Curve::MESH_EDGES && at_sources.first_without_face() != null_index)
+    if(at_sources.first_without_face() != null_index)
       Source_faces::throw_source_without_face(at_sources.first_without_face(),
                                               "ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
-    edges = Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, at_sources, distance_, {},
-                            lone_vertex(), all.part(0.8, 0.9))
-              .graph;
-    const Curve_filter filter(mesh_, connectivity_, thresholds);
-    const bool drops_branches = thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.;
-    if(curve == Curve::MESH_EDGES)
-    {
-      if(drops_branches)
-        filter.remove_short_branches(edges);
-      filter.remove_other_parts(edges);
-      return edges;
-    }
-    Tree_curve result(tree_->mesh(), tree_->connectivity(), geodesics(), *tree_, kept, lone_vertex(),
-                      all.part(0.9, 1.));
+    return std::move(Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, at_sources, distance_, {},
+                                     lone_vertex(), progress)
+                       .graph);
+  }
+
+  // `face` becomes that of each edge
+  Indexed_cut_locus through_faces(const std::vector<Tree_branches::Edge>& kept, std::vector<Index>& face,
+                                  const Progress& progress)
+  {
+    Tree_curve result(tree_->mesh(), tree_->connectivity(), geodesics(), *tree_, kept, lone_vertex(), progress);
     if(divided_ != nullptr)
       divided_->remove_sources(result.graph, result.face);
     correct_distances(kept, result.graph);
-    set_origins(mesh_, connectivity_, edges, result.face, result.graph);
-    if(drops_branches)
-      filter.remove_short_branches(edges, result);
-    if(!thresholds.has_all_parts())
-      filter.remove_other_parts(edges, result.graph);
+    face = std::move(result.face);
     return std::move(result.graph);
   }
 
@@ -329,6 +355,26 @@ private:
   };
 
   bool has_curves() const { return divided_ != nullptr && divided_->with_curves; }
+
+  double longest_edge() const
+  {
+    double result = 0.;
+    for(Index h = 0; h < mesh_.number_of_halfedges(); ++h)
+      result = (std::max)(result, surface_->faces->length(h));
+    return result;
+  }
+
+  // whether a branch starts at a source that is a curve, where that has an angle of less than pi on a side
+  bool has_corners() const
+  {
+    if(!has_curves())
+      return false;
+    const Geodesic_faces& faces = geodesics().faces();
+    for(Index v = 0; v < faces.number_of_vertices(); ++v)
+      if(geodesics().is_on_line(v) && geodesics().has_corner(v))
+        return true;
+    return false;
+  }
 
   // of the sources where they are
   void read_distances()
@@ -597,7 +643,8 @@ private:
   };
 
   Exact_tree_solver(const Indexed_triangle_mesh& mesh, std::shared_ptr<const Surface> surface)
-    : mesh_(mesh), surface_(std::move(surface)), connectivity_(*surface_->connectivity), geodesics_(surface_->faces)
+    : mesh_(mesh), surface_(std::move(surface)), connectivity_(*surface_->connectivity), geodesics_(surface_->faces),
+      thresholds_(surface_->thresholds)
   {
   }
 
@@ -605,6 +652,7 @@ private:
   std::shared_ptr<const Surface> surface_;
   const Mesh_connectivity& connectivity_; // of that
   Exact_geodesic_propagation geodesics_;
+  Exact_tree_thresholds thresholds_;   // the default for the curves among the sources
   Branch_strength start_, expected_;   // of the first tree, and of those for which it is completed
   Branch_strength least_;              // of what the tree has
   double maximum_relative_error_ = 0.; // of the distances

@@ -235,8 +235,7 @@ private:
       if(is_done[v] || !is_drawn(h / 3))
         continue;
       is_done[v] = 1;
-      const bool is_tip = !faces.is_border(v) && 2. * geodesic_pi - faces.total_angle(v) > least;
-      if(is_tip || faces.is_pseudo_source(v) || geodesics_->is_on_line(v))
+      if(faces.is_tip(v, least) || faces.is_pseudo_source(v) || geodesics_->is_on_line(v))
         for(Vertex_labels::Change& c : labels.changes(v))
           if(is_drawn(c.halfedge / 3))
           {

@@ -9,8 +9,9 @@
 
 #include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/curve/Mesh_beside_curves.h>
+#include <CGAL/Cut_loci/curve/kept_parts.h>
 #include <CGAL/Cut_loci/curve/lone_nodes.h>
-#include <CGAL/Cut_loci/exact_tree/Curve_filter.h>
+#include <CGAL/Cut_loci/curve/short_branches.h>
 #include <CGAL/Cut_loci/exact_tree/Exact_tree.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_edge_curve.h>
 #include <CGAL/Cut_loci/exact_tree/Mesh_with_curves.h>
@@ -54,9 +55,8 @@ mesh_edges_between_curves(const Indexed_triangle_mesh& mesh, const std::vector<I
   Indexed_cut_locus result = std::move(Mesh_edge_curve(beside.mesh(), beside.connectivity(), &divided, tree, kept,
                                                        at_sources, distance, beside.parts(), null_index)
                                          .graph);
-  const Curve_filter filter(beside.mesh(), beside.connectivity(), thresholds);
-  if(!result.edges.empty() && (thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.))
-    filter.remove_short_branches(result);
+  remove_short_branches(beside.mesh(), beside.connectivity(), {}, thresholds.minimum_edges, thresholds.minimum_length,
+                        result);
   if(result.edges.empty())
     result.nodes.clear();
   std::vector<Index> face;
@@ -66,7 +66,7 @@ mesh_edges_between_curves(const Indexed_triangle_mesh& mesh, const std::vector<I
        beside.mesh(), beside.connectivity(), distance, face, [&](Index h) { return beside.parts().is_on_source(h); },
        result))
     set_distances_from_curves(mesh, points, curves, result);
-  filter.remove_other_parts(result);
+  remove_other_parts(beside.mesh(), beside.connectivity(), thresholds, result);
   beside.close(result);
   return result;
 }
@@ -89,9 +89,7 @@ inline Indexed_cut_locus curve_between_curves(const Indexed_triangle_mesh& mesh,
     [&](Index h) { return tree.geodesics().line_at(h) != null_index; }, result.graph);
   with_curves.close(result.graph);
   divided.remove_sources(result.graph, result.face);
-  for(Index i = 0; i < result.graph.edges.size(); ++i)
-    result.graph.edges[i].origin = i;
-  Curve_filter(mesh, connectivity, thresholds).remove_other_parts(result.graph);
+  remove_other_parts(mesh, connectivity, thresholds, result.graph);
   set_distances_from_curves(mesh, points, curves, result.graph);
   return std::move(result.graph);
 }

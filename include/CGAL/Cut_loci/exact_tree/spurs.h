@@ -22,20 +22,20 @@ namespace internal {
 
 /*!
  * removes branches that are not as high as `least`. Where branches meet, the highest one continues and the others end; at
- * cycles, and at the first `terminals` nodes, all of them end.
+ * cycles, and at the first `terminals` nodes, all of them end. At the root of a tree without these the two highest are one
+ * branch; if neither is high, the tree is a point.
  *
  * The height of a branch is by how much a way along it is longer than the distance grows from one end to the other. If
  * noise may lengthen paths by as much, it may have made the branch: near the end of another one, which the polyhedron
  * divides between its vertices, or around the antipode of a part that is nearly a sphere, where all paths meet.
  *
  * @param edges as in `Tree_branches::edges()`
- * @param root of a tree without cycles and terminals: two branches are one there
  * @param height of an edge, of which branches sum it up
  * @param is_exempt tells of an edge that no branch through it is a spur, however low
  */
 template <typename Height, typename Is_exempt>
-void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes, Index terminals, Index root,
-                  double least, const Height& height, const Is_exempt& is_exempt)
+void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes, Index terminals, double least,
+                  const Height& height, const Is_exempt& is_exempt)
 {
   struct Ways // outward from a node: the two highest
   {
@@ -73,13 +73,17 @@ void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes
       std::swap(at.edge[0], at.edge[1]);
     }
   }
-  std::vector<unsigned char> is_gone(number_of_nodes, 0);
+  std::vector<unsigned char> is_gone(number_of_nodes, 0), is_root(number_of_nodes, 1);
+  for(const Tree_branches::Edge& b : edges)
+    is_root[b.outer] = 0;
   std::size_t size = 0;
   for(std::size_t i = 0; i < edges.size(); ++i)
   {
     const Tree_branches::Edge b = edges[i];
     const Ways& at = ways[b.inner];
-    const bool continues = !at.is_in_core && (b.edge == at.edge[0] || (b.inner == root && b.edge == at.edge[1]));
+    const bool continues =
+      !at.is_in_core && (is_root[b.inner] ? at.height[0] >= least && (b.edge == at.edge[0] || b.edge == at.edge[1])
+                                          : b.edge == at.edge[0]);
     if(is_in_core(b) || (!is_gone[b.inner] && (continues || is_high[i])))
       edges[size++] = b;
     else

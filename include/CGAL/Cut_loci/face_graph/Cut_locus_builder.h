@@ -59,7 +59,6 @@ public:
       edge.strength = e.strength;
       edge.width = read_->unit * e.width;
       edge.curvature = e.curvature;
-      edge.origin = e.origin;
       edge.sources = {{e.sources[0], e.sources[1]}};
       if(e.halfedge != null_index)
       {

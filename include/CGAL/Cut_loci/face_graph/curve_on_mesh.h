@@ -153,7 +153,6 @@ Curve_on_mesh curve_on_mesh(const Read_triangle_mesh<TriangleMesh>& read, const 
     edge.source = static_cast<Index>(source(e, graph));
     edge.target = static_cast<Index>(target(e, graph));
     edge.strength = static_cast<float>(graph[e].strength);
-    edge.origin = null_index;
     const Index h = edge.halfedge = indices.halfedge(graph[e]);
     if(h == null_index)
       result.is_of_mesh_edges = false;
@@ -224,8 +223,8 @@ inline void throw_unless_of_mesh_edges(const Curve_on_mesh& curve)
 {
   if(!curve.is_of_mesh_edges)
     throw Invalid_input(Cause::INVALID_CUT_LOCUS,
-                        "the cut locus runs through faces: cut by CGAL::cut_along_curve(), which splits these, "
-                        "or compute it on the edges of the mesh (Curve::MESH_EDGES, without smoothing)");
+                        "the cut locus runs through faces: pass cut_locus_curve(Cut_loci::Curve::MESH_EDGES) to "
+                        "compute_cut_locus(), or cut by CGAL::cut_along_curve(), which splits faces");
 }
 
 inline Mesh_connectivity manifold_connectivity(const Indexed_triangle_mesh& mesh)

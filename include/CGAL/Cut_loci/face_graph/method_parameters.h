@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace CGAL {
@@ -57,27 +58,31 @@ inline void refuse_error_of_curves(double error)
                         "sources that are curves need exact distances: leave maximum_relative_error away");
 }
 
-// Of sources that are curves, the cut locus runs through the faces unless edges are asked for. With exact paths, no curve
-// of edges is found beside it.
-template <typename NamedParameters>
-void refuse_mesh_edges(const NamedParameters& np)
+[[noreturn]] inline void refuse_without_mesh_edges(const std::string& name, const std::string& result)
 {
-  const auto refuse = [](const std::string& name)
-  {
-    throw Invalid_input(Cause::INVALID_PARAMETER,
-                        "the parameter " + name +
-                          " is for a cut locus made of edges of the mesh, and that of sources that are curves runs "
-                          "through the faces: leave it away, or pass cut_locus_curve(Cut_loci::Curve::MESH_EDGES)");
-  };
-  if(parameters::choose_parameter(parameters::get_parameter(np, internal_np::cut_locus_curve), Curve::THROUGH_FACES) ==
-     Curve::MESH_EDGES)
+  throw Invalid_input(Cause::INVALID_PARAMETER, "the parameter " + name +
+                                                  " is for a cut locus made of edges of the mesh, and " + result +
+                                                  " runs through the faces: leave it away, or pass "
+                                                  "cut_locus_curve(Cut_loci::Curve::MESH_EDGES)");
+}
+
+// One answer is about one curve: the map would be of another one.
+template <typename NamedParameters>
+void refuse_map_of_other_curve(const NamedParameters&, Curve curve)
+{
+  if(is_given<NamedParameters, internal_np::edge_is_constrained_t>() && curve != Curve::MESH_EDGES)
+    refuse_without_mesh_edges("edge_is_constrained_map", "this one");
+}
+
+// Of sources that are curves, branches are known to be short only where they do not end at a source, as edges do not.
+inline void refuse_short_branches(const Exact_tree_thresholds& thresholds, Curve curve)
+{
+  if(curve == Curve::MESH_EDGES)
     return;
-  if(is_given<NamedParameters, internal_np::minimum_branch_edges_t>())
-    refuse("minimum_branch_edges");
-  if(is_given<NamedParameters, internal_np::minimum_branch_length_t>())
-    refuse("minimum_branch_length");
-  if(is_given<NamedParameters, internal_np::edge_is_constrained_t>())
-    refuse("edge_is_constrained_map");
+  if(thresholds.minimum_edges > 1)
+    refuse_without_mesh_edges("minimum_branch_edges", "that of sources that are curves");
+  if(thresholds.minimum_length > 0.)
+    refuse_without_mesh_edges("minimum_branch_length", "that of sources that are curves");
 }
 
 // A parameter of another method would be ignored, and the caller would take the result for what it asked for.
@@ -236,26 +241,31 @@ struct Curve_parameters
   std::size_t iterations; // of smoothing, for the method that needs it
 };
 
-// A curve through the faces is asked for by its name, or by a number of smoothing steps.
-template <typename NamedParameters>
-Curve_parameters read_curve(const NamedParameters& np, Method method, bool has_curves)
+// The only place that decides which curve there is: the one through the faces, unless edges of the mesh are asked for, by
+// their name or by no steps of smoothing.
+inline Curve_parameters curve_parameters(std::optional<Curve> curve, std::optional<std::size_t> iterations)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  constexpr std::size_t enough = 4;
-  constexpr bool has_curve = is_given<NamedParameters, internal_np::cut_locus_curve_t>();
-  constexpr bool has_iterations = is_given<NamedParameters, internal_np::number_of_iterations_t>();
-  const std::size_t iterations = to_count(
-    choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(0)), "number_of_iterations");
-  const Curve by_iterations = iterations > 0 ? Curve::THROUGH_FACES : Curve::MESH_EDGES;
-  const bool runs_through_faces = method == Method::POLYHEDRAL || (has_curves && !has_iterations);
-  const Curve curve = choose_parameter(get_parameter(np, internal_np::cut_locus_curve),
-                                       runs_through_faces ? Curve::THROUGH_FACES : by_iterations);
-  if(has_curve && has_iterations && curve != by_iterations)
+  constexpr std::size_t enough = 4; // each one halves what is left
+  const Curve by_iterations = iterations == std::size_t(0) ? Curve::MESH_EDGES : Curve::THROUGH_FACES;
+  if(curve && iterations && *curve != by_iterations)
     throw Invalid_input(Cause::INVALID_PARAMETER,
                         "the parameters cut_locus_curve and number_of_iterations contradict each other: no iterations "
                         "leave edges of the mesh, and one or more of them give a curve through the faces");
-  return {curve, curve == Curve::THROUGH_FACES && iterations == 0 ? enough : iterations};
+  const bool is_of_edges = curve.value_or(by_iterations) == Curve::MESH_EDGES;
+  return {curve.value_or(by_iterations), is_of_edges ? 0 : iterations.value_or(enough)};
+}
+
+template <typename NamedParameters>
+Curve_parameters read_curve(const NamedParameters& np)
+{
+  using parameters::get_parameter;
+  std::optional<Curve> curve;
+  std::optional<std::size_t> iterations;
+  if constexpr(is_given<NamedParameters, internal_np::cut_locus_curve_t>())
+    curve = get_parameter(np, internal_np::cut_locus_curve);
+  if constexpr(is_given<NamedParameters, internal_np::number_of_iterations_t>())
+    iterations = to_count(get_parameter(np, internal_np::number_of_iterations), "number_of_iterations");
+  return curve_parameters(curve, iterations);
 }
 
 } // namespace internal

@@ -92,24 +92,18 @@ public:
   }
 
   Indexed_cut_locus filter(const Branch_thresholds& thresholds, const Smoothing_parameters& smoothing,
-                           const Kept_parts& parts, Indexed_cut_locus& edges) override
+                           const Kept_parts& parts) override
   {
-    Indexed_cut_locus curve;
-    edges = Indexed_cut_locus();
+    Indexed_cut_locus result;
     if(!has_curves())
     {
       whole_->report_to(progress_);
-      edges = whole_->filter(thresholds);
-      curve = smoothed(*whole_, edges, smoothing);
+      result = filtered(*whole_, thresholds, smoothing);
     }
     for(const auto& piece : pieces_)
-    {
-      const Indexed_cut_locus graph = piece->solver->filter(thresholds);
-      append(*piece, smoothed(*piece->solver, graph, smoothing), static_cast<Index>(edges.edges.size()), curve);
-      append(*piece, graph, static_cast<Index>(edges.edges.size()), edges);
-    }
-    internal::remove_other_parts(mesh_, whole_->connectivity(), parts, edges, curve);
-    return curve;
+      append(*piece, filtered(*piece->solver, thresholds, smoothing), result);
+    remove_other_parts(mesh_, whole_->connectivity(), parts, result);
+    return result;
   }
 
   const std::vector<double>& distance() const override { return has_curves() ? distance_ : whole_->distance(); }
@@ -212,14 +206,14 @@ private:
     }
   }
 
-  static Indexed_cut_locus smoothed(const Laplacian_solver& solver, const Indexed_cut_locus& edges,
+  static Indexed_cut_locus filtered(const Laplacian_solver& solver, const Branch_thresholds& thresholds,
                                     const Smoothing_parameters& parameters)
   {
+    const Indexed_cut_locus edges = solver.filter(thresholds);
     return parameters.number_of_iterations == 0 ? edges : solver.smoothed(edges, parameters);
   }
 
-  // `first` is the number of the first edge of the mesh that comes of this piece
-  void append(const Piece& piece, const Indexed_cut_locus& graph, Index first, Indexed_cut_locus& result) const
+  void append(const Piece& piece, const Indexed_cut_locus& graph, Indexed_cut_locus& result) const
   {
     const Index n = static_cast<Index>(result.nodes.size());
     for(Indexed_cut_locus::Node node : graph.nodes)
@@ -235,8 +229,6 @@ private:
       e.target += n;
       if(e.halfedge != null_index)
         e.halfedge = piece.halfedge(e.halfedge);
-      if(e.origin != null_index)
-        e.origin += first;
       result.edges.push_back(e);
     }
   }

@@ -41,6 +41,8 @@ public:
   virtual Index farthest() const = 0;
   virtual Index genus() const = 0;
   virtual Index number_of_border_loops() const = 0;
+  // no point that is nearer has several shortest paths, however weak the branch; 0 if that is not known
+  virtual double least_distance() const { return 0.; }
   // the number of the nearest source of each vertex; empty if there is one source
   virtual std::vector<Index> nearest_sources() const { return {}; }
 };
@@ -55,9 +57,9 @@ public:
   // exact solver found: null, or there until the tree has grown
   virtual void set_distance(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
                             std::vector<double> distance, const Geodesic_results* geodesics) = 0;
-  // `edges` becomes the curve of mesh edges, which the result is if there are no iterations of smoothing
+  // the result is made of edges of the mesh if there are no iterations of smoothing
   virtual Indexed_cut_locus filter(const Branch_thresholds& thresholds, const Smoothing_parameters& smoothing,
-                                   const Kept_parts& parts, Indexed_cut_locus& edges) = 0;
+                                   const Kept_parts& parts) = 0;
 
   // In radians. Around the end of a branch, gradients are focused before they cross: a few edges beyond the end they
   // still meet at half a radian. On tori of 7 K to 113 K faces thresholds from 0.5 to 1 put the ends within 2.5
@@ -71,6 +73,8 @@ class Exact_tree_method : public Method_solver
 public:
   // another one for the same mesh, which shares what depends on it alone, also in another thread
   virtual std::unique_ptr<Exact_tree_method> for_other_sources() const = 0;
+  // of the sources that follow; comes first, as the default depends on them
+  virtual void set_curves(const std::vector<Indexed_curve>& curves) = 0;
   // for the cut locus of the surface that the polyhedron stands for
   virtual const Exact_tree_thresholds& default_thresholds() const = 0;
   // What does not pass may be left out; `filter()` computes it if it is asked for.
@@ -81,8 +85,7 @@ public:
   // common
   virtual void compute_distance(const std::vector<Indexed_source>& points,
                                 const std::vector<Indexed_curve>& curves) = 0;
-  // `edges` becomes the curve of mesh edges, whichever curve is asked for
-  virtual Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve, Indexed_cut_locus& edges) = 0;
+  virtual Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve) = 0;
 };
 
 } // namespace internal
