@@ -11,7 +11,7 @@
 #include "output_file.h"
 #include "surface_files.h"
 
-#include <CGAL/Cut_loci/curve/curve_refinement.h>
+#include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/split_fans.h>

@@ -9,7 +9,7 @@
 
 #include "Union_find.h"
 
-#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Local_geodesics.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>

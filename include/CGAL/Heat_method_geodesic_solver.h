@@ -8,7 +8,7 @@
 #define CGAL_HEAT_METHOD_GEODESIC_SOLVER_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
+#include <CGAL/Cut_loci/polyhedral/sources/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/face_graph/intrinsic_flips.h>
 #include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>

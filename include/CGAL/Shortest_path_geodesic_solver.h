@@ -7,7 +7,7 @@
 #ifndef CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
 #define CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
 
-#include <CGAL/Cut_loci/exact_tree/Mesh_with_sources.h>
+#include <CGAL/Cut_loci/polyhedral/sources/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 

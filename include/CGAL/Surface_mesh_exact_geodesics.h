@@ -8,8 +8,8 @@
 #define CGAL_SURFACE_MESH_EXACT_GEODESICS_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/exact_geodesics/geodesic_path_tracing.h>
+#include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
 #include <CGAL/Cut_loci/face_graph/read_edge_lengths.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 

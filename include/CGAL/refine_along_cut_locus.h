@@ -8,7 +8,7 @@
 #define CGAL_REFINE_ALONG_CUT_LOCUS_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/curve/curve_refinement.h>
+#include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/output_maps.h>
 #include <CGAL/Cut_loci/face_graph/snapping_of_curves.h>

@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_TEST_DIRECTION_RESULTS_H
 #define CGAL_CUT_LOCI_TEST_DIRECTION_RESULTS_H
 
-#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
+#include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

@@ -7,8 +7,8 @@
 #ifndef EXACT_GEODESICS_TEST_MESHES_H
 #define EXACT_GEODESICS_TEST_MESHES_H
 
-#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/exact_geodesics/geodesic_path_tracing.h>
+#include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>

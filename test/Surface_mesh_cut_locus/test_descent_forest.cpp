@@ -9,12 +9,12 @@
 #include "Union_find.h"
 #include "test_meshes.h"
 
-#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/exact_geodesics/geodesic_path_tracing.h>
-#include <CGAL/Cut_loci/laplacian_method/Exact_descent.h>
-#include <CGAL/Cut_loci/laplacian_method/descent_forest.h>
-#include <CGAL/Cut_loci/laplacian_method/homology.h>
-#include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
+#include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
+#include <CGAL/Cut_loci/laplacian/Exact_descent.h>
+#include <CGAL/Cut_loci/laplacian/descent_forest.h>
+#include <CGAL/Cut_loci/laplacian/homology.h>
+#include <CGAL/Cut_loci/laplacian/region_growing_tree.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>

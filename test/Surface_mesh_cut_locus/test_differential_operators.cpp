@@ -6,7 +6,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Cut_loci/laplacian_method/Differential_operators.h>
+#include <CGAL/Cut_loci/laplacian/Differential_operators.h>
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "direction_results.h"
 #include "test_meshes.h"
 
-#include <CGAL/Cut_loci/exact_geodesics/geodesic_path_tracing.h>
+#include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
 
 #include <random>
 

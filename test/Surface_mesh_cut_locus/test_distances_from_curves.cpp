@@ -7,7 +7,7 @@
 #include "curve_sources_cases.h"
 #include "detour.h"
 
-#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/compute_cut_locus.h>

@@ -12,7 +12,7 @@
 #include "polyhedral_oracle.h"
 #include "test_meshes.h"
 
-#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
+#include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_cut_locus.h>

@@ -9,7 +9,7 @@
 #include "direction_results.h"
 #include "test_meshes.h"
 
-#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
+#include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
 #include <CGAL/boost/graph/generators.h>
 

@@ -11,10 +11,10 @@
 #include "detour.h"
 #include "test_meshes.h"
 
-#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/exact_tree/Face_ridges.h>
-#include <CGAL/Cut_loci/exact_tree/Image_bisector.h>
-#include <CGAL/Cut_loci/exact_tree/Path_label.h>
+#include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/polyhedral/faces/Face_ridges.h>
+#include <CGAL/Cut_loci/polyhedral/faces/Image_bisector.h>
+#include <CGAL/Cut_loci/polyhedral/labels/Path_label.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_cut_locus.h>

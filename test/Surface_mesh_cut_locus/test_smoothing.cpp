@@ -7,8 +7,8 @@
 #include "test_meshes.h"
 
 #include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
-#include <CGAL/Cut_loci/laplacian_method/Laplacian_solver.h>
-#include <CGAL/Cut_loci/laplacian_method/smoothing.h>
+#include <CGAL/Cut_loci/laplacian/Laplacian_solver.h>
+#include <CGAL/Cut_loci/laplacian/smoothing.h>
 #include <CGAL/Cut_loci/surface/insert_vertex.h>
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>

@@ -6,13 +6,13 @@
 
 #include "topology_checker.h"
 
-#include <CGAL/Cut_loci/laplacian_method/Branch_filter.h>
-#include <CGAL/Cut_loci/laplacian_method/Differential_operators.h>
-#include <CGAL/Cut_loci/laplacian_method/Tangent_directions.h>
-#include <CGAL/Cut_loci/laplacian_method/gradient_angles.h>
-#include <CGAL/Cut_loci/laplacian_method/homology.h>
-#include <CGAL/Cut_loci/laplacian_method/region_growing_tree.h>
-#include <CGAL/Cut_loci/laplacian_method/thinning.h>
+#include <CGAL/Cut_loci/laplacian/Branch_filter.h>
+#include <CGAL/Cut_loci/laplacian/Differential_operators.h>
+#include <CGAL/Cut_loci/laplacian/Tangent_directions.h>
+#include <CGAL/Cut_loci/laplacian/gradient_angles.h>
+#include <CGAL/Cut_loci/laplacian/homology.h>
+#include <CGAL/Cut_loci/laplacian/region_growing_tree.h>
+#include <CGAL/Cut_loci/laplacian/thinning.h>
 
 #include <gtest/gtest.h>
 

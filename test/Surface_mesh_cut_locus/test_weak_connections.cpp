@@ -9,8 +9,8 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
-#include <CGAL/Cut_loci/exact_tree/Path_classes.h>
+#include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
+#include <CGAL/Cut_loci/polyhedral/strength/Path_classes.h>
 
 #include <gtest/gtest.h>
 

@@ -9,12 +9,12 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
-#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
-#include <CGAL/Cut_loci/exact_tree/Unfolded_polygon.h>
 #include <CGAL/Cut_loci/face_graph/Surface_component.h>
 #include <CGAL/Cut_loci/face_graph/read_source.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/named_parameters.h>
+#include <CGAL/Cut_loci/polyhedral/curves/Unfolded_polygon.h>
+#include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/Surface_without_flat_faces.h>
 #include <CGAL/Cut_loci/surface/checked_mesh.h>

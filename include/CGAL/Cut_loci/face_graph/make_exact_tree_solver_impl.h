@@ -7,8 +7,8 @@
 #ifndef CGAL_CUT_LOCI_FACE_GRAPH_MAKE_EXACT_TREE_SOLVER_IMPL_H
 #define CGAL_CUT_LOCI_FACE_GRAPH_MAKE_EXACT_TREE_SOLVER_IMPL_H
 
-#include <CGAL/Cut_loci/exact_tree/Exact_tree_solver.h>
 #include <CGAL/Cut_loci/face_graph/make_solver.h>
+#include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
 
 #include <memory>
 

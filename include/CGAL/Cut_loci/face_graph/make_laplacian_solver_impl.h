@@ -8,7 +8,7 @@
 #define CGAL_CUT_LOCI_FACE_GRAPH_MAKE_LAPLACIAN_SOLVER_IMPL_H
 
 #include <CGAL/Cut_loci/face_graph/make_solver.h>
-#include <CGAL/Cut_loci/laplacian_method/Laplacian_set_solver.h>
+#include <CGAL/Cut_loci/laplacian/Laplacian_set_solver.h>
 
 #include <memory>
 

@@ -8,10 +8,10 @@
 #define CGAL_CUT_LOCI_FACE_GRAPH_READ_POLYLINES_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/curve/curve_refinement.h>
 #include <CGAL/Cut_loci/face_graph/read_source.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/surface/Local_geodesics.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>

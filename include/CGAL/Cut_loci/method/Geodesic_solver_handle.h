@@ -8,7 +8,7 @@
 #define CGAL_CUT_LOCI_METHOD_GEODESIC_SOLVER_HANDLE_H
 
 #include <CGAL/Cut_loci/cut_locus_method.h>
-#include <CGAL/Cut_loci/exact_geodesics/Geodesic_results.h>
+#include <CGAL/Cut_loci/geodesics/Geodesic_results.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>

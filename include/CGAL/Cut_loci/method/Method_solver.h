@@ -7,9 +7,9 @@
 #ifndef CGAL_CUT_LOCI_METHOD_METHOD_SOLVER_H
 #define CGAL_CUT_LOCI_METHOD_METHOD_SOLVER_H
 
-#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/curve/kept_parts.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
+#include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/graph/kept_parts.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>

@@ -7,8 +7,8 @@
 #ifndef CGAL_CUT_LOCI_METHOD_DISTANCES_FROM_LINES_H
 #define CGAL_CUT_LOCI_METHOD_DISTANCES_FROM_LINES_H
 
-#include <CGAL/Cut_loci/curve/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/exact_geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Source_parts.h>

@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_METHOD_METHOD_THRESHOLDS_H
 #define CGAL_CUT_LOCI_METHOD_METHOD_THRESHOLDS_H
 
-#include <CGAL/Cut_loci/curve/kept_parts.h>
+#include <CGAL/Cut_loci/graph/kept_parts.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_GEODESICS_EXACT_GEODESIC_OPTIONS_H
+#define CGAL_CUT_LOCI_GEODESICS_EXACT_GEODESIC_OPTIONS_H
+
+#include <CGAL/Cut_loci/Index.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/// is an edge on the border all of whose points are sources, and the number of the set of sources that it belongs to.
+struct Geodesic_line
+{
+  Index halfedge, owner;
+};
+
+/// says what a run of `Exact_geodesic_propagation` computes.
+struct Exact_geodesic_options
+{
+  double maximum_distance = (std::numeric_limits<double>::infinity)(); ///< nothing beyond it is reached
+  bool directions = false;                                             ///< whether directions at the source are wanted
+  double maximum_relative_error = 0.;                                  ///< by which distances may be wrong
+  double merging_angle = 0.;  ///< with such an error: by which directions may change where windows are merged
+  bool all_centroids = false; ///< whether face centroids are query locations
+  std::vector<Indexed_location> queries; ///< further points whose distance is wanted
+  std::vector<Geodesic_line> lines;      ///< sources that are edges; with directions, and without an error
+  std::vector<Index> owners;             ///< of the sources that are points, see `Geodesic_line`; empty: its own number
+  /// how far behind its edge the image of a line is, in units of the longest one, see `Geodesic_sources`
+  double line_reach = 8192.;
+  Progress progress; ///< is told, every few milliseconds, the share of the vertices that are reached
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_GEODESICS_EXACT_GEODESIC_OPTIONS_H

@@ -1,0 +1,264 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_CROSSING_IMPL_H
+#define CGAL_CUT_LOCI_GEODESICS_GEODESIC_CROSSING_IMPL_H
+
+#include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/geodesics/Geodesic_arrival.h>
+#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/Geodesic_merging.h>
+#include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
+#include <CGAL/Cut_loci/geodesics/geodesic_window_filters.h>
+#include <CGAL/Cut_loci/geodesics/geodesic_window_kernels.h>
+#include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// How windows cross a face.
+
+template <int columns>
+inline void Exact_geodesic_propagation::note_path_beside(const Crossing& crossing, const Geodesic_window_list& list,
+                                                         std::size_t i, double t)
+{
+  const Plane_point image{list.column(2)[i], list.column(3)[i]}, &apex = crossing.apex;
+  const double d = length_through(image, t, apex);
+  // the accuracy of windows; what bends by more than its root is in a shadow
+  if(d > (1. + geodesic_cover) * std::hypot(apex.x - image.x, apex.y - image.y))
+    return;
+  const Geodesic_window w = list.get<columns>(i);
+  const Path_beside path = {
+    crossing.apex_vertex,
+    w.sigma + d,
+    {w.x, w.y, w.sigma, w.turn, crossing.halfedge, static_cast<Index>(w.origin), true, w.rate, w.error}};
+  if(!is_shorter(path))
+    return;
+  if(is_reached(path.vertex))
+    reach(path.vertex, path.distance, path.arrival);
+  else
+    beside_.push_back(path);
+}
+
+/// by more than it is longer than a straight one
+inline bool Exact_geodesic_propagation::is_shorter(const Path_beside& path) const
+{
+  return path.distance < (1. - geodesic_cover) * distance_[path.vertex];
+}
+
+/// takes the windows of `h` across the face of `h`
+template <int columns>
+inline void Exact_geodesic_propagation::cross_face(Index h)
+{
+  Geodesic_window_list* list = batches_.collect<columns>(h, faces_.length(h));
+  if(!slim_edges_.empty() && !is_approximate() && !list->empty())
+    slim_edges_.trim<columns>(h, *list);
+  if(list->empty())
+  {
+    batches_.release(list);
+    return;
+  }
+  if(columns > 5 && is_approximate() && list->size() > 1)
+    Geodesic_merging<columns>(*list, faces_.length(h), tolerance_, merging_angle_)();
+  number_of_windows_ += list->size();
+  const bool is_kept = observer_ != nullptr && faces_.opposite(h) != null_index && observer_->take(h, *list);
+  if(has_queries())
+    answer_queries<columns>(h, *list);
+  const Crossing crossing = crossing_of(h);
+  const Apex_view view = look_at_apex(*list, crossing);
+  reach_apex<columns>(*list, crossing, view);
+  if((faces_.opposite(crossing.left) != null_index || observer_ != nullptr) && view.number_left > 0)
+    go_left<columns>(*list, crossing, view);
+  if((faces_.opposite(crossing.right) != null_index || observer_ != nullptr) && view.number_right > 0)
+    go_right<columns>(*list, crossing, view);
+  if(!is_kept)
+    batches_.release(list);
+}
+
+inline Exact_geodesic_propagation::Crossing Exact_geodesic_propagation::crossing_of(Index h) const
+{
+  const Geodesic_face& face = faces_.face_of(h);
+  constexpr std::array<Index, 5> modulo_3 = {{0, 1, 2, 0, 1}}; // a condition here would be hard to predict
+  const Index i = h % 3, j = modulo_3[i + 1], k = modulo_3[i + 2];
+  const Geodesic_face::Corner &corner_a = face.corner[i], &corner_b = face.corner[j];
+  const double length = corner_a.length, length_left = face.corner[k].length, length_right = corner_b.length;
+  const bool turns = has_turns();
+  return {h,
+          h - i + k,
+          h - i + j,
+          face.vertex[i],
+          face.vertex[j],
+          face.vertex[k],
+          {length_left * corner_a.cosine, length_left * corner_a.sine},
+          {length, length_left, corner_a.cosine, corner_a.sine, turns ? corner_a.angle : 0.},
+          {length, length_right, corner_b.cosine, corner_b.sine, turns ? -corner_b.angle : 0.}};
+}
+
+inline Exact_geodesic_propagation::Apex_view Exact_geodesic_propagation::look_at_apex(const Geodesic_window_list& list,
+                                                                                      const Crossing& crossing)
+{
+  const Plane_point& apex = crossing.apex;
+  const double tolerance = geodesic_cover * crossing.to_left.base;
+  const double *a = list.column(0), *b = list.column(1), *x = list.column(2), *y = list.column(3);
+  std::size_t first = list.begin, last = list.end;
+  while(first < last && side_of_rays(a[first], b[first], x[first], y[first], apex, tolerance) == passes_left)
+    ++first;
+  while(first < last &&
+        side_of_rays(a[last - 1], b[last - 1], x[last - 1], y[last - 1], apex, tolerance) == passes_right)
+    --last;
+  if(last - first > sides_.size())
+    sides_.resize(2 * (last - first));
+  Apex_view view{first, last, first, last, list.end, infinity, 0, 0, false};
+  for(std::size_t w = first; w < last; ++w)
+  {
+    const Geodesic_side side = side_of_rays(a[w], b[w], x[w], y[w], apex, tolerance);
+    sides_[w - first] = static_cast<unsigned char>(side);
+    if(side == covers)
+    {
+      const double dx = apex.x - x[w], dy = apex.y - y[w];
+      const double d = list.column(4)[w] + std::sqrt(dx * dx + dy * dy);
+      if(d < view.shortest)
+      {
+        view.shortest = d;
+        view.winner = w;
+      }
+    }
+    else if(side == passes_left)
+      view.behind_left = w + 1;
+    else if(view.first_right == last)
+      view.first_right = w;
+  }
+  // the windows that cover the apex go to their side of the winner only
+  view.is_sorted = first == last || (view.behind_left <= view.winner && view.winner < view.first_right);
+  view.number_left = first - list.begin;
+  view.number_right = list.end - last;
+  if(first != last && view.is_sorted)
+  {
+    view.number_left = view.winner + 1 - list.begin;
+    view.number_right = list.end - view.winner;
+  }
+  else
+    for(std::size_t w = first; w < last; ++w)
+    {
+      view.number_left += goes_left(w, view);
+      view.number_right += goes_right(w, view);
+    }
+  return view;
+}
+
+template <int columns>
+inline void Exact_geodesic_propagation::reach_apex(const Geodesic_window_list& list, const Crossing& crossing,
+                                                   const Apex_view& view)
+{
+  const Index v = crossing.apex_vertex;
+  if(view.winner != list.end)
+  {
+    if(view.shortest < distance_[v])
+      reach(v, view.shortest, end_of(list.get<columns>(view.winner), crossing.halfedge));
+    if(counts_paths() && view.shortest < (1. + equal_lengths) * distance_[v])
+      reach_as_soon<columns>(list, crossing, view);
+  }
+  else
+  {
+    if(view.behind_left > list.begin)
+      note_path_beside<columns>(crossing, list, view.behind_left - 1, list.column(1)[view.behind_left - 1]);
+    if(view.first_right < list.end)
+      note_path_beside<columns>(crossing, list, view.first_right, list.column(0)[view.first_right]);
+  }
+}
+
+/// paths to the apex that are as long as the shortest one
+template <int columns>
+inline void Exact_geodesic_propagation::reach_as_soon(const Geodesic_window_list& list, const Crossing& crossing,
+                                                      const Apex_view& view)
+{
+  const Index v = crossing.apex_vertex;
+  for(std::size_t w = view.first; w < view.last; ++w)
+    if(sides_[w - view.first] == covers)
+    {
+      const double d =
+        list.column(4)[w] + std::hypot(crossing.apex.x - list.column(2)[w], crossing.apex.y - list.column(3)[w]);
+      if(d < (1. + equal_lengths) * distance_[v])
+        reach(v, d, end_of(list.get<columns>(w), crossing.halfedge));
+    }
+}
+
+/// an upper bound of the distance of the apex
+inline double Exact_geodesic_propagation::bound_at_apex(const Crossing& c) const
+{
+  return (std::min)(distance_[c.apex_vertex],
+                    (std::min)(distance_[c.source] + c.to_left.length, distance_[c.target] + c.to_right.length));
+}
+
+template <int columns>
+inline void Exact_geodesic_propagation::go_left(const Geodesic_window_list& list, const Crossing& crossing,
+                                                const Apex_view& view)
+{
+  const Geodesic_step& step = crossing.to_left;
+  Geodesic_window_list* out = batches_.allocate<columns>(view.number_left);
+  if(view.is_sorted)
+    step_left<columns>(list, list.begin, view.number_left, *out, step);
+  else
+  {
+    step_left<columns>(list, list.begin, view.first - list.begin, *out, step);
+    for(std::size_t w = view.first; w < view.last; ++w)
+      if(goes_left(w, view))
+        step_left<columns>(list, w, 1, *out, step);
+  }
+  restore_order<columns>(*out, step.length);
+  const double at_source = distance_[crossing.source], at_apex = bound_at_apex(crossing);
+  const Plane_point target{step.base * step.cosine, -step.base * step.sine};
+  filter_begin(*out, at_source);
+  filter_end(*out, at_apex, step.length, distance_[crossing.target], target);
+  send<columns>(crossing.left, 0, out, (std::min)(at_source, at_apex));
+}
+
+template <int columns>
+inline void Exact_geodesic_propagation::go_right(const Geodesic_window_list& list, const Crossing& crossing,
+                                                 const Apex_view& view)
+{
+  const Geodesic_step& step = crossing.to_right;
+  Geodesic_window_list* out = batches_.allocate<columns>(view.number_right);
+  if(view.is_sorted)
+    step_right<columns>(list, list.end - view.number_right, view.number_right, *out, step);
+  else
+  {
+    for(std::size_t w = view.first; w < view.last; ++w)
+      if(goes_right(w, view))
+        step_right<columns>(list, w, 1, *out, step);
+    step_right<columns>(list, view.last, list.end - view.last, *out, step);
+  }
+  restore_order<columns>(*out, step.length);
+  const double at_target = distance_[crossing.target], at_apex = bound_at_apex(crossing);
+  const Plane_point source{step.length - step.base * step.cosine, -step.base * step.sine};
+  filter_begin(*out, at_apex, distance_[crossing.source], source);
+  filter_end(*out, at_target, step.length);
+  send<columns>(crossing.right, 2, out, (std::min)(at_target, at_apex));
+}
+
+inline bool Exact_geodesic_propagation::goes_left(std::size_t w, const Apex_view& view) const
+{
+  const unsigned char side = sides_[w - view.first];
+  return side == passes_left || (side == covers && w <= view.winner);
+}
+
+inline bool Exact_geodesic_propagation::goes_right(std::size_t w, const Apex_view& view) const
+{
+  const unsigned char side = sides_[w - view.first];
+  return side == passes_right || (side == covers && w >= view.winner);
+}
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_CROSSING_IMPL_H

@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_QUERIES_H
+#define CGAL_CUT_LOCI_GEODESICS_GEODESIC_QUERIES_H
+
+#include <CGAL/Cut_loci/Index.h>
+#include <CGAL/Cut_loci/geodesics/Geodesic_arrival.h>
+#include <CGAL/Cut_loci/internal/Compressed_rows.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/// holds the points whose distance is asked for in a run of `Exact_geodesic_propagation`, by face.
+class Geodesic_queries
+{
+public:
+  struct Query
+  {
+    Indexed_location location;
+    double distance;
+    Geodesic_arrival arrival;
+  };
+
+  bool empty() const { return queries_.empty(); }
+  std::size_t size() const { return queries_.size(); }
+  const Query& operator[](std::size_t i) const { return queries_[i]; }
+  std::vector<Query>& all() { return queries_; }
+
+  void prepare(std::vector<Indexed_location> locations, bool all_centroids, Index number_of_faces)
+  {
+    queries_.clear();
+    by_face_ = {};
+    if(all_centroids)
+      for(Index f = 0; f < number_of_faces; ++f)
+      {
+        Indexed_location centroid;
+        centroid.face = f;
+        centroid.coordinates = {{1. / 3., 1. / 3., 1. / 3.}};
+        locations.push_back(centroid);
+      }
+    for(const Indexed_location& location : locations)
+      queries_.push_back({location, (std::numeric_limits<double>::infinity)(), Geodesic_arrival()});
+    if(queries_.empty())
+      return;
+    by_face_ = Compressed_rows<Index>(number_of_faces,
+                                      [&](const auto& add)
+                                      {
+      for(Index i = 0; i < queries_.size(); ++i)
+        add(queries_[i].location.face, i);
+    });
+  }
+
+  template <typename Function>
+  void for_each_in(Index face, const Function& function)
+  {
+    for(Index i : by_face_[face])
+      function(queries_[i]);
+  }
+
+private:
+  std::vector<Query> queries_;
+  Compressed_rows<Index> by_face_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_QUERIES_H

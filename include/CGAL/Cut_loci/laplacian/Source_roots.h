@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_LAPLACIAN_SOURCE_ROOTS_H
+#define CGAL_CUT_LOCI_LAPLACIAN_SOURCE_ROOTS_H
+
+#include <CGAL/Cut_loci/laplacian/region_growing_tree.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/Source_faces.h>
+#include <CGAL/Cut_loci/surface/Source_parts.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * holds the faces at each of several sources, which are the roots of the disks that the cut locus leaves: those around a
+ * vertex, the two of an edge, the one that a source is inside of, or those along a part of the border. What several
+ * sources touch is divided between them, see `internal::Source_faces`.
+ *
+ * Points are numbered first, then the parts of the border.
+ */
+class Source_roots
+{
+public:
+  Source_roots() = default;
+  /// @param names the numbers under which the points are known, if there are other sources elsewhere
+  Source_roots(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+               const std::vector<Indexed_source>& points, const Source_parts& parts = {},
+               const std::vector<Index>& names = {})
+    : points_(points), parts_(parts), names_(names)
+  {
+    for(Index i = static_cast<Index>(names.size()); i < points.size(); ++i)
+      names_.push_back(i);
+    for(Index part = 0; part < parts.size(); ++part)
+      names_.push_back(parts.source(part));
+    const internal::Source_faces faces(mesh, connectivity, points, parts);
+    first_without_face_ = faces.first_without_face();
+    for(Index f = 0; f < mesh.number_of_faces(); ++f)
+      owner_.push_back(faces.owner(f));
+    for(Index i = 0; i < number_of_sources(); ++i)
+      face_.push_back(number_of_sources() > 1 ? faces.face(i) : any_face(i));
+    for(Index i = 0; i < points.size(); ++i)
+      if(points[i].vertex != null_index)
+        join_around_vertex(mesh, connectivity, i);
+      else
+        join_across_edge(mesh, connectivity, i);
+    // The faces around a loop form a ring, and a forest that takes these edges leaves one of them.
+    for(Index h = 0; h < mesh.number_of_halfedges() && !parts.empty(); ++h)
+      if(!mesh.is_border_edge(h) && h < mesh.opposite[h] && owner_[h / 3] != null_index &&
+         faces.is_part(owner_[h / 3]) && faces.is_inside(mesh, h))
+        crossings_.push_back(h);
+  }
+
+  std::size_t number_of_sources() const { return points_.size() + parts_.size(); }
+  const std::vector<Indexed_source>& points() const { return points_; }
+  const Source_parts& parts() const { return parts_; }
+  /// the number under which source `i` is known: several parts may be those of one curve
+  Index name(Index i) const { return names_[i]; }
+  /// the source to which a face belongs, or `null_index`
+  Index owner(Index f) const { return owner_[f]; }
+  const std::vector<Index>& owners() const { return owner_; }
+  /// a face that source `i` has to itself
+  Index face(Index i) const { return face_[i]; }
+  /// the first source that has none, or `null_index`
+  Index first_without_face() const { return first_without_face_; }
+  /// across these halfedges, the faces of each source hang together: as a tree, so that around a vertex one is left
+  const std::vector<Index>& crossings() const { return crossings_; }
+  /// for each point, what of it is never on the cut locus, as it has all faces there
+  const std::vector<Source_element>& elements() const { return elements_; }
+
+private:
+  Index any_face(Index i) const
+  {
+    return i < points_.size() ? points_[i].location.face : parts_.halfedge(i - static_cast<Index>(points_.size())) / 3;
+  }
+
+  void join_around_vertex(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, Index i)
+  {
+    const Index v = points_[i].vertex, begin = connectivity.ring_begin[v], end = connectivity.ring_begin[v + 1];
+    bool has_all = true;
+    const auto is_own = [&](Index h) { return owner_[h / 3] == i; };
+    for(Index k = begin; k < end; ++k)
+      if(const Index h = connectivity.ring_halfedge[k]; mesh.source(h) == v) // not the last edge at a border
+        has_all = has_all && is_own(h);
+    // The tree takes a source by the first edge in its ring, if all faces are its own: no path crosses that one.
+    for(Index k = begin + (has_all ? 1 : 0); k < end; ++k)
+      if(const Index h = connectivity.ring_halfedge[k];
+         mesh.source(h) == v && !mesh.is_border_edge(h) && is_own(h) && is_own(mesh.opposite[h]))
+        crossings_.push_back(h);
+    elements_.emplace_back();
+    if(has_all)
+      elements_.back().vertex = v;
+  }
+
+  void join_across_edge(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, Index i)
+  {
+    elements_.push_back(Source_element(connectivity, points_[i]));
+    Index& edge = elements_.back().edge;
+    if(edge == null_index)
+      return;
+    const Index h = connectivity.halfedge_of_edge[edge];
+    if(mesh.is_border_edge(h))
+      return;
+    const Index inside = h / 3 == points_[i].location.face ? h : mesh.opposite[h], o = mesh.opposite[inside];
+    if(owner_[inside / 3] == i && owner_[o / 3] == i)
+      crossings_.push_back(o);
+    else
+      edge = null_index;
+  }
+
+  std::vector<Indexed_source> points_;
+  Source_parts parts_;
+  std::vector<Index> names_; // of all sources
+  std::vector<Index> owner_; // of each face
+  std::vector<Index> face_, crossings_;
+  std::vector<Source_element> elements_;
+  Index first_without_face_ = null_index;
+};
+
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_LAPLACIAN_SOURCE_ROOTS_H

@@ -1,0 +1,321 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_POLYHEDRAL_CURVES_MESH_EDGE_CURVE_H
+#define CGAL_CUT_LOCI_POLYHEDRAL_CURVES_MESH_EDGE_CURVE_H
+
+#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/graph/Edges_off_sources.h>
+#include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/graph/Nodes_with_sources.h>
+#include <CGAL/Cut_loci/internal/Edges_left.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
+#include <CGAL/Cut_loci/internal/Source_forest.h>
+#include <CGAL/Cut_loci/polyhedral/curves/Face_cells.h>
+#include <CGAL/Cut_loci/polyhedral/joining/Tree_graph.h>
+#include <CGAL/Cut_loci/polyhedral/sources/Mesh_with_sources.h>
+#include <CGAL/Cut_loci/polyhedral/strength/Tree_branches.h>
+#include <CGAL/Cut_loci/polyhedral/tree/Exact_tree.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/Source_faces.h>
+#include <CGAL/Cut_loci/surface/Source_parts.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * is the cut locus made of edges of the mesh.
+ *
+ * A face that the cut locus divides belongs to the cell that holds its centroid. Two faces are on the same side if
+ * these cells touch along the edge between them. A spanning tree of the faces stays on one side as far as it can. What
+ * is behind a corridor narrower than a face has to be opened elsewhere: across the cut locus, where it is nearest to the
+ * source, which is beside the corridor. There both sides are at the same distance, so that ways become longer by about
+ * what it takes from there to the corridor. The edges of the mesh that the tree does not cross form a graph whose
+ * complement is an open disk. What of it stands for no piece, and has nothing behind it that does, is no part of the
+ * curve.
+ *
+ * With several sources the tree is a forest, with one tree for each source that has a face to itself.
+ *
+ * Sources that are curves are parts of the border of the mesh, which is cut open along them. The curve stays off them.
+ * Where it could only go on along a vertex of theirs, as the corridor beside it has no vertex inside, it ends: what is
+ * behind is left out, unless it has a cycle.
+ */
+class Mesh_edge_curve
+{
+public:
+  Indexed_cut_locus graph; ///< it counts the corridors that are opened elsewhere
+
+  /// @param kept the edges of the tree that the curve stands for
+  /// @param divided the mesh that the tree is on, if it is another one
+  /// @param distance of the vertices
+  /// @param parts of the border that are sources
+  /// @param lone the vertex that is left if nothing else is, or null for none
+  Mesh_edge_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                  const Mesh_with_sources* divided, Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept,
+                  const Source_faces& sources, const std::vector<double>& distance, const Source_parts& parts,
+                  Index lone, const Progress& progress = {})
+    : mesh_(mesh), connectivity_(connectivity), divided_(divided), distance_(distance),
+      nodes_(mesh, connectivity, parts), tree_(tree)
+  {
+    const Face_cells cells(tree.mesh(), tree.connectivity(), tree.geodesics().faces(), tree.graph(), kept,
+                           progress.part(0., 0.2));
+    grow_tree(cells, sources, progress.part(0.2, 0.8));
+    drop_weak_leaves(progress.part(0.8, 1.));
+    if(!parts.empty())
+    {
+      leave_sources();
+      drop_weak_leaves(Progress());
+    }
+    draw(lone);
+  }
+
+private:
+  struct Candidate
+  {
+    Index edge;       // of the mesh
+    Index stands_for; // an edge of the tree, or null
+    double gap;
+    std::array<Index, 2> sources = {{0, 0}}; // on its two sides
+  };
+
+  void grow_tree(const Face_cells& cells, const Source_faces& sources, const Progress& progress)
+  {
+    forest_ = Source_forest(mesh_.number_of_faces());
+    for(Index i = 0; i < sources.number_of_sources(); ++i)
+      if(sources.face(i) != null_index)
+        forest_.plant(sources.face(i), sources.name(i));
+    // The faces at the source belong to its cell, wherever their centroids are.
+    const Progress at_sources = progress.part(0., 0.2), linking = progress.part(0.2, 1.);
+    for(Index h = 0; h < mesh_.number_of_halfedges(); ++h)
+    {
+      at_sources(h, mesh_.number_of_halfedges());
+      if(!sources.is_inside(mesh_, h))
+        continue;
+      // The faces around a source that is a loop form a ring; what is behind a corridor one face wide has one of its own.
+      if(!forest_.link(h / 3, mesh_.opposite[h] / 3) && h < mesh_.opposite[h] && sources.is_part(sources.owner(h / 3)))
+        candidates_.push_back({connectivity_.edge_of_halfedge[h], null_index, 0.});
+    }
+    // edges between cells that touch come first, in any order, then the others by the distance of their middle
+    std::vector<Candidate> barred;
+    for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
+    {
+      linking(e, connectivity_.number_of_edges());
+      const Index h = connectivity_.halfedge_of_edge[e];
+      if(mesh_.is_border_edge(h) || sources.is_inside(mesh_, h))
+        continue;
+      const Candidate c = barrier(cells, h);
+      if(c.stands_for != null_index)
+        barred.push_back(c);
+      else if(!forest_.link(h / 3, mesh_.opposite[h] / 3))
+        candidates_.push_back(c);
+    }
+    const auto way = [&](const Candidate& c)
+    {
+      const Index h = connectivity_.halfedge_of_edge[c.edge];
+      return distance_[mesh_.source(h)] + distance_[mesh_.target(h)];
+    };
+    // and between sources only where there is no other way
+    const auto is_between = [](const Candidate& c) { return c.gap == (std::numeric_limits<double>::infinity)(); };
+    std::sort(barred.begin(), barred.end(),
+              [&](const Candidate& a, const Candidate& b) {
+      return is_between(a) != is_between(b) ? is_between(b) : way(a) != way(b) ? way(a) < way(b) : a.edge < b.edge;
+    });
+    for(const Candidate& c : barred)
+    {
+      const Index h = connectivity_.halfedge_of_edge[c.edge];
+      if(!forest_.link(h / 3, mesh_.opposite[h] / 3))
+        candidates_.push_back(c);
+      else
+        ++graph.number_of_narrow_corridors;
+    }
+    for(Candidate& c : candidates_)
+      for(std::size_t k = 0; k < 2 && sources.number_of_sources() > 1; ++k)
+      {
+        const Index h = connectivity_.halfedge_of_edge[c.edge];
+        const Index source = forest_.source(k == 0 ? h / 3 : mesh_.opposite[h] / 3);
+        c.sources[k] = source != null_index ? source : 0;
+      }
+  }
+
+  /// what is between the centroids of the faces of an edge: the piece of the graph with the largest gap in a face whose
+  /// centroid is in another cell, across the interval of the edge where that is least
+  Candidate barrier(const Face_cells& cells, Index h) const
+  {
+    if(divided_ == nullptr)
+      return barrier(cells, h, h);
+    Candidate best{null_index, null_index, 0.};
+    divided_->for_each_part(h,
+                            [&](Index part)
+                            {
+      const Candidate here = barrier(cells, h, part);
+      const bool is_open = best.edge != null_index && best.stands_for == null_index;
+      if(best.edge == null_index || (!is_open && (here.stands_for == null_index || here.gap < best.gap)))
+        best = here;
+    });
+    return best;
+  }
+
+  /// the same for a part of the halfedge, in the mesh that the tree is on
+  Candidate barrier(const Face_cells& cells, Index whole, Index h) const
+  {
+    const Index name = connectivity_.edge_of_halfedge[whole], o = tree_.mesh().opposite[h];
+    Candidate best{name, null_index, (std::numeric_limits<double>::infinity)()};
+    if(cells.is_whole(h / 3) && cells.is_whole(o / 3))
+      return best;
+    const Index e = tree_.connectivity().edge_of_halfedge[h];
+    const Index m = cells.first_node(e + 1) - cells.first_node(e);
+    for(Index k = 0; k <= m; ++k)
+    {
+      Candidate here{name, null_index, 0.};
+      for(Index g : {h, o})
+        if(!cells.holds_centroid(g, k))
+          for(Index i = cells.first_edge(g / 3); i < cells.first_edge(g / 3 + 1); ++i)
+            if(here.stands_for == null_index || tree_.graph().edges[cells.edge(i)].gap > here.gap)
+            {
+              here.stands_for = cells.edge(i);
+              here.gap = tree_.graph().edges[here.stands_for].gap;
+            }
+      if(here.stands_for == null_index)
+        return here;
+      if(here.gap < best.gap || best.stands_for == null_index)
+        best = here;
+    }
+    return best;
+  }
+
+  std::array<Index, 2> ends(const Candidate& c) const { return nodes_.ends(connectivity_.halfedge_of_edge[c.edge]); }
+
+  void drop_weak_leaves(const Progress& progress)
+  {
+    const auto nodes = [this](Index i) { return ends(candidates_[i]); };
+    Edges_left left(nodes_.size(), candidates_.size(), nodes, progress.part(0., 0.5));
+    for(Index i = 0; i < nodes_.number_of_loops(); ++i)
+      left.keep(i);
+    std::vector<unsigned char> is_dropped(candidates_.size(), 0);
+    left.peel(
+      nodes,
+      [&](Index i, Index leaf)
+      { return (is_dropped[i] = candidates_[i].stands_for == null_index || nodes_.is_source(leaf)) != 0; },
+      progress.part(0.5, 1.));
+    drop(is_dropped);
+  }
+
+  void drop(const std::vector<unsigned char>& is_dropped)
+  {
+    std::size_t size = 0;
+    for(std::size_t i = 0; i < candidates_.size(); ++i)
+      if(!is_dropped[i])
+        candidates_[size++] = candidates_[i];
+    candidates_.resize(size);
+  }
+
+  void leave_sources()
+  {
+    std::vector<Index> halfedges;
+    for(const Candidate& c : candidates_)
+      halfedges.push_back(connectivity_.halfedge_of_edge[c.edge]);
+    const Edges_off_sources off(nodes_, halfedges, "ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
+    drop(off.is_dropped());
+    graph.number_of_narrow_corridors += off.number_at_sources();
+  }
+
+  /// the edges from the inside out, and the root first
+  void draw(Index lone)
+  {
+    std::vector<Index> nodes; // dense numbers for those that are left, the loops first
+    for(Index i = 0; i < connectivity_.number_of_border_loops; ++i)
+      nodes.push_back(i);
+    for(const Candidate& c : candidates_)
+      for(Index v : ends(c))
+        nodes.push_back(v);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    const auto number = [&](Index v)
+    { return static_cast<Index>(std::lower_bound(nodes.begin(), nodes.end(), v) - nodes.begin()); };
+    std::vector<std::array<Index, 2>> numbers;
+    numbers.reserve(candidates_.size());
+    for(const Candidate& c : candidates_)
+      numbers.push_back({{number(ends(c)[0]), number(ends(c)[1])}});
+    const Tree_branches branches(
+      static_cast<Index>(nodes.size()), static_cast<Index>(candidates_.size()), [&](Index i) { return numbers[i]; },
+      [&](Index i)
+      { return candidates_[i].stands_for != null_index && !is_between_sources(i) ? candidates_[i].gap : 0.; },
+      connectivity_.number_of_border_loops);
+
+    std::vector<Index> vertices; // of the curve
+    for(const Candidate& c : candidates_)
+      for(Index h = connectivity_.halfedge_of_edge[c.edge], k = 0; k < 2; ++k, h = Indexed_triangle_mesh::next(h))
+        vertices.push_back(mesh_.source(h));
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    position_.assign(vertices.size(), null_index);
+    const Index root = branches.root() != null_index ? nodes[branches.root()] : null_index;
+    if(root != null_index && nodes_.vertex(root) != null_index && !candidates_.empty())
+      add_node(vertices, nodes_.vertex(root));
+    for(const Tree_branches::Edge& b : branches.edges())
+    {
+      const Candidate& c = candidates_[b.edge];
+      const Index h = connectivity_.halfedge_of_edge[c.edge];
+      const bool is_forward = numbers[b.edge][0] == b.outer;
+      const Index outer = is_forward ? mesh_.source(h) : mesh_.target(h);
+      const Index inner = is_forward ? mesh_.target(h) : mesh_.source(h);
+      const Index i = add_node(vertices, outer), k = add_node(vertices, inner);
+      Indexed_cut_locus::Edge edge{i, k, h, (std::min)(b.strength, static_cast<float>(c.gap)),
+                                   static_cast<Index>(graph.edges.size())};
+      if(c.stands_for == null_index)
+        edge.strength = b.strength < (std::numeric_limits<float>::infinity)() ? b.strength : 0.f;
+      edge.width = c.stands_for != null_index ? tree_.shown_width(c.stands_for) : 0.f;
+      edge.curvature = c.stands_for != null_index ? tree_.shown_curvature(c.stands_for) : 0.f;
+      edge.sources = {{(std::min)(c.sources[0], c.sources[1]), (std::max)(c.sources[0], c.sources[1])}};
+      if(is_between_sources(b.edge))
+        edge.width = static_cast<float>(2. * (std::max)(distance_[outer], distance_[inner]));
+      if(is_between_sources(b.edge) || edge.strength == (std::numeric_limits<float>::infinity)())
+        edge.strength = gap_between_sources;
+      graph.edges.push_back(edge);
+    }
+    if(graph.edges.empty() && lone != null_index)
+      graph.nodes.assign(1, {location_of_vertex(connectivity_, lone), lone, distance_[lone]});
+  }
+
+  bool is_between_sources(Index i) const { return candidates_[i].sources[0] != candidates_[i].sources[1]; }
+
+  Index add_node(const std::vector<Index>& vertices, Index v)
+  {
+    Index& i =
+      position_[static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin())];
+    if(i == null_index)
+    {
+      i = static_cast<Index>(graph.nodes.size());
+      graph.nodes.push_back({location_of_vertex(connectivity_, v), v, distance_[v]});
+    }
+    return i;
+  }
+
+  const Indexed_triangle_mesh& mesh_;
+  const Mesh_connectivity& connectivity_;
+  const Mesh_with_sources* divided_;
+  const std::vector<double>& distance_;
+  const Nodes_with_sources nodes_;
+  Exact_tree& tree_;
+  Source_forest forest_{0}; // of faces
+  std::vector<Candidate> candidates_;
+  std::vector<Index> position_; // of vertices of the curve in the graph
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_POLYHEDRAL_CURVES_MESH_EDGE_CURVE_H

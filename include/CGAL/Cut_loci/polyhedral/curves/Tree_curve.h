@@ -1,0 +1,613 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_POLYHEDRAL_CURVES_TREE_CURVE_H
+#define CGAL_CUT_LOCI_POLYHEDRAL_CURVES_TREE_CURVE_H
+
+#include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/internal/Edges_left.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
+#include <CGAL/Cut_loci/polyhedral/curves/Polyline_crossings.h>
+#include <CGAL/Cut_loci/polyhedral/curves/planar_positions.h>
+#include <CGAL/Cut_loci/polyhedral/faces/Image_bisector.h>
+#include <CGAL/Cut_loci/polyhedral/tree/Exact_tree.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * turns the edges of an `Exact_tree` that are left into a curve through the faces.
+ *
+ * In a face, pieces that follow each other become one polyline that leaves them by a small share of an edge of the mesh
+ * at most, and by less where it would cross others: corridors between branches may be of any width.
+ */
+class Tree_curve
+{
+public:
+  Indexed_cut_locus graph;
+  std::vector<Index> face; ///< that each edge runs through
+
+  /// @param lone the vertex that is left if nothing else is
+  Tree_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+             const Exact_geodesic_propagation& geodesics, Exact_tree& tree,
+             const std::vector<Tree_branches::Edge>& kept, Index lone, const Progress& progress = {})
+    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), tree_(tree)
+  {
+    const Index root = tree_.root();
+    number_.assign(tree_.graph().nodes.size(), null_index);
+    contract(kept, progress.part(0.1, 0.3));
+    join(kept);
+    progress(0.4);
+    root_ = root != null_index ? representative(root) : null_index;
+    if(root != null_index && tree_.graph().nodes[root].face != null_index)
+      node(root); // it comes first
+    for(const Tree_branches::Edge& b : kept)
+      if(!is_drawn_[b.edge] && !tree_.graph().edges[b.edge].is_virtual)
+        find_chain(b.edge);
+    lay_out_chains(progress.part(0.5, 0.8));
+    const Progress drawing = progress.part(0.8, 1.);
+    std::size_t number = 0;
+    for(const Chain& c : chains_)
+    {
+      drawing(number++, chains_.size());
+      draw(c);
+    }
+    if(graph.edges.empty())
+      graph.nodes.assign(1, lone_node(lone));
+  }
+
+private:
+  Indexed_cut_locus::Node lone_node(Index v) const
+  {
+    return {location_of_vertex(connectivity_, v), v, geodesics_.distance(v)};
+  }
+
+  /// Where more pieces than two meet, or at a vertex, pieces of no length may be between them: they become one node.
+  void contract(const std::vector<Tree_branches::Edge>& kept, const Progress& progress)
+  {
+    const std::vector<Tree_graph::Node>& nodes = tree_.graph().nodes;
+    merged_.assign(nodes.size(), null_index);
+    vertex_.resize(nodes.size());
+    for(Index i = 0; i < nodes.size(); ++i)
+    {
+      progress(i, nodes.size());
+      vertex_[i] = nodes[i].vertex;
+    }
+    is_drawn_.assign(tree_.graph().edges.size(), 0);
+    for(const Tree_branches::Edge& b : kept)
+      if(is_nothing(b.edge))
+        is_drawn_[b.edge] = merge(representative(b.outer), representative(b.inner));
+    fold(kept);
+  }
+
+  /// Branches that are nearer to a vertex than it is known where they are, and come from one point: pieces between the same
+  /// two places are one, that with the largest gap.
+  void fold(const std::vector<Tree_branches::Edge>& kept)
+  {
+    std::map<std::pair<Index, Index>, Index> edge_to; // from a node, to a vertex
+    for(const Tree_branches::Edge& b : kept)
+      for(const bool is_outer : {false, true})
+      {
+        const Index from = representative(is_outer ? b.inner : b.outer),
+                    to = representative(is_outer ? b.outer : b.inner);
+        if(is_drawn_[b.edge] || vertex_[to] == null_index)
+          continue;
+        Index& other = edge_to.insert({{from, vertex_[to]}, b.edge}).first->second;
+        const Tree_graph::Edge &e = tree_.graph().edges[b.edge], &o = tree_.graph().edges[other];
+        if(other == b.edge || e.face != o.face)
+          continue;
+        const Index end = representative(representative(o.nodes[0]) == from ? o.nodes[1] : o.nodes[0]);
+        if(end == to || !merge(end, to))
+          continue;
+        is_drawn_[e.gap > o.gap ? other : b.edge] = 1;
+        if(e.gap > o.gap)
+          other = b.edge;
+      }
+  }
+
+  /// Makes one node of two, unless its place would be in no common face with what is joined to either.
+  bool merge(Index i, Index j)
+  {
+    if(i == j)
+      return true;
+    if(rank(i) < rank(j))
+      std::swap(i, j);
+    const Tree_graph::Node &a = tree_.graph().nodes[i], &b = tree_.graph().nodes[j];
+    if(rank(i) == 2 && (rank(j) == 2 ? vertex_[i] != vertex_[j] : !is_beside(b, vertex_[i])))
+      return false;
+    if(rank(i) == 1 && rank(j) == 1 && a.halfedge != b.halfedge)
+    {
+      // at the vertex between two edges, but at none of the border: what passes there does not end there
+      const Index v = common_vertex(a.halfedge, b.halfedge);
+      if(v == null_index || !is_at(a, v) || !is_at(b, v))
+        return false;
+      vertex_[i] = v;
+    }
+    merged_[j] = i;
+    return true;
+  }
+
+  /// of several nodes at a point, the one that is at a vertex or on an edge says so for all
+  int rank(Index i) const
+  {
+    return vertex_[i] != null_index ? 2 : tree_.graph().nodes[i].halfedge != null_index ? 1 : 0;
+  }
+
+  /// whether a node is on an edge or in a face of the mesh at a vertex
+  bool is_beside(const Tree_graph::Node& n, Index v) const
+  {
+    if(n.halfedge != null_index)
+      return mesh_.source(n.halfedge) == v || mesh_.target(n.halfedge) == v;
+    const std::array<Index, 3>& t = mesh_.triangles[n.face];
+    return std::find(t.begin(), t.end(), v) != t.end();
+  }
+
+  /// whether a node on an edge is at its end: the edges of a thin face are next to each other elsewhere, too
+  bool is_at(const Tree_graph::Node& n, Index v) const
+  {
+    constexpr double accuracy = 1e-6; // of nodes, in lengths of the edge
+    const double length = geodesics_.faces().length(n.halfedge);
+    return (mesh_.source(n.halfedge) == v ? n.t : length - n.t) <= accuracy * length;
+  }
+
+  /// of two edges, if it is not on the border
+  Index common_vertex(Index h, Index g) const
+  {
+    for(Index v : {mesh_.source(h), mesh_.target(h)})
+      if((mesh_.source(g) == v || mesh_.target(g) == v) && !connectivity_.is_border(v))
+        return v;
+    return null_index;
+  }
+
+  Index representative(Index i) const
+  {
+    while(merged_[i] != null_index)
+      i = merged_[i];
+    return i;
+  }
+
+  bool is_nothing(Index edge) const
+  {
+    const Tree_graph::Edge& e = tree_.graph().edges[edge];
+    if(e.is_virtual)
+      return false;
+    const Plane_point p = position(e.nodes[0], e.face), q = position(e.nodes[1], e.face);
+    const double size = geodesics_.faces().length(3 * e.face) + geodesics_.faces().length(3 * e.face + 1);
+    const double least = 1e-8 * size; // some ten times the accuracy of windows
+    return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y) <= least * least;
+  }
+
+  /// in the frame of the first halfedge of the face
+  Plane_point position(Index i, Index f) const
+  {
+    const Tree_graph::Node& n = tree_.graph().nodes[i];
+    if(n.face == f)
+      return n.point;
+    const Index o = mesh_.opposite[n.halfedge];
+    const double s = 1. - n.t / geodesics_.faces().length(n.halfedge);
+    const std::array<Plane_point, 3> c = tree_.ridges().layout(f);
+    const Plane_point &p = c[o % 3], &q = c[(o + 1) % 3];
+    return {p.x + s * (q.x - p.x), p.y + s * (q.y - p.y)};
+  }
+
+  Index node(Index i)
+  {
+    i = representative(i);
+    if(number_[i] == null_index)
+    {
+      number_[i] = static_cast<Index>(graph.nodes.size());
+      const Tree_graph::Node& n = tree_.graph().nodes[i];
+      const Index v = vertex_[i];
+      const auto moved = moved_.find(i);
+      graph.nodes.push_back({v != null_index         ? location_of_vertex(connectivity_, v)
+                             : moved != moved_.end() ? location(n.face, moved->second)
+                                                     : location(n),
+                             v, n.distance});
+    }
+    return number_[i];
+  }
+
+  Indexed_location location(const Tree_graph::Node& n) const
+  {
+    if(n.halfedge == null_index)
+      return location(n.face, n.point);
+    Indexed_location result;
+    result.face = n.halfedge / 3;
+    const double s = n.t / geodesics_.faces().length(n.halfedge);
+    result.coordinates[n.halfedge % 3] = 1. - s;
+    result.coordinates[(n.halfedge + 1) % 3] = s;
+    return result;
+  }
+
+  /// a point inside of a face, in the frame of its first halfedge
+  Indexed_location location(Index f, const Plane_point& p) const { return {f, coordinates(f, p)}; }
+
+  /// in the interior, as what is on an edge or at a vertex says so
+  std::array<double, 3> coordinates(Index f, const Plane_point& p) const
+  {
+    constexpr double least = 1e-10;
+    const std::array<Plane_point, 3> t = tree_.ridges().layout(f);
+    const double third = p.y / t[2].y, second = (p.x - third * t[2].x) / t[1].x;
+    std::array<double, 3> result = {
+      {(std::max)(1. - second - third, least), (std::max)(second, least), (std::max)(third, least)}};
+    const double sum = result[0] + result[1] + result[2];
+    for(double& c : result)
+      c /= sum;
+    return result;
+  }
+
+  /// where such a point is drawn
+  Plane_point inside(Index f, const Plane_point& p) const
+  {
+    const std::array<Plane_point, 3> t = tree_.ridges().layout(f);
+    const std::array<double, 3> c = coordinates(f, p);
+    return {c[1] * t[1].x + c[2] * t[2].x, c[2] * t[2].y};
+  }
+
+  // -- pieces that follow each other in a face ---------------------------------------------------------------------------
+
+  /// the nodes at which just two pieces of the same face meet
+  void join(const std::vector<Tree_branches::Edge>& kept)
+  {
+    left_ = Edges_left(tree_.graph().nodes.size());
+    for(const Tree_branches::Edge& b : kept)
+      if(!is_drawn_[b.edge])
+      {
+        const auto& nodes = tree_.graph().edges[b.edge].nodes;
+        left_.add(b.edge, {{representative(nodes[0]), representative(nodes[1])}});
+      }
+  }
+
+  /// whether the curve only passes through a node, in the interior of a face
+  bool is_passed(Index i) const
+  {
+    const Tree_graph::Node& n = tree_.graph().nodes[i];
+    return left_.degree(i) == 2 && vertex_[i] == null_index && n.halfedge == null_index && n.loop == null_index &&
+           i != root_;
+  }
+
+  /// is a polyline in a face.
+  struct Chain
+  {
+    Index begin, end, widest; // nodes, and the edge with the largest gap
+    std::size_t first_step, end_step;
+    std::size_t first_point, end_point; // of what is drawn
+  };
+
+  struct Step
+  {
+    Index edge, from;
+  };
+
+  void find_chain(Index first)
+  {
+    // back to where it starts, then forth
+    Index edge = first, from = representative(tree_.graph().edges[first].nodes[0]);
+    while(is_passed(from))
+    {
+      edge = left_.next(from, edge);
+      if(edge == first)
+        break; // a cycle within the face, which is not possible up to rounding
+      from = other_end(edge, from);
+    }
+    Chain chain{from, from, edge, steps_.size(), 0, 0, 0};
+    while(true)
+    {
+      is_drawn_[edge] = 1;
+      if(tree_.graph().edges[edge].gap > tree_.graph().edges[chain.widest].gap)
+        chain.widest = edge;
+      steps_.push_back({edge, from});
+      from = other_end(edge, from);
+      if(!is_passed(from) || is_drawn_[left_.next(from, edge)])
+        break;
+      edge = left_.next(from, edge);
+    }
+    chain.end = from;
+    chain.end_step = steps_.size();
+    chains_.push_back(chain);
+  }
+
+  Index face_of(const Chain& c) const { return tree_.graph().edges[c.widest].face; }
+
+  void lay_out_chains(const Progress& progress)
+  {
+    std::vector<Index> begin(mesh_.number_of_faces() + std::size_t(1), 0), order(chains_.size());
+    for(const Chain& c : chains_)
+      ++begin[face_of(c) + std::size_t(1)];
+    for(std::size_t f = 0; f + 1 < begin.size(); ++f)
+      begin[f + 1] += begin[f];
+    std::vector<Index> end(begin.begin(), begin.end() - 1);
+    for(Index i = 0; i < chains_.size(); ++i)
+      order[end[face_of(chains_[i])]++] = i;
+    for(Index f = 0; f < mesh_.number_of_faces(); ++f)
+    {
+      progress(f, mesh_.number_of_faces());
+      if(end[f] > begin[f])
+        lay_out_face(order, begin[f], end[f]);
+    }
+  }
+
+  /// The tolerance is smaller where chains cross each other else: down to the accuracy of the nodes, and then the chains
+  /// follow the nodes alone, between which they do not cross each other.
+  void lay_out_face(const std::vector<Index>& order, std::size_t begin, std::size_t end)
+  {
+    constexpr double finest = 1e-8, all = (std::numeric_limits<double>::infinity)();
+    const std::size_t first_point = points_.size();
+    for(double t = tolerance();; t = t > finest * connectivity_.mean_edge_length ? 0.1 * t : all)
+    {
+      points_.resize(first_point);
+      for(std::size_t i = begin; i < end; ++i)
+        lay_out(chains_[order[i]], t);
+      if(end - begin < 2 || !cross_each_other(order, begin, end))
+        return;
+      if(!(t < all))
+        break;
+    }
+    untangle(order, begin, end);
+  }
+
+  /// Where even the lines between nodes cross each other, branches are closer than nodes are accurate. Nodes inside of the
+  /// face are moved towards places where no lines cross, as little as is enough.
+  void untangle(const std::vector<Index>& order, std::size_t begin, std::size_t end)
+  {
+    const Index f = face_of(chains_[order[begin]]);
+    const std::size_t first_point = chains_[order[begin]].first_point;
+    std::vector<Index> nodes;
+    std::vector<std::array<Index, 2>> links;
+    for(std::size_t i = begin; i < end; ++i)
+      for(std::size_t k = chains_[order[i]].first_step; k < chains_[order[i]].end_step; ++k)
+      {
+        links.push_back({{steps_[k].from, other_end(steps_[k].edge, steps_[k].from)}});
+        nodes.insert(nodes.end(), links.back().begin(), links.back().end());
+      }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    for(std::array<Index, 2>& link : links)
+      for(Index& i : link)
+        i = static_cast<Index>(std::lower_bound(nodes.begin(), nodes.end(), i) - nodes.begin());
+    std::vector<Plane_point> before(nodes.size());
+    std::vector<unsigned char> is_fixed(nodes.size());
+    for(std::size_t i = 0; i < nodes.size(); ++i)
+    {
+      before[i] = place(nodes[i], f);
+      is_fixed[i] = rank(nodes[i]) > 0 || left_.degree(nodes[i]) == 1;
+    }
+    std::vector<Plane_point> planar = before;
+    move_to_planar_positions(links, is_fixed, planar);
+    const auto move = [&](double share)
+    {
+      for(std::size_t i = 0; i < nodes.size(); ++i)
+        if(!is_fixed[i])
+          moved_[nodes[i]] = {before[i].x + share * (planar[i].x - before[i].x),
+                              before[i].y + share * (planar[i].y - before[i].y)};
+      points_.resize(first_point);
+      for(std::size_t i = begin; i < end; ++i)
+        lay_out(chains_[order[i]], (std::numeric_limits<double>::infinity)());
+    };
+    for(double share = 1e-8; share < 2.; share *= 10.)
+    {
+      move(share);
+      if(!cross_each_other(order, begin, end))
+        return;
+    }
+    move(0.); // what crosses is on the boundary of the face
+  }
+
+  bool cross_each_other(const std::vector<Index>& order, std::size_t begin, std::size_t end)
+  {
+    crossings_.clear();
+    // in coordinates in which the face is not thin
+    const std::array<Plane_point, 3> t = tree_.ridges().layout(face_of(chains_[order[begin]]));
+    const auto scaled = [&](const Plane_point& p) -> Plane_point
+    {
+      const double third = p.y / t[2].y;
+      return {(p.x - third * t[2].x) / t[1].x, third};
+    };
+    for(std::size_t i = begin; i < end; ++i)
+    {
+      const Chain& c = chains_[order[i]];
+      for(std::size_t k = c.first_point + 1; k < c.end_point; ++k)
+        crossings_.add(scaled(points_[k - 1].point), scaled(points_[k].point));
+    }
+    return crossings_.has_any();
+  }
+
+  Index other_end(Index edge, Index i) const
+  {
+    const std::array<Index, 2>& nodes = tree_.graph().edges[edge].nodes;
+    const Index first = representative(nodes[0]);
+    return first == i ? representative(nodes[1]) : first;
+  }
+
+  /// the end of the edge that node `i` stands for: that one has a place in the face of the edge
+  Index own_end(Index i, Index edge) const
+  {
+    const std::array<Index, 2>& nodes = tree_.graph().edges[edge].nodes;
+    return representative(nodes[0]) == i ? nodes[0] : nodes[1];
+  }
+
+  struct Point
+  {
+    Plane_point point;
+    double distance;
+  };
+
+  /// adds the points of a chain that are needed so that it leaves the cut locus by the tolerance at most
+  void lay_out(Chain& c, double tolerance)
+  {
+    constexpr double all = (std::numeric_limits<double>::infinity)();
+    all_points_.clear();
+    add_point(c.begin, steps_[c.first_step].edge);
+    for(std::size_t i = c.first_step; i < c.end_step; ++i)
+    {
+      if(tolerance < all)
+        add_points_between(steps_[i].edge, steps_[i].from, tolerance);
+      add_point(other_end(steps_[i].edge, steps_[i].from), steps_[i].edge);
+    }
+    is_left_.assign(all_points_.size(), tolerance < all ? 0 : 1);
+    is_left_.front() = is_left_.back() = 1;
+    starts_and_ends_on_edge_ = are_on_one_edge(c.begin, c.end);
+    if(tolerance < all)
+      simplify(0, all_points_.size() - 1, tolerance);
+    c.first_point = points_.size();
+    for(std::size_t k = 0; k < all_points_.size(); ++k)
+      if(is_left_[k])
+        points_.push_back(all_points_[k]);
+    c.end_point = points_.size();
+  }
+
+  void add_point(Index i, Index edge)
+  {
+    const Index own = own_end(i, edge);
+    const Index f = tree_.graph().edges[edge].face;
+    const Plane_point p = place(i, f);
+    all_points_.push_back({rank(i) > 0 ? p : inside(f, p), tree_.graph().nodes[own].distance});
+  }
+
+  /// where a node is drawn, in the frame of the first halfedge of a face
+  Plane_point place(Index i, Index f) const
+  {
+    const auto moved = moved_.find(i);
+    if(moved != moved_.end())
+      return moved->second;
+    for(Index k = 0; k < 3; ++k)
+      if(vertex_[i] != null_index && mesh_.triangles[f][k] == vertex_[i])
+        return tree_.ridges().layout(f)[k];
+    return position(i, f);
+  }
+
+  void add_points_between(Index edge, Index from, double tolerance)
+  {
+    const Tree_graph::Edge& e = tree_.graph().edges[edge];
+    if(e.piece == null_index)
+      return;
+    const Ridges::Piece& piece = tree_.ridges().piece(e.piece);
+    if(!piece.is_bisector)
+      return;
+    samples_.clear();
+    sample_bisector(piece.images[0], piece.images[1], tree_.ridges().piece_end(e.piece, 0),
+                    tree_.ridges().piece_end(e.piece, 1), tolerance, samples_);
+    const Plane_point p = position(own_end(from, edge), e.face), q = tree_.ridges().piece_end(e.piece, 0),
+                      r = tree_.ridges().piece_end(e.piece, 1);
+    if(std::hypot(p.x - q.x, p.y - q.y) > std::hypot(p.x - r.x, p.y - r.y))
+      std::reverse(samples_.begin(), samples_.end());
+    for(const Plane_point& s : samples_)
+      all_points_.push_back({inside(e.face, s), piece.images[0].distance(s)});
+  }
+
+  /// by which the curve leaves the cut locus at most: small beside what a face differs from any surface it stands for
+  double tolerance() const { return 1e-4 * connectivity_.mean_edge_length; }
+
+  void draw(const Chain& c)
+  {
+    const Index last = node(c.end);
+    Index previous = node(c.begin);
+    for(std::size_t i = c.first_point + 1; i + 1 < c.end_point; ++i)
+    {
+      const Index next = static_cast<Index>(graph.nodes.size());
+      graph.nodes.push_back(
+        {location(tree_.graph().edges[c.widest].face, points_[i].point), null_index, points_[i].distance});
+      add_segment(previous, next, c.widest);
+      previous = next;
+    }
+    add_segment(previous, last, c.widest);
+  }
+
+  bool are_on_one_edge(Index i, Index j) const
+  {
+    const Tree_graph::Node &a = tree_.graph().nodes[i], &b = tree_.graph().nodes[j];
+    if(rank(i) == 0 || rank(j) == 0)
+      return false;
+    if(rank(i) == 1 && rank(j) == 1)
+      return a.halfedge == b.halfedge;
+    return true; // at a vertex
+  }
+
+  /// marks the points between two that are needed (Douglas and Peucker)
+  void simplify(std::size_t first, std::size_t last, double tolerance)
+  {
+    const Plane_point &p = all_points_[first].point, &q = all_points_[last].point;
+    const double ux = q.x - p.x, uy = q.y - p.y, uu = ux * ux + uy * uy;
+    double most = 0.;
+    std::size_t farthest = first;
+    for(std::size_t i = first + 1; i < last; ++i)
+    {
+      const double vx = all_points_[i].point.x - p.x, vy = all_points_[i].point.y - p.y;
+      const double s = uu > 0. ? (std::min)((std::max)((ux * vx + uy * vy) / uu, 0.), 1.) : 0.;
+      const double away = std::hypot(vx - s * ux, vy - s * uy);
+      if(away > most)
+      {
+        most = away;
+        farthest = i;
+      }
+    }
+    // between points of one edge of the mesh even the flattest arc stays: shortest paths may follow the edge
+    if(most <= tolerance && !(first == 0 && last + 1 == all_points_.size() && starts_and_ends_on_edge_ && most > 0.))
+      return;
+    is_left_[farthest] = 1;
+    simplify(first, farthest, tolerance);
+    simplify(farthest, last, tolerance);
+  }
+
+  void add_segment(Index i, Index j, Index widest)
+  {
+    const Tree_graph::Edge& e = tree_.graph().edges[widest];
+    Indexed_cut_locus::Edge edge{i, j, mesh_edge(graph.nodes[i].vertex, graph.nodes[j].vertex, e.face),
+                                 e.is_between_sources() ? gap_between_sources : static_cast<float>(e.gap), null_index};
+    edge.width = tree_.shown_width(widest);
+    edge.curvature = tree_.shown_curvature(widest);
+    edge.sources = e.sources;
+    graph.edges.push_back(edge);
+    face.push_back(e.face);
+  }
+
+  /// the edge of the face between two of its vertices, if they are such
+  Index mesh_edge(Index u, Index v, Index f) const
+  {
+    if(u != null_index && v != null_index)
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        if((mesh_.source(h) == u && mesh_.target(h) == v) || (mesh_.source(h) == v && mesh_.target(h) == u))
+          return h;
+    return null_index;
+  }
+
+  const Indexed_triangle_mesh& mesh_;
+  const Mesh_connectivity& connectivity_;
+  const Exact_geodesic_propagation& geodesics_;
+  Exact_tree& tree_;
+  Index root_ = null_index;
+  std::vector<Index> number_, merged_;  // of nodes
+  std::vector<Index> vertex_;           // at which a node is, or what has been merged into it
+  Edges_left left_;                     // at nodes
+  std::vector<unsigned char> is_drawn_; // edges
+  std::vector<Chain> chains_;
+  std::vector<Step> steps_; // of all chains
+  Polyline_crossings crossings_;
+  std::vector<Point> points_, all_points_; // of all chains, and more than are needed of the one in work
+  std::vector<Plane_point> samples_;
+  std::vector<unsigned char> is_left_;
+  std::unordered_map<Index, Plane_point> moved_; // nodes, in the frame of the first halfedge of their face
+  bool starts_and_ends_on_edge_ = false;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_POLYHEDRAL_CURVES_TREE_CURVE_H

@@ -1,0 +1,308 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_POLYHEDRAL_STRENGTH_PATH_CLASSES_H
+#define CGAL_CUT_LOCI_POLYHEDRAL_STRENGTH_PATH_CLASSES_H
+
+#include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
+#include <CGAL/Cut_loci/internal/Union_find.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <random>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * tells around what the shortest paths to two neighboring vertices lead, however small the angle between them.
+ *
+ * With the edge between its ends, two such paths are a closed curve. If it leads around a handle, or has some of the
+ * marks on each of its sides, such as holes and parts of the cut locus that are known, the cut locus crosses the edge on
+ * its way from one to the other. That is a matter of homology modulo 2: chains of edges between the marks, and around the
+ * handles, tell by how often the curve crosses them. Each chain is a random number of 64 bits, and a set of chains the
+ * exclusive or of theirs. Chains follow a spanning tree of edges; one around a handle has one edge more, which neither this
+ * tree has nor one of the dual graph without it \cgalCite{cgal:ew-gohhb-05}.
+ *
+ * Where a chain passes a vertex, it is pushed a little to one side: each corner has the set of chains to be crossed on the
+ * way around the vertex from its first corner. So chains and paths may meet in vertices and run along the same edges.
+ *
+ * Paths are traced back to the next vertex only; so the time is the number of vertices times that of the faces that the
+ * last straight piece of a path crosses.
+ */
+class Path_classes
+{
+public:
+  /// is a point of something that paths may separate from other things: of a border loop, or of an edge that nothing else
+  /// crosses there.
+  struct Mark
+  {
+    Index halfedge;
+    double t; // on it, from its source, which it is if this is zero
+  };
+
+  Path_classes(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+               const Exact_geodesic_propagation& geodesics, const std::vector<Mark>& marks)
+    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics)
+  {
+    find_chains(marks);
+    find_corners();
+    find_paths();
+  }
+
+  /// whether the paths to the ends of an edge from the same source, with it, separate marks or lead around a handle; also
+  /// if one of them cannot be traced
+  bool separates(Index h) const
+  {
+    const Index u = mesh_.source(h), v = mesh_.target(h);
+    if(geodesics_.nearest_source(u) != geodesics_.nearest_source(v))
+      return false;
+    return is_lost_[u] || is_lost_[v] || (path_[u] ^ path_[v] ^ along_edge(h)) != 0;
+  }
+
+private:
+  using Chains = std::uint64_t; // a set of them
+
+  // -- chains ----------------------------------------------------------------------------------------------------------
+
+  void find_chains(const std::vector<Mark>& marks)
+  {
+    chains_.assign(connectivity_.number_of_edges(), 0);
+    grow_tree();
+    ends_.assign(mesh_.number_of_vertices(), 0);
+    for(std::size_t i = 1; i < marks.size(); ++i)
+    {
+      const Chains chain = add_chain(mesh_.source(marks[0].halfedge), mesh_.source(marks[i].halfedge));
+      extend(chain, marks[0]);
+      extend(chain, marks[i]);
+    }
+    add_handles();
+    for(std::size_t i = order_.size(); i-- > 1;)
+    {
+      const Index v = order_[i], h = to_root_[v];
+      chains_[connectivity_.edge_of_halfedge[h]] ^= ends_[v];
+      ends_[mesh_.source(h) == v ? mesh_.target(h) : mesh_.source(h)] ^= ends_[v];
+    }
+  }
+
+  void grow_tree()
+  {
+    to_root_.assign(mesh_.number_of_vertices(), null_index);
+    order_.assign(1, mesh_.triangles[0][0]);
+    for(std::size_t i = 0; i < order_.size(); ++i)
+      for(Index k = connectivity_.ring_begin[order_[i]]; k < connectivity_.ring_begin[order_[i] + 1]; ++k)
+      {
+        const Index v = connectivity_.ring_vertex[k];
+        if(to_root_[v] != null_index || v == order_[0])
+          continue;
+        to_root_[v] = connectivity_.ring_halfedge[k];
+        order_.push_back(v);
+      }
+  }
+
+  Chains add_chain(Index from, Index to)
+  {
+    const Chains chain = random_();
+    ends_[from] ^= chain;
+    ends_[to] ^= chain;
+    return chain;
+  }
+
+  /// from the source of the halfedge up to the mark
+  void extend(Chains chain, const Mark& mark)
+  {
+    if(mark.t > 0.)
+      parts_[connectivity_.edge_of_halfedge[mark.halfedge]].push_back({chain, mark});
+  }
+
+  /// the edges that neither the tree has nor the one dual to the rest
+  void add_handles()
+  {
+    std::vector<unsigned char> is_in_tree(connectivity_.number_of_edges(), 0);
+    for(std::size_t i = 1; i < order_.size(); ++i)
+      is_in_tree[connectivity_.edge_of_halfedge[to_root_[order_[i]]]] = 1;
+    Union_find faces(std::size_t(mesh_.number_of_faces()) + connectivity_.number_of_border_loops);
+    for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
+    {
+      const Index h = connectivity_.halfedge_of_edge[e], o = mesh_.opposite[h];
+      const Index beside =
+        o != null_index ? o / 3 : mesh_.number_of_faces() + connectivity_.border_loop[mesh_.source(h)];
+      if(!is_in_tree[e] && !faces.unite(h / 3, beside))
+        chains_[e] ^= add_chain(mesh_.source(h), mesh_.target(h));
+    }
+  }
+
+  /// from the first corner of each vertex around it
+  void find_corners()
+  {
+    at_corner_.assign(mesh_.number_of_halfedges(), 0);
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
+    {
+      const Index begin = connectivity_.ring_begin[v];
+      Chains crossed = 0;
+      for(Index k = begin; k < connectivity_.ring_begin[v + 1]; ++k)
+      {
+        if(k > begin)
+          crossed ^= chains_at(connectivity_.ring_edge(k), v);
+        if(mesh_.source(connectivity_.ring_halfedge[k]) == v)
+          at_corner_[connectivity_.ring_halfedge[k]] = crossed;
+      }
+    }
+  }
+
+  /// through an edge beside one of its ends
+  Chains chains_at(Index edge, Index v) const
+  {
+    Chains result = chains_[edge];
+    const auto parts = parts_.find(edge);
+    for(std::size_t i = 0; parts != parts_.end() && i < parts->second.size(); ++i)
+      if(mesh_.source(parts->second[i].mark.halfedge) == v)
+        result ^= parts->second[i].chain;
+    return result;
+  }
+
+  /// through an edge at the length `t` from the source of the halfedge
+  Chains chains_at(Index h, double t) const
+  {
+    const Index edge = connectivity_.edge_of_halfedge[h];
+    Chains result = chains_[edge];
+    const auto parts = parts_.find(edge);
+    for(std::size_t i = 0; parts != parts_.end() && i < parts->second.size(); ++i)
+    {
+      const Mark& mark = parts->second[i].mark;
+      if((mark.halfedge == h ? t : geodesics_.faces().length(h) - t) < mark.t)
+        result ^= parts->second[i].chain;
+    }
+    return result;
+  }
+
+  // -- paths -----------------------------------------------------------------------------------------------------------
+
+  void find_paths()
+  {
+    path_.assign(mesh_.number_of_vertices(), 0);
+    is_lost_.assign(mesh_.number_of_vertices(), 0);
+    std::vector<Index> order(mesh_.number_of_vertices()); // paths to the vertices at which others start come first
+    std::iota(order.begin(), order.end(), Index(0));
+    std::sort(order.begin(), order.end(),
+              [this](Index a, Index b) { return geodesics_.distance(a) < geodesics_.distance(b); });
+    Geodesic_path_tracing tracing(geodesics_);
+    for(Index v : order)
+    {
+      if(geodesics_.distance(v) == 0.)
+        continue;
+      Index begin = null_index;
+      const std::vector<Indexed_location>& piece = tracing.last_piece(v, begin);
+      for(std::size_t i = 0; i + 1 < piece.size() && !is_lost_[v]; ++i)
+        add_step(v, piece[i], piece[i + 1], begin == null_index && i + 2 == piece.size());
+      if(begin != null_index && geodesics_.distance(begin) < geodesics_.distance(v))
+      {
+        path_[v] ^= path_[begin];
+        is_lost_[v] |= is_lost_[begin];
+      }
+    }
+  }
+
+  /// through one face, or along an edge
+  void add_step(Index v, const Indexed_location& from, const Indexed_location& to, bool ends_at_source)
+  {
+    const Index a = vertex_of(mesh_, from), b = vertex_of(mesh_, to);
+    if(a != null_index && b != null_index)
+    {
+      const Index h = halfedge_between(a, b);
+      is_lost_[v] = h == null_index;
+      path_[v] ^= h != null_index ? along_edge(h) : 0;
+      return;
+    }
+    // a source on an edge is taken to be on one side of it
+    const Index h = edge_of(to), side = h != null_index ? (std::min)(h, mesh_.opposite[h]) / 3 : to.face;
+    const Index face = common_face(from, to, side);
+    is_lost_[v] |= face == null_index;
+    if(is_lost_[v])
+      return;
+    for(Index end : {a, b})
+      if(end != null_index)
+        path_[v] ^= at_corner_[corner_of(end, face)];
+    if(h != null_index && (!ends_at_source || face != side))
+      path_[v] ^= chains_at(h, to.coordinates[(h + 1) % 3] * geodesics_.faces().length(h));
+  }
+
+  /// one in which, or on the boundary of which, both points are: `first`, if possible; no two vertices
+  Index common_face(const Indexed_location& p, const Indexed_location& q, Index first) const
+  {
+    for(Index f : {first, p.face, q.face, face_across(p), face_across(q)})
+      if(f != null_index && is_in(p, f) && is_in(q, f))
+        return f;
+    return null_index;
+  }
+
+  bool is_in(const Indexed_location& p, Index f) const
+  {
+    const Index v = vertex_of(mesh_, p);
+    return p.face == f || (v != null_index && corner_of(v, f) != null_index) || face_across(p) == f;
+  }
+
+  /// behind the edge that a point is on, if any
+  Index face_across(const Indexed_location& p) const
+  {
+    const Index h = edge_of(p), o = h != null_index ? mesh_.opposite[h] : null_index;
+    return o != null_index ? o / 3 : null_index;
+  }
+
+  /// beside it, in the face of the halfedge
+  Chains along_edge(Index h) const { return at_corner_[h] ^ at_corner_[Indexed_triangle_mesh::next(h)]; }
+
+  Index halfedge_between(Index a, Index b) const
+  {
+    for(Index k = connectivity_.ring_begin[a]; k < connectivity_.ring_begin[a + 1]; ++k)
+      if(connectivity_.ring_vertex[k] == b)
+        return connectivity_.ring_halfedge[k];
+    return null_index;
+  }
+
+  Index corner_of(Index v, Index f) const
+  {
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      if(mesh_.source(h) == v)
+        return h;
+    return null_index;
+  }
+
+  // of an edge
+  struct Part
+  {
+    Chains chain;
+    Mark mark; // at its end
+  };
+
+  const Indexed_triangle_mesh& mesh_;
+  const Mesh_connectivity& connectivity_;
+  const Exact_geodesic_propagation& geodesics_;
+  std::mt19937_64 random_;
+  std::vector<Index> order_;                           // of the vertices, from the root of the tree
+  std::vector<Index> to_root_;                         // by vertex: a halfedge of the edge of the tree
+  std::vector<Chains> chains_;                         // through each edge
+  std::unordered_map<Index, std::vector<Part>> parts_; // of edges on which chains end
+  std::vector<Chains> ends_;                           // at each vertex
+  std::vector<Chains> at_corner_;                      // by halfedge, at its source
+  std::vector<Chains> path_;                           // to each vertex
+  std::vector<unsigned char> is_lost_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_POLYHEDRAL_STRENGTH_PATH_CLASSES_H

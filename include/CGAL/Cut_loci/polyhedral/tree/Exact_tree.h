@@ -1,0 +1,512 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_POLYHEDRAL_TREE_EXACT_TREE_H
+#define CGAL_CUT_LOCI_POLYHEDRAL_TREE_EXACT_TREE_H
+
+#include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/internal/Progress.h>
+#include <CGAL/Cut_loci/internal/Threads.h>
+#include <CGAL/Cut_loci/internal/Union_find.h>
+#include <CGAL/Cut_loci/method/method_thresholds.h>
+#include <CGAL/Cut_loci/polyhedral/faces/Ridges.h>
+#include <CGAL/Cut_loci/polyhedral/joining/Cut_graph.h>
+#include <CGAL/Cut_loci/polyhedral/joining/Tree_graph.h>
+#include <CGAL/Cut_loci/polyhedral/joining/Tree_graph_builder.h>
+#include <CGAL/Cut_loci/polyhedral/labels/Drawn_faces.h>
+#include <CGAL/Cut_loci/polyhedral/labels/Edge_crossings.h>
+#include <CGAL/Cut_loci/polyhedral/labels/Label_changes.h>
+#include <CGAL/Cut_loci/polyhedral/strength/Branch_widths.h>
+#include <CGAL/Cut_loci/polyhedral/strength/Comparison_width.h>
+#include <CGAL/Cut_loci/polyhedral/strength/Digon_width.h>
+#include <CGAL/Cut_loci/polyhedral/strength/Path_classes.h>
+#include <CGAL/Cut_loci/polyhedral/strength/Shot_width.h>
+#include <CGAL/Cut_loci/polyhedral/strength/Strong_branches.h>
+#include <CGAL/Cut_loci/polyhedral/strength/Tree_branches.h>
+#include <CGAL/Cut_loci/polyhedral/strength/spurs.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+/*!
+ * is the cut locus of a polyhedron for one source or several, with the strengths of its branches: the stages in their
+ * order.
+ */
+class Exact_tree
+{
+public:
+  /// @param source_vertices those at, or right beside, several sources; of one it may be empty
+  Exact_tree(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+             Exact_geodesic_propagation& geodesics, const std::vector<Index>& source_vertices = {})
+    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), source_vertices_(source_vertices)
+  {
+  }
+
+  /// lets the distances have an error, see `Exact_geodesic_options`; the tree is one above some strength then
+  void allow_error(double maximum_relative_error, double merging_angle)
+  {
+    options_.maximum_relative_error = maximum_relative_error;
+    options_.merging_angle = merging_angle;
+  }
+
+  /// is told the share of a stage that is done
+  void report_to(const Progress& progress) { progress_ = progress; }
+
+  /// adds sources that are edges of the border
+  ///
+  /// @param owners of the sources that are points, first those of `source_vertices`
+  void add_lines(const std::vector<Geodesic_line>& lines, const std::vector<Index>& owners)
+  {
+    options_.lines = lines;
+    options_.owners = owners;
+  }
+
+  const Indexed_triangle_mesh& mesh() const { return mesh_; }
+  const Mesh_connectivity& connectivity() const { return connectivity_; }
+  const Exact_geodesic_propagation& geodesics() const { return geodesics_; }
+
+  /// computes the distances, and where the cut locus crosses the edges of the mesh
+  ///
+  /// @param least what is weaker may be left out
+  /// @param move may move the sources by a little once the distances are known, if something is left out; returns whether
+  template <typename Move>
+  void propagate(const std::vector<Indexed_location>& sources, const Branch_strength& least, const Move& move)
+  {
+    least_ = least;
+    sources_ = sources;
+    find_drawn_faces();
+    if(!least.is_none() && move(sources_))
+      find_drawn_faces();
+    find_crossings();
+  }
+
+  /// The same, with what `edges` need that are not known: `draw_ridges()` and what follows have to be called again. The
+  /// topology says how they are to be joined.
+  ///
+  /// @param rings of faces around what is not known that are looked at, too
+  /// @param is_far whether also faces are, in which shortest paths separate what is to be joined
+  /// @return false, and does nothing, if all is known in the faces that may matter
+  bool propagate_once_more(const std::vector<Tree_branches::Edge>& edges, Index rings, bool is_far)
+  {
+    std::vector<unsigned char> is_drawn = changes_.drawn_faces();
+    bool is_more = false;
+    const auto draw = [&](Index f)
+    {
+      is_more = is_more || is_drawn[f] < Drawn_faces::wholly;
+      is_drawn[f] = Drawn_faces::wholly;
+    };
+    for(Index f : unknown_faces(edges, rings))
+      draw(f);
+    if(is_far)
+    {
+      const Path_classes classes(mesh_, connectivity_, geodesics_, known_parts(edges));
+      for(Index h : connectivity_.halfedge_of_edge)
+        if(classes.separates(h))
+        {
+          draw(h / 3);
+          if(mesh_.opposite[h] != null_index)
+            draw(mesh_.opposite[h] / 3);
+        }
+    }
+    if(!is_more)
+      return false;
+    is_drawn_.swap(is_drawn);
+    bend_.clear(); // no other edge has to be crossed
+    find_crossings();
+    return true;
+  }
+
+  void draw_ridges(const Threads& threads = {})
+  {
+    changes_ = Label_changes(connectivity_, geodesics_, *crossings_, std::move(is_drawn_), std::move(bend_), least_,
+                             progress_.part(0., 0.4));
+    crossings_.reset();
+    ridges_ = Ridges(mesh_, connectivity_, geodesics_, changes_, threads, progress_.part(0.4, 1.));
+    ridges_.renumber_crossings(changes_.forget_all_but(ridges_.crossings_with_pieces()));
+  }
+
+  void join()
+  {
+    const Cut_graph cut(mesh_, connectivity_, geodesics_, changes_, ridges_, source_vertices_, progress_.part(0., 0.5));
+    Tree_graph_builder builder(mesh_, connectivity_, geodesics_, changes_, ridges_, cut, progress_.part(0.5, 0.9));
+    graph_.reset(new Tree_graph(builder.release()));
+    kept_for_.reset();
+    changes_.forget_crossings();
+    if(!least_.is_none())
+    {
+      graph_->drop_weak_branches(least_, progress_.part(0.9, 1.));
+      keep_what_is_left();
+    }
+  }
+
+  /// The source is moved away from a vertex: what starts there is none of it.
+  void remove_branch_to(Index vertex)
+  {
+    kept_for_.reset();
+    if(vertex != null_index)
+      graph_->remove_branch_to(vertex);
+  }
+
+  void prepare_widths()
+  {
+    width_.assign(graph_->edges.size(), -1.f);
+    measure_.reset(new Digon_width(mesh_, geodesics_));
+    shots_.reset(new Shot_width(mesh_, geodesics_));
+  }
+
+  const Tree_graph& graph() const { return *graph_; }
+  /// whether the labels decided on everything
+  bool is_sure() const { return graph_->is_sure(); }
+  /// whether pieces are somewhere in their face, as labels did not fit each other
+  bool has_doubtful_faces() const { return ridges_.number_of_doubtful() > 0; }
+  /// a node of those that have been kept at last, or null if there is none
+  Index root() const { return root_; }
+  const Ridges& ridges() const { return ridges_; }
+
+  /// the edges of the graph whose branches are at least that strong: those that pass the thresholds, or have one behind
+  /// them that does. So they are connected, wherever a branch is weaker than it is farther out. No branch is a spur, but
+  /// those that enclose much.
+  std::vector<Tree_branches::Edge> kept(const Branch_strength& least, const Progress& progress = {})
+  {
+    if(!(kept_for_ == least)) // a source is completed for the thresholds that are asked for next
+    {
+      kept_ = find_kept(least, progress);
+      kept_for_ = least;
+    }
+    return kept_;
+  }
+
+  /// the largest separation of the two shortest paths to the points of a piece; between two sources, where nothing is
+  /// too narrow, the length of the way from one to the other
+  double width(Index edge)
+  {
+    const Tree_graph::Edge& e = graph_->edges[edge];
+    if(e.is_between_sources())
+      return 2. * (std::max)(graph_->nodes[e.nodes[0]].distance, graph_->nodes[e.nodes[1]].distance);
+    float& result = width_[edge];
+    if(result < 0.f)
+    {
+      result = 0.f;
+      if(e.piece != null_index)
+      {
+        // at the end where the gap is larger, or at both if it is constant
+        const Ridges::Piece& piece = ridges_.piece(e.piece);
+        for(int k = 0; k < 2; ++k)
+          if(piece.gaps[k] >= piece.gaps[1 - k] - 1e-9)
+            result = (std::max)(result, static_cast<float>(separation(e.face, piece, next_to_end(e.piece, k))));
+      }
+    }
+    return result;
+  }
+
+  /// the curvature that the paths to an edge enclose; those from curves part nowhere, and their gap is the angle at which
+  /// they meet
+  double curvature(Index e) const
+  {
+    const Tree_graph::Edge& edge = graph_->edges[e];
+    if(edge.piece == null_index || edge.is_between_sources())
+      return 0.;
+    return options_.lines.empty() ? ridges_.enclosed_curvature(edge.piece, edge.face) : edge.gap;
+  }
+
+  /// finds what `shown_width()` and `shown_curvature()` return, for edges that are kept
+  void measure_widths(const std::vector<Tree_branches::Edge>& edges, const Progress& progress = {})
+  {
+    const auto measure = [this](Index e) { return static_cast<float>(width(e)); };
+    // some faces: in each it crosses, a branch has about as many pieces as there are on average
+    const std::size_t most = 1 + 16 * edges.size() / (std::max)(ridges_.number_of_faces(), Index(1));
+    shown_width_.assign(graph_->edges.size(), 0.f);
+    shown_curvature_.assign(graph_->edges.size(), 0.f);
+    for(const Tree_branches::Edge& b : edges)
+      shown_curvature_[b.edge] = static_cast<float>(curvature(b.edge));
+    const auto length_of = [this](Index e) { return length(e); };
+    Branch_widths<decltype(measure), decltype(length_of)>(edges, static_cast<Index>(graph_->nodes.size()), most,
+                                                          measure, length_of, shown_width_, progress);
+  }
+  float shown_width(Index edge) const { return shown_width_[edge]; }
+  float shown_curvature(Index edge) const { return shown_curvature_[edge]; }
+
+  /// No point of the branches that are known, strong or weak, is nearer to the source than this. Where two paths meet
+  /// head-on, their bisector is nearest; else the distance grows along it, so that it is least at an end.
+  double least_distance() const
+  {
+    double result = (std::numeric_limits<double>::infinity)();
+    for(const Tree_graph::Edge& e : graph_->edges)
+    {
+      if(e.is_virtual)
+        continue;
+      if(e.piece == null_index || !ridges_.piece(e.piece).is_bisector)
+      {
+        result = (std::min)(result, least_distance_in(e.face));
+        continue;
+      }
+      for(Index i : e.nodes)
+        if(graph_->nodes[i].face != null_index)
+          result = (std::min)(result, graph_->nodes[i].distance);
+      const Image &a = ridges_.piece(e.piece).images[0], &b = ridges_.piece(e.piece).images[1];
+      const auto side = [&](const Plane_point& p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); };
+      if(side(ridges_.piece_end(e.piece, 0)) * side(ridges_.piece_end(e.piece, 1)) < 0.)
+        result = (std::min)(result, 0.5 * (std::hypot(b.x - a.x, b.y - a.y) + a.sigma + b.sigma));
+    }
+    return result;
+  }
+
+  /// those of the edges of which labels do not say where they are, and the topology alone that there is something
+  std::vector<Index> unknown(const std::vector<Tree_branches::Edge>& edges) const
+  {
+    std::vector<Index> result;
+    for(const Tree_branches::Edge& b : edges)
+      if(graph_->edges[b.edge].piece == null_index && !graph_->edges[b.edge].is_virtual)
+        result.push_back(b.edge);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+  bool is_known(const std::vector<Tree_branches::Edge>& edges) const { return unknown(edges).empty(); }
+  /// the faces of those that do not follow bisectors of labels, so that distances may be wrong on them, in order
+  std::vector<Index> faces_off_bisectors(const std::vector<Tree_branches::Edge>& edges) const
+  {
+    std::vector<Index> result;
+    for(const Tree_branches::Edge& b : edges)
+    {
+      const Tree_graph::Edge& e = graph_->edges[b.edge];
+      if(!e.is_virtual && (e.piece == null_index || !ridges_.piece(e.piece).is_bisector))
+        result.push_back(e.face);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+private:
+  std::vector<Tree_branches::Edge> find_kept(const Branch_strength& least, const Progress& progress)
+  {
+    const auto can_be = [&](Index e) { return least.is_none() || is_a_branch(e, least); };
+    const auto enclosed = [this](Index e) { return curvature(e); };
+    const auto is_wide = [&](Index e, double width) { return width == 0. || this->width(e) >= width; };
+    const Strong_branches<decltype(can_be), decltype(enclosed), decltype(is_wide)> strong(
+      *graph_, connectivity_.number_of_border_loops, least, can_be, enclosed, is_wide, progress.part(0., 0.6));
+    const std::vector<Index> edges = strong.edges();
+    const Tree_branches branches(
+      static_cast<Index>(graph_->nodes.size()), static_cast<Index>(edges.size()),
+      [&](Index i) { return graph_->edges[edges[i]].nodes; }, [&](Index i) { return graph_->edges[edges[i]].gap; },
+      connectivity_.number_of_border_loops, progress.part(0.6, 1.));
+    root_ = branches.root();
+    std::vector<Tree_branches::Edge> result = branches.edges();
+    for(Tree_branches::Edge& b : result)
+      b.edge = edges[b.edge];
+    remove_spurs(
+      result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, least.spur,
+      [this](Index e) { return height(e); },
+      [&](const Tree_branches::Edge& b)
+      {
+      // in the middle of a curve that is nearly a circle, what it encloses is no corner
+      return options_.lines.empty() && graph_->edges[b.edge].piece != null_index &&
+             curvature(b.edge) >= least.enclosed && is_wide(b.edge, least.narrow);
+      });
+    return result;
+  }
+
+  /// Of all pieces in the faces that have been drawn, few are on strong branches.
+  void keep_what_is_left()
+  {
+    graph_->drop_lone_nodes();
+    std::vector<Index> pieces;
+    for(Tree_graph::Edge& e : graph_->edges)
+      if(e.piece != null_index)
+      {
+        pieces.push_back(e.piece);
+        e.piece = static_cast<Index>(pieces.size() - 1);
+      }
+    ridges_.keep(pieces);
+  }
+
+  /// What is between two sources is on a cycle. On no branch it is more than rounding, so that it holds none.
+  bool is_a_branch(Index e, const Branch_strength& least) const
+  {
+    const Tree_graph::Edge& edge = graph_->edges[e];
+    return !edge.is_between_sources() && edge.gap >= least.gap && graph_->can_be(e, least);
+  }
+
+  /// by how much a way along it is longer than the distance grows there; see `remove_spurs()`
+  double height(Index edge) const
+  {
+    const auto& [a, b] = graph_->edges[edge].nodes;
+    return (std::max)(0., length(edge) - std::fabs(graph_->nodes[a].distance - graph_->nodes[b].distance));
+  }
+
+  /// nothing is known of what the topology alone has added
+  double length(Index edge) const
+  {
+    const Index p = graph_->edges[edge].piece;
+    if(p == null_index)
+      return 0.;
+    const Plane_point a = ridges_.piece_end(p, 0), b = ridges_.piece_end(p, 1);
+    return std::hypot(a.x - b.x, a.y - b.y);
+  }
+
+  /// a lower bound of the distances of all points of a face
+  double least_distance_in(Index face) const
+  {
+    double result = 0.;
+    for(Index h = 3 * face; h < 3 * face + 3; ++h)
+      result = (std::max)(result, geodesics_.distance(mesh_.source(h)) -
+                                    (std::max)(geodesics_.faces().length(h),
+                                               geodesics_.faces().length(Indexed_triangle_mesh::previous(h))));
+    return result;
+  }
+
+  /// of the two paths to a point of the piece
+  double separation(Index face, const Ridges::Piece& piece, const Plane_point& p) const
+  {
+    if(mesh_.is_intrinsic)
+      return Comparison_width(geodesics_)(face, p, piece.images[0], piece.images[1]);
+    return geodesics_.is_approximate() ? (*shots_)(face, p, piece.images[0], piece.images[1])
+                                       : (*measure_)(face, p, piece.images[0], piece.images[1]);
+  }
+
+  /// a point of a piece; at an end that is a vertex of the mesh nothing would tell how the paths to it go around that
+  Plane_point next_to_end(Index piece, int end) const
+  {
+    constexpr double share = 1e-6;
+    const Plane_point p = ridges_.piece_end(piece, end), q = ridges_.piece_end(piece, 1 - end);
+    return {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
+  }
+
+  /// the faces of edges of which nothing is known but that they are there, and rings of faces around these
+  std::vector<Index> unknown_faces(const std::vector<Tree_branches::Edge>& edges, Index rings) const
+  {
+    std::vector<Index> result;
+    std::vector<unsigned char> is_found(mesh_.number_of_faces(), 0), is_reached(mesh_.number_of_vertices(), 0);
+    const auto add = [&](Index f)
+    {
+      if(is_found[f])
+        return;
+      is_found[f] = 1;
+      result.push_back(f);
+    };
+    for(const Tree_branches::Edge& b : edges)
+    {
+      const Tree_graph::Edge& e = graph_->edges[b.edge];
+      if(e.piece == null_index && e.face != null_index && !changes_.is_drawn_wholly(e.face))
+        add(e.face);
+    }
+    for(Index ring = 0; ring < rings && !result.empty(); ++ring)
+    {
+      for(Index f : result)
+        for(Index v : mesh_.triangles[f])
+          is_reached[v] = 1;
+      for(Index f = 0; f < mesh_.number_of_faces(); ++f)
+        for(Index v : mesh_.triangles[f])
+          if(is_reached[v])
+            add(f);
+    }
+    return result;
+  }
+
+  /// a point of each connected part of the edges that are known, border loops among them
+  std::vector<Path_classes::Mark> known_parts(const std::vector<Tree_branches::Edge>& edges) const
+  {
+    Union_find parts(graph_->nodes.size());
+    std::vector<Path_classes::Mark> mark(graph_->nodes.size(), Path_classes::Mark{null_index, 0.});
+    for(Index h = 0; h < mesh_.number_of_halfedges(); ++h)
+      if(mesh_.is_border_edge(h))
+        mark[connectivity_.border_loop[mesh_.source(h)]] = {h, 0.};
+    for(const Tree_branches::Edge& b : edges)
+    {
+      const Tree_graph::Edge& e = graph_->edges[b.edge];
+      if(e.piece == null_index && !e.is_virtual)
+        continue;
+      parts.unite(e.nodes[0], e.nodes[1]);
+      for(Index i : e.nodes)
+        if(graph_->nodes[i].crossing != null_index && graph_->nodes[i].t > 0.)
+          mark[i] = {graph_->nodes[i].halfedge, graph_->nodes[i].t};
+    }
+    std::vector<Path_classes::Mark> result;
+    std::vector<unsigned char> is_done(graph_->nodes.size(), 0);
+    for(Index i = 0; i < mark.size(); ++i)
+      if(mark[i].halfedge != null_index && !is_done[parts.find(i)])
+      {
+        is_done[parts.find(i)] = 1;
+        result.push_back(mark[i]);
+      }
+    return result;
+  }
+
+  void find_crossings()
+  {
+    // Windows of an edge come once the front is there, up to a face or two. If that is not enough on this mesh, once
+    // more with room for more, and then for all.
+    options_.progress = progress_.part(least_.is_none() ? 0. : 0.5, 1.);
+    for(double slack : {4., 32., (std::numeric_limits<double>::infinity)()})
+    {
+      crossings_.reset(new Edge_crossings(geodesics_, is_drawn_, least_, slack));
+      geodesics_.run(sources_, options_, *crossings_);
+      crossings_->finish(progress_.part(1., 1.));
+      if(crossings_->number_of_late() == 0)
+        return;
+      options_.progress = progress_.part(1., 1.);
+    }
+  }
+
+  void find_drawn_faces()
+  {
+    if(least_.is_none())
+    {
+      is_drawn_.assign(mesh_.number_of_faces(), 1);
+      return;
+    }
+    Drawn_faces found(geodesics_, least_);
+    options_.progress = progress_.part(0., 0.5);
+    geodesics_.run(sources_, options_, found);
+    found.finish();
+    // between sources at the ends of an edge there may be no windows
+    for(Index f = 0; f < mesh_.number_of_faces() && sources_.size() > 1; ++f)
+      for(Index v : mesh_.triangles[f])
+        if(geodesics_.nearest_source(v) != geodesics_.nearest_source(mesh_.triangles[f][0]))
+          found.is_drawn[f] = 1;
+    is_drawn_ = std::move(found.is_drawn);
+    bend_ = std::move(found.bend);
+  }
+
+  const Indexed_triangle_mesh& mesh_;
+  const Mesh_connectivity& connectivity_;
+  Exact_geodesic_propagation& geodesics_;
+  std::vector<Index> source_vertices_;
+  std::vector<Indexed_location> sources_;
+  Exact_geodesic_options options_;
+  Progress progress_;
+  Branch_strength least_;
+  std::vector<unsigned char> is_drawn_; // by face, and
+  std::vector<float> bend_;             // by halfedge, until the ridges are drawn
+  std::unique_ptr<Edge_crossings> crossings_;
+  Label_changes changes_;
+  Ridges ridges_;
+  std::unique_ptr<Tree_graph> graph_;
+  Index root_ = null_index;
+  std::vector<float> width_;              // of each edge, negative as long as nobody has asked for it
+  std::vector<Tree_branches::Edge> kept_; // what `kept()` has returned at last
+  std::optional<Branch_strength> kept_for_;
+  std::vector<float> shown_width_, shown_curvature_;
+  std::unique_ptr<Digon_width> measure_;
+  std::unique_ptr<Shot_width> shots_; // for distances with an error
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_POLYHEDRAL_TREE_EXACT_TREE_H
