@@ -135,10 +135,11 @@ public:
     tree_->join();
     remove_branches_to_moved_sources();
     const int most = has_curves() || is_one_of_several_ ? Source_moves::most_moves : most_moves;
+    // what is kept is looked at when it is known
     const auto needs_move = [this]
     {
-      return (least_.is_none() && !tree_->is_sure()) ||
-             ((has_curves() || number_of_moves_ > 0) && tree_->has_doubtful_faces());
+      const bool counts_all = has_curves() || (least_.is_none() && number_of_moves_ > 0);
+      return (least_.is_none() && !tree_->is_sure()) || (counts_all && tree_->has_doubtful_faces());
     };
     for(int number = number_of_moves_ + 1; number <= most && needs_move(); ++number)
     {
