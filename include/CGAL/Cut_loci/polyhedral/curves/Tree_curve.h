@@ -97,9 +97,14 @@ private:
   }
 
   /// Branches that are nearer to a vertex than it is known where they are, and come from one point: pieces between the same
-  /// two places are one, that with the largest gap.
+  /// two places are one, that with the largest gap, or none if they are a way there and back.
   void fold(const std::vector<Tree_branches::Edge>& kept)
   {
+    std::vector<Index> degree(tree_.graph().nodes.size(), 0);
+    for(const Tree_branches::Edge& b : kept)
+      if(!is_drawn_[b.edge])
+        for(Index i : tree_.graph().edges[b.edge].nodes)
+          ++degree[representative(i)];
     std::map<std::pair<Index, Index>, Index> edge_to; // from a node, to a vertex
     for(const Tree_branches::Edge& b : kept)
       for(const bool is_outer : {false, true})
@@ -110,13 +115,16 @@ private:
           continue;
         Index& other = edge_to.insert({{from, vertex_[to]}, b.edge}).first->second;
         const Tree_graph::Edge &e = tree_.graph().edges[b.edge], &o = tree_.graph().edges[other];
-        if(other == b.edge || e.face != o.face)
+        if(other == b.edge || is_drawn_[other] || e.face != o.face)
           continue;
         const Index end = representative(representative(o.nodes[0]) == from ? o.nodes[1] : o.nodes[0]);
         if(end == to || !merge(end, to))
           continue;
-        is_drawn_[e.gap > o.gap ? other : b.edge] = 1;
-        if(e.gap > o.gap)
+        const bool is_way_back = --degree[from] == 1;
+        is_drawn_[e.gap > o.gap || is_way_back ? other : b.edge] = 1;
+        if(is_way_back)
+          is_drawn_[b.edge] = 1;
+        else if(e.gap > o.gap)
           other = b.edge;
       }
   }
