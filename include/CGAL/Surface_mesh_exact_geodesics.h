@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/geodesics/Straight_walk.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
 #include <CGAL/Cut_loci/face_graph/read_edge_lengths.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
@@ -318,17 +319,19 @@ public:
 
   /// @}
 
-  /// \name Logarithmic Map
-  /// It maps a point into the tangent plane of its nearest source, to where the shortest path would end if it went
-  /// straight on in the direction in which it starts. It is exact on the polyhedron, as distances and directions are.
+  /// \name Logarithmic and Exponential Map
+  /// The logarithmic map takes a point into the tangent plane of its nearest source, to where the shortest path would end
+  /// if it went straight on in the direction in which it starts. It is exact on the polyhedron, as distances and
+  /// directions are.
   ///
   /// The origin is the source, the x-axis runs along `source_halfedge()`, and y is to its left. Around a source that is
   /// not on the border, angles are those of `direction_at_source()`, scaled to add up to \f$2\pi\f$; on the border they
   /// are not scaled. A source has the coordinates zero. What is not reached has an infinite distance, and an angle and
-  /// Cartesian coordinates that are NaN. All functions take constant time. They throw `Cut_loci::Invalid_input` if
+  /// Cartesian coordinates that are NaN. It takes constant time. Its functions throw `Cut_loci::Invalid_input` if
   /// directions have not been asked for.
   ///
-  /// If paths bend at vertices, what is behind such a vertex is on one ray; else, for one source, the map is injective.
+  /// If paths bend at a vertex, what is behind it is on one ray. Else the map is injective for one source, but for one on
+  /// the border with a `source_angle()` of more than \f$2\pi\f$, which only polar coordinates tell apart.
   /// @{
 
   /// the Cartesian coordinates of `v`, in the unit of the points
@@ -337,7 +340,8 @@ public:
   /// the same for query location number `i`
   Plane_coordinates query_logarithmic_map(std::size_t i) const { return cartesian(query_polar_coordinates(i)); }
 
-  /// the distance of `v`, and the angle of its place from the x-axis, in radians from 0 to \f$2\pi\f$
+  /// the distance of `v`, and the angle of its place from the x-axis, in radians: from 0 to \f$2\pi\f$, or on the border
+  /// to `source_angle()`
   Plane_coordinates polar_coordinates(vertex_descriptor v) const
   {
     with_directions();
@@ -351,6 +355,28 @@ public:
     with_directions();
     const FT d = query_distance(i);
     return has_direction(d) ? scaled(d, query_direction_at_source(i), query_nearest_source(i)) : without_direction(d);
+  }
+
+  /// the point at which a straight walk from source number `i` ends, whose direction and length are those of `place` in
+  /// the tangent plane of the source
+  ///
+  /// It is the inverse of the logarithmic map where shortest paths do not bend, and goes on behind the cut locus. The
+  /// walk ends at the border, also if it would start behind it. If it meets a vertex, it goes on as if it had passed on
+  /// one side. It takes time linear in the number of faces that it crosses. Directions need not have been asked for.
+  /// \throws Cut_loci::Invalid_input if there is no such source, or `place` is not finite
+  Face_location exponential_map(const Plane_coordinates& place, std::size_t i = 0) const
+  {
+    const FT length = std::hypot(place[0], place[1]), angle = std::atan2(place[1], place[0]);
+    if(i >= computed().number_of_sources())
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_SOURCE, "there is no source " + std::to_string(i) +
+                                                                       ": the last call of compute() had " +
+                                                                       std::to_string(computed().number_of_sources()));
+    if(!std::isfinite(length))
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
+                                    "a place in the tangent plane is not finite: what is not reached has none");
+    return to_face_location(Cut_loci::internal::end_of_straight_walk(
+      geodesics_, static_cast<Cut_loci::Index>(i), angle < 0. ? angle + 2. * Cut_loci::internal::geodesic_pi : angle,
+      length / read_.unit));
   }
 
   /// @}
@@ -490,8 +516,13 @@ private:
   OutputIterator write(const std::vector<Cut_loci::Indexed_location>& path, OutputIterator out) const
   {
     for(const Cut_loci::Indexed_location& location : path)
-      *out++ = Face_location(face(read_.halfedges[3 * location.face], *mesh_), location.coordinates);
+      *out++ = to_face_location(location);
     return out;
+  }
+
+  Face_location to_face_location(const Cut_loci::Indexed_location& location) const
+  {
+    return Face_location(face(read_.halfedges[3 * location.face], *mesh_), location.coordinates);
   }
 
   const TriangleMesh* mesh_;

@@ -24,7 +24,7 @@
 #include <random>
 #include <vector>
 
-// The logarithmic map: where it is known in closed form, and as the inverse of walking straight.
+// The logarithmic map: where it is known in closed form, and as the inverse of the exponential map.
 
 namespace test_logarithmic_map {
 
@@ -196,95 +196,7 @@ TEST(Logarithmic_map, is_a_cone_laid_flat)
   expect_cone(saddle);
 }
 
-// ---- walking straight
-
-/// Unlike `straightest_geodesic()`, which moves points onto edges that are near, it is as accurate as rounding allows.
-class Walk
-{
-public:
-  explicit Walk(const Mesh& mesh) : mesh_(mesh) {}
-
-  /// from the source number `i`, to a place in its tangent plane
-  Point operator()(const Geodesics& geodesics, std::size_t i, const Location& source, const Place& place) const
-  {
-    Halfedge h = geodesics.source_halfedge(i);
-    double angle = std::atan2(place[1], place[0]);
-    angle = (angle < 0. ? angle + 2. * pi : angle);
-    const bool is_at_vertex = norm(point(mesh_, source) - point(mesh_, mesh_.source(h))) < 1e-12;
-    const bool is_on_edge = *std::min_element(source.second.begin(), source.second.end()) == 0.;
-    double along = norm(point(mesh_, source) - point(mesh_, mesh_.source(h)));
-    if(is_at_vertex)
-    {
-      angle *= mesh_.is_border(mesh_.source(h)) ? 1. : geodesics.source_angle(i) / (2. * pi);
-      for(; angle > corner(h); h = mesh_.opposite(mesh_.prev(h)))
-        angle -= corner(h);
-      return go({{0., 0.}}, angle, std::hypot(place[0], place[1]), h, {mesh_.next(h)});
-    }
-    if(!is_on_edge)
-      return go(in_frame(h, point(mesh_, source)), angle, std::hypot(place[0], place[1]), h,
-                {h, mesh_.next(h), mesh_.prev(h)});
-    if(angle > pi)
-    {
-      h = mesh_.opposite(h);
-      angle -= pi;
-      along = length(h) - along;
-    }
-    return go({{along, 0.}}, angle, std::hypot(place[0], place[1]), h, {mesh_.next(h), mesh_.prev(h)});
-  }
-
-private:
-  double length(Halfedge h) const { return norm(point(mesh_, mesh_.target(h)) - point(mesh_, mesh_.source(h))); }
-  double corner(Halfedge h) const
-  {
-    const Place apex = in_frame(h, point(mesh_, mesh_.target(mesh_.next(h))));
-    return std::atan2(apex[1], apex[0]);
-  }
-  /// coordinates of a point of the face, along the halfedge and to its left
-  Place in_frame(Halfedge h, const Point& p) const
-  {
-    const Point a = point(mesh_, mesh_.source(h)), x = normalized(point(mesh_, mesh_.target(h)) - a);
-    return {{dot(p - a, x), norm(cross(x, p - a))}};
-  }
-  Point in_space(Halfedge h, const Place& p) const
-  {
-    const Point a = point(mesh_, mesh_.source(h)), x = normalized(point(mesh_, mesh_.target(h)) - a);
-    const Point b = point(mesh_, mesh_.target(mesh_.next(h))) - a, y = normalized(b - dot(b, x) * x);
-    return a + p[0] * x + p[1] * y;
-  }
-
-  /// from `p` in the frame of `h`, to one of the exits, and on
-  Point go(Place p, double angle, double way, Halfedge h, std::vector<Halfedge> exits) const
-  {
-    while(true)
-    {
-      const Place d = {{std::cos(angle), std::sin(angle)}};
-      double nearest = std::numeric_limits<double>::infinity(), at = 0., turn = 0.;
-      Halfedge exit;
-      for(const Halfedge e : exits)
-      {
-        const Place a = in_frame(h, point(mesh_, mesh_.source(e))), b = in_frame(h, point(mesh_, mesh_.target(e)));
-        const Place x = {{b[0] - a[0], b[1] - a[1]}}, from = {{p[0] - a[0], p[1] - a[1]}};
-        const double speed = x[1] * d[0] - x[0] * d[1];
-        const double t = speed > 0. ? (x[0] * from[1] - x[1] * from[0]) / speed : nearest;
-        if(t >= nearest)
-          continue;
-        nearest = t;
-        exit = e;
-        at = ((from[0] + t * d[0]) * x[0] + (from[1] + t * d[1]) * x[1]) / std::hypot(x[0], x[1]);
-        turn = std::atan2(x[1], x[0]);
-      }
-      if(way <= nearest || mesh_.is_border(mesh_.opposite(exit)))
-        return in_space(h, {{p[0] + way * d[0], p[1] + way * d[1]}});
-      way -= nearest;
-      h = mesh_.opposite(exit);
-      p = {{length(h) - at, 0.}};
-      angle += pi - turn;
-      exits = {mesh_.next(h), mesh_.prev(h)};
-    }
-  }
-
-  const Mesh& mesh_;
-};
+// ---- the exponential map
 
 /// whether the path meets a vertex on its way, where it may bend
 bool meets_vertex(const std::vector<Location>& path)
@@ -300,7 +212,6 @@ std::size_t expect_walks_to_end(const Mesh_data& data, unsigned seed)
 {
   const Built built(data);
   const Mesh& mesh = built.mesh;
-  const Walk walk(mesh);
   Geodesics geodesics(mesh);
   geodesics.set_directions(true);
   std::mt19937 random(seed);
@@ -323,7 +234,8 @@ std::size_t expect_walks_to_end(const Mesh_data& data, unsigned seed)
     const auto check = [&](const Place& place, std::size_t i, const Point& end)
     {
       ++number;
-      EXPECT_LE(norm(walk(geodesics, i, sources[i], place) - end), 1e-9 * diagonal) << "seed " << seed << ", " << k;
+      EXPECT_LE(norm(point(mesh, geodesics.exponential_map(place, i)) - end), 1e-9 * diagonal)
+        << "seed " << seed << ", " << k;
     };
     for(const auto v : mesh.vertices())
     {
@@ -343,20 +255,118 @@ std::size_t expect_walks_to_end(const Mesh_data& data, unsigned seed)
   return number;
 }
 
-TEST(Logarithmic_map, is_where_straight_walks_end)
+TEST(Exponential_map, is_the_inverse)
 {
   // on convex polyhedra all paths are straight
-  for(unsigned seed = 1; seed <= 12; ++seed)
+  for(unsigned seed = 1; seed <= 15; ++seed)
   {
     const Mesh_data data = random_convex_polyhedron(10 + 15 * seed, seed, {{1., 0.2 + 0.1 * seed, 0.5}});
     EXPECT_EQ(expect_walks_to_end(data, seed), 9 * (data.points.size() + 20));
   }
-  for(unsigned seed = 1; seed <= 6; ++seed)
+  for(unsigned seed = 1; seed <= 10; ++seed)
   {
     EXPECT_GT(expect_walks_to_end(rough(bumpy_sphere(6, 0.3, seed), 0.05, seed), seed), 1000u);
     EXPECT_GT(expect_walks_to_end(torus(1., 0.4, 18, 10, 0.2, seed), seed), 500u);
     EXPECT_GT(expect_walks_to_end(saddle(12, 0.3, 0.2, seed), seed), 500u); // with a border
   }
+}
+
+/// once or twice around four sides of the unit cube, and behind the cut locus
+TEST(Exponential_map, goes_around_a_cube)
+{
+  const Built built(cube(5));
+  Geodesics geodesics(built.mesh);
+  const double around = 4.;
+  for(std::size_t f = 0; f < built.faces.size(); f += 7)
+  {
+    const Location source(built.faces[f], {{0.2, 0.5, 0.3}});
+    geodesics.compute(source);
+    const Point p = point(built.mesh, source);
+    const Halfedge axis = geodesics.source_halfedge();
+    const Point edge = point(built.mesh, built.mesh.target(axis)) - point(built.mesh, built.mesh.source(axis));
+    // the x-axis, turned to be parallel to a side if it is a diagonal
+    const bool is_diagonal = std::count(edge.begin(), edge.end(), 0.) < 2;
+    for(int quarter = 0; quarter < 4; ++quarter)
+    {
+      const double a = 0.5 * pi * quarter + (is_diagonal ? 0.25 * pi : 0.);
+      for(double times : {1., 2.})
+        EXPECT_LE(norm(point(built.mesh, geodesics.exponential_map(
+                                           {{times * around * std::cos(a), times * around * std::sin(a)}})) -
+                       p),
+                  1e-9 * around);
+    }
+  }
+}
+
+/// in a square; directions in the angles of a grid meet vertices of a regular one, and run along edges
+void expect_ends_at_border(double jitter, double offset)
+{
+  const double size = 1.;
+  const Built built(square(6, jitter, 3));
+  const Mesh& mesh = built.mesh;
+  Geodesics geodesics(mesh);
+  std::mt19937 random(5);
+  for(unsigned k = 0; k < 90; ++k)
+  {
+    const Location source = random_location(mesh, random, k);
+    geodesics.compute(source);
+    const Halfedge axis = geodesics.source_halfedge();
+    const Point s = point(mesh, source),
+                x = normalized(point(mesh, mesh.target(axis)) - point(mesh, mesh.source(axis)));
+    for(int n = 0; n < 24; ++n)
+    {
+      const double a = 2. * pi * (n + offset) / 24.;
+      const Point d = std::cos(a) * x + std::sin(a) * Point{{-x[1], x[0], 0.}};
+      double way = 2. * size; // until the border
+      for(std::size_t c = 0; c < 2; ++c)
+        if(std::fabs(d[c]) > 1e-12) // else along the border
+          way = (std::min)(way, ((d[c] > 0. ? size : 0.) - s[c]) / d[c]);
+      const Point end = point(mesh, geodesics.exponential_map({{2. * size * std::cos(a), 2. * size * std::sin(a)}}));
+      EXPECT_LE(norm(end - (s + (std::max)(way, 0.) * d)), 1e-9 * size)
+        << jitter << " " << offset << " " << k << " " << n;
+    }
+  }
+}
+
+TEST(Exponential_map, ends_at_the_border)
+{
+  for(const double jitter : {0., 0.2})
+    for(const double offset : {0., 0.3})
+      expect_ends_at_border(jitter, offset);
+}
+
+/// along edges, from one vertex to the next, all of which are curved: it goes on, on some side
+TEST(Exponential_map, ends_though_it_meets_vertices)
+{
+  for(const Mesh_data& data : {icosahedron(), cube(2), saddle(4, 0.3)})
+  {
+    const Built built(data);
+    Geodesics geodesics(built.mesh);
+    geodesics.set_directions(true);
+    for(const auto v : built.vertices)
+    {
+      geodesics.compute(v);
+      for(const auto w : built.vertices)
+      {
+        const Place place = geodesics.logarithmic_map(w);
+        const Location end = geodesics.exponential_map({{100. * place[0], 100. * place[1]}});
+        EXPECT_NEAR(end.second[0] + end.second[1] + end.second[2], 1., 1e-12);
+        EXPECT_GE(*std::min_element(end.second.begin(), end.second.end()), 0.);
+      }
+    }
+  }
+}
+
+TEST(Exponential_map, of_what_is_no_place)
+{
+  const Built built(icosahedron());
+  Geodesics geodesics(built.mesh);
+  EXPECT_THROW(geodesics.exponential_map({{0., 0.}}), Invalid_input);
+  geodesics.compute(built.vertices[2]);
+  EXPECT_LE(norm(point(built.mesh, geodesics.exponential_map({{0., 0.}})) - built.data.points[2]), 1e-15);
+  EXPECT_THROW(geodesics.exponential_map({{0., 0.}}, 1), Invalid_input);
+  for(const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(geodesics.exponential_map({{x, 1.}}), Invalid_input);
 }
 
 // ---- what has no place
