@@ -10,25 +10,18 @@
 #include "Input_mesh.h"
 #include "Options.h"
 
-#include <array>
-#include <cstddef>
-#include <string>
-#include <vector>
+#include <CGAL/Surface_mesh_exact_geodesics.h>
 
-// Where each vertex is as seen from its nearest source: the distance times the direction in which the shortest path leaves,
-// in the plane of the source. The x-axis is the halfedge of the source: of a vertex that of the first face that has it, or on
-// the border the one with no face on its right, on an edge that edge, in a face its first one. The y-axis is to the left
-// of it. Around a source that is not on the border, angles are scaled so that they add up to 2 pi.
-struct Log_map
-{
-  std::vector<std::size_t> source;          // nearest to each vertex of the mesh that is not isolated, and
-  std::vector<std::array<double, 2>> place; // zero where no path leads
-};
+#include <memory>
+#include <string>
+
+using Log_map = CGAL::Surface_mesh_exact_geodesics<Mesh>;
 
 // Why there is none, or nothing: paths from curves start at no point, and only exact distances come with paths.
 std::string cause_of_no_log_map(const Options& options);
 
-// By one more propagation from the sources, which keeps directions.
-Log_map log_map(const Mesh& mesh, const Cut_locus& cut_locus);
+// By one more propagation from the sources, which keeps directions. Paths to points with several shortest ones may come from
+// another source than that of the cut locus.
+std::unique_ptr<Log_map> log_map(const Mesh& mesh, const Cut_locus& cut_locus);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_LOG_MAP_H

@@ -75,20 +75,22 @@ void write_vtp(std::ostream& os, const CGAL::Cut_loci::Indexed_triangle_mesh& me
 void write_surface(const Options& options, const Input_mesh& input, const Cut_locus& cut_locus)
 {
   const auto read = CGAL::Cut_loci::internal::read_triangle_mesh(input.mesh, input.mesh.points());
-  Log_map log;
+  std::unique_ptr<const Log_map> log;
   if(cause_of_no_log_map(options).empty())
     log = log_map(input.mesh, cut_locus);
   const auto source = [&](Index v)
   {
     const auto nearest = cut_locus.nearest_source(read.vertices[v]);
-    return !nearest ? -1. : static_cast<double>(log.source.empty() ? *nearest : log.source[v]); // of two as near
+    return !nearest ? -1.
+                    : static_cast<double>(log ? log->nearest_source(read.vertices[v]) : *nearest); // of two as near
   };
   std::vector<Surface_array> arrays = {
     {"distance", false, [&](Index v) { return finite_distance(cut_locus.distance(read.vertices[v])); }},
     {"source", true, source},
     {"vertex", true, [&](Index v) { return static_cast<double>(input.number[read.vertices[v]]); }}};
-  if(!log.place.empty())
-    arrays.push_back(
-      {"log_map", false, [&](Index v) { return log.place[v][0]; }, [&](Index v) { return log.place[v][1]; }});
+  const auto place = [&](Index v, std::size_t k)
+  { return cut_locus.nearest_source(read.vertices[v]) ? log->logarithmic_map(read.vertices[v])[k] : 0.; };
+  if(log)
+    arrays.push_back({"log_map", false, [&](Index v) { return place(v, 0); }, [&](Index v) { return place(v, 1); }});
   write_file(options.surface, [&](std::ostream& os) { write_vtp(os, read.mesh, arrays, {}); });
 }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/geodesics/Straight_walk.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
 #include <CGAL/Cut_loci/face_graph/read_edge_lengths.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -85,6 +87,9 @@ public:
   /// a direction at a vertex: a halfedge that leaves it, and the angle from that halfedge, counterclockwise within
   /// its face
   using Direction = std::pair<halfedge_descriptor, FT>;
+
+  /// a point in the plane, by two coordinates
+  using Plane_coordinates = std::array<FT, 2>;
 
   /// @}
 
@@ -167,7 +172,7 @@ public:
   {
     if(!(distance >= 0.))
       throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER, "the maximum distance must not be negative");
-    options_.maximum_distance = distance;
+    options_.maximum_distance = distance / read_.unit;
   }
 
   /// allows distances to be too long, by this times their length; zero by default.
@@ -213,6 +218,7 @@ public:
                                     "directions need exact distances: the maximum relative error must be zero");
     is_computed_ = false;
     has_centroids_ = options_.all_centroids;
+    has_directions_ = options_.directions;
     geodesics_.run(sources_, options_);
     is_computed_ = true;
   }
@@ -235,14 +241,14 @@ public:
   FT distance(vertex_descriptor v) const
   {
     const Cut_loci::Index i = index(v);
-    return i == Cut_loci::null_index ? infinity() : computed().distance(i);
+    return i == Cut_loci::null_index ? infinity() : read_.unit * computed().distance(i);
   }
 
   /// how much longer than the exact distance `distance(v)` may be; zero if no error has been allowed
   FT distance_error(vertex_descriptor v) const
   {
     const Cut_loci::Index i = index(v);
-    return i == Cut_loci::null_index ? 0. : computed().distance_error(i);
+    return i == Cut_loci::null_index ? 0. : read_.unit * computed().distance_error(i);
   }
 
   /// writes the distances of all vertices
@@ -252,7 +258,7 @@ public:
   void distances(VertexDistanceMap vdm) const
   {
     for(Cut_loci::Index i = 0; i < read_.vertices.size(); ++i)
-      put(vdm, read_.vertices[i], computed().distance(i));
+      put(vdm, read_.vertices[i], read_.unit * computed().distance(i));
     if(read_.vertices.size() != num_vertices(*mesh_))
       for(vertex_descriptor v : CGAL::make_range(vertices(*mesh_)))
         if(index(v) == Cut_loci::null_index)
@@ -260,11 +266,11 @@ public:
   }
 
   /// the distance to query location number `i`
-  FT query_distance(std::size_t i) const { return computed().query_distance(query(i)); }
+  FT query_distance(std::size_t i) const { return read_.unit * computed().query_distance(query(i)); }
 
   /// the distance to the centroid of `f`
   /// \pre centroids have been asked for
-  FT centroid_distance(face_descriptor f) const { return computed().query_distance(centroid(f)); }
+  FT centroid_distance(face_descriptor f) const { return query_distance(centroid(f)); }
 
   /// @}
 
@@ -275,24 +281,19 @@ public:
   /// \pre `v` is reached
   std::size_t nearest_source(vertex_descriptor v) const { return computed().nearest_source(index(v)); }
 
+  /// the same for query location number `i`
+  std::size_t query_nearest_source(std::size_t i) const { return computed().query_nearest_source(query(i)); }
+
   /// the direction at its source in which the shortest path to `v` starts
   ///
   /// It is an angle in the tangent plane of the source, unrolled without scaling: counterclockwise, in
   /// `[0, source_angle())`, up to and including `source_angle()` for a source on the border. Zero is
   /// `source_halfedge()`.
   /// \pre directions have been asked for, `v` is reached and not a source
-  FT direction_at_source(vertex_descriptor v) const
-  {
-    require_exact();
-    return computed().direction_at_source(index(v));
-  }
+  FT direction_at_source(vertex_descriptor v) const { return with_directions().direction_at_source(index(v)); }
 
   /// the same for query location number `i`
-  FT query_direction_at_source(std::size_t i) const
-  {
-    require_exact();
-    return computed().query_direction_at_source(query(i));
-  }
+  FT query_direction_at_source(std::size_t i) const { return with_directions().query_direction_at_source(query(i)); }
 
   /// the sum of the angles around source number `i`; \f$2\pi\f$ in faces
   FT source_angle(std::size_t i = 0) const { return computed().source_angle(i); }
@@ -314,6 +315,68 @@ public:
     require_exact();
     const Cut_loci::internal::Geodesic_arrival_direction direction = computed().arrival_direction(index(v));
     return Direction(read_.halfedges[direction.halfedge], direction.angle);
+  }
+
+  /// @}
+
+  /// \name Logarithmic and Exponential Map
+  /// The logarithmic map takes a point into the tangent plane of its nearest source, to where the shortest path would end
+  /// if it went straight on in the direction in which it starts. It is exact on the polyhedron, as distances and
+  /// directions are.
+  ///
+  /// The origin is the source, the x-axis runs along `source_halfedge()`, and y is to its left. Around a source that is
+  /// not on the border, angles are those of `direction_at_source()`, scaled to add up to \f$2\pi\f$; on the border they
+  /// are not scaled. A source has the coordinates zero. What is not reached has an infinite distance, and an angle and
+  /// Cartesian coordinates that are NaN. It takes constant time. Its functions throw `Cut_loci::Invalid_input` if
+  /// directions have not been asked for.
+  ///
+  /// If paths bend at a vertex, what is behind it is on one ray. Else the map is injective for one source, but for one on
+  /// the border with a `source_angle()` of more than \f$2\pi\f$, which only polar coordinates tell apart.
+  /// @{
+
+  /// the Cartesian coordinates of `v`, in the unit of the points
+  Plane_coordinates logarithmic_map(vertex_descriptor v) const { return cartesian(polar_coordinates(v)); }
+
+  /// the same for query location number `i`
+  Plane_coordinates query_logarithmic_map(std::size_t i) const { return cartesian(query_polar_coordinates(i)); }
+
+  /// the distance of `v`, and the angle of its place from the x-axis, in radians: from 0 to \f$2\pi\f$, or on the border
+  /// to `source_angle()`
+  Plane_coordinates polar_coordinates(vertex_descriptor v) const
+  {
+    with_directions();
+    const FT d = distance(v);
+    return has_direction(d) ? scaled(d, direction_at_source(v), nearest_source(v)) : without_direction(d);
+  }
+
+  /// the same for query location number `i`
+  Plane_coordinates query_polar_coordinates(std::size_t i) const
+  {
+    with_directions();
+    const FT d = query_distance(i);
+    return has_direction(d) ? scaled(d, query_direction_at_source(i), query_nearest_source(i)) : without_direction(d);
+  }
+
+  /// the point at which a straight walk from source number `i` ends, whose direction and length are those of `place` in
+  /// the tangent plane of the source
+  ///
+  /// It is the inverse of the logarithmic map where shortest paths do not bend, and goes on behind the cut locus. The
+  /// walk ends at the border, also if it would start behind it. If it meets a vertex, it goes on as if it had passed on
+  /// one side. It takes time linear in the number of faces that it crosses. Directions need not have been asked for.
+  /// \throws Cut_loci::Invalid_input if there is no such source, or `place` is not finite
+  Face_location exponential_map(const Plane_coordinates& place, std::size_t i = 0) const
+  {
+    const FT length = std::hypot(place[0], place[1]), angle = std::atan2(place[1], place[0]);
+    if(i >= computed().number_of_sources())
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_SOURCE, "there is no source " + std::to_string(i) +
+                                                                       ": the last call of compute() had " +
+                                                                       std::to_string(computed().number_of_sources()));
+    if(!std::isfinite(length))
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
+                                    "a place in the tangent plane is not finite: what is not reached has none");
+    return to_face_location(Cut_loci::internal::end_of_straight_walk(
+      geodesics_, static_cast<Cut_loci::Index>(i), angle < 0. ? angle + 2. * Cut_loci::internal::geodesic_pi : angle,
+      length / read_.unit));
   }
 
   /// @}
@@ -371,6 +434,7 @@ private:
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm)),
       !internal::has_edge_lengths<NamedParameters>());
     internal::read_edge_lengths(tm, result, get_parameter(np, internal_np::edge_length_map));
+    internal::normalize_lengths(result);
     if(internal::needs_mollification(result.mesh))
       result.mesh.lengths = internal::Mollification(result.mesh).lengths;
     return result;
@@ -404,6 +468,29 @@ private:
                                     "the maximum relative error must be zero");
   }
 
+  const Cut_loci::internal::Exact_geodesic_propagation& with_directions() const
+  {
+    require_exact();
+    if(!has_directions_)
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
+                                    "directions have not been computed: set_directions() comes before compute()");
+    return geodesics_;
+  }
+
+  static bool has_direction(FT distance) { return distance > 0. && distance < infinity(); }
+  static Plane_coordinates without_direction(FT distance)
+  {
+    return {{distance, distance == 0. ? 0. : (std::numeric_limits<FT>::quiet_NaN)()}};
+  }
+  Plane_coordinates scaled(FT distance, FT direction, std::size_t source) const
+  {
+    return {{distance, direction * geodesics_.angle_scale(source)}};
+  }
+  static Plane_coordinates cartesian(const Plane_coordinates& polar)
+  {
+    return {{polar[0] * std::cos(polar[1]), polar[0] * std::sin(polar[1])}};
+  }
+
   Cut_loci::Index index(vertex_descriptor v) const { return get(read_.index_of_vertex, v); }
 
   std::size_t centroid(face_descriptor f) const
@@ -429,8 +516,13 @@ private:
   OutputIterator write(const std::vector<Cut_loci::Indexed_location>& path, OutputIterator out) const
   {
     for(const Cut_loci::Indexed_location& location : path)
-      *out++ = Face_location(face(read_.halfedges[3 * location.face], *mesh_), location.coordinates);
+      *out++ = to_face_location(location);
     return out;
+  }
+
+  Face_location to_face_location(const Cut_loci::Indexed_location& location) const
+  {
+    return Face_location(face(read_.halfedges[3 * location.face], *mesh_), location.coordinates);
   }
 
   const TriangleMesh* mesh_;
@@ -438,7 +530,7 @@ private:
   Cut_loci::internal::Exact_geodesic_propagation geodesics_;
   Cut_loci::internal::Exact_geodesic_options options_;
   std::vector<Cut_loci::Indexed_location> sources_;
-  bool is_computed_ = false, has_centroids_ = false; // by the last call of `compute()`
+  bool is_computed_ = false, has_centroids_ = false, has_directions_ = false; // by the last call of `compute()`
 };
 
 } // namespace CGAL

@@ -12,7 +12,7 @@ from ._core import Cause, InvalidInput
 from ._cut_locus import CutLocus, Result, compute
 from ._cut_loci import compute_cut_loci
 from ._disk import Disk, cut_open
-from ._geodesics import ExactGeodesics, Path, exact_geodesic_distances, shortest_paths
+from ._geodesics import ExactGeodesics, Path, exact_geodesic_distances, log_map, shortest_paths
 from ._input import weld
 
 __version__ = "0.2.0"
@@ -29,6 +29,7 @@ __all__ = [
     "compute_cut_loci",
     "cut_open",
     "exact_geodesic_distances",
+    "log_map",
     "shortest_paths",
     "weld",
 ]

@@ -1,4 +1,4 @@
-"""Exact geodesic distances and shortest paths."""
+"""Exact geodesic distances, shortest paths, and the logarithmic map."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class ExactGeodesics:
         self._targets: List[Numbers] = []
 
     def compute(self, sources: Sources, *, targets: Optional[Sources] = None, error: float = 0.,
-                maximum_distance: float = math.inf) -> None:
+                maximum_distance: float = math.inf, directions: bool = False) -> None:
         """Computes the distances from the sources, for the properties and functions below.
 
         Parameters
@@ -62,13 +62,16 @@ class ExactGeodesics:
             Distances may be too long by this times their length: it takes nearly linear time, but there are no paths.
         maximum_distance : float
             What is further away is not reached.
+        directions : bool
+            Whether `log_map` is wanted; takes some 10 % more time, and no `error`.
 
         Ctrl-C takes effect when this returns.
         """
         numbers, _ = read_sources(sources)
         wanted = [] if targets is None else read_sources(targets)[0]
         self._targets = []
-        self._core.compute(numbers, [t for t in wanted if not isinstance(t, int)], error, maximum_distance)
+        self._core.compute(numbers, [t for t in wanted if not isinstance(t, int)], error, maximum_distance,
+                           directions)
         self._targets = wanted
 
     @property
@@ -89,9 +92,28 @@ class ExactGeodesics:
     @property
     def target_distance(self) -> Floats:
         """(number of targets,): the distance of each target to the nearest source."""
-        located = iter(self._core.target_distances())
-        at_vertices = self.distance
-        return np.array([at_vertices[t] if isinstance(t, int) else next(located) for t in self._targets])
+        return self._of_targets(self.distance, self._core.target_distances())
+
+    @property
+    def log_map(self) -> Floats:
+        """(n, 2): where each vertex is in the tangent plane of its nearest source; see `log_map()`."""
+        return self._core.log_map()
+
+    @property
+    def target_log_map(self) -> Floats:
+        """(number of targets, 2): the same for each target."""
+        return self._of_targets(self.log_map, self._core.target_log_map())
+
+    @property
+    def source_axes(self) -> Ints:
+        """(number of sources, 2): the vertices of an edge that the x-axis of `log_map` runs along, from the first to
+        the second; y is to its left."""
+        return self._core.source_axes()
+
+    def _of_targets(self, at_vertices: Floats, at_locations: Floats) -> Floats:
+        located = iter(at_locations)
+        values = [at_vertices[t] if isinstance(t, int) else next(located) for t in self._targets]
+        return np.array(values).reshape(-1, *at_vertices.shape[1:])
 
     def path(self, vertex: int) -> Path:
         """The shortest path from a vertex to its source."""
@@ -135,6 +157,32 @@ def exact_geodesic_distances(vertices: npt.ArrayLike, faces: npt.ArrayLike, sour
     geodesics = ExactGeodesics(vertices, faces)
     geodesics.compute(sources, error=error, maximum_distance=maximum_distance)
     return geodesics.distance
+
+
+def log_map(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Sources, *,
+            maximum_distance: float = math.inf) -> Floats:
+    """Computes the logarithmic map: where each vertex is as seen from its source, exact on the polyhedron.
+
+    That is the distance times the direction in which the shortest path leaves the source, in the tangent plane there.
+    Around a source that is not on the border, angles are scaled to add up to 2 pi; on the border they are not scaled.
+    The x-axis runs along an edge: for a source at a vertex the edge that leaves it in the first face that has it, or, on
+    the border, the one with the border on its right; on an edge that edge; in a face from its first vertex to its
+    second. `ExactGeodesics.source_axes` tells it, and `ExactGeodesics.nearest_source` which source of several it is.
+
+    Parameters
+    ----------
+    vertices, faces, sources, maximum_distance
+        As in `exact_geodesic_distances()`.
+
+    Returns
+    -------
+    (n, 2) float64
+        In the unit of the points, counterclockwise seen from outside; zero for sources, nan for vertices that are not
+        reached.
+    """
+    geodesics = ExactGeodesics(vertices, faces)
+    geodesics.compute(sources, maximum_distance=maximum_distance, directions=True)
+    return geodesics.log_map
 
 
 def shortest_paths(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Sources, targets: Sources) -> List[Path]:

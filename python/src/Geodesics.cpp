@@ -16,9 +16,10 @@
 Geodesics::Geodesics(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), geodesics_(*mesh_) {}
 
 void Geodesics::compute(const std::vector<Source>& sources, const std::vector<Location>& targets, double error,
-                        double maximum_distance)
+                        double maximum_distance, bool directions)
 {
   has_result_ = false;
+  geodesics_.set_directions(directions);
   geodesics_.set_maximum_relative_error(error);
   geodesics_.set_maximum_distance(maximum_distance);
   geodesics_.clear_sources();
@@ -75,6 +76,40 @@ std::vector<double> Geodesics::target_distances() const
   std::vector<double> result;
   for(std::size_t i = 0; i < number_of_targets_; ++i)
     result.push_back(geodesics_.query_distance(i));
+  return result;
+}
+
+std::vector<double> Geodesics::log_map() const
+{
+  require_result();
+  std::vector<double> result;
+  result.reserve(2 * std::size_t(mesh_->number_of_vertices()));
+  for(Mesh::Vertex_index v : mesh_->vertices())
+    for(double x : geodesics_.logarithmic_map(v))
+      result.push_back(x);
+  return result;
+}
+
+std::vector<double> Geodesics::target_log_map() const
+{
+  require_result();
+  std::vector<double> result;
+  for(std::size_t i = 0; i < number_of_targets_; ++i)
+    for(double x : geodesics_.query_logarithmic_map(i))
+      result.push_back(x);
+  return result;
+}
+
+std::vector<std::int64_t> Geodesics::source_axes() const
+{
+  require_result();
+  std::vector<std::int64_t> result;
+  for(std::size_t i = 0; i < geodesics_.number_of_sources(); ++i)
+  {
+    const Mesh::Halfedge_index h = geodesics_.source_halfedge(i);
+    result.push_back(mesh_->source(h).idx());
+    result.push_back(mesh_->target(h).idx());
+  }
   return result;
 }
 

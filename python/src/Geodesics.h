@@ -29,13 +29,16 @@ public:
   explicit Geodesics(std::shared_ptr<const Mesh> mesh);
 
   void compute(const std::vector<Source>& sources, const std::vector<Location>& targets, double error,
-               double maximum_distance);
+               double maximum_distance, bool directions);
 
   // By vertex. They throw std::logic_error if nothing has been computed.
   std::vector<double> distances() const;
   std::vector<double> errors() const;
   std::vector<std::int64_t> nearest_sources() const; // -1 where no path leads
   std::vector<double> target_distances() const;      // of the locations
+  std::vector<double> log_map() const;               // two coordinates by vertex
+  std::vector<double> target_log_map() const;
+  std::vector<std::int64_t> source_axes() const; // by source, the two vertices of an edge along which its x-axis runs
 
   Geodesic_path path_from_vertex(Mesh::Vertex_index v) const;
   Geodesic_path path_from_target(std::size_t i) const;

@@ -110,6 +110,7 @@ std::string in_python(std::string message)
     {"Cut_loci::Method::POLYHEDRAL", "\"polyhedral\""},
     {"Cut_loci::Curve::THROUGH_FACES", "\"faces\""},
     {"Cut_loci::Curve::MESH_EDGES", "\"edges\""},
+    {"set_directions() comes before compute()", "compute() takes directions=True"},
     {"geodesic_solver", "solver"},
     {"edge_length_map", "edge_lengths"},
     {"vertex_distance_map", "distances"},
@@ -310,7 +311,7 @@ PYBIND11_MODULE(_core, m)
     .def(
       "compute",
       [](Shared_geodesics& s, const std::vector<Source_numbers>& sources, const std::vector<Source_numbers>& targets,
-         double error, double maximum_distance)
+         double error, double maximum_distance, bool directions)
       {
     s.exclusive.run(
       [&]
@@ -318,10 +319,10 @@ PYBIND11_MODULE(_core, m)
       std::vector<Location> locations;
       for(const Source& target : read_sources(s.geodesics.mesh(), targets))
         locations.push_back(std::get<Location>(target));
-      s.geodesics.compute(read_sources(s.geodesics.mesh(), sources), locations, error, maximum_distance);
+      s.geodesics.compute(read_sources(s.geodesics.mesh(), sources), locations, error, maximum_distance, directions);
     });
       },
-      "sources"_a, "targets"_a, "error"_a, "maximum_distance"_a)
+      "sources"_a, "targets"_a, "error"_a, "maximum_distance"_a, "directions"_a)
     .def("distances",
          [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.distances(); })); })
     .def("errors", [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.errors(); })); })
@@ -329,6 +330,12 @@ PYBIND11_MODULE(_core, m)
          [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.nearest_sources(); })); })
     .def("target_distances",
          [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.target_distances(); })); })
+    .def("log_map",
+         [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.log_map(); }), 2); })
+    .def("target_log_map",
+         [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.target_log_map(); }), 2); })
+    .def("source_axes",
+         [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.source_axes(); }), 2); })
     .def(
       "path_from_vertex",
       [](Shared_geodesics& s, std::int64_t vertex)

@@ -1,4 +1,4 @@
-"""Exact geodesic distances and paths."""
+"""Exact geodesic distances, paths, and the logarithmic map."""
 
 import cut_locus
 import meshes
@@ -88,6 +88,64 @@ def test_maximum_distance(bumpy):
     near = cut_locus.exact_geodesic_distances(*bumpy, 0, maximum_distance=1.)
     assert np.array_equal(near[exact <= 1.], exact[exact <= 1.])
     assert np.isinf(near[exact > 1.]).all() and (exact > 1.).any()
+
+
+@pytest.mark.parametrize("sources", [17, 3, 0, (9, (0.2, 0.5, 0.3)), (9, (0.4, 0.6, 0.)), [17, (30, (0.2, 0.5, 0.3))]])
+def test_log_map_of_plane(sources):
+    x, y = np.meshgrid(np.linspace(0., 3., 7), np.linspace(0., 2., 5), indexing="ij")
+    points = np.stack([x.ravel(), y.ravel()**1.2, 0. * x.ravel()], axis=1)
+    faces = meshes.grid(7, 5, False, False)
+
+    def position(source):
+        return points[source] if isinstance(source, int) else np.array(source[1]) @ points[faces[source[0]]]
+
+    targets = [4, (20, (0.1, 0.2, 0.7)), 17]
+    geodesics = cut_locus.ExactGeodesics(points, faces)
+    geodesics.compute(sources, targets=targets, directions=True)
+    at = np.array([position(s) for s in (sources if isinstance(sources, list) else [sources])])[:, :2]
+    axes = np.diff(points[geodesics.source_axes], axis=1)[:, 0, :2]
+    axes /= np.linalg.norm(axes, axis=1)[:, None]
+
+    def seen(p, nearest):
+        d, a = p[:, :2] - at[nearest], axes[nearest]
+        return np.stack([(a * d).sum(axis=1), a[:, 0] * d[:, 1] - a[:, 1] * d[:, 0]], axis=1)
+
+    expected = seen(points, geodesics.nearest_source)
+    assert geodesics.log_map.shape == (35, 2) and geodesics.log_map == pytest.approx(expected, abs=1e-9)
+    assert cut_locus.log_map(points, faces, sources) == pytest.approx(expected, abs=1e-9)
+    of_targets = np.array([position(t) for t in targets])
+    nearest = np.linalg.norm(of_targets[:, None, :2] - at, axis=2).argmin(axis=1)
+    assert geodesics.target_log_map == pytest.approx(seen(of_targets, nearest), abs=1e-9)
+
+
+def test_log_map(bumpy):
+    both = np.concatenate([bumpy[0], bumpy[0] + 5.]), np.concatenate([bumpy[1], bumpy[1] + len(bumpy[0])])
+    distance = cut_locus.exact_geodesic_distances(*both, 3)
+    place = cut_locus.log_map(*both, 3)
+    reached = np.isfinite(distance)
+    assert np.linalg.norm(place[reached], axis=1) == pytest.approx(distance[reached], abs=1e-12)
+    assert np.isnan(place[~reached]).all() and np.array_equal(place[3], [0., 0.]) and not reached.all()
+    # the first face has the axis; angles are scaled, so that the neighbors around are in order, once around
+    geodesics = cut_locus.ExactGeodesics(*bumpy)
+    geodesics.compute(3, directions=True)
+    axis, = geodesics.source_axes
+    first = bumpy[1][(bumpy[1] == 3).any(axis=1)][0].tolist()
+    assert axis.tolist() == [3, first[(first.index(3) + 1) % 3]]
+    x, y = geodesics.log_map[axis[1]]
+    assert x > 0. and y == pytest.approx(0., abs=1e-12) and geodesics.target_log_map.shape == (0, 2)
+    turned = geodesics.log_map @ [1., 1.j]
+    around = [np.angle(turned[b] / turned[a]) for t in bumpy[1][(bumpy[1] == 3).any(axis=1)].tolist()
+              for a, b in [[v for v in t[t.index(3):] + t[:t.index(3)] if v != 3]]]
+    assert min(around) > 0. and sum(around) == pytest.approx(2. * np.pi)
+
+
+def test_log_map_needs_directions(bumpy):
+    geodesics = cut_locus.ExactGeodesics(*bumpy)
+    geodesics.compute(3)
+    with pytest.raises(cut_locus.InvalidInput, match="directions=True"):
+        geodesics.log_map
+    with pytest.raises(cut_locus.InvalidInput, match="must be zero"):
+        geodesics.compute(3, error=0.1, directions=True)
 
 
 def test_same_as_cut_locus(bumpy):

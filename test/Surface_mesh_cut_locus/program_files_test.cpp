@@ -295,64 +295,6 @@ TEST_F(Files, The_logarithmic_map_of_a_plane)
   check("--source-point=3.5,0,0", {{{{3.5, 0.}}, {{4., 0.}}}});
 }
 
-// Of a cone with sectors of different angles: from its apex, around which they are scaled, and from beside it.
-TEST_F(Files, The_logarithmic_map_of_a_cone)
-{
-  const std::vector<double> turns = {0., 0.4, 1.3, 1.9, 2.8, 3.3, 4.1, 5.2, 5.8};
-  const int n = static_cast<int>(turns.size()), rings = 3;
-  const double pi = std::acos(-1.);
-  std::vector<std::array<double, 3>> points = {{{0., 0., 0.}}};
-  std::vector<Triangle> faces;
-  for(int ring = 1; ring <= rings; ++ring)
-    for(int k = 0; k < n; ++k)
-    {
-      points.push_back({{0.6 * ring * std::cos(turns[k]), 0.6 * ring * std::sin(turns[k]), -0.8 * ring}});
-      const int next = (k + 1) % n, a = 1 + (ring - 1) * n + k, b = 1 + (ring - 1) * n + next;
-      if(ring == 1)
-        faces.push_back({{0, a, b}});
-      else
-      {
-        faces.push_back({{a, b, a - n}});
-        faces.push_back({{b, b - n, a - n}});
-      }
-    }
-  std::vector<double> angle = {0.}; // at the apex, up to each vertex of a ring
-  for(int k = 0; k < n; ++k)
-  {
-    const double turn = k + 1 < n ? turns[k + 1] - turns[k] : 2. * pi - turns[k];
-    angle.push_back(angle.back() + 2. * std::asin(0.6 * std::sin(0.5 * turn)));
-  }
-  write("cone.off", off(points, faces));
-  ASSERT_EQ(run(quoted(path("cone.off")) + " --quiet --source 0 --surface " + quoted(path("s.vtp"))).status, 0);
-  std::vector<Place> found = log_map(read_file(path("s.vtp")));
-  ASSERT_EQ(found.size(), points.size());
-  for(int v = 1; v < static_cast<int>(points.size()); ++v)
-  {
-    const double distance = 1. + (v - 1) / n, direction = 2. * pi * angle[(v - 1) % n] / angle.back();
-    EXPECT_NEAR(found[v][0], distance * std::cos(direction), 1e-12) << v;
-    EXPECT_NEAR(found[v][1], distance * std::sin(direction), 1e-12) << v;
-  }
-
-  const int s = 1 + n + 4; // of the second ring
-  ASSERT_EQ(
-    run(quoted(path("cone.off")) + " --quiet --source " + std::to_string(s) + " --surface " + quoted(path("s.vtp")))
-      .status,
-    0);
-  found = log_map(read_file(path("s.vtp")));
-  EXPECT_NEAR(std::hypot(found[0][0], found[0][1]), 2., 1e-12);
-  for(int v = 1; v < static_cast<int>(points.size()); ++v)
-  {
-    const double r = 1. + (v - 1) / n;
-    double apart = angle[(v - 1) % n] - angle[4]; // around the apex, the shorter way
-    apart -= angle.back() * std::round(apart / angle.back());
-    // the apex is at the origin, and the source on the axis; seen from there, with the apex on the x-axis
-    const Place expected = seen_from({{2., 0.}}, {{0., 0.}}, {{r * std::cos(apart), r * std::sin(apart)}});
-    const Place is = seen_from({{0., 0.}}, found[0], found[v]);
-    EXPECT_NEAR(is[0], expected[0], 1e-9) << v;
-    EXPECT_NEAR(is[1], expected[1], 1e-9) << v;
-  }
-}
-
 TEST_F(Files, The_logarithmic_map_is_as_long_as_the_distance)
 {
   const std::string to_surface = " --surface " + quoted(path("s.vtp"));

@@ -156,6 +156,9 @@ TYPED_TEST(Exact_geodesics_interface, everything_asked_for)
       for(std::size_t i = 1; i < path.size(); ++i)
         length += Fixture::distance(Fixture::point(mesh, path[i - 1]), Fixture::point(mesh, path[i]));
       EXPECT_NEAR(length, d, 1e-10);
+      const auto place = geodesics.logarithmic_map(v);
+      EXPECT_NEAR(std::hypot(place[0], place[1]), d, 1e-12);
+      EXPECT_LT(Fixture::distance(Fixture::point(mesh, geodesics.exponential_map(place)), get(vpm, v)), 1e-10);
       if(v == s)
         continue;
       EXPECT_LT(turn(geodesics.direction_at_source(v) + along(zero), direction(get(vpm, s), get(vpm, v))), 1e-10);
@@ -166,6 +169,8 @@ TYPED_TEST(Exact_geodesics_interface, everything_asked_for)
     const auto q = Fixture::point(mesh, query), c = Fixture::point(mesh, Location(f, {{1. / 3., 1. / 3., 1. / 3.}}));
     EXPECT_NEAR(geodesics.query_distance(0), Fixture::distance(get(vpm, s), q), 1e-12);
     EXPECT_LT(turn(geodesics.query_direction_at_source(0) + along(zero), direction(get(vpm, s), q)), 1e-10);
+    EXPECT_LT(Fixture::distance(Fixture::point(mesh, geodesics.exponential_map(geodesics.query_logarithmic_map(0))), q),
+              1e-10);
     EXPECT_NEAR(geodesics.centroid_distance(f), Fixture::distance(get(vpm, s), c), 1e-12);
     std::vector<Location> path;
     geodesics.query_shortest_path(0, std::back_inserter(path));

@@ -151,6 +151,10 @@ public:
                            query.distance)
              : query.distance;
   }
+  Index query_nearest_source(std::size_t i) const
+  {
+    return queries_[i].distance < infinity ? owner(source_of(queries_[i].arrival)) : null_index;
+  }
   double query_direction_at_source(std::size_t i) const
   {
     const Geodesic_queries::Query& query = queries_[i];

@@ -71,6 +71,12 @@ public:
   /// the total angle at source number `i`: two pi in faces
   double source_angle(std::size_t i = 0) const { return sources_[i].total_angle; }
 
+  /// by what angles at source number `i` are multiplied so that they add up to a full turn; on the border they stay
+  double angle_scale(std::size_t i = 0) const
+  {
+    return is_source_on_border(i) ? 1. : 2. * geodesic_pi / source_angle(i);
+  }
+
   bool is_source_on_border(std::size_t i = 0) const
   {
     const Source& source = sources_[i];
