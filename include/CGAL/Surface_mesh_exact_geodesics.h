@@ -363,7 +363,8 @@ public:
   /// It is the inverse of the logarithmic map where shortest paths do not bend, and goes on behind the cut locus. The
   /// walk ends at the border, also if it would start behind it. If it meets a vertex, it goes on as if it had passed on
   /// one side. It takes time linear in the number of faces that it crosses. Directions need not have been asked for.
-  /// \throws Cut_loci::Invalid_input if there is no such source, or `place` is not finite
+  /// \throws Cut_loci::Invalid_input if there is no such source, or `place` is not finite, or farther than a thousand times
+  ///         the length of all edges together
   Face_location exponential_map(const Plane_coordinates& place, std::size_t i = 0) const
   {
     const FT length = std::hypot(place[0], place[1]), angle = std::atan2(place[1], place[0]);
@@ -374,6 +375,12 @@ public:
     if(!std::isfinite(length))
       throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
                                     "a place in the tangent plane is not finite: what is not reached has none");
+    const Cut_loci::internal::Geodesic_faces& faces = geodesics_.faces();
+    if(length / read_.unit > longest_walk * faces.mean_edge_length() * double(faces.number_of_halfedges()))
+      throw Cut_loci::Invalid_input(
+        Cut_loci::Cause::INVALID_PARAMETER,
+        "a place in the tangent plane is farther than a straight walk is followed: a thousand "
+        "times the length of all edges");
     return to_face_location(Cut_loci::internal::end_of_straight_walk(
       geodesics_, static_cast<Cut_loci::Index>(i), angle < 0. ? angle + 2. * Cut_loci::internal::geodesic_pi : angle,
       length / read_.unit));
@@ -477,6 +484,7 @@ private:
     return geodesics_;
   }
 
+  static constexpr double longest_walk = 1000.; // in all edges: what is longer would not end in any time
   static bool has_direction(FT distance) { return distance > 0. && distance < infinity(); }
   static Plane_coordinates without_direction(FT distance)
   {
