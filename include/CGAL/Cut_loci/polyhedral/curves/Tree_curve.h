@@ -111,16 +111,19 @@ private:
       {
         const Index from = representative(is_outer ? b.inner : b.outer),
                     to = representative(is_outer ? b.outer : b.inner);
-        if(is_drawn_[b.edge] || vertex_[to] == null_index)
+        if(is_drawn_[b.edge] || from == to || vertex_[to] == null_index)
           continue;
         Index& other = edge_to.insert({{from, vertex_[to]}, b.edge}).first->second;
         const Tree_graph::Edge &e = tree_.graph().edges[b.edge], &o = tree_.graph().edges[other];
         if(other == b.edge || is_drawn_[other] || e.face != o.face)
           continue;
         const Index end = representative(representative(o.nodes[0]) == from ? o.nodes[1] : o.nodes[0]);
+        const Index degree_of_both = degree[end] + degree[to];
         if(end == to || !merge(end, to))
           continue;
-        const bool is_way_back = --degree[from] == 1;
+        const bool is_way_back = degree[from] == 2;
+        degree[from] -= is_way_back ? 2 : 1;
+        degree[representative(to)] = degree_of_both - (is_way_back ? 2 : 1);
         is_drawn_[e.gap > o.gap || is_way_back ? other : b.edge] = 1;
         if(is_way_back)
           is_drawn_[b.edge] = 1;
