@@ -140,7 +140,8 @@ export const tests = {
     await shows('four.off');
     await drop(['five.off', 'six.off']);
     await shows('five.off');
-    assert.match(await page.innerText('#message-text'), /at a time: this is “five.off”/);
+    // said when the file has been read and kept
+    await page.waitForFunction(() => /at a time: this is “five.off”/.test(document.getElementById('message-text').textContent));
   },
 
   async 'a surface with a border is taken, too'(d) {
