@@ -87,6 +87,7 @@ export class Driver {
   async exported(what, format) {
     await this.page.selectOption('#export-what', what);
     await this.page.selectOption('#export-format', format);
+    await this.idle();
     const refused = this.page.waitForSelector('#message:not(.is-plain)', { timeout: patience }).then(
       () => this.noMessage(), () => null);
     const [download] = await Promise.all([Promise.race([this.page.waitForEvent('download'), refused]), this.page.click('#export')]);
