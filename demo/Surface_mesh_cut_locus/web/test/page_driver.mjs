@@ -13,8 +13,10 @@ export class Driver {
   }
 
   idle() {
-    return this.page.waitForFunction(() => document.body.dataset.busy === 'false' && !window.cutLocusPage.app.isUpdating,
-      null, { timeout: patience });
+    return this.page.waitForFunction(() => {
+      const { app } = window.cutLocusPage;
+      return document.body.dataset.busy === 'false' && !app.isUpdating && !app.engine.isBusy; // a busy worker is not asked to cut
+    }, null, { timeout: patience });
   }
 
   // after what starts work a little later, as an event does
