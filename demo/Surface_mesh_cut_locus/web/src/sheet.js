@@ -15,10 +15,11 @@ export class Sheet {
     this.computed = null; // the last one, also if it was computed to be exported
   }
 
+  // Also while the worker has something else to do: what is asked for last counts.
   async toggle() {
-    if (!this.app.mesh || this.app.engine.isBusy) return;
+    if (!this.app.mesh) return;
     let hasChanged = true;
-    if (this.atlas) {
+    if (this.app.state.isCut) {
       this.drop();
       hasChanged = await this.app.attempt('Computing…', () => this.app.appearance.showFields());
     } else {
@@ -62,6 +63,7 @@ export class Sheet {
       if (!(error instanceof Canceled)) this.drop();
       throw error;
     }
+    if (!this.app.state.isCut) return; // it has been closed meanwhile
     this.atlas = atlas;
     const isNew = !this.app.viewer.hasAtlas;
     this.app.cellColors.step = null;

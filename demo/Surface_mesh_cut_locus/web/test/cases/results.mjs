@@ -366,6 +366,7 @@ export const tests = {
     const heights = await d.app(heightsOfCurve);
     assert.ok(heights.every((z) => Math.abs(z - 2.4) < 0.05), `${Math.min(...heights)} to ${Math.max(...heights)}`);
     assert.match(await page.innerText('#legend'), /the border, as a source/);
+    await d.unfold('result-fold'); // a sheet of the test before has folded it
     assert.match(await page.innerText('#numbers'), /sources\s*2/);
     assert.match(await d.hash(), /border=only/);
     assert.match(String(await d.exported('faceCurve', 'svg')), /id="border"[^>]*d="M/);

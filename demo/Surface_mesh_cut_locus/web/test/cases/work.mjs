@@ -117,6 +117,22 @@ export const tests = {
     assert.ok(await page.isDisabled('#redo'));
   },
 
+  async 'the surface is cut, and closed, also while it is computed: what is asked for last counts'(d) {
+    await d.open('#sample=torus&faces=5000');
+    const clicked = async (times) => {
+      await d.app(({ app }, n) => {
+        app.solve();
+        for (let i = 0; i < n; ++i) document.getElementById('cut').click();
+      }, times);
+      await d.settle();
+      return d.app(({ app, viewer }) => [app.state.isCut, app.atlas !== null, viewer.hasAtlas, document.getElementById('cut').ariaPressed]);
+    };
+    assert.deepEqual(await clicked(2), [false, false, false, 'false']);
+    assert.deepEqual(await clicked(1), [true, true, true, 'true']);
+    assert.deepEqual(await clicked(2), [true, true, true, 'true']);
+    assert.deepEqual(await clicked(1), [false, false, false, 'false']);
+  },
+
   async 'the cut surface follows a slider and a new source'(d) {
     const { page } = d;
     await d.open('#sample=torus&faces=5000');
