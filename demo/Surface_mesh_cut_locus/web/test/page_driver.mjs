@@ -4,6 +4,7 @@ import { readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 
 export const patience = 120000; // milliseconds: machines of continuous integration are slow
+const pause = 120; // milliseconds: of more than ten downloads in a second, Chromium drops the last ones without a word
 
 const usualSize = [1000, 640];
 
@@ -15,7 +16,7 @@ export class Driver {
   idle() {
     return this.page.waitForFunction(() => {
       const { app } = window.cutLocusPage;
-      return document.body.dataset.busy === 'false' && !app.isUpdating && !app.engine.isBusy; // a busy worker is not asked to cut
+      return document.body.dataset.busy === 'false' && !app.isUpdating;
     }, null, { timeout: patience });
   }
 
@@ -89,6 +90,7 @@ export class Driver {
   async exported(what, format) {
     await this.page.selectOption('#export-what', what);
     await this.page.selectOption('#export-format', format);
+    await this.page.waitForTimeout(pause);
     await this.idle();
     const refused = this.page.waitForSelector('#message:not(.is-plain)', { timeout: patience }).then(
       () => this.noMessage(), () => null);
