@@ -541,7 +541,8 @@ public:
   }
   /// the default of `gradient_angle_threshold` for the current source: the geodesic solver may ask for one of its own
   double gradient_angle_threshold() const { return source_angle_threshold_; }
-  /// the default of `minimum_branch_width` for the current source, if it has one
+  /// the default of `minimum_branch_width` for the current source, if it has one: for paths as long as the surface. On noisy
+  /// meshes shorter ones need less by default, while a number that is given is for all.
   double minimum_branch_width() const
   {
     if(!has_exact_tree())
@@ -551,8 +552,9 @@ public:
   }
   /// the default of `minimum_branch_gap` for the current source
   double minimum_branch_gap() const { return has_exact_tree() ? default_thresholds(*component_->exact_tree).gap : 0.; }
-  /// the curvature, in radians, that two shortest paths have to enclose for a branch of a quarter of the default width to be
-  /// shown by default with `Cut_loci::Method::DIRECTION`, or of no width at the corners of a polyhedron; else 0
+  /// the curvature, in radians, that two shortest paths as long as the surface have to enclose for a branch of a quarter of the
+  /// default width to be shown by default with `Cut_loci::Method::DIRECTION`, or of no width at the corners of a polyhedron;
+  /// else 0
   double minimum_branch_curvature() const
   {
     return has_exact_tree() && method_ == Cut_loci::Method::DIRECTION

@@ -147,7 +147,14 @@ private:
 
 std::vector<Branch_strength> thresholds(double h)
 {
-  return {{0., h}, {0., 3. * h}, {0.1, 0.}, {0.5, 0.}, {0.2, 2. * h}};
+  std::vector<Branch_strength> result;
+  for(const auto& [gap, width] : {std::pair{0., h}, {0., 3. * h}, {0.1, 0.}, {0.5, 0.}, {0.2, 2. * h}})
+  {
+    result.emplace_back();
+    result.back().gap = gap;
+    result.back().width = width;
+  }
+  return result;
 }
 
 TEST(Branch_thresholds, Nothing_that_is_strong_is_missing)

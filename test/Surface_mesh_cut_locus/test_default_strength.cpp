@@ -176,7 +176,7 @@ TEST(Default_strength, of_polyhedra_does_not_depend_on_faces_axes_and_digits)
 }
 
 // The noise is estimated from vertices that are neighbors, which are others once faces are divided: thresholds differ by
-// little, and at the same ones nothing does.
+// little, so that ends of the curve may be a piece farther, and at the same ones nothing does.
 TEST(Default_strength, is_that_of_the_surface_however_faces_are_divided_in_their_planes)
 {
   for(const Named_mesh& m : {Named_mesh{"bumpy sphere", irregular_bumpy_sphere(12, 0.3, 2)},
@@ -185,13 +185,14 @@ TEST(Default_strength, is_that_of_the_surface_however_faces_are_divided_in_their
   {
     const Index source = static_cast<Index>(nearest_vertex(m.data, {{-1., 0.3, 0.2}}));
     const Shown first = shown(m.data, at_vertex(indexed(m.data), source));
+    const double piece = 0.3 * mean_edge_length(m.data);
     Mesh_data divided = m.data;
     for(int times = 1; times <= 2; ++times)
     {
       SCOPED_TRACE(m.name + ", divided " + std::to_string(times) + " times");
       divided = split_in_plane(divided);
       const Shown other = shown(divided, at_vertex(indexed(divided), source));
-      EXPECT_NEAR(other.length, first.length, 0.01 * first.length);
+      EXPECT_NEAR(other.length, first.length, 0.01 * first.length + piece);
       EXPECT_NEAR(other.least.width, first.least.width, 0.05 * first.least.width);
       EXPECT_NEAR(other.least.enclosed, first.least.enclosed, 0.05 * first.least.enclosed);
       const Shown same = shown(divided, at_vertex(indexed(divided), source), &first.least);

@@ -47,8 +47,8 @@ Indexed_triangle_mesh ellipsoid(int n)
   return mesh;
 }
 
-// a ball with four limbs
-Indexed_triangle_mesh limbs(int n)
+// a ball with four limbs, the narrower the larger `sharpness` is
+Indexed_triangle_mesh limbs(int n, double sharpness = 15.)
 {
   Indexed_triangle_mesh mesh = indexed(sphere_of_squares(n));
   const double s = 1. / std::sqrt(3.);
@@ -56,7 +56,7 @@ Indexed_triangle_mesh limbs(int n)
   {
     double radius = 1.;
     for(const Vector& axis : {Vector{{s, s, s}}, Vector{{s, -s, -s}}, Vector{{-s, s, -s}}, Vector{{-s, -s, s}}})
-      radius += 2. * std::exp(15. * (dot(p, axis) - 1.));
+      radius += 2. * std::exp(sharpness * (dot(p, axis) - 1.));
     p = radius * p;
   }
   return mesh;
@@ -133,6 +133,25 @@ TEST(Direction_noise, limbs_are_not_taken_for_noise)
   EXPECT_EQ(number_of_limbs(smooth, Solved(smooth, at_vertex(smooth, v)).through_faces()), 3);
   const Indexed_triangle_mesh mesh = noisy(smooth, 0.03, 3);
   EXPECT_EQ(number_of_limbs(mesh, Solved(mesh, at_vertex(mesh, v)).through_faces()), 3);
+}
+
+// Paths part where a limb begins: what noise does to them before does not matter. The narrower limbs are five edges thick.
+TEST(Direction_noise, limbs_of_noisy_bodies)
+{
+  for(double sharpness : {15., 40.})
+  {
+    const Indexed_triangle_mesh smooth = limbs(50, sharpness);
+    const Index v = static_cast<Index>(nearest_vertex(smooth.points, {{0.58, 0.58, -0.58}}));
+    for(double amplitude : {0.03, 0.1, 0.2, 0.3})
+      for(unsigned seed = 0; seed < 2; ++seed)
+      {
+        SCOPED_TRACE("noise " + std::to_string(amplitude) + ", " + std::to_string(seed));
+        const Indexed_triangle_mesh mesh = noisy(smooth, amplitude, seed);
+        const auto curve = Solved(mesh, at_vertex(mesh, v)).through_faces();
+        EXPECT_EQ(number_of_limbs(mesh, curve), 4);
+        EXPECT_EQ(leaves(curve).size(), 3u); // on the fourth limb it branches
+      }
+  }
 }
 
 double default_width(const Indexed_triangle_mesh& mesh)

@@ -202,9 +202,11 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
     result.width = diagonal * width;
     result.narrow = Branch_strength::narrow_share * result.width;
     result.spur = 0.;
+    result.noise = {};
   }
   if(is_given<NamedParameters, internal_np::minimum_branch_curvature_t>())
   {
+    result.noise = {};
     result.enclosed = choose_parameter(get_parameter(np, internal_np::minimum_branch_curvature), infinity);
     if(!(result.enclosed >= 0. && result.enclosed <= 4. * geodesic_pi))
       throw Invalid_input(Cause::INVALID_PARAMETER,

@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_METHOD_METHOD_THRESHOLDS_H
 
 #include <CGAL/Cut_loci/graph/kept_parts.h>
+#include <CGAL/Cut_loci/method/Path_noise.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
@@ -70,17 +71,31 @@ struct Branch_strength
   double narrow = 0.;
   static constexpr double narrow_share = 0.25; // of the width, where corners do not count
   double spur = 0.; // a length: of branches that meet, those that are not as high are none; see `remove_spurs()`
+  // If there is any, widths and what is enclosed are for paths as long as the surface, and others for shorter ones.
+  Path_noise noise;
 
   bool is_none() const { return gap == 0. && width == 0.; }
   bool operator==(const Branch_strength& other) const
   {
     return gap == other.gap && width == other.width && enclosed == other.enclosed && narrow == other.narrow &&
-           spur == other.spur;
+           spur == other.spur && noise == other.noise;
   }
   /// whether it needs angles that the other one does not: those of what encloses much are never small
   bool is_weaker_than(const Branch_strength& other) const
   {
     return gap < other.gap || width < other.width || (enclosed < 2. * usual_angle && enclosed < other.enclosed);
+  }
+
+  /// whether paths of that length, from where they part, enclose enough
+  bool is_enough(double curvature, double way) const
+  {
+    return curvature >= enclosed || (noise.sigma > 0. && curvature >= noise.enclosed(way));
+  }
+  /// the widths that are asked of them, as shares of those of paths as long as the surface
+  double share_of_width(double way) const
+  {
+    constexpr double whole = (std::numeric_limits<double>::infinity)();
+    return noise.sigma > 0. ? noise.width(way) / noise.width(whole) : 1.;
   }
 
   /*
@@ -91,8 +106,8 @@ struct Branch_strength
    */
   double least_angle(double distance) const
   {
-    return (std::min)(
-      {usual_angle, 0.5 * enclosed, (std::max)(0.1 * gap, distance > 0. ? 0.5 * width / distance : 0.)});
+    return (std::min)({usual_angle, 0.5 * enclosed,
+                       (std::max)(0.1 * gap, distance > 0. ? 0.5 * share_of_width(distance) * width / distance : 0.)});
   }
 
 private:

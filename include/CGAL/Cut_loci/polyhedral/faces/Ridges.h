@@ -132,12 +132,17 @@ public:
   }
 
   /// the curvature that the two paths to a point of the piece enclose, on that side of them where it is less: by
-  /// Gauss-Bonnet, the sectors there between the paths, where they part and where they meet. At the end where it is more,
-  /// as what paths bend at saddles on their way is not counted.
-  double enclosed_curvature(std::size_t i, Index face) const
+  /// Gauss-Bonnet, the sectors there between the paths, where they part and where they meet; and how long the paths are from
+  /// where they part. At the end where it is more, as what paths bend at saddles on their way is not counted.
+  struct Enclosed
+  {
+    double curvature, length;
+  };
+  Enclosed enclosed(std::size_t i, Index face) const
   {
     const std::array<Plane_point, 3> corners = layout(face);
-    return (std::max)(enclosed_curvature(pieces_[i], corners, 0), enclosed_curvature(pieces_[i], corners, 1));
+    const Enclosed first = enclosed(pieces_[i], corners, 0), second = enclosed(pieces_[i], corners, 1);
+    return first.curvature < second.curvature ? second : first;
   }
 
   /// the corners of a face in the frame of its first halfedge
@@ -227,23 +232,25 @@ private:
     std::vector<Index> position, parent;
   };
 
-  double enclosed_curvature(const Piece& piece, const std::array<Plane_point, 3>& corners, int end) const
+  Enclosed enclosed(const Piece& piece, const std::array<Plane_point, 3>& corners, int end) const
   {
     const Image &a = piece.images[0], &b = piece.images[1]; // to the left and to the right
     const Plane_point from = nodes_[piece.first_node + piece.nodes[0]].point,
                       to = nodes_[piece.first_node + piece.nodes[1]].point, p = end == 0 ? from : to;
     const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y;
     const double meeting = angle_between(ax, ay, bx, by), rest = 2. * geodesic_pi - meeting;
-    // paths that hardly part enclose what is between them, and nothing tells the sides of images with an error
-    if(piece.gaps[end] < Parting_angle::least_angle || geodesics_->is_approximate())
-      return piece.gaps[end] + meeting;
     const Parting_angle::Parting parting =
       Parting_angle(*geodesics_)
         .parting(a.origin, a.direction_to(p, corners), b.origin, b.direction_to(p, corners), meeting);
+    const double length = a.distance(p) - parting.distance;
+    // paths that hardly part enclose what is between them, and nothing tells the sides of images with an error
+    if(piece.gaps[end] < Parting_angle::least_angle || geodesics_->is_approximate())
+      return {piece.gaps[end] + meeting, length};
     const bool come_from_ahead =
       meeting < Parting_angle::least_angle ? ax * (to.x - from.x) + ay * (to.y - from.y) > 0. : bx * ay - by * ax > 0.;
-    return (std::min)(parting.turn + (come_from_ahead ? meeting : rest),
-                      parting.rest + (come_from_ahead ? rest : meeting));
+    return {
+      (std::min)(parting.turn + (come_from_ahead ? meeting : rest), parting.rest + (come_from_ahead ? rest : meeting)),
+      length};
   }
 
   // with the same mesh and changes, and no face

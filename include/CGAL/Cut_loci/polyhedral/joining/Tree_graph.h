@@ -80,6 +80,22 @@ public:
     remove(is_removed, progress.part(0.8, 1.));
   }
 
+  /// the edges that are left when branches fall off, from the leaves inward, up to their outermost strong edges. No edge has
+  /// to be known as the root.
+  template <typename Is_strong>
+  std::vector<Index> strong_branches(const Is_strong& is_strong, const Progress& progress = {}) const
+  {
+    Edges_left left = edges_left(progress.part(0., 0.3));
+    std::vector<unsigned char> is_removed(edges.size(), 0);
+    left.peel(
+      nodes_of_edges(), [&](Index e, Index) { return (is_removed[e] = !is_strong(e)) != 0; }, progress.part(0.3, 1.));
+    std::vector<Index> result;
+    for(Index e = 0; e < edges.size(); ++e)
+      if(!is_removed[e])
+        result.push_back(e);
+    return result;
+  }
+
   /// whether the paths to an edge part or meet at the angle that this strength needs: past saddles, paths that part at a
   /// small angle may get far apart, and meet at a larger one
   bool can_be(Index e, const Branch_strength& least) const

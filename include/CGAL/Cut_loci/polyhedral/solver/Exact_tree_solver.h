@@ -268,6 +268,7 @@ private:
     result.width = rounded(asked.width, surface_->extent);
     result.enclosed = rounded(asked.enclosed, 1.);
     result.narrow = Branch_strength::narrow_share * result.width;
+    result.noise = asked.noise;
     return result;
   }
 

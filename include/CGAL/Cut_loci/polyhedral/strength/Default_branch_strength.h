@@ -29,17 +29,9 @@ namespace internal {
 
 /*!
  * tells how strong a branch of the cut locus of a polyhedron has to be, to be one of the surface that the polyhedron
- * stands for: its paths get farther apart than the mesh and noise explain, or enclose more curvature and are not next to
- * each other. The user manual derives it.
- *
- * - A mesh resolves three edges. A surface with a dozen edges around has vertices of half a radian, and a quarter of that
- *   width has room for two of them: two and a half are of the shape.
- * - Noise bends paths by &sigma; on each edge. On a closed way along two paths of the length L, bends sum to
- *   2 &sigma; &radic;(L/h), 1.4 standard deviations. They take the two s = h &sigma; (L/h)<sup>3/2</sup> / &radic;3 apart,
- *   or, as the shortest of many is taken \cgalCite{cgal:kpz-dsgi-86}, h (s/h)<sup>4/9</sup>; the width is twice that.
- * - No path turns by more than a right angle at an edge, and what is as wide as a quarter of L is the shape, as noise has
- *   left it.
- * - A path that is led aside by the width w on its way is longer by w^2 / (2 L): a branch that is no higher is none.
+ * stands for: its paths get farther apart than the mesh and noise explain, see `Path_noise`, or enclose more curvature and
+ * are not next to each other. A path that is led aside by the width w on its way of the length L is longer by w^2 / (2 L): a
+ * branch that is no higher is none. The user manual derives it.
  *
  * Flat vertices tell nothing of the surface: h is the mean length of edges if there were none.
  */
@@ -59,11 +51,11 @@ public:
     length_ = spread(mesh, extent) / edge_;
     const double any_turn = geodesic_pi / std::sqrt(12.);
     const double sigma = (std::min)(any_turn, noise(infinity, progress.part(0.1, 1.)));
-    const double apart = sigma * std::pow(length_, 1.5) / std::sqrt(3.);
-    strength.width = edge_ * std::hypot(3., (std::min)(2. * std::pow(apart, 4. / 9.), 0.25 * length_));
+    strength.noise = {sigma, edge_, length_};
+    strength.width = strength.noise.width(infinity);
     strength.narrow = Branch_strength::narrow_share * strength.width;
     strength.spur = strength.width * strength.width / (2. * length_ * edge_);
-    strength.enclosed = 2.5 * sharp + bends(sigma);
+    strength.enclosed = strength.noise.enclosed(infinity);
     if(!turns_.chains.empty())
       add_turns();
     let_corners_count(ramp(2. * geodesic_pi - bends(sigma) - bends_of_turns(infinity), 0., 0.5 * geodesic_pi));
@@ -122,7 +114,7 @@ private:
   double bends_of_turns(double most) const { return 2. * std::sqrt(2. / 3.) * turns_.noise(most); }
 
   /// the angle by which noise turns a closed way of twice the length of the surface
-  double bends(double sigma) const { return 2. * sigma * std::sqrt(length_); }
+  double bends(double sigma) const { return strength.noise.bends(infinity, sigma); }
 
   /*
    * Where some vertices have many times the deficit of all others, the polyhedron stands for itself: the others are flat,
@@ -261,7 +253,7 @@ private:
     return result;
   }
 
-  static constexpr double sharp = 0.5; // of vertices: a smooth surface with such ones has a dozen edges around it
+  static constexpr double sharp = Path_noise::sharp;
   // A curve of a dozen edges around is as smooth: a twelfth of a full turn counts as the deficit at which corners begin to.
   static constexpr double of_turn = 0.8 * sharp / (geodesic_pi / 6.);
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();

@@ -24,7 +24,6 @@
 #include <CGAL/Cut_loci/polyhedral/strength/Digon_width.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Path_classes.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Shot_width.h>
-#include <CGAL/Cut_loci/polyhedral/strength/Strong_branches.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Tree_branches.h>
 #include <CGAL/Cut_loci/polyhedral/strength/spurs.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -216,13 +215,7 @@ public:
 
   /// the curvature that the paths to an edge enclose; those from curves part nowhere, and their gap is the angle at which
   /// they meet
-  double curvature(Index e) const
-  {
-    const Tree_graph::Edge& edge = graph_->edges[e];
-    if(edge.piece == null_index || edge.is_between_sources())
-      return 0.;
-    return options_.lines.empty() ? ridges_.enclosed_curvature(edge.piece, edge.face) : edge.gap;
-  }
+  double curvature(Index e) const { return enclosed(e).curvature; }
 
   /// finds what `shown_width()` and `shown_curvature()` return, for edges that are kept
   void measure_widths(const std::vector<Tree_branches::Edge>& edges, const Progress& progress = {})
@@ -292,14 +285,27 @@ public:
   }
 
 private:
+  Ridges::Enclosed enclosed(Index e) const
+  {
+    const Tree_graph::Edge& edge = graph_->edges[e];
+    constexpr double whole = (std::numeric_limits<double>::infinity)();
+    if(edge.piece == null_index || edge.is_between_sources())
+      return {0., whole};
+    return options_.lines.empty() ? ridges_.enclosed(edge.piece, edge.face) : Ridges::Enclosed{edge.gap, whole};
+  }
+
   std::vector<Tree_branches::Edge> find_kept(const Branch_strength& least, const Progress& progress)
   {
-    const auto can_be = [&](Index e) { return least.is_none() || is_a_branch(e, least); };
-    const auto enclosed = [this](Index e) { return curvature(e); };
-    const auto is_wide = [&](Index e, double width) { return width == 0. || this->width(e) >= width; };
-    const Strong_branches<decltype(can_be), decltype(enclosed), decltype(is_wide)> strong(
-      *graph_, connectivity_.number_of_border_loops, least, can_be, enclosed, is_wide, progress.part(0., 0.6));
-    const std::vector<Index> edges = strong.edges();
+    const auto is_wide = [&](Index e, double length, double enough)
+    { return enough == 0. || width(e) >= least.share_of_width(length) * enough; };
+    const auto is_strong = [&](Index e)
+    {
+      if(graph_->edges[e].piece == null_index || (!least.is_none() && !is_a_branch(e, least)))
+        return false;
+      const Ridges::Enclosed there = enclosed(e);
+      return is_wide(e, there.length, least.is_enough(there.curvature, there.length) ? least.narrow : least.width);
+    };
+    const std::vector<Index> edges = graph_->strong_branches(is_strong, progress.part(0., 0.6));
     const Tree_branches branches(
       static_cast<Index>(graph_->nodes.size()), static_cast<Index>(edges.size()),
       [&](Index i) { return graph_->edges[edges[i]].nodes; }, [&](Index i) { return graph_->edges[edges[i]].gap; },
@@ -314,8 +320,10 @@ private:
       [&](const Tree_branches::Edge& b)
       {
       // in the middle of a curve that is nearly a circle, what it encloses is no corner
-      return options_.lines.empty() && graph_->edges[b.edge].piece != null_index &&
-             curvature(b.edge) >= least.enclosed && is_wide(b.edge, least.narrow);
+      if(!options_.lines.empty() || graph_->edges[b.edge].piece == null_index)
+        return false;
+      const Ridges::Enclosed there = enclosed(b.edge);
+      return least.is_enough(there.curvature, there.length) && is_wide(b.edge, there.length, least.narrow);
       });
     return result;
   }
