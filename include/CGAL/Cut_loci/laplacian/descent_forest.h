@@ -478,8 +478,8 @@ private:
  * edges more on a surface of genus g, each border loop being one node. Where paths pass something on both sides, the
  * crossings by the fewest are given up. Then the forest is unfolded. Where the shortest way to a vertex that crosses no
  * other edges is longer than its distance by more than a mean edge, the forest is led along an edge to a neighbor and on as
- * that goes, or along a path of its own, or parts of it, if the squares of all detours become less in sum; so it is if all
- * sources are points. Of several sources, no tree of that forest has more than one. Along the border, paths run in its
+ * that goes, or along a path of its own, if the squares of all detours become less in sum; so it is if all sources are
+ * points. Of several sources, no tree of that forest has more than one. Along the border, paths run in its
  * faces. Time is O(n log n).
  *
  * @param geodesics what the exact solver found with `distance`, or null
