@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -72,14 +71,10 @@ public:
       return false;
     next_attempt();
     changed_.clear();
-    std::size_t key = 0; // two that are equal by chance cost no more than an attempt
     for(Index h : path)
       if(exit_[h / 3] != h)
-      {
         changed_.push_back({h / 3, exit_[h / 3]});
-        key = 1000003 * key + h;
-      }
-    if(changed_.empty() || !tried_.insert(key).second)
+    if(changed_.empty())
       return false;
     laid_out_.clear();
     vertices_.clear();
@@ -350,7 +345,6 @@ private:
   // attempts to make detours shorter: their number, that of the last one at each face and vertex, and what it has changed
   Index attempt_ = 0;
   std::vector<Index> attempt_of_face_, attempt_of_vertex_;
-  std::unordered_set<std::size_t> tried_;
   std::vector<std::pair<Index, Index>> changed_;   // faces, and their exits before
   std::vector<std::pair<Index, Corner>> laid_out_; // faces, and their corners before
   std::vector<Index> vertices_, stack_, turn_;
