@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
@@ -154,7 +155,7 @@ private:
 
   void start(const Indexed_source& source, Index f)
   {
-    const std::array<double, 3> c = in_face(source, f);
+    const std::array<double, 3> c = in_face(mesh_, source.location, f).coordinates;
     const Index h = 3 * f, first = static_cast<Index>(corners_.size());
     const std::array<Planar_vector, 3> position = {{{{0., 0.}}, {{edge_length(mesh_, h), 0.}}, apex(mesh_, h)}};
     corners_.resize(corners_.size() + 4);
@@ -171,20 +172,6 @@ private:
     }
     exit_[f] = mesh_.number_of_halfedges() + first; // a number that no halfedge has
     stack_.push_back(f);
-  }
-
-  // The coordinates of a source in one of the faces at it.
-  std::array<double, 3> in_face(const Indexed_source& source, Index f) const
-  {
-    const Indexed_location& x = source.location;
-    std::array<double, 3> result = {{0., 0., 0.}};
-    if(f == x.face)
-      return x.coordinates;
-    for(Index i = 0; i < 3; ++i)
-      for(Index k = 0; k < 3; ++k)
-        if(mesh_.triangles[f][i] == mesh_.triangles[x.face][k])
-          result[i] = x.coordinates[k];
-    return result;
   }
 
   bool is_root(Index f) const { return exit_[f] != null_index && exit_[f] >= mesh_.number_of_halfedges(); }
