@@ -240,10 +240,16 @@ private:
       if(is_needed[i])
         is_needed[parent_position[i]] = true;
     }
-    std::vector<Index> new_position(n, 0);
+    leave(is_needed, parent_position, result);
+  }
+
+  // Takes out the vertices that are not marked, on which hang none that are; not the root.
+  static void leave(const std::vector<bool>& is_marked, std::vector<Index>& parent_position, Result& result)
+  {
+    std::vector<Index> new_position(is_marked.size(), 0);
     std::size_t size = 1;
-    for(std::size_t i = 1; i < n; ++i)
-      if(is_needed[i])
+    for(std::size_t i = 1; i < is_marked.size(); ++i)
+      if(is_marked[i])
       {
         new_position[i] = static_cast<Index>(size);
         result.vertices[size] = result.vertices[i];
@@ -282,7 +288,7 @@ private:
   // Where branches meet, the longest one continues and the others end, and at the root all of them: those that are
   // short are removed.
   void remove_short_branches(const Indexed_triangle_mesh& mesh, const Branch_thresholds& thresholds,
-                             const std::vector<Index>& parent_position, Result& result) const
+                             std::vector<Index>& parent_position, Result& result) const
   {
     using namespace internal;
     struct Height
@@ -295,11 +301,9 @@ private:
     std::vector<Height> branch(n);               // from a vertex' parent on
     std::vector<double> longest(n, -1.);         // among the branches that meet at a vertex
     std::vector<Index> continued(n, null_index); // the position of that branch's first vertex
-    std::vector<bool> hangs_on_kept(n, false);   // read now: the vertices are moved below
     for(std::size_t i = n; i-- > 1;)
     {
       const Index p = parent_position[i], v = result.vertices[i];
-      hangs_on_kept[i] = is_kept_[result.vertices[p]];
       branch[i] = {height[i].length + norm(mesh.points[v] - mesh.points[result.vertices[p]]), height[i].edges + 1};
       // What is kept for the homology continues before any branch.
       const double rank = is_kept_[v] ? (std::numeric_limits<double>::max)() : branch[i].length;
@@ -310,24 +314,17 @@ private:
         height[p] = branch[i];
       }
     }
-    std::vector<bool> removed(n, false);
-    std::size_t size = 1;
+    std::vector<bool> is_left(n, true);
     for(std::size_t i = 1; i < n; ++i)
     {
-      const Index p = parent_position[i], v = result.vertices[i];
+      const Index p = parent_position[i];
       const bool is_short = branch[i].edges < thresholds.minimum_edges || branch[i].length < thresholds.minimum_length;
       // At the root even the longest branch may be nothing but noise around a point, and at the ends of generators no
       // branch continues anything: the loop does, by the generator.
-      const bool ends = hangs_on_kept[i] || continued[p] != i;
-      removed[i] = removed[p] || (!is_kept_[v] && ends && is_short);
-      if(removed[i])
-        continue;
-      result.vertices[size] = v;
-      result.edges[size - 1] = result.edges[i - 1];
-      ++size;
+      const bool ends = is_kept_[result.vertices[p]] || continued[p] != i;
+      is_left[i] = is_left[p] && (is_kept_[result.vertices[i]] || !ends || !is_short);
     }
-    result.vertices.resize(size);
-    result.edges.resize(size - 1);
+    leave(is_left, parent_position, result);
   }
 
   Index root_ = null_index;

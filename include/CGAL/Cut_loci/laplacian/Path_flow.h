@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_PATH_FLOW_H
 #define CGAL_CUT_LOCI_LAPLACIAN_PATH_FLOW_H
 
+#include <CGAL/Cut_loci/internal/Compressed_rows.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Source_forest.h>
 #include <CGAL/Cut_loci/laplacian/Source_roots.h>
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -61,7 +61,16 @@ public:
       if(next_[order_[i]] != null_index)
         count_[next_[order_[i]]] += count_[order_[i]];
     progress(0.2);
-    const std::vector<Index> edges = edges_by_number_of_paths();
+    Index most = 0;
+    for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
+      most = (std::max)(most, number_of_paths(e));
+    const Compressed_rows<Index> edges(most,
+                                       [&](const auto& add_edge)
+                                       {
+      for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
+        if(const Index n = number_of_paths(e); n > 0)
+          add_edge(most - n, e);
+    });
     progress(0.5);
     std::vector<unsigned char> result(connectivity_.number_of_edges(), 0);
     Source_forest parts(mesh_.number_of_faces());
@@ -74,34 +83,16 @@ public:
     };
     std::for_each(roots.crossings().begin(), roots.crossings().end(), add);
     const Progress rest = progress.part(0.5, 1.);
-    for(std::size_t i = 0; i < edges.size(); ++i)
+    for(Index i = 0; i < most; ++i)
     {
-      rest(i, edges.size());
-      add(connectivity_.halfedge_of_edge[edges[i]]);
+      rest(i, most);
+      for(Index e : edges[i])
+        add(connectivity_.halfedge_of_edge[e]);
     }
     return result;
   }
 
 private:
-  // those that paths cross, most of them first; by counting, as most numbers are small
-  std::vector<Index> edges_by_number_of_paths() const
-  {
-    const Index ne = connectivity_.number_of_edges();
-    Index most = 0;
-    for(Index e = 0; e < ne; ++e)
-      most = (std::max)(most, number_of_paths(e));
-    std::vector<Index> begin(most + std::size_t(1), 0); // of those with `most - i` paths
-    for(Index e = 0; e < ne; ++e)
-      if(number_of_paths(e) > 0)
-        ++begin[most - number_of_paths(e) + std::size_t(1)];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<Index> result(begin.back());
-    for(Index e = 0; e < ne; ++e)
-      if(number_of_paths(e) > 0)
-        result[begin[most - number_of_paths(e)]++] = e;
-    return result;
-  }
-
   Index number_of_paths(Index e) const
   {
     const Index h = connectivity_.halfedge_of_edge[e];

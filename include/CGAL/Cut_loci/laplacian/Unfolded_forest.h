@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
@@ -18,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -63,22 +63,39 @@ public:
   // by how much the shortest way to a vertex is longer than its distance
   double detour(Index v) const { return detour(v, length_[v]); }
 
-  // Leads the faces of a path, given by the halfedges across which it leaves them, all along it, or on parts of it, where
-  // that makes the squares of all detours less in sum: those that are long count most. `faces` is how many may be
-  // passed and laid out anew, and becomes less by those that are.
-  void reroute(const std::vector<Index>& path, std::size_t& faces)
+  // Leads the faces of a path, given by the halfedges across which it leaves them, all along it, if that makes the squares
+  // of all detours less in sum: those that are long count most. `faces` is how many may be passed and laid out anew, and
+  // becomes less by those that are.
+  bool reroute(const std::vector<Index>& path, std::size_t& faces)
   {
-    const std::size_t n = path.size();
-    if(n == 0 || leads_back(path, 0, n, faces) || reroute(path, 0, n, faces))
-      return;
-    for(std::size_t i = 0, j; i < n; i = j)
+    if(path.empty() || leads_back(path, faces) || faces == 0)
+      return false;
+    next_attempt();
+    changed_.clear();
+    for(Index h : path)
+      if(exit_[h / 3] != h)
+        changed_.push_back({h / 3, exit_[h / 3]});
+    if(changed_.empty())
+      return false;
+    laid_out_.clear();
+    vertices_.clear();
+    for(Index h : path)
+      exit_[h / 3] = h;
+    for(std::size_t i = changed_.size(); i-- > 0;) // those next to the source first, as others hang on them
     {
-      for(j = i; j < n && exit_[path[j] / 3] != path[j];)
-        ++j;
-      if(j > i && j - i < n && !leads_back(path, i, j, faces))
-        reroute(path, i, j, faces);
-      j += j == i ? 1 : 0;
+      if(changed_[i].second != null_index)
+        add_vertex(corner_behind(changed_[i].second));
+      if(attempt_of_face_[changed_[i].first] != attempt_)
+        lay_out_again(changed_[i].first);
     }
+    faces -= (std::min)(faces, laid_out_.size());
+    if(has_gain())
+      return is_changed_ = true;
+    for(const auto& c : changed_)
+      exit_[c.first] = c.second;
+    for(std::size_t i = laid_out_.size(); i-- > 0;) // backwards, as a face may be there twice
+      corners_[laid_out_[i].first] = laid_out_[i].second;
+    return false;
   }
 
   // Leads the way to a vertex along the edge to a neighbor, and on as that to the neighbor goes, if that is shorter and
@@ -103,7 +120,7 @@ public:
     const Index o = mesh_.opposite[along], w = mesh_.source(along) == v ? mesh_.target(along) : mesh_.source(along);
     for(Index h : {along, o})
       if(h != null_index && turn(h, w))
-        if(const std::size_t n = turn_.size(); n > 0 && !leads_back(turn_, 0, n, faces) && reroute(turn_, 0, n, faces))
+        if(reroute(turn_, faces))
           return;
   }
 
@@ -138,7 +155,7 @@ private:
 
   void start(const Indexed_source& source, Index f)
   {
-    const std::array<double, 3> c = in_face(source, f);
+    const std::array<double, 3> c = in_face(mesh_, source.location, f).coordinates;
     const Index h = 3 * f, first = static_cast<Index>(corners_.size());
     const std::array<Planar_vector, 3> position = {{{{0., 0.}}, {{edge_length(mesh_, h), 0.}}, apex(mesh_, h)}};
     corners_.resize(corners_.size() + 4);
@@ -155,20 +172,6 @@ private:
     }
     exit_[f] = mesh_.number_of_halfedges() + first; // a number that no halfedge has
     stack_.push_back(f);
-  }
-
-  // The coordinates of a source in one of the faces at it.
-  std::array<double, 3> in_face(const Indexed_source& source, Index f) const
-  {
-    const Indexed_location& x = source.location;
-    std::array<double, 3> result = {{0., 0., 0.}};
-    if(f == x.face)
-      return x.coordinates;
-    for(Index i = 0; i < 3; ++i)
-      for(Index k = 0; k < 3; ++k)
-        if(mesh_.triangles[f][i] == mesh_.triangles[x.face][k])
-          result[i] = x.coordinates[k];
-    return result;
   }
 
   bool is_root(Index f) const { return exit_[f] != null_index && exit_[f] >= mesh_.number_of_halfedges(); }
@@ -241,46 +244,21 @@ private:
     return length < infinity() ? (std::max)(0., length - distance_[v]) : 0.;
   }
 
-  // Whether the way behind a part of a path comes back to it, if the faces of that are left along the path, or ends before
-  // a source.
-  bool leads_back(const std::vector<Index>& path, std::size_t first, std::size_t end, std::size_t& faces)
+  // Whether the way behind a path comes back to it, if its faces are left along it, or ends before a source.
+  bool leads_back(const std::vector<Index>& path, std::size_t& faces)
   {
     next_attempt();
-    for(std::size_t i = first; i < end; ++i)
-      attempt_of_face_[path[i] / 3] = attempt_;
-    Index f = mesh_.opposite[path[end - 1]] / 3;
+    for(Index h : path)
+      attempt_of_face_[h / 3] = attempt_;
+    Index f = mesh_.opposite[path.back()] / 3;
     for(; exit_[f] != null_index && !is_root(f) && attempt_of_face_[f] != attempt_; f = mesh_.opposite[exit_[f]] / 3)
       faces -= faces > 0 ? 1 : 0;
     return !is_root(f);
   }
 
-  bool reroute(const std::vector<Index>& path, std::size_t first, std::size_t end, std::size_t& faces)
+  // Whether the lengths of the ways to the vertices of an attempt are better than before, which they become then.
+  bool has_gain()
   {
-    if(faces == 0)
-      return false;
-    next_attempt();
-    changed_.clear();
-    std::size_t key = 0; // two that are equal by chance cost no more than an attempt
-    for(std::size_t i = first; i < end; ++i)
-      if(const Index h = path[i]; exit_[h / 3] != h)
-      {
-        changed_.push_back({h / 3, exit_[h / 3]});
-        key = 1000003 * key + h;
-      }
-    if(changed_.empty() || !tried_.insert(key).second)
-      return false;
-    laid_out_.clear();
-    vertices_.clear();
-    for(std::size_t i = first; i < end; ++i)
-      exit_[path[i] / 3] = path[i];
-    for(std::size_t i = changed_.size(); i-- > 0;) // those next to the source first, as others hang on them
-    {
-      if(changed_[i].second != null_index)
-        add_vertex(corner_behind(changed_[i].second));
-      if(attempt_of_face_[changed_[i].first] != attempt_)
-        lay_out_again(changed_[i].first);
-    }
-    faces -= (std::min)(faces, laid_out_.size());
     double gain = 0.;
     new_length_.clear();
     for(Index v : vertices_)
@@ -289,17 +267,9 @@ private:
       const double before = detour(v), after = detour(v, new_length_.back());
       gain += before * before - after * after;
     }
-    if(!(gain > 0.))
-    {
-      for(const auto& c : changed_)
-        exit_[c.first] = c.second;
-      for(std::size_t i = laid_out_.size(); i-- > 0;) // backwards, as a face may be there twice
-        corners_[laid_out_[i].first] = laid_out_[i].second;
-      return false;
-    }
-    for(std::size_t i = 0; i < vertices_.size(); ++i)
+    for(std::size_t i = 0; i < vertices_.size() && gain > 0.; ++i)
       length_[vertices_[i]] = new_length_[i];
-    return is_changed_ = true;
+    return gain > 0.;
   }
 
   // Sets the halfedges that a way around `w` crosses, from the face of `h`, which is at `w`, on the side where that is not
@@ -362,7 +332,6 @@ private:
   // attempts to make detours shorter: their number, that of the last one at each face and vertex, and what it has changed
   Index attempt_ = 0;
   std::vector<Index> attempt_of_face_, attempt_of_vertex_;
-  std::unordered_set<std::size_t> tried_;
   std::vector<std::pair<Index, Index>> changed_;   // faces, and their exits before
   std::vector<std::pair<Index, Corner>> laid_out_; // faces, and their corners before
   std::vector<Index> vertices_, stack_, turn_;

@@ -198,17 +198,10 @@ private:
     return false;
   }
 
-  // Records the path from `v`. An exact one may end in rounding errors: then the other kind does.
+  // Records the path from `v`, unless it ends before a source.
   void descend(Index v)
   {
-    is_exact_ = exact_ != nullptr;
-    bool arrives = trace(v);
-    if(!arrives && is_exact_)
-    {
-      is_exact_ = false;
-      arrives = trace(v);
-    }
-    if(!arrives)
+    if(!trace(v))
       return;
     if(!nearest_.empty())
       name_source(v);
@@ -226,7 +219,6 @@ private:
     shorten_detours(forest, [&](Index v, std::size_t& faces) { forest.lead_along_edge(v, faces); });
     progress(0.75);
     joins_older_ = false;
-    is_exact_ = exact_ != nullptr;
     shorten_detours(forest,
                     [&](Index v, std::size_t& faces)
                     {
@@ -284,7 +276,7 @@ private:
   Start leave(Index v) const
   {
     Start result;
-    if(is_exact_)
+    if(exact_ != nullptr)
       result.way = exact_->leave(v);
     result.is_exact = result.way.exists();
     if(!result.is_exact)
@@ -453,7 +445,6 @@ private:
   std::vector<double> distance_; // without pits
   Steepest_descent descent_;
   std::unique_ptr<const Exact_descent> exact_; // if shortest paths are known
-  bool is_exact_ = false;                      // whether they are followed
   bool joins_older_ = true;                    // where it meets one
   Path_flow flow_;
   std::vector<Index> path_, place_on_path_;     // the halfedges that the present one crosses, and the inverse
@@ -478,8 +469,8 @@ private:
  * edges more on a surface of genus g, each border loop being one node. Where paths pass something on both sides, the
  * crossings by the fewest are given up. Then the forest is unfolded. Where the shortest way to a vertex that crosses no
  * other edges is longer than its distance by more than a mean edge, the forest is led along an edge to a neighbor and on as
- * that goes, or along a path of its own, or parts of it, if the squares of all detours become less in sum; so it is if all
- * sources are points. Of several sources, no tree of that forest has more than one. Along the border, paths run in its
+ * that goes, or along a path of its own, if the squares of all detours become less in sum; so it is if all sources are
+ * points. Of several sources, no tree of that forest has more than one. Along the border, paths run in its
  * faces. Time is O(n log n).
  *
  * @param geodesics what the exact solver found with `distance`, or null

@@ -82,15 +82,7 @@ public:
   /// the same point, which is in `face`, in the coordinates of that face
   Indexed_location in_face(const Indexed_location& location, Index face) const
   {
-    if(location.face == face)
-      return location;
-    const Index v = internal::vertex_of(mesh_, location);
-    if(v == null_index)
-      return internal::across(mesh_, internal::edge_of(location), location);
-    Index h = 3 * face;
-    while(mesh_.source(h) != v)
-      h = mesh_.next(h);
-    return internal::location_on(h);
+    return internal::in_face(mesh_, location, face);
   }
 
 private:

@@ -80,6 +80,20 @@ inline Indexed_location across(const Indexed_triangle_mesh& mesh, Index h, const
   return across(h, mesh.opposite[h], location);
 }
 
+// the same point, which is in `face`, in the coordinates of that face
+inline Indexed_location in_face(const Indexed_triangle_mesh& mesh, const Indexed_location& location, Index face)
+{
+  if(location.face == face)
+    return location;
+  const Index v = vertex_of(mesh, location);
+  if(v == null_index)
+    return across(mesh, edge_of(location), location);
+  Index h = 3 * face;
+  while(mesh.source(h) != v)
+    h = mesh.next(h);
+  return location_on(h);
+}
+
 } // namespace internal
 } // namespace Cut_loci
 } // namespace CGAL
