@@ -62,6 +62,7 @@ inline Distances_from_lines distances_from_curves(const Indexed_triangle_mesh& m
                                                   const Progress& progress = {})
 {
   std::vector<Indexed_location> locations;
+  locations.reserve(points.size());
   for(const Indexed_source& point : points)
     locations.push_back(point.location);
   Exact_geodesic_options options;
