@@ -121,6 +121,20 @@ class Result:
         return self._core.polylines()
 
     @property
+    def cell_neighbors(self) -> Ints:
+        """(p, 2): the sources whose cells of the geodesic Voronoi diagram touch along a curve: the edges of the dual graph."""
+        return self._cell_neighbors[0]
+
+    @property
+    def cell_boundary_length(self) -> Floats:
+        """(p,): the length of the curve along which they touch."""
+        return self._cell_neighbors[1]
+
+    @cached_property
+    def _cell_neighbors(self) -> Tuple[Ints, Floats]:
+        return self._core.cell_neighbors()
+
+    @property
     def _degrees(self) -> Ints:
         return np.bincount(self.edges.ravel(), minlength=len(self.points))
 

@@ -232,6 +232,16 @@ def test_polylines():
     assert sum(len(line) - 1 for line in point.polylines) == len(point.edges)
 
 
+def test_cell_neighbors():
+    result = cut_locus.compute(*meshes.cube(), [0, 7])
+    assert result.cell_neighbors.tolist() == [[0, 1]]
+    between = result.edge_sources[:, 0] != result.edge_sources[:, 1]
+    length = meshes.length_of(result.points, result.edges)[between].sum()
+    assert result.cell_boundary_length == pytest.approx([length]) and length > 3.
+    alone = cut_locus.compute(*meshes.cube(), 0)
+    assert alone.cell_neighbors.shape == (0, 2) and alone.cell_boundary_length.shape == (0,)
+
+
 def test_results_are_pickled():
     result = cut_locus.compute(*meshes.torus(24, 12), [0, 5])
     for again in (pickle.loads(pickle.dumps(result)), pickle.loads(pickle.dumps(copy.deepcopy(result)))):
