@@ -9,10 +9,14 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/geodesics/Geodesic_fronts.h>
+#include <CGAL/Cut_loci/geodesics/Isoline_tracing.h>
 #include <CGAL/Cut_loci/geodesics/Straight_walk.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
+#include <CGAL/Cut_loci/face_graph/read_curves.h>
 #include <CGAL/Cut_loci/face_graph/read_edge_lengths.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/polyhedral/sources/distances_from_curves.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -23,7 +27,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,7 +46,7 @@ namespace CGAL {
  * which all numbers are computed. The surface may have any genus and any number of borders and components.
  *
  * The mesh is read by the constructor; it must not change, and must stay alive, as long as the object is used. Sources
- * are vertices or face locations. `compute()` then finds the distances to all vertices and to the query locations; all
+ * are vertices, face locations, or curves along edges, such as the border. `compute()` then finds the distances to all vertices and to the query locations; all
  * other functions with results are `const` and can be called from several threads at once. An object is meant to be
  * used for many sources: it keeps the geometry of the mesh and all its memory.
  *
@@ -134,7 +140,8 @@ public:
   Surface_mesh_exact_geodesics& operator=(const Surface_mesh_exact_geodesics&) = delete;
 
   /// \name Sources
-  /// With several sources, the distance is the one to the nearest.
+  /// With several sources, the distance is the one to the nearest. They are numbered in the order in which they are added,
+  /// curves behind the points.
   /// @{
 
   /// adds a vertex
@@ -154,11 +161,36 @@ public:
   /// \throws Cut_loci::Invalid_input if the face is null or the coordinates are not barycentric
   void add_source(const Face_location& location) { sources_.push_back(to_indexed(location)); }
 
+  /// adds a connected curve along edges of the mesh, all of whose points are sources
+  ///
+  /// No shortest path crosses it, so that paths come from its two sides. Distances are exact up to `1e-7` of the longest
+  /// edge of all curves. There are no directions at a curve, nor is an error allowed: `compute()` throws then. Curves
+  /// through the faces become edges by `refine_along_polylines()`. It takes linear time.
+  /// @tparam EdgeRange a model of `ConstRange` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as value type
+  /// \throws Cut_loci::Invalid_input if there are no edges, they are not connected, or one is on no face
+  template <typename EdgeRange>
+  void add_source_curve(const EdgeRange& edges)
+  {
+    curves_.push_back(Cut_loci::internal::read_curve(*mesh_, read_, geodesics_.faces().mesh(), edges, curves_.size()));
+  }
+
+  /// adds each loop of the border as a curve, in the order of their first vertices
+  /// \throws Cut_loci::Invalid_input if there is no border
+  void add_source_border()
+  {
+    for(Cut_loci::Indexed_curve& loop : Cut_loci::internal::border_curves(geodesics_.faces().mesh()))
+      curves_.push_back(std::move(loop));
+  }
+
   /// removes all sources
-  void clear_sources() { sources_.clear(); }
+  void clear_sources()
+  {
+    sources_.clear();
+    curves_.clear();
+  }
 
   /// the number of sources
-  std::size_t number_of_sources() const { return sources_.size(); }
+  std::size_t number_of_sources() const { return sources_.size() + curves_.size(); }
 
   /// @}
 
@@ -196,6 +228,9 @@ public:
   /// asks for the distances at the centroids of all faces. Off by default.
   void set_centroids(bool wanted) { options_.all_centroids = wanted; }
 
+  /// asks for isolines: all windows are kept, 48 bytes for each. Off by default.
+  void set_isolines(bool wanted) { options_.windows = wanted ? &windows_ : nullptr; }
+
   /// adds a point to which the distance is wanted, and returns its number
   std::size_t add_query(const Face_location& location)
   {
@@ -209,17 +244,32 @@ public:
   /// @}
 
   /// computes everything that has been asked for
-  /// \throws Cut_loci::Invalid_input if there is no source, or if an error has been allowed and directions have been
-  ///         asked for
+  /// \throws Cut_loci::Invalid_input if there is no source, or if two of these exclude each other: an error goes with
+  ///         neither directions, isolines nor sources that are curves, and curves not with directions
   void compute()
   {
-    if(options_.directions && options_.maximum_relative_error > 0.)
-      throw Cut_loci::Invalid_input(Cut_loci::Cause::PARAMETER_OF_OTHER_METHOD,
-                                    "directions need exact distances: the maximum relative error must be zero");
+    const bool is_exact = options_.maximum_relative_error == 0.;
     is_computed_ = false;
+    if(!is_exact && (options_.directions || options_.windows != nullptr))
+      throw Cut_loci::Invalid_input(
+        Cut_loci::Cause::PARAMETER_OF_OTHER_METHOD,
+        "directions and isolines need exact distances: the maximum relative error must be zero");
+    if(!curves_.empty() && (options_.directions || !is_exact))
+      throw Cut_loci::Invalid_input(
+        Cut_loci::Cause::PARAMETER_OF_OTHER_METHOD,
+        "sources that are curves have no directions, and need exact distances: leave out the "
+        "curves, or both the directions and the maximum relative error");
+    number_of_points_ = sources_.size();
     has_centroids_ = options_.all_centroids;
     has_directions_ = options_.directions;
-    geodesics_.run(sources_, options_);
+    has_isolines_ = options_.windows != nullptr;
+    windows_.clear();
+    with_curves_.reset();
+    maximum_distance_ = options_.maximum_distance * read_.unit;
+    if(curves_.empty())
+      geodesics_.run(sources_, options_);
+    else
+      compute_from_curves();
     is_computed_ = true;
   }
 
@@ -296,16 +346,18 @@ public:
   FT query_direction_at_source(std::size_t i) const { return with_directions().query_direction_at_source(query(i)); }
 
   /// the sum of the angles around source number `i`; \f$2\pi\f$ in faces
-  FT source_angle(std::size_t i = 0) const { return computed().source_angle(i); }
+  /// \throws Cut_loci::Invalid_input if there is no such source, or it is a curve
+  FT source_angle(std::size_t i = 0) const { return computed().source_angle(point_source(i)); }
 
   /// the halfedge along which the direction at source number `i` is zero
   ///
   /// For a vertex on the border, it is the first of its fan, which has the border on its right; for another vertex, the
   /// first one that leaves it in the order of `faces(tm)`; on an edge, the halfedge of the edge in the face of the
   /// location; and in a face `f`, `halfedge(f, tm)`.
+  /// \throws Cut_loci::Invalid_input if there is no such source, or it is a curve
   halfedge_descriptor source_halfedge(std::size_t i = 0) const
   {
-    return read_.halfedges[computed().source_halfedge(i)];
+    return read_.halfedges[computed().source_halfedge(point_source(i))];
   }
 
   /// the direction at `v` in which the shortest path to it leads back to its source
@@ -361,17 +413,15 @@ public:
   /// the tangent plane of the source
   ///
   /// It is the inverse of the logarithmic map where shortest paths do not bend, and goes on behind the cut locus. The
-  /// walk ends at the border, also if it would start behind it. If it meets a vertex, it goes on as if it had passed on
-  /// one side. It takes time linear in the number of faces that it crosses. Directions need not have been asked for.
-  /// \throws Cut_loci::Invalid_input if there is no such source, or `place` is not finite, or farther than a thousand times
-  ///         the length of all edges together
+  /// walk ends at the border, also if it would start behind it, and at sources that are curves. If it meets a vertex, it
+  /// goes on as if it had passed on one side. It takes time linear in the number of faces that it crosses. Directions need
+  /// not have been asked for.
+  /// \throws Cut_loci::Invalid_input if there is no such source, it is a curve, or `place` is not finite, or farther than a
+  ///         thousand times the length of all edges together
   Face_location exponential_map(const Plane_coordinates& place, std::size_t i = 0) const
   {
     const FT length = std::hypot(place[0], place[1]), angle = std::atan2(place[1], place[0]);
-    if(i >= computed().number_of_sources())
-      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_SOURCE, "there is no source " + std::to_string(i) +
-                                                                       ": the last call of compute() had " +
-                                                                       std::to_string(computed().number_of_sources()));
+    point_source(i);
     if(!std::isfinite(length))
       throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
                                     "a place in the tangent plane is not finite: what is not reached has none");
@@ -382,7 +432,7 @@ public:
         "a place in the tangent plane is farther than a straight walk is followed: a thousand "
         "times the length of all edges");
     return to_face_location(Cut_loci::internal::end_of_straight_walk(
-      geodesics_, static_cast<Cut_loci::Index>(i), angle < 0. ? angle + 2. * Cut_loci::internal::geodesic_pi : angle,
+      computed(), static_cast<Cut_loci::Index>(i), angle < 0. ? angle + 2. * Cut_loci::internal::geodesic_pi : angle,
       length / read_.unit));
   }
 
@@ -424,6 +474,72 @@ public:
 
   /// @}
 
+  /// \name Isolines
+  /// @{
+
+  /// a curve of points at the same distance
+  struct Isoline
+  {
+    FT level;                             ///< the distance
+    std::vector<Face_location> locations; ///< of a polyline; what is nearer to the sources is on its left
+    bool is_closed;                       ///< whether it ends where it begins; else it leads from border to border
+  };
+
+  /*!
+   * writes the isolines of some distances.
+   *
+   * In each face, an isoline consists of arcs of circles, around the images of the sources and of the vertices at which
+   * paths bend. The vertices of the polylines have the distance of their level exactly, up to rounding, and between them
+   * they are chords. The isolines of a level bound what is nearer: no two of them meet. A level that is that of a vertex
+   * up to rounding is taken for one beside it, less than `1e-10` of the largest distance away. From sources that are
+   * curves, all that is accurate to `1e-6` of their longest edge.
+   *
+   * For each level, time is linear in the number of faces, and at worst cubic in the number of windows of a face that the
+   * isoline crosses.
+   *
+   * @tparam LevelRange a model of `ConstRange` of numbers
+   * @tparam OutputIterator a model of `OutputIterator` that holds `Isoline`
+   *
+   * @param levels the distances, in the unit of the points
+   * @param out where the isolines are written, level by level
+   * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{maximum_deviation}
+   *     \cgalParamDescription{how far chords may be from their arcs, in the unit of the points}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{a thousandth of the mean edge length: in pictures that show the edges, no corner is seen}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \pre isolines have been asked for
+   * \throws Cut_loci::Invalid_input if they have not, if a level is not positive and finite, or above the maximum distance,
+   *         or if the deviation is not positive
+   */
+  template <typename LevelRange, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  OutputIterator isolines(const LevelRange& levels, OutputIterator out,
+                          const CGAL_NP_CLASS& np = parameters::default_values()) const
+  {
+    const Cut_loci::internal::Exact_geodesic_propagation& geodesics = computed();
+    const FT deviation =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_deviation),
+                                   default_deviation * geodesics.faces().mean_edge_length() * read_.unit);
+    require_isolines(deviation);
+    for(const auto& level : levels)
+      require_level(FT(level));
+    Cut_loci::internal::Isoline_tracing tracing(geodesics, windows_);
+    for(const auto& level : levels)
+      for(const Cut_loci::internal::Indexed_isoline& line : tracing(FT(level) / read_.unit, deviation / read_.unit))
+      {
+        Isoline isoline{FT(level), {}, line.is_closed};
+        write(line.locations, std::back_inserter(isoline.locations));
+        *out++ = std::move(isoline);
+      }
+    return out;
+  }
+
+  /// @}
+
   /// the number of windows that the last call of `compute()` has taken across a face
   std::size_t number_of_windows() const { return computed().number_of_windows(); }
 
@@ -453,7 +569,29 @@ private:
   {
     if(!is_computed_)
       throw Cut_loci::Invalid_input(Cut_loci::Cause::NO_SOURCE, "nothing has been computed: compute() comes before");
-    return geodesics_;
+    return with_curves_ ? *with_curves_ : geodesics_;
+  }
+
+  // on a mesh of its own, which is cut open along the curves
+  void compute_from_curves()
+  {
+    Cut_loci::internal::Run_from_curves run =
+      Cut_loci::internal::run_from_curves(geodesics_.faces().mesh(), sources_, curves_, options_);
+    with_curves_ = std::move(run.geodesics);
+    with_curves_->run(run.sources, run.options);
+  }
+
+  // the number of a source that is a point
+  std::size_t point_source(std::size_t i) const
+  {
+    computed();
+    if(i < number_of_points_)
+      return i;
+    throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_SOURCE, "there is no source " + std::to_string(i) +
+                                                                     " that is a point: the last call of "
+                                                                     "compute() had " +
+                                                                     std::to_string(number_of_points_) +
+                                                                     " of them, and curves have no tangent plane");
   }
 
   // the number of a query location
@@ -468,8 +606,7 @@ private:
 
   void require_exact() const
   {
-    computed();
-    if(geodesics_.is_approximate())
+    if(computed().is_approximate())
       throw Cut_loci::Invalid_input(Cut_loci::Cause::PARAMETER_OF_OTHER_METHOD,
                                     "directions and paths need exact distances: "
                                     "the maximum relative error must be zero");
@@ -481,10 +618,28 @@ private:
     if(!has_directions_)
       throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
                                     "directions have not been computed: set_directions() comes before compute()");
-    return geodesics_;
+    return computed();
   }
 
-  static constexpr double longest_walk = 1000.; // in all edges: what is longer would not end in any time
+  void require_isolines(FT deviation) const
+  {
+    if(!has_isolines_)
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
+                                    "isolines have not been asked for: set_isolines() comes before compute()");
+    if(!(deviation > 0.))
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER, "the maximum deviation must be positive");
+  }
+
+  void require_level(FT level) const
+  {
+    if(!(level > 0. && level < infinity() && level <= maximum_distance_))
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
+                                    "there is no isoline of the level " + std::to_string(level) +
+                                      ": levels are positive and finite, and no larger than the maximum distance");
+  }
+
+  static constexpr double default_deviation = 1e-3; // in mean edge lengths
+  static constexpr double longest_walk = 1000.;     // in all edges: what is longer would not end in any time
   static bool has_direction(FT distance) { return distance > 0. && distance < infinity(); }
   static Plane_coordinates without_direction(FT distance)
   {
@@ -492,7 +647,7 @@ private:
   }
   Plane_coordinates scaled(FT distance, FT direction, std::size_t source) const
   {
-    return {{distance, direction * geodesics_.angle_scale(source)}};
+    return {{distance, direction * computed().angle_scale(source)}};
   }
   static Plane_coordinates cartesian(const Plane_coordinates& polar)
   {
@@ -536,9 +691,15 @@ private:
   const TriangleMesh* mesh_;
   Read read_;
   Cut_loci::internal::Exact_geodesic_propagation geodesics_;
+  std::unique_ptr<Cut_loci::internal::Exact_geodesic_propagation> with_curves_; // in place of it, if there are curves
   Cut_loci::internal::Exact_geodesic_options options_;
   std::vector<Cut_loci::Indexed_location> sources_;
-  bool is_computed_ = false, has_centroids_ = false, has_directions_ = false; // by the last call of `compute()`
+  std::vector<Cut_loci::Indexed_curve> curves_;
+  std::vector<Cut_loci::internal::Crossing_window> windows_; // if isolines have been asked for
+  FT maximum_distance_ = 0.;                                 // of the last call of `compute()`
+  std::size_t number_of_points_ = 0;                         // that were sources in the last call of `compute()`
+  bool is_computed_ = false, has_centroids_ = false, has_directions_ = false,
+       has_isolines_ = false; // by the last call of `compute()`
 };
 
 } // namespace CGAL

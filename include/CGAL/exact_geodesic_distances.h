@@ -21,9 +21,57 @@ namespace CGAL {
 /*!
  * \ingroup PkgSurfaceMeshCutLocusRef
  *
+ * computes the exact geodesic distance of each vertex to the nearest one of several sources, curves and the border among
+ * them.
+ *
+ * @tparam SourceRange a range of vertices or of face locations; it may be empty if there are curves
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{source_curves}
+ *     \cgalParamDescription{sources that are connected curves: for each one the edges of the mesh that it is made of. The
+ *                           distances are exact up to `1e-7` of the longest of these edges.}
+ *     \cgalParamType{a model of `ConstRange` of models of `ConstRange` with
+ *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as value type}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{source_border}
+ *     \cgalParamDescription{whether each border loop is a source}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * For everything else, see the overload for one vertex.
+ */
+template <typename TriangleMesh, typename SourceRange, typename VertexDistanceMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+#ifdef DOXYGEN_RUNNING
+void
+#else
+typename std::enable_if<boost::has_range_const_iterator<SourceRange>::value>::type
+#endif
+exact_geodesic_distances(const TriangleMesh& tm, const SourceRange& sources, VertexDistanceMap vdm,
+                         const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using parameters::get_parameter;
+  Surface_mesh_exact_geodesics<TriangleMesh> geodesics(tm, np);
+  for(const auto& source : sources)
+    geodesics.add_source(source);
+  if constexpr(Cut_loci::internal::is_given<CGAL_NP_CLASS, internal_np::source_curves_t>())
+    for(const auto& curve : get_parameter(np, internal_np::source_curves))
+      geodesics.add_source_curve(curve);
+  if(parameters::choose_parameter(get_parameter(np, internal_np::source_border), false))
+    geodesics.add_source_border();
+  geodesics.compute();
+  geodesics.distances(vdm);
+}
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusRef
+ *
  * computes the exact geodesic distances from `source` to all vertices of a triangle mesh.
  *
- * Vertices that cannot be reached get an infinite distance. For more than one source, directions, shortest paths,
+ * Vertices that cannot be reached get an infinite distance. For directions, shortest paths,
  * points in faces, or a maximum distance, see `CGAL::Surface_mesh_exact_geodesics`, which also says how long it takes;
  * whoever needs the distances from many points, one after the other, should use it, too.
  *
@@ -62,9 +110,8 @@ void exact_geodesic_distances(const TriangleMesh& tm,
                               typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
                               VertexDistanceMap vdm, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  Surface_mesh_exact_geodesics<TriangleMesh> geodesics(tm, np);
-  geodesics.compute(source);
-  geodesics.distances(vdm);
+  exact_geodesic_distances(tm, std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 1>{{source}},
+                           vdm, np);
 }
 
 /*!
@@ -81,35 +128,7 @@ void exact_geodesic_distances(
   const std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<double, 3>>& source,
   VertexDistanceMap vdm, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  Surface_mesh_exact_geodesics<TriangleMesh> geodesics(tm, np);
-  geodesics.compute(source);
-  geodesics.distances(vdm);
-}
-
-/*!
- * \ingroup PkgSurfaceMeshCutLocusRef
- *
- * computes the exact geodesic distance of each vertex to the nearest one of several sources.
- *
- * @tparam SourceRange a range of vertices or of face locations
- *
- * For everything else, see the overload for one vertex.
- */
-template <typename TriangleMesh, typename SourceRange, typename VertexDistanceMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
-#ifdef DOXYGEN_RUNNING
-void
-#else
-typename std::enable_if<boost::has_range_const_iterator<SourceRange>::value>::type
-#endif
-exact_geodesic_distances(const TriangleMesh& tm, const SourceRange& sources, VertexDistanceMap vdm,
-                         const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  Surface_mesh_exact_geodesics<TriangleMesh> geodesics(tm, np);
-  for(const auto& source : sources)
-    geodesics.add_source(source);
-  geodesics.compute();
-  geodesics.distances(vdm);
+  exact_geodesic_distances(tm, std::array<typename std::decay<decltype(source)>::type, 1>{{source}}, vdm, np);
 }
 
 } // namespace CGAL

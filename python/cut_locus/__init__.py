@@ -12,8 +12,9 @@ from ._core import Cause, InvalidInput
 from ._cut_locus import CutLocus, Result, compute
 from ._cut_loci import compute_cut_loci
 from ._disk import Disk, cut_open
-from ._geodesics import ExactGeodesics, Path, exact_geodesic_distances, log_map, shortest_paths
-from ._input import weld
+from ._geodesics import (ExactGeodesics, Isoline, Path, Places, exact_geodesic_distances, exp_map, isolines, log_map,
+                         shortest_paths)
+from ._input import mesh_arrays, weld
 
 __version__ = "0.2.0"
 
@@ -23,13 +24,18 @@ __all__ = [
     "Disk",
     "ExactGeodesics",
     "InvalidInput",
+    "Isoline",
     "Path",
+    "Places",
     "Result",
     "compute",
     "compute_cut_loci",
     "cut_open",
     "exact_geodesic_distances",
+    "exp_map",
+    "isolines",
     "log_map",
+    "mesh_arrays",
     "shortest_paths",
     "weld",
 ]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any, Callable, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -28,6 +28,9 @@ class Result:
         self._core = core
         self._method = method
         self._has_edge_lengths = has_edge_lengths
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {**self.__dict__, "_core": _Saved(self._core)}
 
     def __repr__(self) -> str:
         return (f"<cut_locus.Result: {len(self.points)} points, {len(self.edges)} edges, {self.cycles} cycles, "
@@ -98,6 +101,42 @@ class Result:
     def is_on_border(self) -> Bools:
         """(m,): whether each edge follows the border of the mesh."""
         return self._core.is_on_border().view(np.bool_)
+
+    @cached_property
+    def tips(self) -> Ints:
+        """The points with one edge, at which branches end."""
+        return np.flatnonzero(self._degrees == 1)
+
+    @cached_property
+    def branching_points(self) -> Ints:
+        """The points with three edges or more."""
+        return np.flatnonzero(self._degrees > 2)
+
+    @cached_property
+    def polylines(self) -> List[Ints]:
+        """The points along each branch, between tips and branching points: `result.points[line]` are its places.
+
+        A cycle without these ends with its first point; a cut locus that is one point is a line of that.
+        """
+        return self._core.polylines()
+
+    @property
+    def cell_neighbors(self) -> Ints:
+        """(p, 2): the sources whose cells of the geodesic Voronoi diagram touch along a curve: the edges of the dual graph."""
+        return self._cell_neighbors[0]
+
+    @property
+    def cell_boundary_length(self) -> Floats:
+        """(p,): the length of the curve along which they touch."""
+        return self._cell_neighbors[1]
+
+    @cached_property
+    def _cell_neighbors(self) -> Tuple[Ints, Floats]:
+        return self._core.cell_neighbors()
+
+    @property
+    def _degrees(self) -> Ints:
+        return np.bincount(self.edges.ravel(), minlength=len(self.points))
 
     # -- the vertices of the mesh
 
@@ -221,6 +260,36 @@ class Result:
     @cached_property
     def _nearest(self) -> Tuple[float, Floats, float]:
         return self._core.nearest()
+
+
+class _Saved:
+    """What a result tells, in place of its C++ part when it is pickled: all but the mesh, without which there is no
+    `cut_open()`."""
+
+    def __init__(self, core: Any) -> None:
+        if isinstance(core, _Saved):
+            self._values = core._values
+            return
+        self._values: Dict[str, Tuple[bool, Any]] = {}
+        for name in vars(_core.Result):
+            if not name.startswith("_") and name != "cut_open":
+                value = getattr(core, name)
+                self._values[name] = (True, value()) if callable(value) else (False, value)
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        for _, value in self._values.values():
+            for array in value if isinstance(value, (list, tuple)) else [value]:
+                if isinstance(array, np.ndarray):
+                    array.flags.writeable = False  # as the arrays of the C++ part
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        if name == "cut_open":
+            raise _core.InvalidInput("a result that has been pickled has no mesh: cut_locus.cut_open() takes one")
+        is_function, value = self._values[name]
+        return (lambda: value) if is_function else value
 
 
 class CutLocus:

@@ -37,6 +37,33 @@ def weld(vertices: npt.ArrayLike, faces: npt.ArrayLike
     return _core.weld(*_arrays(vertices, faces))
 
 
+def mesh_arrays(mesh: Any) -> Tuple[npt.NDArray[Any], npt.NDArray[Any]]:
+    """The vertices and the triangles of a mesh of another package: `cut_locus.compute(*cut_locus.mesh_arrays(mesh), 0)`.
+
+    It takes what has `vertices` and `faces`, as trimesh's meshes, or `vertices` and `triangles`, as Open3D's; `points` and
+    `cells_dict`, as meshio's; or `points` and `faces` in one array, each with the number of its vertices before it, as
+    PyVista's. Faces that are no triangles are refused.
+    """
+    if hasattr(mesh, "vertices"):
+        for name in ("faces", "triangles"):
+            if hasattr(mesh, name):
+                return np.asarray(mesh.vertices), np.asarray(getattr(mesh, name))
+    if hasattr(mesh, "points") and hasattr(mesh, "cells_dict"):
+        if "triangle" not in mesh.cells_dict:
+            kinds = ", ".join(mesh.cells_dict) or "none"
+            raise _core.InvalidInput(f"the mesh has no triangles: its cells are {kinds}")
+        return np.asarray(mesh.points), np.asarray(mesh.cells_dict["triangle"])
+    if hasattr(mesh, "points") and hasattr(mesh, "faces"):
+        faces = np.asarray(mesh.faces)
+        if faces.ndim == 1:
+            if len(faces) % 4 != 0 or np.any(faces[::4] != 3):
+                raise _core.InvalidInput("the mesh has faces that are no triangles: mesh.triangulate() divides them")
+            faces = faces.reshape(-1, 4)[:, 1:]
+        return np.asarray(mesh.points), faces
+    raise TypeError("a mesh must have vertices and faces, vertices and triangles, points and cells_dict, or points and "
+                    f"faces: {type(mesh).__name__} has none of these pairs")
+
+
 def read_mesh(vertices: npt.ArrayLike, faces: npt.ArrayLike) -> _core.Mesh:
     mesh = _core.Mesh(*_arrays(vertices, faces))
     count = mesh.number_of_weldable_vertices

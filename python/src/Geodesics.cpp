@@ -15,16 +15,20 @@
 
 Geodesics::Geodesics(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), geodesics_(*mesh_) {}
 
-void Geodesics::compute(const std::vector<Source>& sources, const std::vector<Location>& targets, double error,
-                        double maximum_distance, bool directions)
+void Geodesics::compute(const Sources& sources, const std::vector<Location>& targets, const Wishes& wishes)
 {
   has_result_ = false;
-  geodesics_.set_directions(directions);
-  geodesics_.set_maximum_relative_error(error);
-  geodesics_.set_maximum_distance(maximum_distance);
+  geodesics_.set_directions(wishes.directions);
+  geodesics_.set_isolines(wishes.isolines);
+  geodesics_.set_maximum_relative_error(wishes.error);
+  geodesics_.set_maximum_distance(wishes.maximum_distance);
   geodesics_.clear_sources();
-  for(const Source& source : sources)
+  for(const Source& source : sources.points)
     std::visit([&](const auto& point) { geodesics_.add_source(point); }, source);
+  for(const Source_curve& curve : sources.curves)
+    geodesics_.add_source_curve(curve);
+  if(sources.border)
+    geodesics_.add_source_border();
   geodesics_.clear_queries();
   for(const Location& target : targets)
     geodesics_.add_query(target);
@@ -79,6 +83,16 @@ std::vector<double> Geodesics::target_distances() const
   return result;
 }
 
+std::vector<std::int64_t> Geodesics::target_nearest_sources() const
+{
+  require_result();
+  std::vector<std::int64_t> result;
+  for(std::size_t i = 0; i < number_of_targets_; ++i)
+    result.push_back(
+      std::isfinite(geodesics_.query_distance(i)) ? static_cast<std::int64_t>(geodesics_.query_nearest_source(i)) : -1);
+  return result;
+}
+
 std::vector<double> Geodesics::log_map() const
 {
   require_result();
@@ -110,6 +124,30 @@ std::vector<std::int64_t> Geodesics::source_axes() const
     result.push_back(mesh_->source(h).idx());
     result.push_back(mesh_->target(h).idx());
   }
+  return result;
+}
+
+Geodesic_path Geodesics::exponential_map(const std::vector<double>& places, std::size_t source) const
+{
+  require_result();
+  std::vector<Location> locations;
+  for(std::size_t i = 0; i + 1 < places.size(); i += 2)
+    locations.push_back(geodesics_.exponential_map({{places[i], places[i + 1]}}, source));
+  return path(locations);
+}
+
+std::vector<Geodesics::Isoline> Geodesics::isolines(const std::vector<double>& levels,
+                                                    std::optional<double> maximum_deviation) const
+{
+  require_result();
+  std::vector<CGAL::Surface_mesh_exact_geodesics<Mesh>::Isoline> lines;
+  if(maximum_deviation)
+    geodesics_.isolines(levels, std::back_inserter(lines), CGAL::parameters::maximum_deviation(*maximum_deviation));
+  else
+    geodesics_.isolines(levels, std::back_inserter(lines));
+  std::vector<Isoline> result;
+  for(const auto& line : lines)
+    result.push_back({line.level, path(line.locations), line.is_closed});
   return result;
 }
 

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 // From its end to the source; no points if there is no path.
@@ -28,17 +29,39 @@ class Geodesics
 public:
   explicit Geodesics(std::shared_ptr<const Mesh> mesh);
 
-  void compute(const std::vector<Source>& sources, const std::vector<Location>& targets, double error,
-               double maximum_distance, bool directions);
+  struct Sources
+  {
+    std::vector<Source> points;
+    std::vector<Source_curve> curves;
+    bool border;
+  };
+  struct Wishes
+  {
+    double error, maximum_distance;
+    bool directions, isolines;
+  };
+  void compute(const Sources& sources, const std::vector<Location>& targets, const Wishes& wishes);
 
   // By vertex. They throw std::logic_error if nothing has been computed.
   std::vector<double> distances() const;
   std::vector<double> errors() const;
   std::vector<std::int64_t> nearest_sources() const; // -1 where no path leads
   std::vector<double> target_distances() const;      // of the locations
-  std::vector<double> log_map() const;               // two coordinates by vertex
+  std::vector<std::int64_t> target_nearest_sources() const;
+  std::vector<double> log_map() const; // two coordinates by vertex
   std::vector<double> target_log_map() const;
   std::vector<std::int64_t> source_axes() const; // by source, the two vertices of an edge along which its x-axis runs
+
+  // From source number `source` on; two coordinates for each place. They throw Invalid_input if there is no such source.
+  Geodesic_path exponential_map(const std::vector<double>& places, std::size_t source) const;
+
+  struct Isoline
+  {
+    double level;
+    Geodesic_path path;
+    bool is_closed;
+  };
+  std::vector<Isoline> isolines(const std::vector<double>& levels, std::optional<double> maximum_deviation) const;
 
   Geodesic_path path_from_vertex(Mesh::Vertex_index v) const;
   Geodesic_path path_from_target(std::size_t i) const;

@@ -9,6 +9,8 @@
 
 #include "../../demo/Surface_mesh_cut_locus/flatten.h"
 
+#include <CGAL/Cut_loci/graph/maximal_chains.h>
+#include <CGAL/Cut_loci/voronoi_neighbors.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
 
 #include <pybind11/stl.h>
@@ -167,6 +169,26 @@ void bind_result(py::module_& m)
          {
     return to_array(of_edges<std::uint8_t>(
       r, 1, [](auto& to, const auto& e, const auto& graph) { to.push_back(graph[e].is_on_border); }));
+    })
+    .def("cell_neighbors",
+         [](const Result& r)
+         {
+    std::vector<std::int64_t> pairs;
+    std::vector<double> lengths;
+    for(const loci::Voronoi_neighbors& neighbors : loci::voronoi_neighbors(r.cut_locus))
+    {
+      pairs.insert(pairs.end(), neighbors.sources.begin(), neighbors.sources.end());
+      lengths.push_back(neighbors.length);
+    }
+    return py::make_tuple(to_array(std::move(pairs), 2), to_array(std::move(lengths)));
+    })
+    .def("polylines",
+         [](const Result& r)
+         {
+    py::list result;
+    for(const auto& chain : loci::internal::maximal_chains(r.cut_locus.graph()))
+      result.append(to_array(std::vector<std::int64_t>(chain.vertices.begin(), chain.vertices.end())));
+    return result;
     })
     .def("source_points", [](const Result& r) { return to_array(of_sources<double>(r, append_point_of), 3); })
     .def("source_faces", [](const Result& r) { return to_array(of_sources<std::int64_t>(r, append_face_of)); })

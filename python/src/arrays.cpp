@@ -29,6 +29,13 @@ std::string shape_of(const py::array& array)
 
 void check_rows_of_three(const py::array& array, const char* name)
 {
+  if(array.ndim() == 2 && array.shape(1) > 3 && std::string(name) == "the faces")
+    throw Invalid_input(Cause::NO_TRIANGLE,
+                        "the faces have the shape " + shape_of(array) +
+                          ": all must be triangles. F = np.concatenate([F[:, [0, k, k + 1]] for k in range(1, " +
+                          std::to_string(array.shape(1) - 1) +
+                          ")]) divides faces that are convex; where rows begin with "
+                          "the number 3 of their vertices, as in VTK's arrays, F[:, 1:] leaves it out");
   if(array.ndim() != 2 || array.shape(1) != 3)
     throw Invalid_input(Cause::NO_TRIANGLE,
                         std::string(name) + " must be an array of the shape (n, 3), and not " + shape_of(array));
@@ -137,4 +144,12 @@ std::vector<double> read_face_lengths(const py::array& values, std::size_t numbe
                                                    std::to_string(number_of_faces) + ", 3), and not " +
                                                    shape_of(values));
   return read_numbers(values, "edge lengths");
+}
+
+std::vector<double> read_rows(const py::array& values, py::ssize_t columns, const std::string& name)
+{
+  if(values.ndim() != 2 || values.shape(1) != columns)
+    throw Invalid_input(Cause::INVALID_PARAMETER, "the " + name + " must be an array of the shape (n, " +
+                                                    std::to_string(columns) + "), and not " + shape_of(values));
+  return read_numbers(values, name);
 }

@@ -12,6 +12,7 @@
 #include <pybind11/numpy.h>
 
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,9 @@ std::vector<double> read_vertex_values(const pybind11::array& values, std::size_
 
 // Three lengths for each face.
 std::vector<double> read_face_lengths(const pybind11::array& values, std::size_t number_of_faces);
+
+// Any number of rows of some columns; `name` is for messages.
+std::vector<double> read_rows(const pybind11::array& values, pybind11::ssize_t columns, const std::string& name);
 
 // An array of the given shape on the memory of `values`, which is not copied. It can not be written to.
 template <typename T>

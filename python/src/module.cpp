@@ -111,6 +111,7 @@ std::string in_python(std::string message)
     {"Cut_loci::Curve::THROUGH_FACES", "\"faces\""},
     {"Cut_loci::Curve::MESH_EDGES", "\"edges\""},
     {"set_directions() comes before compute()", "compute() takes directions=True"},
+    {"set_isolines() comes before compute()", "compute() takes isolines=True"},
     {"geodesic_solver", "solver"},
     {"edge_length_map", "edge_lengths"},
     {"vertex_distance_map", "distances"},
@@ -310,8 +311,9 @@ PYBIND11_MODULE(_core, m)
     .def(py::init<const Mesh_handle&>(), "mesh"_a, py::call_guard<py::gil_scoped_release>())
     .def(
       "compute",
-      [](Shared_geodesics& s, const std::vector<Source_numbers>& sources, const std::vector<Source_numbers>& targets,
-         double error, double maximum_distance, bool directions)
+      [](Shared_geodesics& s, const std::vector<Source_numbers>& sources, const std::vector<Curve_numbers>& curves,
+         bool border, const std::vector<Source_numbers>& targets, double error, double maximum_distance,
+         bool directions, bool isolines)
       {
     s.exclusive.run(
       [&]
@@ -319,10 +321,30 @@ PYBIND11_MODULE(_core, m)
       std::vector<Location> locations;
       for(const Source& target : read_sources(s.geodesics.mesh(), targets))
         locations.push_back(std::get<Location>(target));
-      s.geodesics.compute(read_sources(s.geodesics.mesh(), sources), locations, error, maximum_distance, directions);
+      const Mesh& mesh = s.geodesics.mesh();
+      s.geodesics.compute({read_sources(mesh, sources), read_curves(mesh, curves), border}, locations,
+                          {error, maximum_distance, directions, isolines});
     });
       },
-      "sources"_a, "targets"_a, "error"_a, "maximum_distance"_a, "directions"_a)
+      "sources"_a, "curves"_a, "border"_a, "targets"_a, "error"_a, "maximum_distance"_a, "directions"_a, "isolines"_a)
+    .def(
+      "exponential_map",
+      [](Shared_geodesics& s, const py::array& places, std::size_t source)
+      {
+    const std::vector<double> numbers = read_rows(places, 2, "places");
+    return path_tuple(s.exclusive.run([&] { return s.geodesics.exponential_map(numbers, source); }));
+      },
+      "places"_a, "source"_a)
+    .def(
+      "isolines",
+      [](Shared_geodesics& s, const std::vector<double>& levels, std::optional<double> maximum_deviation)
+      {
+    py::list result;
+    for(Geodesics::Isoline& line : s.exclusive.run([&] { return s.geodesics.isolines(levels, maximum_deviation); }))
+      result.append(py::make_tuple(line.level, line.is_closed) + path_tuple(line.path));
+    return result;
+      },
+      "levels"_a, "maximum_deviation"_a)
     .def("distances",
          [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.distances(); })); })
     .def("errors", [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.errors(); })); })
@@ -330,6 +352,8 @@ PYBIND11_MODULE(_core, m)
          [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.nearest_sources(); })); })
     .def("target_distances",
          [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.target_distances(); })); })
+    .def("target_nearest_sources", [](Shared_geodesics& s)
+         { return to_array(s.exclusive.run([&] { return s.geodesics.target_nearest_sources(); })); })
     .def("log_map",
          [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.log_map(); }), 2); })
     .def("target_log_map",

@@ -22,7 +22,7 @@ BAD_MESHES = {
     "negative": (POINTS, with_value(FACES, (5, 1), -1), r"face #5 has the vertex #-1"),
     "huge": (POINTS, with_value(FACES.astype(np.uint64), (0, 0), 2**64 - 1), "face #0 has the vertex"),
     "two columns": (POINTS[:, :2], FACES, r"vertices must be an array of the shape \(n, 3\), and not \(6, 2\)"),
-    "quads": (POINTS, np.zeros((2, 4), dtype=int), r"faces must be an array of the shape \(n, 3\), and not \(2, 4\)"),
+    "quads": (POINTS, np.zeros((2, 4), dtype=int), r"faces have the shape \(2, 4\): all must be triangles"),
     "flat": (POINTS.ravel(), FACES, r"not \(18,\)"),
     "scalar": (1., FACES, r"not \(\)"),
     "no vertices": (np.zeros((0, 3)), np.zeros((0, 3), dtype=int), "it has no vertices"),

@@ -1,5 +1,10 @@
 """The arrays that are taken and returned, and the three levels of cost."""
 
+import copy
+import functools
+import pickle
+import re
+
 import cut_locus
 import meshes
 import numpy as np
@@ -211,3 +216,77 @@ def test_components_and_isolated_vertices():
     assert np.isinf(result.vertex_distance[:n]).all() and np.isinf(result.vertex_distance[-1])
     assert np.all(result.nearest_source == [-1] * n + [0] * n + [-1])
     assert np.all(result.faces >= len(faces))
+
+
+def test_polylines():
+    result = cut_locus.compute(*meshes.torus(24, 12), 0)
+    edges = {frozenset(edge) for edge in result.edges.tolist()}
+    lines = [frozenset(pair) for line in result.polylines for pair in zip(line[:-1].tolist(), line[1:].tolist())]
+    assert set(lines) == edges and len(lines) == len(edges)
+    ends = {int(end) for line in result.polylines for end in (line[0], line[-1])}
+    assert set(result.tips) | set(result.branching_points) <= ends
+    assert len(result.tips) == result.leaves and len(result.branching_points) == result.branchings
+    inner = {int(v) for line in result.polylines for v in line[1:-1]}
+    assert not inner & (set(result.tips.tolist()) | set(result.branching_points.tolist()))
+    point = cut_locus.compute(*meshes.octahedron(), 0)
+    assert sum(len(line) - 1 for line in point.polylines) == len(point.edges)
+
+
+def test_cell_neighbors():
+    result = cut_locus.compute(*meshes.cube(), [0, 7])
+    assert result.cell_neighbors.tolist() == [[0, 1]]
+    between = result.edge_sources[:, 0] != result.edge_sources[:, 1]
+    length = meshes.length_of(result.points, result.edges)[between].sum()
+    assert result.cell_boundary_length == pytest.approx([length]) and length > 3.
+    alone = cut_locus.compute(*meshes.cube(), 0)
+    assert alone.cell_neighbors.shape == (0, 2) and alone.cell_boundary_length.shape == (0,)
+
+
+def test_results_are_pickled():
+    result = cut_locus.compute(*meshes.torus(24, 12), [0, 5])
+    for again in (pickle.loads(pickle.dumps(result)), pickle.loads(pickle.dumps(copy.deepcopy(result)))):
+        assert repr(again) == repr(result)
+        for name, member in vars(cut_locus.Result).items():
+            if name.startswith("_") or not isinstance(member, (property, functools.cached_property)):
+                continue
+            value, expected = getattr(again, name), getattr(result, name)
+            if isinstance(expected, list):
+                assert all(np.array_equal(a, b) for a, b in zip(value, expected)) and len(value) == len(expected)
+            else:
+                assert np.array_equal(value, expected), name
+        assert not again.edges.flags.writeable
+        with pytest.raises(cut_locus.InvalidInput, match="pickled"):
+            again.cut_open()
+
+
+class Like:
+    """A mesh of another package."""
+
+    def __init__(self, **members):
+        self.__dict__.update(members)
+
+
+def test_meshes_of_other_packages():
+    points, faces = meshes.torus(24, 12)
+    flat = np.concatenate([np.full((len(faces), 1), 3), faces], axis=1).ravel()
+    for mesh in (Like(vertices=points, faces=faces), Like(vertices=points.tolist(), triangles=faces),
+                 Like(points=points, cells_dict={"line": faces[:, :2], "triangle": faces}),
+                 Like(points=points, faces=flat), Like(points=points, faces=faces)):
+        given = cut_locus.mesh_arrays(mesh)
+        assert np.array_equal(given[0], points) and np.array_equal(given[1], faces)
+    with pytest.raises(cut_locus.InvalidInput, match="its cells are quad"):
+        cut_locus.mesh_arrays(Like(points=points, cells_dict={"quad": faces}))
+    with pytest.raises(cut_locus.InvalidInput, match="triangulate"):
+        cut_locus.mesh_arrays(Like(points=points, faces=np.array([4, 0, 1, 2, 3, 3, 0, 1])))
+    with pytest.raises(TypeError, match="ndarray has none"):
+        cut_locus.mesh_arrays(points)
+
+
+def test_faces_that_are_no_triangles():
+    points, _ = meshes.cube()
+    quads = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
+    with pytest.raises(cut_locus.InvalidInput, match="all must be triangles") as refused:
+        cut_locus.compute(points, quads, 0)
+    names = {"np": np, "F": quads}
+    exec(re.search(r"F = .*?\)\]\)", str(refused.value))[0], names)  # the remedy
+    assert names["F"].shape == (12, 3) and cut_locus.compute(points, names["F"], 0).genus == 0

@@ -65,7 +65,7 @@ def test_stubs():
 
 def test_versions():
     versions = [re.search(pattern, (ROOT / name).read_text(), re.MULTILINE).group(1) for name, pattern in (
-        ("CMakeLists.txt", r"^project\(.* VERSION ([\d.]+)"), ("python/pyproject.toml", r'^version = "(.*)"'))]
+        ("CMakeLists.txt", r"^project\(.* VERSION ([\d.]+)"), ("pyproject.toml", r'^version = "(.*)"'))]
     assert versions == 2 * [cut_locus.__version__]
 
 

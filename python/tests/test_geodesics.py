@@ -69,6 +69,53 @@ def test_several_sources(bumpy):
     assert set(geodesics.nearest_source) == {0, 1, 2}
 
 
+def test_border_as_source():
+    x, y = np.meshgrid(np.linspace(0., 3., 7), np.linspace(0., 2., 5), indexing="ij")
+    points = np.stack([x.ravel(), y.ravel(), 0. * x.ravel()], axis=1)
+    faces = meshes.grid(7, 5, False, False)
+    sides = np.minimum(np.minimum(x, 3. - x), np.minimum(y, 2. - y)).ravel()
+    assert cut_locus.exact_geodesic_distances(points, faces, source_border=True) == pytest.approx(sides, abs=1e-7)
+    targets = [17, (9, (0.2, 0.5, 0.3)), (2, (0.3, 0.4, 0.3))]
+    paths = cut_locus.shortest_paths(points, faces, None, targets, source_border=True)
+    geodesics = cut_locus.ExactGeodesics(points, faces)
+    geodesics.compute(source_border=True, targets=targets)
+    assert geodesics.target_distance == pytest.approx([path.length for path in paths], abs=1e-7)
+    for path in paths:
+        x, y, _ = path.points[-1]
+        assert min(x, 3. - x, y, 2. - y) == pytest.approx(0., abs=1e-9)
+
+
+def test_curves_as_sources(bumpy):
+    points, faces = bumpy
+    around = faces[7].tolist()
+    curve = [*around, around[0]]
+    # dense points on a curve are no nearer, and farther by half of their distance at most
+    k = 40
+    dense = [(7, tuple(np.roll([1. - t, t, 0.], i))) for i in range(3) for t in np.arange(k) / k]
+    upper = cut_locus.exact_geodesic_distances(points, faces, dense)
+    half = 0.5 / k * max(meshes.length_of(points, np.array([around, np.roll(around, 1)]).T))
+    geodesics = cut_locus.ExactGeodesics(points, faces)
+    geodesics.compute([3, 500], source_curves=[curve], targets=[(7, (0.3, 0.3, 0.4)), 500, around[0]])
+    from_points = cut_locus.exact_geodesic_distances(points, faces, [3, 500])
+    alone = cut_locus.exact_geodesic_distances(points, faces, source_curves=[curve])
+    assert np.all(alone <= upper + 1e-7) and np.all(alone >= upper - half)
+    assert geodesics.distance == pytest.approx(np.minimum(alone, from_points), abs=1e-7)
+    assert np.array_equal(geodesics.nearest_source == 2, alone < from_points)
+    assert geodesics.target_nearest_source.tolist() == [2, 1, 2]
+
+
+def test_curves_are_refused(bumpy):
+    geodesics = cut_locus.ExactGeodesics(*bumpy)
+    with pytest.raises(TypeError, match="there must be sources"):
+        geodesics.compute()
+    with pytest.raises(cut_locus.InvalidInput, match="no border"):
+        geodesics.compute(source_border=True)
+    curve = bumpy[1][0][:2]
+    for options in ({"error": 0.01}, {"directions": True}):
+        with pytest.raises(cut_locus.InvalidInput, match="leave out the curves"):
+            geodesics.compute(source_curves=[curve], **options)
+
+
 def test_bounded_error(bumpy):
     points, faces = bumpy
     exact = cut_locus.exact_geodesic_distances(points, faces, 0)
@@ -146,6 +193,64 @@ def test_log_map_needs_directions(bumpy):
         geodesics.log_map
     with pytest.raises(cut_locus.InvalidInput, match="must be zero"):
         geodesics.compute(3, error=0.1, directions=True)
+
+
+@pytest.mark.parametrize("source", [3, (40, (0.2, 0.3, 0.5))])
+def test_exp_map_is_the_inverse_of_log_map(bumpy, source):
+    points, faces = bumpy
+    geodesics = cut_locus.ExactGeodesics(points, faces)
+    geodesics.compute(source, directions=True)
+    near = np.flatnonzero(geodesics.distance < 0.5)
+    found = geodesics.exp_map(geodesics.log_map[near])
+    assert len(near) > 20 and found.points == pytest.approx(points[near], abs=1e-9)
+    located = np.einsum("ij,ijk->ik", found.barycentric, points[faces[found.faces]])
+    assert located == pytest.approx(found.points, abs=1e-12)
+    again = cut_locus.exp_map(points, faces, source, geodesics.log_map[near].tolist())
+    assert again.points == pytest.approx(points[near], abs=1e-9)
+    with pytest.raises(cut_locus.InvalidInput, match=r"places must be an array of the shape \(n, 2\)"):
+        geodesics.exp_map([0., 1.])
+    with pytest.raises(cut_locus.InvalidInput, match="no source 1"):
+        geodesics.exp_map([[0., 1.]], source=1)
+
+
+def test_isolines(bumpy):
+    points, faces = bumpy
+    levels = [0.3, 1., 1.5]
+    lines = cut_locus.isolines(points, faces, 3, levels, maximum_deviation=1e-3)
+    assert {line.level for line in lines} == set(levels) and all(line.is_closed for line in lines)
+    targets = [(int(f), tuple(b)) for line in lines for f, b in zip(line.faces, line.barycentric)]
+    expected = [line.level for line in lines for _ in line.faces]
+    geodesics = cut_locus.ExactGeodesics(points, faces)
+    geodesics.compute(3, targets=targets)
+    assert geodesics.target_distance == pytest.approx(expected, abs=1e-9)
+    for line in lines:
+        assert np.array_equal(line.points[0], line.points[-1])
+        located = np.einsum("ij,ijk->ik", line.barycentric, points[faces[line.faces]])
+        assert located == pytest.approx(line.points, abs=1e-12)
+    assert max(len(line.points) for line in cut_locus.isolines(points, faces, 3, 1.)) > 50
+
+
+def test_isolines_of_plane():
+    x, y = np.meshgrid(np.linspace(0., 3., 7), np.linspace(0., 2., 5), indexing="ij")
+    plane = np.stack([x.ravel(), y.ravel(), 0. * x.ravel()], axis=1), meshes.grid(7, 5, False, False)
+    circle, = cut_locus.isolines(*plane, (9, (0.2, 0.5, 0.3)), 0.15, maximum_deviation=1e-6)
+    segments = np.diff(circle.points, axis=0)
+    assert circle.is_closed and np.linalg.norm(segments, axis=1).sum() == pytest.approx(0.3 * np.pi, abs=1e-5)
+    square, = cut_locus.isolines(*plane, None, 0.3, source_border=True)
+    assert np.linalg.norm(np.diff(square.points, axis=0), axis=1).sum() == pytest.approx(10. - 2.4, abs=1e-4)
+
+
+def test_isolines_are_refused(bumpy):
+    geodesics = cut_locus.ExactGeodesics(*bumpy)
+    geodesics.compute(0)
+    with pytest.raises(cut_locus.InvalidInput, match="compute\\(\\) takes isolines=True"):
+        geodesics.isolines([1.])
+    geodesics.compute(0, isolines=True)
+    for levels, deviation, text in (([0.], None, "no isoline"), ([np.nan], None, "no isoline"), ([1.], 0., "positive")):
+        with pytest.raises(cut_locus.InvalidInput, match=text):
+            geodesics.isolines(levels, maximum_deviation=deviation)
+    with pytest.raises(cut_locus.InvalidInput, match="need exact distances"):
+        geodesics.compute(0, isolines=True, error=0.1)
 
 
 def test_same_as_cut_locus(bumpy):

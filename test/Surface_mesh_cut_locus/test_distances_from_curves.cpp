@@ -6,9 +6,8 @@
 
 #include "curve_sources_cases.h"
 #include "detour.h"
+#include "distance_by_points.h"
 
-#include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/compute_cut_locus.h>
 
@@ -30,8 +29,6 @@ namespace test_distances_from_curves {
 namespace {
 
 using namespace curve_sources;
-using CGAL::Cut_loci::Index;
-using CGAL::Cut_loci::Indexed_location;
 using Curves = std::vector<Edges>;
 
 constexpr double exact = 1e-6; // in units of the mean edge length
@@ -58,92 +55,6 @@ Point nearest_on_edge(const Built& built, Mesh::Edge_index e, const Point& p)
   return {{a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])}};
 }
 
-// The distance of a point from curves, by waves that start from the point: the least one of samples of the curves, which
-// become denser where there may be less. It is too long by 1e-9 of an edge at most.
-class Distance_by_points
-{
-public:
-  Distance_by_points(const Built& built, const Curves& curves)
-    : built_(built), read_(CGAL::Cut_loci::internal::read_triangle_mesh(built.mesh, built.mesh.points(), true, {}))
-  {
-    for(const Edges& curve : curves)
-      for(const Mesh::Edge_index e : curve)
-        halfedges_.push_back(number(built.mesh.is_border(built.mesh.halfedge(e, 0)) ? built.mesh.halfedge(e, 1)
-                                                                                    : built.mesh.halfedge(e, 0)));
-  }
-
-  double operator()(const Result::Vertex& node) const
-  {
-    Indexed_location at;
-    at.face = number(built_.mesh.halfedge(node.location.first)) / 3;
-    const Index first = number(built_.mesh.halfedge(node.location.first)) % 3;
-    for(Index k = 0; k < 3; ++k)
-      at.coordinates[(first + k) % 3] = std::max(node.location.second[k], 0.);
-    return distance(at);
-  }
-
-  double operator()(Mesh::Vertex_index v) const
-  {
-    Mesh::Halfedge_index h = built_.mesh.opposite(built_.mesh.halfedge(v));
-    while(built_.mesh.is_border(h))
-      h = built_.mesh.next_around_source(h);
-    return distance(CGAL::Cut_loci::internal::location_on(number(h)));
-  }
-
-private:
-  struct Part
-  {
-    Index halfedge;
-    double from, to;
-  };
-  static constexpr int parts = 32;
-
-  Index number(Mesh::Halfedge_index h) const
-  {
-    return Index(std::find(read_.halfedges.begin(), read_.halfedges.end(), h) - read_.halfedges.begin());
-  }
-
-  double distance(const Indexed_location& at) const
-  {
-    std::vector<Part> where;
-    for(const Index h : halfedges_)
-      where.push_back({h, 0., 1.});
-    double least = std::numeric_limits<double>::infinity();
-    for(int round = 0; round < 4 && where.size() <= 400; ++round)
-      where = where_less(at, where, least);
-    return read_.unit * least;
-  }
-
-  // the parts of parts where the distance may be less than at all samples
-  std::vector<Part> where_less(const Indexed_location& at, const std::vector<Part>& where, double& least) const
-  {
-    CGAL::Cut_loci::internal::Exact_geodesic_propagation propagation(read_.mesh);
-    CGAL::Cut_loci::internal::Exact_geodesic_options options;
-    const auto t = [](const Part& part, int k) { return part.from + (part.to - part.from) * k / parts; };
-    for(const Part& part : where)
-      for(int k = 0; k <= parts; ++k)
-        options.queries.push_back(CGAL::Cut_loci::internal::location_on(part.halfedge, t(part, k)));
-    propagation.run({at}, options);
-    for(std::size_t i = 0; i < propagation.number_of_queries(); ++i)
-      least = std::min(least, propagation.query_distance(i));
-    std::vector<Part> result;
-    for(std::size_t i = 0; i < where.size(); ++i)
-      for(int k = 0; k < parts; ++k)
-      {
-        const std::size_t q = i * (parts + 1) + std::size_t(k);
-        const double l = propagation.faces().length(where[i].halfedge) * (where[i].to - where[i].from) / parts;
-        if(std::min(propagation.query_distance(q), propagation.query_distance(q + 1)) - 0.5 * l < least)
-          result.push_back({where[i].halfedge, t(where[i], k), t(where[i], k + 1)});
-      }
-    return result;
-  }
-
-  const Built& built_;
-  decltype(CGAL::Cut_loci::internal::read_triangle_mesh(std::declval<const Mesh&>(),
-                                                        std::declval<const Mesh&>().points(), true, {})) read_;
-  std::vector<Index> halfedges_;
-};
-
 // -- what must hold ----------------------------------------------------------------------------------------------------
 
 Result cut_locus(const Built& built, const Curves& curves, Method method)
@@ -162,13 +73,13 @@ void expect_right_topology(const Built& built, const Result& result, const Curve
 // the largest difference, in units of the mean edge length
 double largest_error(const Built& built, const Result& result, const Curves& curves)
 {
-  const Distance_by_points distance(built, curves);
+  const Distance_by_points<Built> distance(built, curves);
   double error = 0.;
   for(const auto v : CGAL::make_range(vertices(result.graph())))
   {
     const Result::Vertex& node = result.graph()[v];
     EXPECT_GE(node.distance, 0.);
-    error = std::max(error, std::fabs(node.distance - distance(node)));
+    error = std::max(error, std::fabs(node.distance - distance(node.location)));
   }
   for(const Mesh::Vertex_index v : built.mesh.vertices())
     error = std::max(error, std::fabs(result.distance(v) - distance(v)));
@@ -380,7 +291,7 @@ TEST(Distances_from_curves, are_exact_at_vertices_for_the_other_method)
   const Built built(hills(10, 0.1, 6));
   const Curves curves = {path(built, {24, 25, 36}), path(built, {84, 85})};
   const Result result = cut_locus(built, curves, Method::LAPLACIAN);
-  const Distance_by_points distance(built, curves);
+  const Distance_by_points<Built> distance(built, curves);
   for(const Mesh::Vertex_index v : built.mesh.vertices())
     EXPECT_NEAR(result.distance(v), distance(v), exact * mean_edge_length(built.data));
 }

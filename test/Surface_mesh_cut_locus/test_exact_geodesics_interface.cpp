@@ -18,8 +18,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -71,6 +73,45 @@ using Mesh_types = ::testing::Types<CGAL::Surface_mesh<CGAL::Simple_cartesian<do
                                     CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>,
                                     CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>>;
 TYPED_TEST_SUITE(Exact_geodesics_interface, Mesh_types, );
+
+/// the border as a source, by a loop of its edges or by itself, and the squares at a distance from it
+TYPED_TEST(Exact_geodesics_interface, curves_and_isolines)
+{
+  using Fixture = Exact_geodesics_interface<TypeParam>;
+  using Geodesics = typename Fixture::Geodesics;
+  const TypeParam mesh = Fixture::square(6);
+  std::vector<typename boost::graph_traits<TypeParam>::edge_descriptor> loop;
+  for(const auto e : CGAL::make_range(edges(mesh)))
+    if(is_border(e, mesh))
+      loop.push_back(e);
+  const auto vpm = get(CGAL::vertex_point, mesh);
+  std::map<typename Fixture::vertex_descriptor, double> map;
+  CGAL::exact_geodesic_distances(mesh, std::vector<typename Fixture::vertex_descriptor>(),
+                                 boost::make_assoc_property_map(map),
+                                 CGAL::parameters::source_curves(std::vector<decltype(loop)>{loop}));
+  Geodesics geodesics(mesh);
+  geodesics.add_source_border();
+  geodesics.set_isolines(true);
+  geodesics.compute();
+  for(const auto v : CGAL::make_range(vertices(mesh)))
+  {
+    const double x = CGAL::to_double(get(vpm, v).x()), y = CGAL::to_double(get(vpm, v).y());
+    const double expected = (std::min)((std::min)(x, 6. - x), (std::min)(y, 6. - y));
+    EXPECT_NEAR(geodesics.distance(v), expected, 1e-7);
+    EXPECT_NEAR(map[v], expected, 1e-7);
+  }
+  std::vector<typename Geodesics::Isoline> lines;
+  geodesics.isolines(std::vector<double>{0.5, 2.}, std::back_inserter(lines));
+  ASSERT_EQ(lines.size(), 2u);
+  for(const typename Geodesics::Isoline& line : lines)
+  {
+    double length = 0.;
+    for(std::size_t i = 0; i + 1 < line.locations.size(); ++i)
+      length += Fixture::distance(Fixture::point(mesh, line.locations[i]), Fixture::point(mesh, line.locations[i + 1]));
+    EXPECT_TRUE(line.is_closed);
+    EXPECT_NEAR(length, 24. - 8. * line.level, 1e-4);
+  }
+}
 
 TYPED_TEST(Exact_geodesics_interface, free_functions)
 {

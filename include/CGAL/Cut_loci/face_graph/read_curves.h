@@ -66,6 +66,25 @@ inline void check_curve(const Indexed_triangle_mesh& mesh, const Indexed_curve& 
     throw Invalid_input(Cause::INVALID_SOURCE, "it is not connected: its parts have to be curves of their own");
 }
 
+// A range of edges of the mesh, which is read as `mesh`, with the number that messages give it.
+template <typename TriangleMesh, typename Edges>
+Indexed_curve read_curve(const TriangleMesh& tm, const Read_triangle_mesh<TriangleMesh>& read,
+                         const Indexed_triangle_mesh& mesh, const Edges& edges, std::size_t number)
+{
+  Indexed_curve result;
+  try
+  {
+    for(const auto& e : edges)
+      result.halfedges.push_back(halfedge_of_curve(tm, read, halfedge(e, tm)));
+    check_curve(mesh, result);
+  }
+  catch(const Invalid_input& error)
+  {
+    throw Invalid_input(error.cause(), "source curve " + std::to_string(number) + ": " + error.what());
+  }
+  return result;
+}
+
 // A range of curves, each of which is a range of edges of the mesh.
 template <typename TriangleMesh, typename Curves>
 std::vector<Indexed_curve> read_curves(const TriangleMesh& tm, const Read_triangle_mesh<TriangleMesh>& read,
@@ -73,19 +92,7 @@ std::vector<Indexed_curve> read_curves(const TriangleMesh& tm, const Read_triang
 {
   std::vector<Indexed_curve> result;
   for(const auto& edges : curves)
-  {
-    result.emplace_back();
-    try
-    {
-      for(const auto& e : edges)
-        result.back().halfedges.push_back(halfedge_of_curve(tm, read, halfedge(e, tm)));
-      check_curve(read.mesh, result.back());
-    }
-    catch(const Invalid_input& error)
-    {
-      throw Invalid_input(error.cause(), "source curve " + std::to_string(result.size() - 1) + ": " + error.what());
-    }
-  }
+    result.push_back(read_curve(tm, read, read.mesh, edges, result.size()));
   return result;
 }
 
@@ -117,7 +124,7 @@ inline std::vector<Indexed_curve> border_curves(const Indexed_triangle_mesh& mes
     }
   }
   if(result.empty())
-    throw Invalid_input(Cause::NO_SOURCE, "the mesh has no border that could be a source: leave source_border away");
+    throw Invalid_input(Cause::NO_SOURCE, "the mesh has no border that could be a source");
   return result;
 }
 

@@ -24,6 +24,13 @@ struct Geodesic_line
   Index halfedge, owner;
 };
 
+/// is what is known of a `Geodesic_window` where it crosses the face of its halfedge.
+struct Crossing_window
+{
+  Index halfedge;
+  double a, b, x, y, sigma;
+};
+
 /// says what a run of `Exact_geodesic_propagation` computes.
 struct Exact_geodesic_options
 {
@@ -37,8 +44,17 @@ struct Exact_geodesic_options
   std::vector<Index> owners;             ///< of the sources that are points, see `Geodesic_line`; empty: its own number
   /// how far behind its edge the image of a line is, in units of the longest one, see `Geodesic_sources`
   double line_reach = 8192.;
+  std::vector<Crossing_window>* windows = nullptr; ///< gets all windows that cross faces, if it is there
   Progress progress; ///< is told, every few milliseconds, the share of the vertices that are reached
 };
+
+/// for distances alone, from sources that are edges: which of two is nearer is known to 1e-7 of their length
+inline void set_lines(const std::vector<Geodesic_line>& lines, Exact_geodesic_options& options)
+{
+  options.lines = lines;
+  options.directions = true;
+  options.line_reach = 1048576.;
+}
 
 } // namespace internal
 } // namespace Cut_loci

@@ -200,8 +200,9 @@ private:
   Geodesic_batches batches_;
   Geodesic_slim_edges slim_edges_;
   Geodesic_window_observer* observer_ = nullptr; // in the run in work
-  std::vector<unsigned char> sides_;             // of the apex, for the windows in work
-  std::vector<Path_beside> beside_;              // see `note_path_beside()`
+  std::vector<Crossing_window>* windows_ = nullptr;
+  std::vector<unsigned char> sides_; // of the apex, for the windows in work
+  std::vector<Path_beside> beside_;  // see `note_path_beside()`
   double maximum_distance_ = infinity, tolerance_ = 0., merging_angle_ = 0.;
   std::size_t number_of_windows_ = 0, next_report_ = 0; // and at which number of them the progress is told
   Progress progress_;

@@ -52,6 +52,7 @@ inline void Exact_geodesic_propagation::start(const std::vector<Indexed_location
   tolerance_ = options.maximum_relative_error;
   merging_angle_ = options.merging_angle;
   number_of_windows_ = 0;
+  windows_ = options.windows;
   beside_.clear();
   progress_ = options.progress;
   next_report_ = progress_.is_wanted() ? 0 : (std::numeric_limits<std::size_t>::max)();

@@ -73,6 +73,10 @@ inline void Exact_geodesic_propagation::cross_face(Index h)
   const bool is_kept = observer_ != nullptr && faces_.opposite(h) != null_index && observer_->take(h, *list);
   if(has_queries())
     answer_queries<columns>(h, *list);
+  if(windows_ != nullptr)
+    for(std::size_t i = list->begin; i < list->end; ++i)
+      windows_->push_back(
+        {h, list->column(0)[i], list->column(1)[i], list->column(2)[i], list->column(3)[i], list->column(4)[i]});
   const Crossing crossing = crossing_of(h);
   const Apex_view view = look_at_apex(*list, crossing);
   reach_apex<columns>(*list, crossing, view);

@@ -154,6 +154,21 @@ public:
     return sum;
   }
 
+  /// the mesh that has been read, by its lengths: all points are zero
+  Mesh mesh() const
+  {
+    Mesh result;
+    result.points.resize(number_of_vertices());
+    for(const Geodesic_face& face : faces_)
+    {
+      result.triangles.push_back(face.vertex);
+      result.opposite.insert(result.opposite.end(), face.opposite.begin(), face.opposite.end());
+      for(const Geodesic_face::Corner& corner : face.corner)
+        result.lengths.push_back(corner.length);
+    }
+    return result;
+  }
+
 private:
   enum : unsigned char { border = 1, bends = 2 };
 

@@ -320,10 +320,14 @@ protected:
   /// forgets what is further away than `maximum_distance`
   void cut_off(double maximum_distance)
   {
-    for(double& d : distance_)
+    for(std::size_t i = 0; i < number_of_queries(); ++i)
+      if(query_distance(i) > maximum_distance)
+        queries_.all()[i].distance = infinity;
+    for(Index v = 0; v < distance_.size(); ++v)
+      if(true_distance(v) > maximum_distance)
+        distance_[v] = infinity;
+    for(double& d : true_distance_)
       d = d <= maximum_distance ? d : infinity;
-    for(Geodesic_queries::Query& query : queries_.all())
-      query.distance = query.distance <= maximum_distance ? query.distance : infinity;
   }
 
   /// the last piece of a path of a window that crosses `h`

@@ -172,6 +172,8 @@ private:
       if(leads_through_last_vertex(arrival, image, h))
         return last_.vertex;
       const Index g = faces_.opposite(h);
+      if(g == null_index && geodesics_.is_line(arrival.origin))
+        return null_index; // on the line itself
       if(g == null_index)
         break;
       p = {length - p.x, -p.y};

@@ -25,6 +25,14 @@ struct Distances_from_lines
   std::vector<double> of_vertices, of_queries;
 };
 
+inline Distances_from_lines distances_of(const Exact_geodesic_propagation& propagation)
+{
+  Distances_from_lines result{propagation.distances(), {}};
+  for(std::size_t i = 0; i < propagation.number_of_queries(); ++i)
+    result.of_queries.push_back(propagation.query_distance(i));
+  return result;
+}
+
 /// exact distances from sources that are points, among them the ends of lines, and from those lines
 inline Distances_from_lines distances_from_lines(const Indexed_triangle_mesh& mesh,
                                                  const std::vector<Indexed_location>& points,
@@ -34,17 +42,12 @@ inline Distances_from_lines distances_from_lines(const Indexed_triangle_mesh& me
 {
   Exact_geodesic_propagation propagation(mesh, nullptr, progress.part(0., 0.));
   Exact_geodesic_options options;
-  options.directions = true;
+  set_lines(lines, options);
   options.progress = progress;
-  options.lines = lines;
-  options.line_reach = 1048576.; // which of two lines is nearer is known to 1e-7 of their length then
   options.owners.assign(points.size(), 0);
   options.queries = queries;
   propagation.run(points, options);
-  Distances_from_lines result{propagation.distances(), {}};
-  for(std::size_t i = 0; i < queries.size(); ++i)
-    result.of_queries.push_back(propagation.query_distance(i));
-  return result;
+  return distances_of(propagation);
 }
 
 inline std::vector<Indexed_location> locations_of_nodes(const Indexed_cut_locus& curve)

@@ -7,6 +7,8 @@
 #ifndef CGAL_CUT_LOCI_POLYHEDRAL_SOURCES_DISTANCES_FROM_CURVES_H
 #define CGAL_CUT_LOCI_POLYHEDRAL_SOURCES_DISTANCES_FROM_CURVES_H
 
+#include <CGAL/Cut_loci/geodesics/Exact_geodesic_options.h>
+#include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/method/distances_from_lines.h>
@@ -14,11 +16,42 @@
 #include <CGAL/Cut_loci/polyhedral/sources/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
+#include <memory>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Cut_loci {
 namespace internal {
+
+/// is what a run from points and curves takes, all of it on a mesh that is cut open along the curves. Faces and their
+/// halfedges keep their numbers, and so do vertices, but for further copies at the end.
+struct Run_from_curves
+{
+  std::unique_ptr<Exact_geodesic_propagation> geodesics;
+  std::vector<Indexed_location> sources;
+  Exact_geodesic_options options;
+};
+
+/// @param options what else they say is kept; the curves are numbered behind the points
+inline Run_from_curves run_from_curves(const Indexed_triangle_mesh& mesh, const std::vector<Indexed_location>& points,
+                                       const std::vector<Indexed_curve>& curves, const Exact_geodesic_options& options)
+{
+  const Mesh_with_sources whole(mesh, {}); // cut open, the faces keep their numbers
+  const Mesh_with_curves cut(mesh, whole, curves);
+  Run_from_curves result{nullptr, points, options};
+  result.sources.insert(result.sources.end(), cut.points().begin(), cut.points().end());
+  set_lines(cut.lines(), result.options);
+  const Index n = static_cast<Index>(points.size());
+  result.options.owners.resize(points.size());
+  std::iota(result.options.owners.begin(), result.options.owners.end(), Index(0));
+  for(Index owner : cut.owners())
+    result.options.owners.push_back(n + owner);
+  for(Geodesic_line& line : result.options.lines)
+    line.owner += n;
+  result.geodesics = std::make_unique<Exact_geodesic_propagation>(cut.mesh(), nullptr, options.progress.part(0., 0.));
+  return result;
+}
 
 /// exact distances from points and curves, of the vertices and of further locations: those of a tree are ones on a mesh whose
 /// curves have been moved
@@ -28,13 +61,16 @@ inline Distances_from_lines distances_from_curves(const Indexed_triangle_mesh& m
                                                   const std::vector<Indexed_location>& queries,
                                                   const Progress& progress = {})
 {
-  const Mesh_with_sources whole(mesh, {}); // cut open, the faces keep their numbers
-  const Mesh_with_curves with_curves(mesh, whole, curves);
-  std::vector<Indexed_location> sources = with_curves.points();
+  std::vector<Indexed_location> locations;
+  locations.reserve(points.size());
   for(const Indexed_source& point : points)
-    sources.push_back(point.location);
-  Distances_from_lines result =
-    distances_from_lines(with_curves.mesh(), sources, with_curves.lines(), queries, progress);
+    locations.push_back(point.location);
+  Exact_geodesic_options options;
+  options.queries = queries;
+  options.progress = progress;
+  const Run_from_curves run = run_from_curves(mesh, locations, curves, options);
+  run.geodesics->run(run.sources, run.options);
+  Distances_from_lines result = distances_of(*run.geodesics);
   result.of_vertices.resize(mesh.number_of_vertices());
   return result;
 }

@@ -10,7 +10,7 @@ from setuptools.command.build_ext import build_ext
 
 class CMakeBuild(build_ext):
     def build_extension(self, ext):
-        source = pathlib.Path(__file__).resolve().parent
+        source = pathlib.Path(__file__).resolve().parent / "python"
         build = pathlib.Path(self.build_temp).resolve()
         target = pathlib.Path(self.get_ext_fullpath(ext.name)).resolve()
         options = ["-DCMAKE_BUILD_TYPE=Release", f"-DPython_EXECUTABLE={sys.executable}",

@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_FRONTS_H
+#define CGAL_CUT_LOCI_GEODESICS_GEODESIC_FRONTS_H
+
+#include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/internal/Compressed_rows.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+inline double cross(const Plane_point& p, const Plane_point& q)
+{
+  return p.x * q.y - p.y * q.x;
+}
+inline double dot(const Plane_point& p, const Plane_point& q)
+{
+  return p.x * q.x + p.y * q.y;
+}
+inline Plane_point minus(const Plane_point& p, const Plane_point& q)
+{
+  return {p.x - q.x, p.y - q.y};
+}
+
+/// is what comes into a face from the image of one (pseudo-)source: in the sector that the image sees, distances are at most
+/// `sigma` more than those from the image. All points are in the frame of the first halfedge of the face.
+struct Geodesic_front
+{
+  Plane_point image;
+  double sigma;
+  Plane_point right;         // in the direction in which the sector starts, counterclockwise
+  double width;              // the angle of the sector
+  bool is_in_face = false;   // and the image sees all of it
+  Index corner = null_index; // of the face, if it is there
+
+  /// the angle of a point in the sector, from `right`, in [0, 2 pi)
+  double angle(const Plane_point& p) const
+  {
+    const Plane_point way = minus(p, image);
+    const double result = std::atan2(cross(right, way), dot(right, way));
+    return result < 0. ? result + 2. * geodesic_pi : result;
+  }
+  Plane_point point(double angle, double radius) const
+  {
+    const double c = std::cos(angle), s = std::sin(angle), scale = radius / std::hypot(right.x, right.y);
+    return {image.x + scale * (c * right.x - s * right.y), image.y + scale * (s * right.x + c * right.y)};
+  }
+  /// the bound for the distance of a point of the face, infinite if the image does not see it
+  double distance(const Plane_point& p) const
+  {
+    return angle(p) <= width ? sigma + std::hypot(p.x - image.x, p.y - image.y)
+                             : (std::numeric_limits<double>::infinity)();
+  }
+};
+
+/*!
+ * finds the fronts that come into a face: the distance of each of its points is the least that they have there.
+ *
+ * They are those of all windows that cross the face, of its vertices, and of sources in it. Neighboring windows overlap
+ * behind the point at which they meet, so that no point is left out.
+ */
+class Geodesic_fronts
+{
+public:
+  Geodesic_fronts(const Exact_geodesic_propagation& geodesics, const std::vector<Crossing_window>& windows)
+    : geodesics_(geodesics), faces_(geodesics.faces()), all_windows_(windows), windows_(faces_.number_of_faces(),
+                                                                                        [&](const auto& add)
+                                                                                        {
+    for(std::size_t i = 0; i < windows.size(); ++i)
+      add(windows[i].halfedge / 3, i);
+      }),
+  sources_(faces_.number_of_faces(), [&](const auto& add) { enumerate_sources(add); })
+  {
+  }
+
+  std::array<Plane_point, 3> corners(Index face) const
+  {
+    return {{{0., 0.}, {faces_.length(3 * face), 0.}, faces_.apex(3 * face)}};
+  }
+
+  /// in the order in which the first of several that are equally short counts
+  std::vector<Geodesic_front> in_face(Index face) const
+  {
+    const std::array<Plane_point, 3> corner = corners(face);
+    std::vector<Geodesic_front> result;
+    for(std::size_t i : windows_[face])
+      add_window(all_windows_[i], corner, result);
+    Plane_point p;
+    for(std::size_t i : sources_[face])
+      if(geodesics_.source_in_frame(i, 3 * face, p))
+        result.push_back({p, 0., {1., 0.}, 2. * geodesic_pi, true});
+    for(Index i = 0; i < 3; ++i)
+      if(const Index v = faces_.face(face).vertex[i]; geodesics_.is_reached(v))
+        result.push_back({corner[i], geodesics_.distance(v), minus(corner[(i + 1) % 3], corner[i]),
+                          faces_.angle(3 * face + i), true, i});
+    return result;
+  }
+
+private:
+  template <typename Add>
+  void enumerate_sources(const Add& add) const
+  {
+    for(std::size_t i = 0; i < geodesics_.number_of_sources(); ++i)
+    {
+      if(geodesics_.source_vertex(i) != null_index || geodesics_.is_line(static_cast<Index>(i)))
+        continue;
+      add(geodesics_.source_location(i).face, i);
+      const Index h = geodesics_.source_edge(i);
+      if(h != null_index && faces_.opposite(h) != null_index)
+        add(faces_.opposite(h) / 3, i);
+    }
+  }
+
+  static void add_window(const Crossing_window& w, const std::array<Plane_point, 3>& corner,
+                         std::vector<Geodesic_front>& result)
+  {
+    const Plane_point& from = corner[w.halfedge % 3];
+    const Plane_point along = minus(corner[(w.halfedge + 1) % 3], from);
+    const double length = std::hypot(along.x, along.y), c = along.x / length, s = along.y / length;
+    const auto placed = [&](double x, double y) { return Plane_point{from.x + c * x - s * y, from.y + s * x + c * y}; };
+    Geodesic_front front{placed(w.x, w.y), w.sigma, {}, 0.};
+    front.right = minus(placed(w.b, 0.), front.image);
+    const Plane_point left = minus(placed(w.a, 0.), front.image);
+    front.width = std::atan2(cross(front.right, left), dot(front.right, left));
+    if(w.y >= 0.) // a source on the edge sees all of the face, or nothing
+      front.width = w.a < w.x && w.x < w.b ? geodesic_pi : 0.;
+    if(front.width > 0.)
+      result.push_back(front);
+  }
+
+  const Exact_geodesic_propagation& geodesics_;
+  const Geodesic_faces& faces_;
+  const std::vector<Crossing_window>& all_windows_;
+  Compressed_rows<std::size_t> windows_, sources_; // by face
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_FRONTS_H
