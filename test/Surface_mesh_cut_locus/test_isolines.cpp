@@ -287,24 +287,6 @@ TEST(Isolines, of_a_cone_are_as_long_as_its_angle)
   }
 }
 
-/// from the border of a square, they are squares; accurate as the distances from curves are
-TEST(Isolines, of_the_border_of_a_square_are_squares)
-{
-  const Built built(square(7, 0.3, 2));
-  Geodesics geodesics(built.mesh);
-  geodesics.set_isolines(true);
-  geodesics.add_source_border();
-  geodesics.compute();
-  const Isolines lines = isolines(geodesics, {0.01, 0.2, 0.43}, 1e-6);
-  ASSERT_EQ(lines.size(), 3u);
-  for(const Isoline& line : lines)
-  {
-    EXPECT_TRUE(line.is_closed);
-    EXPECT_NEAR(length(built.mesh, line), 4. - 8. * line.level, 1e-4);
-  }
-  expect_right_places(built.mesh, geodesics, lines, 1e-7);
-}
-
 // ---- random surfaces
 
 Mesh_data random_surface(unsigned seed)
@@ -568,34 +550,6 @@ TEST(Isolines, are_whole_on_symmetric_surfaces)
     }
 }
 
-/// accurate as their distances are, but within 1e-6 of an edge of vertices
-TEST(Isolines, of_curves_are_whole_on_random_surfaces)
-{
-  for(unsigned seed = 0; seed < 60; ++seed)
-  {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Built built(random_surface(seed));
-    const Mesh& mesh = built.mesh;
-    std::mt19937 random(seed);
-    Geodesics geodesics(mesh);
-    geodesics.set_isolines(true);
-    std::vector<Mesh::Edge_index> curve;
-    Mesh::Halfedge_index h(static_cast<Mesh::size_type>(random() % mesh.number_of_halfedges()));
-    for(std::size_t length = 1 + random() % 6; curve.size() < length; h = mesh.opposite(mesh.next(h)))
-      curve.push_back(mesh.edge(h));
-    geodesics.add_source_curve(curve);
-    if(seed % 3 == 0)
-      geodesics.add_source(random_location(mesh, random));
-    geodesics.compute();
-    const double largest = largest_distance(mesh, geodesics);
-    const Isolines lines =
-      isolines(geodesics, {0.1 * largest, 0.37 * largest, 0.61 * largest, 0.9 * largest}, 1e-3 * largest);
-    expect_closed(mesh, lines);
-    expect_connected(mesh, lines);
-    expect_right_places(mesh, geodesics, lines, 1e-6 * largest);
-  }
-}
-
 TEST(Isolines, are_refused_where_there_are_none)
 {
   const Built built(icosahedron());
@@ -621,6 +575,8 @@ TEST(Isolines, are_refused_where_there_are_none)
   geodesics.set_maximum_relative_error(0.01);
   expect_refused("need exact distances", [&] { geodesics.compute(built.vertices[0]); });
   geodesics.set_maximum_relative_error(0.);
+  geodesics.add_source_curve(std::vector<Mesh::Edge_index>{Mesh::Edge_index(0)});
+  expect_refused("neither directions nor isolines", [&] { geodesics.compute(); });
   geodesics.set_maximum_distance(0.5);
   geodesics.compute(built.vertices[0]);
   for(const double level : {0., -1., std::nan(""), 0.6, std::numeric_limits<double>::infinity()})

@@ -116,7 +116,7 @@ private:
   {
     for(std::size_t i = 0; i < geodesics_.number_of_sources(); ++i)
     {
-      if(geodesics_.source_vertex(i) != null_index || geodesics_.is_line(static_cast<Index>(i)))
+      if(geodesics_.source_vertex(i) != null_index)
         continue;
       add(geodesics_.source_location(i).face, i);
       const Index h = geodesics_.source_edge(i);

@@ -45,16 +45,12 @@ public:
   Isoline_tracing(const Exact_geodesic_propagation& geodesics, const std::vector<Crossing_window>& windows)
     : geodesics_(geodesics), faces_(geodesics.faces()), fronts_(geodesics, windows)
   {
-    for(Index source = 0; geodesics_.has_lines() && source < geodesics_.number_of_sources(); ++source)
-      if(geodesics_.is_line(source))
-        longest_line_ = (std::max)(longest_line_, faces_.length(geodesics_.line_halfedge(source)));
-    // what rounding leaves unknown: of the distances, and of the images of lines, which are far behind them
+    // what rounding leaves unknown of the distances
     for(Index v = 0; v < faces_.number_of_vertices(); ++v)
       if(geodesics_.is_reached(v))
         largest_ = (std::max)(largest_, geodesics_.distance(v));
     constexpr double few_roundings = 64. * std::numeric_limits<double>::epsilon();
-    rounding_ = few_roundings *
-                (largest_ + faces_.mean_edge_length() + (geodesics_.has_lines() ? geodesics_.line_distance() : 0.));
+    rounding_ = few_roundings * (largest_ + faces_.mean_edge_length());
   }
 
   /// the segments deviate from the arcs by `deviation` at most
@@ -92,7 +88,7 @@ private:
   /// widest gap between such distances that is near, by an amount that nobody sees.
   double off_vertices(double level) const
   {
-    const double near = (std::max)(1e-10 * largest_, geodesics_.has_lines() ? 1e-6 * longest_line_ : 0.);
+    const double near = 1e-10 * largest_;
     std::vector<double> distances = {level - near, level + near};
     for(Index v = 0; v < faces_.number_of_vertices(); ++v)
       if(std::fabs(geodesics_.distance(v) - level) < near)
@@ -321,7 +317,7 @@ private:
   const Exact_geodesic_propagation& geodesics_;
   const Geodesic_faces& faces_;
   const Geodesic_fronts fronts_;
-  double largest_ = 0., longest_line_ = 0., rounding_ = 0., level_ = 0.;
+  double largest_ = 0., rounding_ = 0., level_ = 0.;
   std::vector<std::vector<Indexed_location>> arcs_;
   std::vector<std::size_t> next_;       // of each arc
   std::vector<double> length_, gap_;    // of each arc, and between it and the next
