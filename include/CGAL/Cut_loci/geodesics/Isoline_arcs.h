@@ -197,7 +197,7 @@ private:
       return;
     if(d + r > q && d > 0.)
     {
-      // from the image that is nearer: that of a line is far behind it
+      // from the image that is nearer, for the sake of rounding
       const bool is_nearer = r < q;
       const double small = is_nearer ? r : q, large = is_nearer ? q : r, sign = is_nearer ? 1. : -1.;
       const double along = 0.5 * (d - (large - small) * (large + small) / d),
