@@ -19,6 +19,7 @@
 
 #include <boost/interprocess/streams/bufferstream.hpp>
 
+#include <algorithm>
 #include <istream>
 #include <iterator>
 #include <limits>
@@ -111,6 +112,14 @@ bool read_PLY(const Mesh_file& file, std::vector<Kernel::Point_3>& points, std::
 {
   ibufferstream is(file.text.data(), file.text.size());
   const Ply_header header(is, file.name);
+  const auto has_some = [&](bool (Ply_element::*is_kind)() const)
+  {
+    return std::any_of(header.elements.begin(), header.elements.end(),
+                       [&](const Ply_element& e) { return (e.*is_kind)() && e.count > 0; });
+  };
+  // CGAL's reader takes some clouds of points for damaged files
+  if(has_some(&Ply_element::is_vertex) && !has_some(&Ply_element::is_face))
+    throw std::runtime_error("'" + file.name + "': there are no faces in it");
   if(!header.is_known_to_cgal())
   {
     std::istringstream plain(plain_ply(is, header));
@@ -124,11 +133,17 @@ bool read_PLY(const Mesh_file& file, std::vector<Kernel::Point_3>& points, std::
 
 bool read_STL(const std::string& text, std::vector<Kernel::Point_3>& points, std::vector<Bounded_polygon>& polygons)
 {
+  // Of what begins with blanks, or has a tab after the first word, CGAL reads a few bytes as numbers.
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  const bool begins_otherwise =
+    start != std::string::npos && text.compare(start, 5, "solid") == 0 && (start > 0 || text.compare(5, 1, "\t") == 0);
+  const std::string usual = begins_otherwise ? "solid " + text.substr(start + 5) : std::string();
+  const std::string& read = begins_otherwise ? usual : text;
   for(const auto mode : {CGAL::IO::BINARY, CGAL::IO::ASCII})
   {
     points.clear();
     polygons.clear();
-    ibufferstream is(text.data(), text.size());
+    ibufferstream is(read.data(), read.size());
     CGAL::IO::set_mode(is, mode);
     if(CGAL::IO::read_STL(is, points, polygons, CGAL::parameters::verbose(false)))
       return true;

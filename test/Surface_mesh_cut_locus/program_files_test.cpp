@@ -400,6 +400,25 @@ TEST_F(Files, Standard_input_in_all_formats)
       else
         EXPECT_EQ(named.status, 0) << named.messages;
     }
+  // other beginnings of the same, and other ends of lines
+  std::string with_returns;
+  for(char c : meshes.at("stl"))
+    with_returns += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  for(const std::string& text : {"solid\ta" + stl.substr(7) + "endsolid\n", "solid" + stl.substr(7) + "endsolid\n",
+                                 " \n\tsolid\ta" + stl.substr(7) + "endsolid a\n", with_returns})
+  {
+    write("mesh.stl", text);
+    const Outcome outcome = run(quoted(path("mesh.stl")) + " --quiet --report -");
+    ASSERT_EQ(outcome.status, 0) << text << outcome.messages;
+    EXPECT_EQ(Json::parse(outcome.messages).at("faces"), 4) << text;
+  }
+  for(const std::string& format : {std::string("ascii"), std::string("binary_little_endian")})
+  {
+    write("points.ply", "ply\nformat " + format +
+                          " 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n" +
+                          "property float psz\nend_header\n" + (format == "ascii" ? "0 0 0 0" : std::string(16, '\1')));
+    expect_failure(run(quoted(path("points.ply")) + " --quiet"), "there are no faces in it");
+  }
   expect_failure(run("- --quiet"), "cannot read 'standard input': it is empty");
   write("text", "1 2 3\n");
   expect_failure(run("- --quiet < " + quoted(path("text"))), "say --input-format");
