@@ -269,4 +269,13 @@ int main(int argc, char** argv)
   run(slim, "ellipsoid_1_0.5_0.3", {{"ellipsoid 1 .5 .3 umbilic", near_umbilic(slim, 0.1), {}}}, o, table);
   const Bumpy_sphere bumpy;
   run(bumpy, "bumpy", {{"bumpy sphere", bumpy.project(Point(0.3, 0.5, 0.7)), {}}}, o, table);
+  const auto run_one =
+    [&](const Sum_of_exponentials& s, const std::string& file, const std::string& name, const Point& p) {
+    run(s, file, {{name, s.project(p), {}}}, o, table);
+  };
+  run_one(rounded_box(), "rounded_box", "rounded box", Point(0.3, 0.2, 0.5));
+  run_one(rounded_tetrahedron(), "rounded_tetrahedron", "rounded tetrahedron", Point(0.3, 0.4, 0.5));
+  run_one(cone_cap(), "cone_cap", "cone cap", Point(0.3, 0.5, -0.2));
+  run_one(dumbbell_with_bump(), "dumbbell", "dumbbell with a bump", Point(-0.8, 0.4, 0.3));
+  run_one(ball_with_arms(), "arms", "ball with arms", Point(0.2, 0.3, 0.5));
 }

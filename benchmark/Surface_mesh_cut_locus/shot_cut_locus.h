@@ -50,6 +50,7 @@ public:
   {
     shoot_fan();
     std::vector<Ray> rays = guess();
+    guess_beside_cusps(rays);
     share(rays);
     add_tips(rays);
     refine(rays, step);
@@ -182,6 +183,18 @@ private:
           offer(ray, b.second.second, s.length);
     }
     return rays;
+  }
+
+  // Geodesics to both sides of a cusp meet soon behind it.
+  void guess_beside_cusps(std::vector<Ray>& rays) const
+  {
+    for(double cusp : shooting_.cusp_directions(limit_))
+    {
+      const double length = *shooting_.conjugate_distance(cusp, limit_);
+      for(Ray& ray : rays)
+        if(gap(ray.direction, cusp) < 0.1)
+          offer(ray, 2. * cusp - ray.direction, length);
+    }
   }
 
   // Replaces the end of the ray if it meets the geodesic near `other` sooner.
