@@ -215,16 +215,18 @@ private:
            !Parting_angle(geodesics_).is_same_path(neighbor.label, piece.label, far, halfedge_);
   }
 
-  /// whether the distance leaps up to a window from both of its neighbors: a gap between these that rounding has left,
-  /// and that shows what is behind
+  /// whether the distance leaps up to a window from both of its neighbors, windows or ends of the edge: a gap between these
+  /// that rounding has left, and that shows what is behind
   bool is_leap(std::size_t i) const
   {
-    if(i == 0 || i + 1 == windows_.size())
-      return false;
-    const Piece &previous = windows_[i - 1], &window = windows_[i], &next = windows_[i + 1];
-    const double width = next.begin - previous.end, least = width + 1e-9 * length_;
-    return window.label.distance(window.begin) > previous.label.distance(previous.end) + least &&
-           window.label.distance(window.end) > next.label.distance(next.begin) + least;
+    const Piece& window = windows_[i];
+    const bool is_first = i == 0, is_last = i + 1 == windows_.size();
+    const double from = is_first ? 0. : windows_[i - 1].end, to = is_last ? length_ : windows_[i + 1].begin,
+                 least = to - from + 1e-9 * length_;
+    const double before =
+                   is_first ? geodesics_.distance(faces_.source(halfedge_)) : windows_[i - 1].label.distance(from),
+                 behind = is_last ? geodesics_.distance(faces_.target(halfedge_)) : windows_[i + 1].label.distance(to);
+    return window.label.distance(window.begin) > before + least && window.label.distance(window.end) > behind + least;
   }
 
   void add(const Piece& piece)
