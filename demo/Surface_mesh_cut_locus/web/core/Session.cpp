@@ -27,14 +27,15 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// edges, cycles, leaves, branchings, length, injectivity radius, where it is reached (3), status, narrow corridors
+// edges, cycles, leaves, branchings, length, injectivity radius, where it is reached (3), status, narrow corridors,
+// the radius with all weak branches
 std::vector<double> statistics_of(const Cut_locus& cut_locus)
 {
   const CGAL::Cut_loci::Cut_locus_statistics s = CGAL::Cut_loci::compute_statistics(cut_locus);
   const auto nearest = CGAL::Cut_loci::injectivity_radius(cut_locus);
   return {double(s.edges),   double(s.cycles), double(s.leaves),          double(s.branchings),
           s.length,          nearest.distance, nearest.point.x(),         nearest.point.y(),
-          nearest.point.z(), double(s.status), double(s.narrow_corridors)};
+          nearest.point.z(), double(s.status), double(s.narrow_corridors), nearest.lower_bound};
 }
 
 CGAL::Cut_loci::Method method_of(const std::string& name)

@@ -79,12 +79,14 @@ export function summary({ curve, source, edgeLength }) {
 
 export function numberRows({ curve, source, edgeLength, state, defaults }) {
   const [edges, cycles, leaves, branchings, length, radius] = curve.numbers;
+  const least = curve.numbers[11]; // 0 if it is not known
   const { width } = state.parameters;
   const detail = state.method === 'laplacian' ? 'with these thresholds'
     : width !== null ? `of branches of ${number(width)} % and more`
       : defaults.width > 0 ? `of branches of ${number(100 * defaults.width)} % and more` : 'of the branches shown';
+  const bound = least > 0 && least < radius - edgeLength / 2 ? `; with all weak branches at least ${number(least)}` : '';
   return [
-    [isOnePoint(source) ? 'injectivity radius' : 'nearest to the sources', edges > 0 ? `${rounded(radius, edgeLength / 2)}` : '–', edges > 0 ? detail : ''],
+    [isOnePoint(source) ? 'injectivity radius' : 'nearest to the sources', edges > 0 ? `${rounded(radius, edgeLength / 2)}` : '–', edges > 0 ? detail + bound : ''],
     ['farthest point', `${number(source.farthestDistance, 4)}`, source.total > 1 ? 'away from the nearest source' : 'away from the source'],
     ['length of the curve', edges > 0 ? number(length, 3) : '–', ''],
     ['genus', count(source.genus), ''],
