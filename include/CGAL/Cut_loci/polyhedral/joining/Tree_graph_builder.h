@@ -261,22 +261,36 @@ private:
         continue;
       if(joint.kind == Joint::CELL)
         add_joint(end_of_cell(joint, 0), end_of_cell(joint, 1), ridges_.faces()[joint.element].face, joint);
-      if(joint.kind != Joint::EDGE)
-        continue;
-      const Index h = connectivity_.halfedge_of_edge[joint.element];
-      Node node = node_on_edge(h, 0.5 * geodesics_.faces().length(h));
-      node.distance = 0.5 * (geodesics_.distance(mesh_.source(h)) + geodesics_.distance(mesh_.target(h)));
-      node_of_joint_[j] = add_node(node);
-      if(node.loop != null_index)
-        add_joint(node_of_joint_[j], node.loop, null_index, joint);
-      const std::array<Index, 2> sides = {{h, mesh_.opposite[h]}};
-      for(std::size_t k = 0; k < 2; ++k)
-        if(sides[k] != null_index && !cut_.is_star(joint.nodes[k]))
-        {
-          const Index r = cut_.record(sides[k] / 3);
-          add_joint(node_of_joint_[j], node_in_face(r, cut_.leaf_behind(r, sides[k] % 3)), sides[k] / 3, joint);
-        }
+      if(joint.kind == Joint::EDGE)
+        add_joint_across_edge(j);
     }
+  }
+
+  /// At its middle, or where the tree of one side ends at a vertex of the edge: along the edge may be a piece.
+  void add_joint_across_edge(Index j)
+  {
+    const Joint& joint = cut_.joints[j];
+    const Index h = connectivity_.halfedge_of_edge[joint.element];
+    const std::array<Index, 2> sides = {{h, mesh_.opposite[h]}};
+    std::array<Index, 2> leaves = {{null_index, null_index}};
+    double share = 0.5;
+    for(std::size_t k = 0; k < 2; ++k)
+      if(sides[k] != null_index && !cut_.is_star(joint.nodes[k]))
+      {
+        const Index r = cut_.record(sides[k] / 3);
+        leaves[k] = node_in_face(r, cut_.leaf_behind(r, sides[k] % 3));
+        const Index v = graph_.nodes[leaves[k]].vertex;
+        if(share == 0.5 && v != null_index)
+          share = v == mesh_.source(h) ? 0. : v == mesh_.target(h) ? 1. : 0.5;
+      }
+    Node node = node_on_edge(h, share * geodesics_.faces().length(h));
+    node.distance = (1. - share) * geodesics_.distance(mesh_.source(h)) + share * geodesics_.distance(mesh_.target(h));
+    node_of_joint_[j] = add_node(node);
+    if(node.loop != null_index)
+      add_joint(node_of_joint_[j], node.loop, null_index, joint);
+    for(std::size_t k = 0; k < 2; ++k)
+      if(leaves[k] != null_index)
+        add_joint(node_of_joint_[j], leaves[k], sides[k] / 3, joint);
   }
 
   /// the node of the crossing at an end of a joint across a cell
