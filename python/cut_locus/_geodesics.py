@@ -269,16 +269,18 @@ def exp_map(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, plac
     return geodesics.exp_map(places)
 
 
-def isolines(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Sources, levels: npt.ArrayLike, *,
+def isolines(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Optional[Sources], levels: npt.ArrayLike, *,
+             source_curves: Optional[Curves] = None, source_border: bool = False,
              maximum_deviation: Optional[float] = None) -> List[Isoline]:
     """Computes isolines of the exact distance, as polylines through the faces.
 
-    Their points have the distance of their level exactly, up to rounding. Between them they are chords of circular arcs.
+    Their points have the distance of their level exactly, up to rounding; with curves, up to 1e-6 of their longest edge.
+    Between them they are chords of circular arcs.
 
     Parameters
     ----------
-    vertices, faces, sources
-        As in `exact_geodesic_distances()`, without curves.
+    vertices, faces, sources, source_curves, source_border
+        As in `exact_geodesic_distances()`.
     levels : (l,) real numbers
         The distances, positive.
     maximum_deviation : float, optional
@@ -290,7 +292,7 @@ def isolines(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Sources, le
         Level by level. On a closed surface, all of them are closed.
     """
     geodesics = ExactGeodesics(vertices, faces)
-    geodesics.compute(sources, isolines=True)
+    geodesics.compute(sources, source_curves=source_curves, source_border=source_border, isolines=True)
     return geodesics.isolines(levels, maximum_deviation=maximum_deviation)
 
 

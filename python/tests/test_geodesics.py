@@ -236,6 +236,8 @@ def test_isolines_of_plane():
     circle, = cut_locus.isolines(*plane, (9, (0.2, 0.5, 0.3)), 0.15, maximum_deviation=1e-6)
     segments = np.diff(circle.points, axis=0)
     assert circle.is_closed and np.linalg.norm(segments, axis=1).sum() == pytest.approx(0.3 * np.pi, abs=1e-5)
+    square, = cut_locus.isolines(*plane, None, 0.3, source_border=True)
+    assert np.linalg.norm(np.diff(square.points, axis=0), axis=1).sum() == pytest.approx(10. - 2.4, abs=1e-4)
 
 
 def test_isolines_are_refused(bumpy):
@@ -249,8 +251,6 @@ def test_isolines_are_refused(bumpy):
             geodesics.isolines(levels, maximum_deviation=deviation)
     with pytest.raises(cut_locus.InvalidInput, match="need exact distances"):
         geodesics.compute(0, isolines=True, error=0.1)
-    with pytest.raises(cut_locus.InvalidInput, match="neither directions nor isolines"):
-        geodesics.compute(source_curves=[bumpy[1][0][:2]], isolines=True)
 
 
 def test_same_as_cut_locus(bumpy):
