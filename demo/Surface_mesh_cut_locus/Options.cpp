@@ -446,7 +446,8 @@ Options parse_command_line(int argc, char* argv[])
   if(options.uv.empty() && !given["parameterization"].defaulted())
     throw Usage_error("--parameterization is for --uv");
   options.parameterization = text("parameterization");
-  if(!options.curve && !options.smoothing && (given.count("edges") || given.count("uv")))
+  if(!options.curve && !options.smoothing &&
+     (given.count("edges") || (given.count("uv") && options.parameterization != "logmap")))
     options.curve = CGAL::Cut_loci::Curve::MESH_EDGES; // these need them
   read_each_source(given, options);
   if(given.count("threads"))
