@@ -1,5 +1,7 @@
 """Exact geodesic distances, paths, and the logarithmic map."""
 
+import math
+
 import cut_locus
 import meshes
 import numpy as np
@@ -193,6 +195,26 @@ def test_log_map_needs_directions(bumpy):
         geodesics.log_map
     with pytest.raises(cut_locus.InvalidInput, match="must be zero"):
         geodesics.compute(3, error=0.1, directions=True)
+
+
+def test_arrival_direction(bumpy):
+    """It is the direction of the last piece of the path, from the vertex on."""
+    points, faces = bumpy
+    geodesics = cut_locus.ExactGeodesics(points, faces)
+    geodesics.compute(3)
+    direction = geodesics.arrival_direction
+    assert np.isnan(direction[3]).all() and direction.shape == points.shape
+    for v in range(4, len(points), 7):
+        path = geodesics.path(v)
+        step = path.points[1] - path.points[0]
+        assert direction[v] == pytest.approx(step / np.linalg.norm(step), abs=1e-7)
+    geodesics.compute(3, maximum_distance=0.5)
+    assert (np.isnan(geodesics.arrival_direction[:, 0]) == ~((geodesics.distance > 0.) & (geodesics.distance < 1.))).all()
+    far = int(np.argmax(cut_locus.exact_geodesic_distances(points, faces, 3)))
+    assert cut_locus.shortest_paths(points, faces, 3, far, maximum_distance=0.5)[0].length == math.inf
+    geodesics.compute(3, error=0.1)
+    with pytest.raises(cut_locus.InvalidInput, match="need exact distances"):
+        geodesics.arrival_direction  # noqa: B018
 
 
 @pytest.mark.parametrize("source", [3, (40, (0.2, 0.3, 0.5))])
