@@ -791,7 +791,8 @@ TEST_F(Program, Logarithmic_chart)
     EXPECT_GT(uv.at("faces"), 0);
     EXPECT_TRUE(uv.contains("flipped_faces"));
   }
-  expect_failure(run_on_torus("--parameterization logmap --source 3 --source 200" + files), "is that of one point");
+  expect_failure(run_on_torus("--parameterization logmap --source 3 --source 200" + files),
+                 "--parameterization logmap takes one source, a point");
 }
 
 TEST_F(Program, Several_sources_with_other_distances)
