@@ -22,10 +22,6 @@
 namespace CGAL {
 namespace Cut_loci {
 
-/// \ingroup PkgSurfaceMeshCutLocusRef
-/// in place of the number of a source, where no path leads from one
-constexpr std::size_t no_source = static_cast<std::size_t>(-1);
-
 namespace internal {
 
 // The sources of the parts into which the seams divide the faces.
