@@ -377,8 +377,13 @@ Options parse_command_line(int argc, char* argv[])
   if(given.count("source-edges"))
     options.source_edges = read_numbers(text("source-edges"), "--source-edges");
   options.source_border = given["source-border"].as<bool>();
-  if((number_of_source_points(options) > 1 || has_curves(options)) && given.count("unfold"))
-    throw Usage_error("--unfold takes one source, a point");
+  if(number_of_source_points(options) > 1 || has_curves(options))
+  {
+    if(given.count("unfold"))
+      throw Usage_error("--unfold takes one source, a point");
+    if(text("parameterization") == "logmap")
+      throw Usage_error("--parameterization logmap takes one source, a point: give that, or leave it away");
+  }
   options.solver = text("solver");
   read_method(text("method"), options);
   check_options_of_method(given, options);
@@ -446,7 +451,8 @@ Options parse_command_line(int argc, char* argv[])
   if(options.uv.empty() && !given["parameterization"].defaulted())
     throw Usage_error("--parameterization is for --uv");
   options.parameterization = text("parameterization");
-  if(!options.curve && !options.smoothing && (given.count("edges") || given.count("uv")))
+  if(!options.curve && !options.smoothing &&
+     (given.count("edges") || (given.count("uv") && options.parameterization != "logmap")))
     options.curve = CGAL::Cut_loci::Curve::MESH_EDGES; // these need them
   read_each_source(given, options);
   if(given.count("threads"))

@@ -44,7 +44,7 @@ Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string
 {
   Flat_disk flat;
   cut_open(mesh, cut_locus, flat);
-  flatten(flat.mesh, flat.uv, parameterization);
+  flatten(mesh, cut_locus, flat, parameterization);
   const Mesh& disk = flat.mesh;
   const Flat_disk::Origin_map origin = flat.origin;
   const Flat_disk::Face_origin_map face_origin = flat.face_origin;

@@ -50,6 +50,9 @@ Layout_quality quality_of_charts(Charts& charts, const Atlas& atlas)
 
 Atlas make_atlas_of_cells(const Mesh& mesh, const Cut_locus& cut_locus, const std::string& parameterization)
 {
+  if(parameterization == "logmap")
+    throw std::runtime_error(
+      "the logarithmic map is that of one point: give one source, or another --parameterization");
   const Cells cells = make_cells(mesh, cut_locus);
   Charts charts = charts_of(cells);
   for(const auto& chart : charts)
@@ -83,7 +86,7 @@ Atlas make_atlas_of_cells(const Mesh& mesh, const Cut_locus& cut_locus, const st
     }
   }
   for(Index f = 0; f < cells.mesh.number_of_faces(); ++f) // other components
-    if(cells.source[f] == Cells::none)
+    if(cells.source[f] == CGAL::Cut_loci::no_source)
       atlas.faces.push_back(face(f));
   finish_atlas(cut_locus, false, atlas);
   atlas.quality = quality_of_charts(charts, atlas);

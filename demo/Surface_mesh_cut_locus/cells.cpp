@@ -6,13 +6,9 @@
 
 #include "cells.h"
 
-#include "Union_find.h"
-#include "location_in_part.h"
 #include "output_file.h"
 #include "surface_files.h"
 
-#include <CGAL/Cut_loci/graph/curve_refinement.h>
-#include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/split_fans.h>
 
@@ -30,95 +26,6 @@ using CGAL::Cut_loci::Index;
 using CGAL::Cut_loci::null_index;
 using CGAL::Cut_loci::Refined_mesh;
 using Read = lib::Read_triangle_mesh<Mesh>;
-
-// The sources of the parts into which the seams divide the faces.
-class Part_sources
-{
-public:
-  Part_sources(const Refined_mesh& refined) : refined_(refined), parts_(refined.mesh.number_of_faces())
-  {
-    for_each_inner_edge(
-      [&](Index h)
-      {
-      if(!refined.seams[h])
-        parts_.unite(h / 3, refined.mesh.opposite[h] / 3);
-    });
-    source_.assign(refined.mesh.number_of_faces(), Cells::none);
-  }
-
-  // the first one that is found counts
-  void set(Index face, std::size_t source)
-  {
-    std::size_t& at = source_[parts_.find(face)];
-    at = at == Cells::none ? source : at;
-  }
-
-  // What rounding has cut off has the source of a part beside it.
-  void spread()
-  {
-    for(bool has_changed = true; has_changed;)
-    {
-      has_changed = false;
-      for_each_inner_edge(
-        [&](Index h)
-        {
-        const std::size_t a = (*this)(h / 3), b = (*this)(refined_.mesh.opposite[h] / 3);
-        if((a == Cells::none) == (b == Cells::none))
-          return;
-        set(h / 3, b);
-        set(refined_.mesh.opposite[h] / 3, a);
-        has_changed = true;
-      });
-    }
-  }
-
-  std::size_t operator()(Index face) { return source_[parts_.find(face)]; }
-
-private:
-  template <typename Function>
-  void for_each_inner_edge(const Function& function) const
-  {
-    for(Index h = 0; h < refined_.mesh.number_of_halfedges(); ++h)
-      if(!refined_.mesh.is_border_edge(h) && h < refined_.mesh.opposite[h])
-        function(h);
-  }
-
-  const Refined_mesh& refined_;
-  curve_measures::Union_find parts_;
-  std::vector<std::size_t> source_;
-};
-
-// The points in faces first, as there may be no vertex in their cells; then what the vertices know that are on no seam,
-// those close to their sources first: a smoothed curve may leave others in the cell of a source that is not their nearest.
-std::vector<std::size_t> sources_of_faces(const Read& read, const std::vector<Index>& vertices,
-                                          const lib::Curve_on_mesh& curve, const Refined_mesh& refined,
-                                          const Cut_locus& cut_locus)
-{
-  Part_sources parts(refined);
-  for(std::size_t i = 0; i < curve.sources.size(); ++i)
-    if(curve.sources[i].vertex == null_index)
-      parts.set(
-        curve_measures::internal::location_in_part(read.mesh, refined.mesh, refined.faces, curve.sources[i].location)
-          .face,
-        i);
-  std::vector<bool> is_on_seam(refined.mesh.number_of_vertices(), false);
-  for(Index h = 0; h < refined.mesh.number_of_halfedges(); ++h)
-    if(refined.seams[h])
-      is_on_seam[refined.mesh.source(h)] = is_on_seam[refined.mesh.target(h)] = true;
-  std::vector<std::pair<double, Index>> inside; // distances, and a halfedge from each vertex
-  for(Index h = 0; h < refined.mesh.number_of_halfedges(); ++h)
-    if(const Index v = refined.mesh.source(h); v < vertices.size() && !is_on_seam[v])
-      inside.emplace_back(cut_locus.distance(read.vertices[vertices[v]]), h);
-  std::sort(inside.begin(), inside.end());
-  for(const std::pair<double, Index>& at : inside)
-    if(const auto nearest = cut_locus.nearest_source(read.vertices[vertices[refined.mesh.source(at.second)]]))
-      parts.set(at.second / 3, *nearest);
-  parts.spread();
-  std::vector<std::size_t> result;
-  for(Index f = 0; f < refined.mesh.number_of_faces(); ++f)
-    result.push_back(parts(f));
-  return result;
-}
 
 // Of a point that is new because two segments cross in it after rounding, the mean of the distances around it.
 void fill_in_distances(const Refined_mesh& refined, std::vector<double>& distance)
@@ -182,7 +89,8 @@ void write_obj(std::ostream& os, const Cells& cells)
   {
     if(i == 0 || order[i].first != order[i - 1].first)
       os << "g "
-         << (order[i].first == Cells::none ? std::string("unreached") : "source_" + std::to_string(order[i].first))
+         << (order[i].first == CGAL::Cut_loci::no_source ? std::string("unreached")
+                                                         : "source_" + std::to_string(order[i].first))
          << '\n';
     const auto& t = cells.mesh.triangles[order[i].second];
     os << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
@@ -211,7 +119,7 @@ Cells make_cells(const Mesh& mesh, const Cut_locus& cut_locus)
   for(Index v = 0; v < fans.vertices.size(); ++v)
     cells.vertices[v] = static_cast<Index>(read.vertices[fans.vertices[v]]);
   cells.faces = refined.faces;
-  cells.source = sources_of_faces(read, fans.vertices, curve, refined, cut_locus);
+  cells.source = lib::cells_of_faces(read, fans.vertices, curve, refined, cut_locus);
   cells.mesh = std::move(refined.mesh);
   cells.seams = std::move(refined.seams);
   return cells;

@@ -9,6 +9,7 @@
 
 #include "Mesh.h"
 
+#include <CGAL/Cut_loci/face_graph/cells_of_faces.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 
@@ -19,14 +20,12 @@
 // The surface with its faces split along the cut locus of several sources, so that each is in one cell.
 struct Cells
 {
-  static constexpr std::size_t none = static_cast<std::size_t>(-1); // where no path leads from a source
-
   CGAL::Cut_loci::Indexed_triangle_mesh mesh;
   std::vector<CGAL::Cut_loci::Index> vertices; // of the surface, or `null_index` for those that are new
   std::vector<CGAL::Cut_loci::Index> faces;    // of the surface, of which they are parts
   CGAL::Cut_loci::Seams seams;                 // the edges on the cut locus
   std::vector<double> distance;                // of each vertex to the nearest source
-  std::vector<std::size_t> source;             // of each face
+  std::vector<std::size_t> source;             // of each face, or `no_source`
 };
 
 // The cut locus has what is between two sources, and may have what is inside the cells.

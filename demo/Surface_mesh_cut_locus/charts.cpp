@@ -101,7 +101,7 @@ std::vector<std::unique_ptr<Chart>> charts_of(const Cells& cells)
   const std::vector<Index> part_of_face = loci::internal::face_components(apart.mesh, number_of_parts);
   std::set<Index> parts;
   for(Index f = 0; f < apart.mesh.number_of_faces(); ++f)
-    if(cells.source[f] != Cells::none)
+    if(cells.source[f] != CGAL::Cut_loci::no_source)
       parts.insert(part_of_face[f]);
   std::vector<std::unique_ptr<Chart>> charts;
   for(const Index part : parts)

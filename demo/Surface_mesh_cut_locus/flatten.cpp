@@ -7,7 +7,10 @@
 #include "flatten.h"
 #include "arap.h"
 
+#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/flatten_disk.h>
+#include <CGAL/Cut_loci/logarithmic_chart.h>
+#include <CGAL/Cut_loci/surface/location_in_part.h>
 #include <CGAL/cut_along_cut_locus.h>
 #include <CGAL/refine_along_cut_locus.h>
 
@@ -18,6 +21,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace {
 
@@ -54,6 +58,20 @@ bool make_rigid(const Mesh& disk, Flat_disk::UV_map uv)
   for(Mesh::Vertex_index v : disk.vertices())
     uv[v] = Point_2(plane[v][0], plane[v][1]);
   return true;
+}
+
+// Where the source is on the disk.
+Location source_on(const Flat_disk& disk, const Mesh& mesh, const Cut_locus& cut_locus)
+{
+  namespace lib = CGAL::Cut_loci::internal;
+  std::vector<CGAL::Cut_loci::Index> origin;
+  for(const Mesh::Face_index f : disk.mesh.faces())
+    origin.push_back(disk.face_origin[f].idx());
+  const Location& source = cut_locus.source().location;
+  const CGAL::Cut_loci::Indexed_location at{source.first.idx(), source.second};
+  const auto on_disk = lib::location_in_part(lib::read_triangle_mesh(mesh, mesh.points()).mesh,
+                                             lib::read_triangle_mesh(disk.mesh, disk.mesh.points()).mesh, origin, at);
+  return {Mesh::Face_index(on_disk.face), on_disk.coordinates};
 }
 
 } // namespace
@@ -97,4 +115,12 @@ void flatten(Mesh& disk, Flat_disk::UV_map uv, const std::string& parameterizati
   for(Mesh::Vertex_index v : disk.vertices())
     if(!std::isfinite(uv[v].x()) || !std::isfinite(uv[v].y()))
       throw std::runtime_error("the surface can not be flattened: the solver fails");
+}
+
+void flatten(const Mesh& mesh, const Cut_locus& cut_locus, Flat_disk& disk, const std::string& parameterization)
+{
+  if(parameterization == "logmap")
+    CGAL::Cut_loci::logarithmic_chart(disk.mesh, source_on(disk, mesh, cut_locus), disk.uv);
+  else
+    flatten(disk.mesh, disk.uv, parameterization);
 }

@@ -31,7 +31,10 @@ struct Flat_disk
 // Along the edges of the cut locus, or straight through the faces, as it runs. `disk` must be empty; `uv` stays at zero.
 void cut_open(const Mesh& mesh, const Cut_locus& cut_locus, Flat_disk& disk);
 
-// Throws `std::runtime_error` if the surface can not be flattened.
+// Throws `std::runtime_error` if the surface can not be flattened. Not for "logmap".
 void flatten(Mesh& disk, Flat_disk::UV_map uv, const std::string& parameterization);
+
+// The same for the disk that `cut_open()` gives, whose source is known.
+void flatten(const Mesh& mesh, const Cut_locus& cut_locus, Flat_disk& disk, const std::string& parameterization);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_FLATTEN_H

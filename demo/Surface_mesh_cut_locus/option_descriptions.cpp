@@ -182,12 +182,14 @@ po::options_description output()
       "vertex");
   add("uv", text("FILE.obj"),
       "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a texture");
-  add("parameterization", text("injective|arap|lscm|convex")->default_value("injective"),
+  add("parameterization", text("injective|arap|lscm|convex|logmap")->default_value("injective"),
       "how --uv flattens:\n"
       "  injective: as isometrically as may be without flipped or overlapping triangles\n"
       "  arap: as rigidly as possible; may flip and overlap\n"
       "  lscm: least squares conformal map; may, too\n"
-      "  convex: mean value coordinates in a circle, without flipped triangles");
+      "  convex: mean value coordinates in a circle, without flipped triangles\n"
+      "  logmap: distances and directions from the source as they are; straight through the faces, and may flip and "
+      "overlap");
   add("unfold", text("FILE.svg|.obj"),
       "write the source unfolding of a convex polyhedron: cut along the exact cut locus, whatever the method, and laid "
       "flat; sides with the same number are glued");

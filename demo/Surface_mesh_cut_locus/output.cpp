@@ -68,7 +68,7 @@ picture::Vector to_vector(const Kernel::Point_3& p)
 // Light colors that differ from those beside them, however many there are: hues by the golden ratio.
 picture::Color color_of_cell(std::size_t source)
 {
-  if(source == Cells::none)
+  if(source == CGAL::Cut_loci::no_source)
     return {0.8, 0.8, 0.8};
   constexpr double golden = 0.6180339887498949, least = 0.62;
   const double hue = 6. * std::fmod(0.1 + golden * double(source), 1.);

@@ -10,7 +10,6 @@
 #include "Source_set.h"
 #include "Union_find.h"
 #include "curve_topology.h"
-#include "location_in_part.h"
 #include "topology_beside_curves.h"
 
 #include <CGAL/Cut_loci/Invalid_input.h>
@@ -18,6 +17,7 @@
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/location_in_part.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
@@ -182,7 +182,8 @@ inline std::vector<Index> faces_at(const Source_set& set, const CGAL::Cut_loci::
     if(source.vertex != null_index)
       at.insert(source.vertex);
     else
-      result.push_back(location_in_part(on.component.mesh, split.mesh, split.faces, source.location).face);
+      result.push_back(
+        CGAL::Cut_loci::internal::location_in_part(on.component.mesh, split.mesh, split.faces, source.location).face);
   for(Index h = 0; h < split.mesh.number_of_halfedges(); ++h)
     if(at.count(split.mesh.source(h)) > 0)
       result.push_back(h / 3);
@@ -200,7 +201,8 @@ inline std::vector<CGAL::Cut_loci::Indexed_location> sources(const Source_set& s
     if(source.vertex != null_index)
       at.insert(source.vertex);
     else
-      result.push_back(location_in_part(on.component.mesh, split.mesh, split.faces, source.location));
+      result.push_back(
+        CGAL::Cut_loci::internal::location_in_part(on.component.mesh, split.mesh, split.faces, source.location));
   std::vector<bool> is_done(cut.mesh.number_of_vertices(), false);
   for(Index h = 0; h < cut.mesh.number_of_halfedges(); ++h)
   {

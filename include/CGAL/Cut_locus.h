@@ -29,6 +29,10 @@ namespace CGAL {
 namespace Cut_loci {
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
+/// in place of the number of a source, where no path leads from one
+constexpr std::size_t no_source = static_cast<std::size_t>(-1);
+
+/// \ingroup PkgSurfaceMeshCutLocusRef
 /// a vertex of the graph of a `Cut_locus`
 template <typename TriangleMesh, typename Point_3>
 struct Cut_locus_vertex

@@ -164,7 +164,7 @@ public:
   /// adds a connected curve along edges of the mesh, all of whose points are sources
   ///
   /// No shortest path crosses it, so that paths come from its two sides. Distances are exact up to `1e-7` of the longest
-  /// edge of all curves. There are no directions at a curve, nor isolines, nor is an error allowed: `compute()` throws then. Curves
+  /// edge of all curves. There are no directions at a curve, nor is an error allowed: `compute()` throws then. Curves
   /// through the faces become edges by `refine_along_polylines()`. It takes linear time.
   /// @tparam EdgeRange a model of `ConstRange` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as value type
   /// \throws Cut_loci::Invalid_input if there are no edges, they are not connected, or one is on no face
@@ -245,7 +245,7 @@ public:
 
   /// computes everything that has been asked for
   /// \throws Cut_loci::Invalid_input if there is no source, or if two of these exclude each other: an error goes with
-  ///         neither directions, isolines nor sources that are curves, and curves with neither directions nor isolines
+  ///         neither directions, isolines nor sources that are curves, and curves not with directions
   void compute()
   {
     const bool is_exact = options_.maximum_relative_error == 0.;
@@ -254,11 +254,11 @@ public:
       throw Cut_loci::Invalid_input(
         Cut_loci::Cause::PARAMETER_OF_OTHER_METHOD,
         "directions and isolines need exact distances: the maximum relative error must be zero");
-    if(!curves_.empty() && (options_.directions || options_.windows != nullptr || !is_exact))
-      throw Cut_loci::Invalid_input(Cut_loci::Cause::PARAMETER_OF_OTHER_METHOD,
-                                    "sources that are curves have neither directions nor isolines, and need exact "
-                                    "distances: leave out the curves, or "
-                                    "the directions, the isolines and the maximum relative error");
+    if(!curves_.empty() && (options_.directions || !is_exact))
+      throw Cut_loci::Invalid_input(
+        Cut_loci::Cause::PARAMETER_OF_OTHER_METHOD,
+        "sources that are curves have no directions, and need exact distances: leave out the "
+        "curves, or both the directions and the maximum relative error");
     number_of_points_ = sources_.size();
     has_centroids_ = options_.all_centroids;
     has_directions_ = options_.directions;
@@ -490,9 +490,10 @@ public:
    *
    * In each face, an isoline consists of arcs of circles, around the images of the sources and of the vertices at which
    * paths bend. The vertices of the polylines have the distance of their level exactly, up to rounding, and between them
-   * they are chords. The isolines of a level bound what is nearer: no two of them meet. A level that is that of a vertex
-   * up to rounding is taken for one beside it, less than `1e-10` of the largest distance away. There are none from sources
-   * that are curves.
+   * they are chords. From sources that are curves, they have it as accurately as these distances are known, about `1e-6` of the longest
+   * edge of the curves. The isolines of
+   * a level bound what is nearer: each is closed, or leads from border to border, and two meet nowhere but at a vertex that has
+   * the level up to rounding. Where the level is exactly that of a vertex, the vertex is not nearer.
    *
    * For each level, time is linear in the number of faces, and at worst cubic in the number of windows of a face that the
    * isoline crosses.

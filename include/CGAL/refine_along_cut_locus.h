@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/graph/curve_refinement.h>
+#include <CGAL/Cut_loci/face_graph/cells_of_faces.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/output_maps.h>
 #include <CGAL/Cut_loci/face_graph/snapping_of_curves.h>
@@ -88,6 +89,12 @@ namespace CGAL {
  *     \cgalParamType{a class model of `WritablePropertyMap` with
  *                    `boost::graph_traits<OutputMesh>::%edge_descriptor` as key type and `bool` as value type}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_patch_map}
+ *     \cgalParamDescription{a property map that gets, for each face of `output`, the number of the source in whose cell it is:
+ *                           cells of geodesic Voronoi diagrams as patches. `Cut_loci::no_source` where no path leads.}
+ *     \cgalParamType{a class model of `WritablePropertyMap` with
+ *                    `boost::graph_traits<OutputMesh>::%face_descriptor` as key type and `std::size_t` as value type}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * @throws Cut_loci::Invalid_input if a face of `tm` is not a triangle, or if the cut locus is not one of `tm`
@@ -117,6 +124,8 @@ void refine_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh
   const auto built = internal::output_mesh(tm, read, refined.mesh, origin, refined.faces, output, np_in, np_out);
   internal::output_seams(refined.mesh, refined.seams, built, output,
                          get_parameter(np_out, internal_np::edge_is_constrained));
+  internal::output_cells([&] { return internal::cells_of_faces(read, fans.vertices, curve, refined, cut_locus); },
+                         built, output, get_parameter(np_out, internal_np::face_patch));
 }
 
 /*!
@@ -146,15 +155,11 @@ void cut_along_curve(const TriangleMesh& tm, const Cut_locus<TriangleMesh, Point
     choose_parameter(get_parameter(np_in, internal_np::snapping_tolerance), internal::default_snapping_of_curves));
   const auto read = internal::read_triangle_mesh(
     tm, choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm)));
-  const internal::Curve_on_component on =
-    internal::on_component(read.mesh, internal::curve_on_mesh(read, tm, cut_locus));
-  internal::throw_unless_of_one_source(on.curve);
-  Cut_loci::Refined_mesh refined = Cut_loci::refine_along_curve(
-    on.component.mesh, internal::manifold_connectivity(on.component.mesh), on.curve.graph, resolution);
-  Cut_loci::repair_seams(refined.mesh, refined.nodes.front(), refined.seams);
-  Cut_loci::complete_seams(refined.mesh, Cut_loci::Mesh_connectivity(refined.mesh), refined.nodes.front(),
-                           on.curve.sources.front().vertex, refined.seams);
-  const Cut_loci::Cut_mesh cut = internal::cut_open_to_disk(refined.mesh, refined.seams);
+  const internal::Disk_of_curve disk =
+    internal::cut_along(read.mesh, internal::curve_on_mesh(read, tm, cut_locus), resolution);
+  const internal::Curve_on_component& on = disk.on;
+  const Cut_loci::Refined_mesh& refined = disk.refined;
+  const Cut_loci::Cut_mesh& cut = disk.cut;
 
   std::vector<Index> vertices, faces;
   for(Index v : cut.vertices)

@@ -9,7 +9,7 @@ first. A computation releases the GIL, so that threads with objects of their own
 """
 
 from ._core import Cause, InvalidInput
-from ._cut_locus import CutLocus, Result, compute
+from ._cut_locus import Cells, CutLocus, Result, compute
 from ._cut_loci import compute_cut_loci
 from ._disk import Disk, cut_open
 from ._geodesics import (ExactGeodesics, Isoline, Path, Places, exact_geodesic_distances, exp_map, isolines, log_map,
@@ -20,6 +20,7 @@ __version__ = "0.2.0"
 
 __all__ = [
     "Cause",
+    "Cells",
     "CutLocus",
     "Disk",
     "ExactGeodesics",

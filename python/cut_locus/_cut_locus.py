@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any, Callable, Dict, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +16,21 @@ Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 Bools = npt.NDArray[np.bool_]
 Progress = Callable[[str, bool], Any]
+
+
+class Cells(NamedTuple):
+    """A surface divided into the cells of several sources."""
+
+    vertices: Floats
+    """(p, 3): the points"""
+    faces: Ints
+    """(q, 3): the vertices of each triangle"""
+    source: Ints
+    """(q,): the number of the source whose cell each face is in; -1 where no path leads from one"""
+    vertex_origin: Ints
+    """(p,): the vertex of the mesh that each is; -1 if it was added where the curve runs through faces"""
+    face_origin: Ints
+    """(q,): the face of the mesh that each is a part of"""
 
 
 class Result:
@@ -135,6 +150,21 @@ class Result:
         return self._core.cell_neighbors()
 
     @property
+    def cell_area(self) -> Floats:
+        """(k,): the area of the cell of each source in the geodesic Voronoi diagram; together that of the surface."""
+        self._require_mesh("cell_area")
+        return self._core.cell_areas()
+
+    def cells(self) -> Cells:
+        """The surface with faces split along the cut locus, so that each is in the cell of one source."""
+        self._require_mesh("cells()")
+        return Cells(*self._core.cells())
+
+    def _require_mesh(self, what: str) -> None:
+        if self._has_edge_lengths:
+            raise _core.InvalidInput(f"{what} takes the points, and not edge_lengths")
+
+    @property
     def _degrees(self) -> Ints:
         return np.bincount(self.edges.ravel(), minlength=len(self.points))
 
@@ -198,6 +228,12 @@ class Result:
     def injectivity_point(self) -> Floats:
         """(3,): where it is reached."""
         return self._nearest[1]
+
+    def geodesic_loop(self) -> Floats:
+        """(p, 3): the two shortest paths to the point where the injectivity radius is reached, from the source to the
+        source; of one source. Inside a branch this is the shortest geodesic loop there, at its end both are one path."""
+        self._require_mesh("geodesic_loop()")
+        return self._core.geodesic_loop()
 
     @property
     def cycles(self) -> int:
@@ -264,7 +300,10 @@ class Result:
 
 class _Saved:
     """What a result tells, in place of its C++ part when it is pickled: all but the mesh, without which there is no
-    `cut_open()`."""
+    `cut_open()`, nor cells."""
+
+    _TAKE_MESH = {"cut_open": "cut_locus.cut_open() takes one", "cells": "compute it again",
+                  "cell_areas": "compute it again", "geodesic_loop": "compute it again"}
 
     def __init__(self, core: Any) -> None:
         if isinstance(core, _Saved):
@@ -272,7 +311,7 @@ class _Saved:
             return
         self._values: Dict[str, Tuple[bool, Any]] = {}
         for name in vars(_core.Result):
-            if not name.startswith("_") and name != "cut_open":
+            if not name.startswith("_") and name not in self._TAKE_MESH:
                 value = getattr(core, name)
                 self._values[name] = (True, value()) if callable(value) else (False, value)
 
@@ -286,8 +325,8 @@ class _Saved:
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
-        if name == "cut_open":
-            raise _core.InvalidInput("a result that has been pickled has no mesh: cut_locus.cut_open() takes one")
+        if name in self._TAKE_MESH:
+            raise _core.InvalidInput(f"a result that has been pickled has no mesh: {self._TAKE_MESH[name]}")
         is_function, value = self._values[name]
         return (lambda: value) if is_function else value
 

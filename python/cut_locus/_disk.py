@@ -11,7 +11,7 @@ import numpy.typing as npt
 from . import _core
 from ._input import Sources
 
-PARAMETERIZATIONS = ("injective", "arap", "lscm", "convex")
+PARAMETERIZATIONS = ("injective", "arap", "lscm", "convex", "logmap")
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,7 +23,7 @@ class Disk:
     faces: npt.NDArray[np.int64]
     """(q, 3): the vertices of each triangle"""
     uv: Optional[npt.NDArray[np.float64]]
-    """(p, 2): where each vertex is in the plane, of the area of the surface and counterclockwise; or None"""
+    """(p, 2): where each vertex is in the plane, counterclockwise, and, but for "logmap", of the area of the surface; or None"""
     vertex_origin: npt.NDArray[np.int64]
     """(p,): the vertex of the mesh that each is a copy of; -1 if it was added where the curve runs through faces"""
     face_origin: npt.NDArray[np.int64]
@@ -53,7 +53,8 @@ def cut_open(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *,
         As in `compute()`. There must be one source.
     parameterization : str or None
         "arap": as rigid as possible; "injective": as isometric as may be without flipped or overlapping faces; "lscm":
-        conformal; "convex": in a circle, which never flips either; None: no `uv`.
+        conformal; "convex": in a circle, which never flips either; "logmap": distances and directions from the source as
+        they are, with ``curve="faces"`` by default; None: no `uv`.
 
     Returns
     -------
@@ -71,7 +72,7 @@ def cut_open(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *,
 
     _check(parameterization)  # before what takes long
     if not parameters.get("number_of_iterations"):  # which is a way to ask for the other curve
-        parameters.setdefault("curve", "edges")
+        parameters.setdefault("curve", "faces" if parameterization == "logmap" else "edges")
     return compute(vertices, faces, source, **parameters).cut_open(parameterization=parameterization)
 
 
@@ -80,7 +81,7 @@ def disk_of(core: _core.Result, parameterization: Optional[str]) -> Disk:
     points, faces, plane, vertex_origin, face_origin = core.cut_open(parameterization)
     uv = None
     if parameterization is not None:
-        uv = _with_area_of_surface(points, faces, plane)
+        uv = plane.copy() if parameterization == "logmap" else _with_area_of_surface(points, faces, plane)
         uv.flags.writeable = False
     return Disk(points, faces, uv, vertex_origin, face_origin)
 

@@ -155,6 +155,12 @@ class ExactGeodesics:
         the second; y is to its left."""
         return self._core.source_axes()
 
+    @property
+    def arrival_direction(self) -> Floats:
+        """(n, 3): the unit vector in which the shortest path to each vertex leads back to its source, along a face at the
+        vertex; nan for sources and what is not reached. Not with an `error`."""
+        return self._core.arrival_directions()
+
     def _of_targets(self, at_vertices: npt.NDArray[Value], at_locations: npt.NDArray[Value]) -> npt.NDArray[Value]:
         located = iter(at_locations)
         values = [at_vertices[t] if isinstance(t, int) else next(located) for t in self._targets]
@@ -269,16 +275,18 @@ def exp_map(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, plac
     return geodesics.exp_map(places)
 
 
-def isolines(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Sources, levels: npt.ArrayLike, *,
+def isolines(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Optional[Sources], levels: npt.ArrayLike, *,
+             source_curves: Optional[Curves] = None, source_border: bool = False,
              maximum_deviation: Optional[float] = None) -> List[Isoline]:
     """Computes isolines of the exact distance, as polylines through the faces.
 
-    Their points have the distance of their level exactly, up to rounding. Between them they are chords of circular arcs.
+    Their points have the distance of their level exactly, up to rounding; with curves, to about 1e-6 of their longest edge.
+    Between them they are chords of circular arcs.
 
     Parameters
     ----------
-    vertices, faces, sources
-        As in `exact_geodesic_distances()`, without curves.
+    vertices, faces, sources, source_curves, source_border
+        As in `exact_geodesic_distances()`.
     levels : (l,) real numbers
         The distances, positive.
     maximum_deviation : float, optional
@@ -290,17 +298,18 @@ def isolines(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Sources, le
         Level by level. On a closed surface, all of them are closed.
     """
     geodesics = ExactGeodesics(vertices, faces)
-    geodesics.compute(sources, isolines=True)
+    geodesics.compute(sources, source_curves=source_curves, source_border=source_border, isolines=True)
     return geodesics.isolines(levels, maximum_deviation=maximum_deviation)
 
 
 def shortest_paths(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Optional[Sources], targets: Sources, *,
-                   source_curves: Optional[Curves] = None, source_border: bool = False) -> List[Path]:
+                   source_curves: Optional[Curves] = None, source_border: bool = False,
+                   maximum_distance: float = math.inf) -> List[Path]:
     """Computes the shortest path from each target to the nearest of the sources.
 
     Parameters
     ----------
-    vertices, faces, sources, source_curves, source_border
+    vertices, faces, sources, source_curves, source_border, maximum_distance
         As in `exact_geodesic_distances()`.
     targets : int, (int, (3,) floats), or a sequence of them
         Where the paths start.
@@ -311,5 +320,6 @@ def shortest_paths(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Optio
         One for each target, from it to its source.
     """
     geodesics = ExactGeodesics(vertices, faces)
-    geodesics.compute(sources, source_curves=source_curves, source_border=source_border, targets=targets)
+    geodesics.compute(sources, source_curves=source_curves, source_border=source_border, targets=targets,
+                      maximum_distance=maximum_distance)
     return geodesics.paths()

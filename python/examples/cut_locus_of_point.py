@@ -47,6 +47,12 @@ assert np.allclose(distance, result.vertex_distance)
 path, = cut_locus.shortest_paths(V, F, source, int(distance.argmax()))
 print(f"the farthest vertex is {distance.max():.3f} away, by a path across {len(path.points)} points")
 
+# %% So do isolines, as polylines. The two shortest paths to the nearest point of the cut locus are a loop.
+isolines = cut_locus.isolines(V, F, source, np.arange(1, 10) / 10. * distance.max())
+loop = result.geodesic_loop()
+length = np.linalg.norm(np.diff(loop, axis=0), axis=1).sum()
+print(f"{len(isolines)} isolines; a loop of the length {length:.3f}, twice the radius")
+
 # %% Cut open along the cut locus, the surface is a disk, which can be laid flat.
 disk = cut_locus.cut_open(V, F, source, curve="faces")
 print(f"the disk: {len(disk.vertices)} vertices, {int(disk.is_flipped.sum())} of {len(disk.faces)} faces flipped")
@@ -57,8 +63,14 @@ depth_axis = view / np.linalg.norm(view)
 horizontal = np.cross([0., 0., 1.], depth_axis)
 horizontal /= np.linalg.norm(horizontal)
 axes = np.stack([horizontal, np.cross(depth_axis, horizontal), depth_axis], axis=1)
-lines = [(result.points[result.edges], "#c00000", 2.5),
-         (np.stack([path.points[:-1], path.points[1:]], axis=1), "#0040a0", 1.5)]
+
+
+def segments(points):
+    return np.stack([points[:-1], points[1:]], axis=1)
+
+
+lines = [(result.points[result.edges], "#c00000", 2.5), (segments(path.points), "#0040a0", 1.5),
+         (segments(loop), "#e08000", 1.5), *((segments(line.points), "#ffffff", 0.7) for line in isolines)]
 
 
 def shade(values, light=1.):

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -111,6 +112,32 @@ std::vector<double> Geodesics::target_log_map() const
   for(std::size_t i = 0; i < number_of_targets_; ++i)
     for(double x : geodesics_.query_logarithmic_map(i))
       result.push_back(x);
+  return result;
+}
+
+std::vector<double> Geodesics::arrival_directions() const
+{
+  require_result();
+  std::vector<double> result;
+  result.reserve(3 * std::size_t(mesh_->number_of_vertices()));
+  for(Mesh::Vertex_index v : mesh_->vertices())
+  {
+    const double d = geodesics_.distance(v);
+    if(!(d > 0. && std::isfinite(d)))
+    {
+      result.insert(result.end(), 3, std::numeric_limits<double>::quiet_NaN());
+      continue;
+    }
+    const auto direction = geodesics_.arrival_direction(v);
+    const Mesh::Halfedge_index h = direction.first;
+    const Kernel::Point_3& p = mesh_->point(mesh_->source(h));
+    const Kernel::Vector_3 along = mesh_->point(mesh_->target(h)) - p,
+                           other = mesh_->point(mesh_->target(mesh_->next(h))) - p,
+                           aside = other - (other * along) / along.squared_length() * along;
+    const Kernel::Vector_3 result_vector = std::cos(direction.second) / std::sqrt(along.squared_length()) * along +
+                                           std::sin(direction.second) / std::sqrt(aside.squared_length()) * aside;
+    result.insert(result.end(), {result_vector.x(), result_vector.y(), result_vector.z()});
+  }
   return result;
 }
 

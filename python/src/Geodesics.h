@@ -50,6 +50,8 @@ public:
   std::vector<std::int64_t> target_nearest_sources() const;
   std::vector<double> log_map() const; // two coordinates by vertex
   std::vector<double> target_log_map() const;
+  std::vector<double>
+  arrival_directions() const; // three coordinates by vertex; NaN for sources, and what is not reached
   std::vector<std::int64_t> source_axes() const; // by source, the two vertices of an edge along which its x-axis runs
 
   // From source number `source` on; two coordinates for each place. They throw Invalid_input if there is no such source.

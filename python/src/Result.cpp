@@ -9,9 +9,11 @@
 
 #include "../../demo/Surface_mesh_cut_locus/flatten.h"
 
+#include <CGAL/Cut_loci/geodesic_loop.h>
 #include <CGAL/Cut_loci/graph/maximal_chains.h>
 #include <CGAL/Cut_loci/voronoi_neighbors.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
+#include <CGAL/refine_along_cut_locus.h>
 
 #include <pybind11/stl.h>
 
@@ -77,9 +79,21 @@ void append_coordinates_of(std::vector<double>& to, const Cut_locus::Vertex& v)
   to.insert(to.end(), v.location.second.begin(), v.location.second.end());
 }
 
+std::int64_t index_or_none(Mesh::Vertex_index v)
+{
+  return v == Mesh::null_vertex() ? -1 : std::int64_t(v.idx());
+}
+
+void append_corners(std::vector<std::int64_t>& to, const Mesh& mesh, Mesh::Face_index f)
+{
+  const Mesh::Halfedge_index h = mesh.halfedge(f);
+  for(const Mesh::Vertex_index v : {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))})
+    to.push_back(v.idx());
+}
+
 void append_mesh_vertex_of(std::vector<std::int64_t>& to, const Cut_locus::Vertex& v)
 {
-  to.push_back(v.mesh_vertex == Mesh::null_vertex() ? -1 : std::int64_t(v.mesh_vertex.idx()));
+  to.push_back(index_or_none(v.mesh_vertex));
 }
 
 const char* status_name(loci::Cut_locus_status status)
@@ -99,22 +113,52 @@ py::tuple disk_of(const Result& result, const std::optional<std::string>& parame
     Flat_disk disk;
     cut_open(*result.mesh, result.cut_locus, disk);
     if(parameterization)
-      flatten(disk.mesh, disk.uv, *parameterization);
+      flatten(*result.mesh, result.cut_locus, disk, *parameterization);
     for(const Mesh::Vertex_index v : disk.mesh.vertices())
     {
       append_point(points, disk.mesh.point(v));
       plane.insert(plane.end(), {disk.uv[v].x(), disk.uv[v].y()});
-      vertex.push_back(disk.origin[v] == Mesh::null_vertex() ? -1 : std::int64_t(disk.origin[v].idx()));
+      vertex.push_back(index_or_none(disk.origin[v]));
     }
     for(const Mesh::Face_index f : disk.mesh.faces())
     {
       face.push_back(disk.face_origin[f].idx());
-      const Mesh::Halfedge_index h = disk.mesh.halfedge(f);
-      for(const Mesh::Vertex_index v : {disk.mesh.source(h), disk.mesh.target(h), disk.mesh.target(disk.mesh.next(h))})
-        corners.push_back(v.idx());
+      append_corners(corners, disk.mesh, f);
     }
   }
   return py::make_tuple(to_array(std::move(points), 3), to_array(std::move(corners), 3), to_array(std::move(plane), 2),
+                        to_array(std::move(vertex)), to_array(std::move(face)));
+}
+
+// vertices, faces, the source whose cell each face is in, and the vertices and faces of the surface that they come from
+py::tuple cells_of(const Result& result)
+{
+  std::vector<double> points;
+  std::vector<std::int64_t> corners, source, vertex, face;
+  {
+    const py::gil_scoped_release no_gil;
+    Mesh refined;
+    const auto origin = refined.add_property_map<Mesh::Vertex_index, Mesh::Vertex_index>("v:origin").first;
+    const auto face_origin = refined.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:origin").first;
+    const auto cell = refined.add_property_map<Mesh::Face_index, std::size_t>("f:cell").first;
+    CGAL::refine_along_cut_locus(*result.mesh, result.cut_locus, refined,
+                                 CGAL::parameters::snapping_tolerance(1. / (1 << 20)) // as areas are measured
+                                   .vertex_to_vertex_map(origin)
+                                   .face_to_face_map(face_origin),
+                                 CGAL::parameters::face_patch_map(cell));
+    for(const Mesh::Vertex_index v : refined.vertices())
+    {
+      append_point(points, refined.point(v));
+      vertex.push_back(index_or_none(origin[v]));
+    }
+    for(const Mesh::Face_index f : refined.faces())
+    {
+      face.push_back(face_origin[f].idx());
+      source.push_back(cell[f] == loci::no_source ? -1 : std::int64_t(cell[f]));
+      append_corners(corners, refined, f);
+    }
+  }
+  return py::make_tuple(to_array(std::move(points), 3), to_array(std::move(corners), 3), to_array(std::move(source)),
                         to_array(std::move(vertex)), to_array(std::move(face)));
 }
 
@@ -234,5 +278,15 @@ void bind_result(py::module_& m)
     .def_property_readonly("genus", [](const Result& r) { return r.cut_locus.genus(); })
     .def_property_readonly("border_loops", [](const Result& r) { return r.cut_locus.number_of_border_loops(); })
     .def_property_readonly("farthest_vertex", [](const Result& r) { return r.cut_locus.farthest_vertex().idx(); })
+    .def("cell_areas", [](const Result& r) { return to_array(loci::voronoi_cell_areas(*r.mesh, r.cut_locus)); })
+    .def("cells", &cells_of)
+    .def("geodesic_loop",
+         [](const Result& r)
+         {
+    std::vector<double> points;
+    for(const Kernel::Point_3& p : loci::geodesic_loop(*r.mesh, r.cut_locus))
+      append_point(points, p);
+    return to_array(std::move(points), 3);
+    })
     .def("cut_open", &disk_of, "parameterization"_a);
 }

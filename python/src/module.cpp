@@ -358,6 +358,8 @@ PYBIND11_MODULE(_core, m)
          [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.log_map(); }), 2); })
     .def("target_log_map",
          [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.target_log_map(); }), 2); })
+    .def("arrival_directions", [](Shared_geodesics& s)
+         { return to_array(s.exclusive.run([&] { return s.geodesics.arrival_directions(); }), 3); })
     .def("source_axes",
          [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.source_axes(); }), 2); })
     .def(

@@ -242,12 +242,44 @@ def test_cell_neighbors():
     assert alone.cell_neighbors.shape == (0, 2) and alone.cell_boundary_length.shape == (0,)
 
 
+def test_cells():
+    points, faces = meshes.torus(24, 12)
+    result = cut_locus.compute(points, faces, [0, 100, 200])
+    cells = result.cells()
+    p, q, r = (cells.vertices[cells.faces[:, i]] for i in range(3))
+    areas = 0.5 * np.linalg.norm(np.cross(q - p, r - p), axis=1)
+    assert result.cell_area == pytest.approx(np.bincount(cells.source, weights=areas))
+    p, q, r = (points[faces[:, i]] for i in range(3))
+    assert result.cell_area.sum() == pytest.approx(0.5 * np.linalg.norm(np.cross(q - p, r - p), axis=1).sum())
+    old = cells.vertex_origin >= 0
+    assert np.array_equal(cells.vertices[old], points[cells.vertex_origin[old]])
+    assert set(cells.face_origin) == set(range(len(faces))) and set(cells.source) == {0, 1, 2}
+    for number, source in enumerate([0, 100, 200]):
+        around = (cells.vertex_origin[cells.faces] == source).any(axis=1)
+        assert around.any() and (cells.source[around] == number).all()
+    again = pickle.loads(pickle.dumps(result))
+    with pytest.raises(cut_locus.InvalidInput, match="has no mesh: compute it again"):
+        again.cells()
+
+
+def test_geodesic_loop():
+    points, faces = meshes.torus(24, 12)
+    result = cut_locus.compute(points, faces, 0)
+    loop = result.geodesic_loop()
+    assert loop[0] == pytest.approx(points[0]) and loop[-1] == pytest.approx(points[0])
+    length = np.linalg.norm(np.diff(loop, axis=0), axis=1)
+    assert length.sum() == pytest.approx(2. * result.injectivity_radius, abs=1e-3)
+    assert np.linalg.norm(loop - result.injectivity_point, axis=1).min() < 1e-3
+    with pytest.raises(cut_locus.InvalidInput, match="several sources"):
+        cut_locus.compute(points, faces, [0, 50]).geodesic_loop()
+
+
 def test_results_are_pickled():
     result = cut_locus.compute(*meshes.torus(24, 12), [0, 5])
     for again in (pickle.loads(pickle.dumps(result)), pickle.loads(pickle.dumps(copy.deepcopy(result)))):
         assert repr(again) == repr(result)
         for name, member in vars(cut_locus.Result).items():
-            if name.startswith("_") or not isinstance(member, (property, functools.cached_property)):
+            if name.startswith("_") or not isinstance(member, (property, functools.cached_property)) or name == "cell_area":
                 continue
             value, expected = getattr(again, name), getattr(result, name)
             if isinstance(expected, list):

@@ -76,6 +76,23 @@ def test_developable():
     assert diameter == pytest.approx(np.hypot(12., 10.), abs=1e-9)
 
 
+@pytest.mark.parametrize("source", [4, (3, (0.2, 0.3, 0.5))])
+def test_logarithmic_chart(source):
+    """Distances from the source are as they are, on all sides of the seams; the chart of a cylinder is isometric."""
+    points, faces = meshes.bumpy_sphere(3)
+    disk = cut_locus.cut_open(points, faces, source, parameterization="logmap")
+    assert_disk(disk)
+    old = disk.vertex_origin >= 0
+    distance = cut_locus.exact_geodesic_distances(points, faces, source)[disk.vertex_origin[old]]
+    assert not old.all()
+    off_seams = np.bincount(disk.vertex_origin[old], minlength=len(points))[disk.vertex_origin[old]] == 1
+    assert np.linalg.norm(disk.uv[old], axis=1)[off_seams] == pytest.approx(distance[off_seams], abs=1e-6)
+    vertices, disk_faces, uv = cut_locus.cut_open(*meshes.cylinder(12, 9, 10.), 4, parameterization="logmap")
+    for i in range(3):
+        edges = disk_faces[:, [i, (i + 1) % 3]]
+        assert meshes.length_of(uv, edges) == pytest.approx(meshes.length_of(vertices, edges), abs=1e-9)
+
+
 def test_component_of_source():
     points, faces = meshes.octahedron()
     both = np.concatenate([points, points + 5.]), np.concatenate([faces, faces + 6])

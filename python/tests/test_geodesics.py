@@ -1,5 +1,7 @@
 """Exact geodesic distances, paths, and the logarithmic map."""
 
+import math
+
 import cut_locus
 import meshes
 import numpy as np
@@ -195,6 +197,26 @@ def test_log_map_needs_directions(bumpy):
         geodesics.compute(3, error=0.1, directions=True)
 
 
+def test_arrival_direction(bumpy):
+    """It is the direction of the last piece of the path, from the vertex on."""
+    points, faces = bumpy
+    geodesics = cut_locus.ExactGeodesics(points, faces)
+    geodesics.compute(3)
+    direction = geodesics.arrival_direction
+    assert np.isnan(direction[3]).all() and direction.shape == points.shape
+    for v in range(4, len(points), 7):
+        path = geodesics.path(v)
+        step = path.points[1] - path.points[0]
+        assert direction[v] == pytest.approx(step / np.linalg.norm(step), abs=1e-7)
+    geodesics.compute(3, maximum_distance=0.5)
+    assert (np.isnan(geodesics.arrival_direction[:, 0]) == ~((geodesics.distance > 0.) & (geodesics.distance < 1.))).all()
+    far = int(np.argmax(cut_locus.exact_geodesic_distances(points, faces, 3)))
+    assert cut_locus.shortest_paths(points, faces, 3, far, maximum_distance=0.5)[0].length == math.inf
+    geodesics.compute(3, error=0.1)
+    with pytest.raises(cut_locus.InvalidInput, match="need exact distances"):
+        geodesics.arrival_direction  # noqa: B018
+
+
 @pytest.mark.parametrize("source", [3, (40, (0.2, 0.3, 0.5))])
 def test_exp_map_is_the_inverse_of_log_map(bumpy, source):
     points, faces = bumpy
@@ -236,6 +258,8 @@ def test_isolines_of_plane():
     circle, = cut_locus.isolines(*plane, (9, (0.2, 0.5, 0.3)), 0.15, maximum_deviation=1e-6)
     segments = np.diff(circle.points, axis=0)
     assert circle.is_closed and np.linalg.norm(segments, axis=1).sum() == pytest.approx(0.3 * np.pi, abs=1e-5)
+    square, = cut_locus.isolines(*plane, None, 0.3, source_border=True)
+    assert np.linalg.norm(np.diff(square.points, axis=0), axis=1).sum() == pytest.approx(10. - 2.4, abs=1e-4)
 
 
 def test_isolines_are_refused(bumpy):
@@ -249,8 +273,6 @@ def test_isolines_are_refused(bumpy):
             geodesics.isolines(levels, maximum_deviation=deviation)
     with pytest.raises(cut_locus.InvalidInput, match="need exact distances"):
         geodesics.compute(0, isolines=True, error=0.1)
-    with pytest.raises(cut_locus.InvalidInput, match="neither directions nor isolines"):
-        geodesics.compute(source_curves=[bumpy[1][0][:2]], isolines=True)
 
 
 def test_same_as_cut_locus(bumpy):

@@ -779,6 +779,22 @@ TEST_F(Program, Atlas_of_several_sources)
     }
 }
 
+TEST_F(Program, Logarithmic_chart)
+{
+  const std::string files = " --uv " + quoted(path("uv.obj")) + " --report " + quoted(path("uv.json"));
+  for(const char* source : {"--source 3", "--source-point 2.5,0,0.1", "--source 3 --curve edges"})
+  {
+    const Outcome outcome = run_on_torus(std::string("--quiet --parameterization logmap ") + source + files);
+    ASSERT_EQ(outcome.status, 0) << outcome.messages;
+    const auto uv = nlohmann::json::parse(read_file(path("uv.json"))).at("uv");
+    EXPECT_EQ(uv.at("parameterization"), "logmap");
+    EXPECT_GT(uv.at("faces"), 0);
+    EXPECT_TRUE(uv.contains("flipped_faces"));
+  }
+  expect_failure(run_on_torus("--parameterization logmap --source 3 --source 200" + files),
+                 "--parameterization logmap takes one source, a point");
+}
+
 TEST_F(Program, Several_sources_with_other_distances)
 {
   for(const char* solver : {"exact", "cgal-exact", "heat", "graph"})

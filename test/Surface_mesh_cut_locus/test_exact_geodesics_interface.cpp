@@ -74,10 +74,11 @@ using Mesh_types = ::testing::Types<CGAL::Surface_mesh<CGAL::Simple_cartesian<do
                                     CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>>;
 TYPED_TEST_SUITE(Exact_geodesics_interface, Mesh_types, );
 
-/// the border as a source, by a loop of its edges or by itself; and circles around a vertex inside
+/// the border as a source, by a loop of its edges or by itself, and the squares at a distance from it
 TYPED_TEST(Exact_geodesics_interface, curves_and_isolines)
 {
   using Fixture = Exact_geodesics_interface<TypeParam>;
+  using Geodesics = typename Fixture::Geodesics;
   const TypeParam mesh = Fixture::square(6);
   std::vector<typename boost::graph_traits<TypeParam>::edge_descriptor> loop;
   for(const auto e : CGAL::make_range(edges(mesh)))
@@ -88,8 +89,9 @@ TYPED_TEST(Exact_geodesics_interface, curves_and_isolines)
   CGAL::exact_geodesic_distances(mesh, std::vector<typename Fixture::vertex_descriptor>(),
                                  boost::make_assoc_property_map(map),
                                  CGAL::parameters::source_curves(std::vector<decltype(loop)>{loop}));
-  typename Fixture::Geodesics geodesics(mesh);
+  Geodesics geodesics(mesh);
   geodesics.add_source_border();
+  geodesics.set_isolines(true);
   geodesics.compute();
   for(const auto v : CGAL::make_range(vertices(mesh)))
   {
@@ -98,20 +100,16 @@ TYPED_TEST(Exact_geodesics_interface, curves_and_isolines)
     EXPECT_NEAR(geodesics.distance(v), expected, 1e-7);
     EXPECT_NEAR(map[v], expected, 1e-7);
   }
-  geodesics.set_isolines(true);
-  for(const auto v : CGAL::make_range(vertices(mesh)))
-    if(map[v] > 1.5)
-      geodesics.compute(v);
-  std::vector<typename Fixture::Geodesics::Isoline> lines;
-  geodesics.isolines(std::vector<double>{0.5, 1.5}, std::back_inserter(lines));
+  std::vector<typename Geodesics::Isoline> lines;
+  geodesics.isolines(std::vector<double>{0.5, 2.}, std::back_inserter(lines));
   ASSERT_EQ(lines.size(), 2u);
-  for(const auto& line : lines)
+  for(const typename Geodesics::Isoline& line : lines)
   {
     double length = 0.;
     for(std::size_t i = 0; i + 1 < line.locations.size(); ++i)
       length += Fixture::distance(Fixture::point(mesh, line.locations[i]), Fixture::point(mesh, line.locations[i + 1]));
     EXPECT_TRUE(line.is_closed);
-    EXPECT_NEAR(length, 2. * 3.14159265 * line.level, 0.02 * line.level);
+    EXPECT_NEAR(length, 24. - 8. * line.level, 1e-4);
   }
 }
 

@@ -7,7 +7,9 @@
 #include "curve_sources_cases.h"
 
 #include <CGAL/Cut_loci/voronoi_neighbors.h>
+#include <CGAL/Surface_mesh_exact_geodesics.h>
 #include <CGAL/compute_cut_locus.h>
+#include <CGAL/refine_along_cut_locus.h>
 
 #include <gtest/gtest.h>
 
@@ -15,17 +17,20 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numeric>
+#include <random>
 #include <set>
 #include <string>
 #include <vector>
 
-// The dual graph of geodesic Voronoi diagrams.
+// The dual graph of geodesic Voronoi diagrams, and the areas of their cells.
 
 namespace test_voronoi_neighbors {
 
 namespace {
 
 using namespace curve_sources;
+using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
 using Neighbors = std::vector<CGAL::Cut_loci::Voronoi_neighbors>;
 
 Neighbors neighbors(const Built& built, const Vertices& sources)
@@ -96,6 +101,107 @@ TEST(Voronoi_neighbors, of_one_point_are_none)
 {
   const Built built(torus(2., 0.8, 24, 14));
   EXPECT_TRUE(CGAL::Cut_loci::voronoi_neighbors(CGAL::compute_cut_locus(built.mesh, built.vertices[0])).empty());
+}
+
+double area(const Mesh& mesh, const Mesh::Face_index f)
+{
+  const Mesh::Halfedge_index h = mesh.halfedge(f);
+  return std::sqrt(
+    CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))));
+}
+
+/// sources in a square whose cells are known polygons: between parallel lines, and in quarters
+TEST(Voronoi_cells, of_a_square_have_areas_in_closed_form)
+{
+  const Built built(square(9, 0.25, 3));
+  const auto locations = [&](const std::vector<Point>& points)
+  {
+    Vertices result;
+    for(const Point& p : points)
+      result.push_back(built.vertices[nearest_vertex(built.data, p)]);
+    return result;
+  };
+  const Vertices quarters = locations({{{0., 0., 0.}}, {{1., 0., 0.}}, {{1., 1., 0.}}, {{0., 1., 0.}}});
+  const Result cut_locus = CGAL::compute_cut_locus(built.mesh, quarters);
+  for(const double found : CGAL::Cut_loci::voronoi_cell_areas(built.mesh, cut_locus))
+    EXPECT_NEAR(found, 0.25, 1e-6);
+}
+
+/// all faces have a source, that of each vertex inside, and the areas are those of the faces, and together of the surface
+TEST(Voronoi_cells, divide_random_surfaces)
+{
+  for(unsigned seed = 0; seed < 8; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Built built(seed % 2 ? torus(2., 0.8, 18, 10, 0.2, seed) : irregular_bumpy_sphere(7, 0.3, seed));
+    std::mt19937 random(seed);
+    std::set<std::size_t> chosen;
+    while(chosen.size() < 2 + seed)
+      chosen.insert(random() % built.vertices.size());
+    Vertices sources;
+    for(const std::size_t v : chosen)
+      sources.push_back(built.vertices[v]);
+    const Result cut_locus = CGAL::compute_cut_locus(built.mesh, sources);
+    Mesh refined;
+    auto cell = refined.add_property_map<Mesh::Face_index, std::size_t>("f:cell", 1000).first;
+    std::map<Mesh::Face_index, Mesh::Face_index> origin;
+    CGAL::refine_along_cut_locus(
+      built.mesh, cut_locus, refined,
+      params::snapping_tolerance(1. / (1 << 20)).face_to_face_map(boost::make_assoc_property_map(origin)),
+      params::face_patch_map(cell));
+    std::vector<double> sums(sources.size(), 0.);
+    double whole = 0.;
+    for(const Mesh::Face_index f : refined.faces())
+    {
+      ASSERT_LT(cell[f], sources.size());
+      sums[cell[f]] += area(refined, f);
+    }
+    for(const Mesh::Face_index f : built.mesh.faces())
+      whole += area(built.mesh, f);
+    const std::vector<double> areas = CGAL::Cut_loci::voronoi_cell_areas(built.mesh, cut_locus);
+    ASSERT_EQ(areas.size(), sources.size());
+    for(std::size_t i = 0; i < areas.size(); ++i)
+    {
+      EXPECT_GT(areas[i], 0.);
+      EXPECT_NEAR(areas[i], sums[i], 1e-9 * whole);
+    }
+    EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.), whole, 1e-10 * whole);
+    // at a source, and in most of the faces by the exact distances of their centroids, the cell is that of the nearest source
+    Geodesics geodesics(refined);
+    for(const Mesh::Face_index f : refined.faces())
+      geodesics.add_query({f, {{1. / 3., 1. / 3., 1. / 3.}}});
+    for(const Mesh::Vertex_index v : sources)
+      geodesics.add_source(*std::min_element(refined.vertices().begin(), refined.vertices().end(),
+                                             [&](auto a, auto b) {
+        return CGAL::has_smaller_distance_to_point(built.mesh.point(v), refined.point(a), refined.point(b));
+      }));
+    geodesics.compute();
+    double wrong = 0.;
+    for(const Mesh::Face_index f : refined.faces())
+      if(geodesics.query_nearest_source(f.idx()) != cell[f])
+        wrong += area(refined, f);
+    EXPECT_LT(wrong, 1e-4 * whole); // chords of the curves in faces
+  }
+}
+
+/// of one source, the cell is all of its component; of others, no face is in any
+TEST(Voronoi_cells, of_one_point_are_its_component)
+{
+  const Built built(two_tori());
+  const Result cut_locus = CGAL::compute_cut_locus(built.mesh, built.vertices[0]);
+  Mesh refined;
+  auto cell = refined.add_property_map<Mesh::Face_index, std::size_t>("f:cell", 1000).first;
+  CGAL::refine_along_cut_locus(built.mesh, cut_locus, refined, params::default_values(), params::face_patch_map(cell));
+  double inside = 0., outside = 0.;
+  for(const Mesh::Face_index f : refined.faces())
+  {
+    EXPECT_TRUE(cell[f] == 0 || cell[f] == CGAL::Cut_loci::no_source);
+    (cell[f] == 0 ? inside : outside) += area(refined, f);
+  }
+  EXPECT_GT(outside, 0.);
+  const std::vector<double> areas = CGAL::Cut_loci::voronoi_cell_areas(built.mesh, cut_locus);
+  ASSERT_EQ(areas.size(), 1u);
+  EXPECT_NEAR(areas[0], inside, 1e-9 * inside);
 }
 
 } // namespace

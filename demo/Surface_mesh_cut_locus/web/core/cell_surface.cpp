@@ -14,7 +14,8 @@ namespace {
 
 std::uint32_t source_of(const Cells& cells, CGAL::Cut_loci::Index face)
 {
-  return cells.source[face] == Cells::none ? Cell_surface::none : static_cast<std::uint32_t>(cells.source[face]);
+  return cells.source[face] == CGAL::Cut_loci::no_source ? Cell_surface::none
+                                                         : static_cast<std::uint32_t>(cells.source[face]);
 }
 
 } // namespace

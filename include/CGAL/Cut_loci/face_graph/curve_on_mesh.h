@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
@@ -252,6 +253,28 @@ inline Cut_mesh cut_open_to_disk(const Indexed_triangle_mesh& mesh, const Seams&
   Cut_mesh result = cut_open(mesh, seams);
   if(!is_disk(result.mesh))
     throw_foreign_cut_locus("its complement is no disk");
+  return result;
+}
+
+// A surface cut open along a curve through its faces, which are split.
+struct Disk_of_curve
+{
+  Curve_on_component on;
+  Refined_mesh refined; // of the component
+  Cut_mesh cut;         // with the faces of that
+};
+
+inline Disk_of_curve cut_along(const Indexed_triangle_mesh& mesh, Curve_on_mesh curve, Index resolution)
+{
+  Disk_of_curve result{on_component(mesh, std::move(curve)), {}, {}};
+  const Curve_on_component& on = result.on;
+  Refined_mesh& refined = result.refined;
+  throw_unless_of_one_source(on.curve);
+  refined = refine_along_curve(on.component.mesh, manifold_connectivity(on.component.mesh), on.curve.graph, resolution);
+  repair_seams(refined.mesh, refined.nodes.front(), refined.seams);
+  complete_seams(refined.mesh, Mesh_connectivity(refined.mesh), refined.nodes.front(), on.curve.sources.front().vertex,
+                 refined.seams);
+  result.cut = cut_open_to_disk(refined.mesh, refined.seams);
   return result;
 }
 

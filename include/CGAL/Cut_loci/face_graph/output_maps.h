@@ -19,6 +19,7 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -107,6 +108,20 @@ void output_seams(const Indexed_triangle_mesh& mesh, const Seams& seams, const B
 {
   for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
     put(map, edge(built.halfedges[h], output), bool(seams[h]));
+}
+
+template <typename Cells, typename OutputMesh>
+void output_cells(const Cells&, const Built_face_graph<OutputMesh>&, const OutputMesh&, internal_np::Param_not_found)
+{
+}
+
+// `cells` finds them, for each face
+template <typename Cells, typename OutputMesh, typename FaceMap>
+void output_cells(const Cells& cells, const Built_face_graph<OutputMesh>& built, const OutputMesh& output, FaceMap map)
+{
+  const std::vector<std::size_t> cell = cells();
+  for(std::size_t f = 0; f < cell.size(); ++f)
+    put(map, face(built.halfedges[3 * f], output), cell[f]);
 }
 
 } // namespace internal

@@ -36,16 +36,31 @@ inline Plane_point minus(const Plane_point& p, const Plane_point& q)
   return {p.x - q.x, p.y - q.y};
 }
 
+inline Plane_point scaled(const Plane_point& p, double factor)
+{
+  return {factor * p.x, factor * p.y};
+}
+
 /// is what comes into a face from the image of one (pseudo-)source: in the sector that the image sees, distances are at most
 /// `sigma` more than those from the image. All points are in the frame of the first halfedge of the face.
 struct Geodesic_front
 {
   Plane_point image;
   double sigma;
-  Plane_point right;         // in the direction in which the sector starts, counterclockwise
-  double width;              // the angle of the sector
-  bool is_in_face = false;   // and the image sees all of it
-  Index corner = null_index; // of the face, if it is there
+  Plane_point right, left; // of the length 1, along the rays at which the sector begins and ends, counterclockwise
+  double width;            // the angle of the sector, below pi if not all of the face is seen
+  /// how far beyond its rays the image sees, so that there are no gaps between windows; in the face, if the image is, it sees
+  /// everything
+  double accuracy;
+
+  /// with other lengths of the rays
+  Geodesic_front(const Plane_point& at, double further, const Plane_point& to_right, const Plane_point& to_left,
+                 double angle, double seen_beyond)
+    : image(at), sigma(further), right(scaled(to_right, 1. / std::hypot(to_right.x, to_right.y))),
+      left(scaled(to_left, 1. / std::hypot(to_left.x, to_left.y))), width(angle), accuracy(seen_beyond)
+  {
+  }
+  static constexpr double sees_all = (std::numeric_limits<double>::infinity)();
 
   /// the angle of a point in the sector, from `right`, in [0, 2 pi)
   double angle(const Plane_point& p) const
@@ -56,14 +71,39 @@ struct Geodesic_front
   }
   Plane_point point(double angle, double radius) const
   {
-    const double c = std::cos(angle), s = std::sin(angle), scale = radius / std::hypot(right.x, right.y);
-    return {image.x + scale * (c * right.x - s * right.y), image.y + scale * (s * right.x + c * right.y)};
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {image.x + radius * (c * right.x - s * right.y), image.y + radius * (s * right.x + c * right.y)};
   }
   /// the bound for the distance of a point of the face, infinite if the image does not see it
   double distance(const Plane_point& p) const
   {
-    return angle(p) <= width ? sigma + std::hypot(p.x - image.x, p.y - image.y)
-                             : (std::numeric_limits<double>::infinity)();
+    const Plane_point way = minus(p, image);
+    return cross(right, way) >= -accuracy && cross(left, way) <= accuracy ? sigma + std::hypot(way.x, way.y)
+                                                                          : (std::numeric_limits<double>::infinity)();
+  }
+  /// where the line from `p` along `along` is in the circle around the image, in units of `along`; begins behind its end if
+  /// it is not
+  std::array<double, 2> chord(const Plane_point& p, const Plane_point& along, double radius) const
+  {
+    const Plane_point way = minus(image, p);
+    const double square = dot(along, along), foot = dot(way, along) / square,
+                 height = cross(along, way) / std::sqrt(square), half = (radius - height) * (radius + height);
+    if(half <= 0.)
+      return {{1., 0.}};
+    const double reach = std::sqrt(half / square);
+    return {{foot - reach, foot + reach}};
+  }
+  /// the part of that which the image sees
+  std::array<double, 2> seen_chord(const Plane_point& p, const Plane_point& along, double radius) const
+  {
+    std::array<double, 2> result = chord(p, along, radius);
+    for(const Plane_point& ray : {right, scaled(left, -1.)})
+      if(const double slope = cross(ray, along); slope != 0.)
+      {
+        const double t = (-accuracy - cross(ray, minus(p, image))) / slope;
+        slope > 0. ? result[0] = (std::max)(result[0], t) : result[1] = (std::min)(result[1], t);
+      }
+    return result;
   }
 };
 
@@ -102,11 +142,11 @@ public:
     Plane_point p;
     for(std::size_t i : sources_[face])
       if(geodesics_.source_in_frame(i, 3 * face, p))
-        result.push_back({p, 0., {1., 0.}, 2. * geodesic_pi, true});
+        result.push_back({p, 0., {1., 0.}, {1., 0.}, 2. * geodesic_pi, Geodesic_front::sees_all});
     for(Index i = 0; i < 3; ++i)
       if(const Index v = faces_.face(face).vertex[i]; geodesics_.is_reached(v))
         result.push_back({corner[i], geodesics_.distance(v), minus(corner[(i + 1) % 3], corner[i]),
-                          faces_.angle(3 * face + i), true, i});
+                          minus(corner[(i + 2) % 3], corner[i]), faces_.angle(3 * face + i), Geodesic_front::sees_all});
     return result;
   }
 
@@ -116,7 +156,7 @@ private:
   {
     for(std::size_t i = 0; i < geodesics_.number_of_sources(); ++i)
     {
-      if(geodesics_.source_vertex(i) != null_index)
+      if(geodesics_.source_vertex(i) != null_index || geodesics_.is_line(static_cast<Index>(i)))
         continue;
       add(geodesics_.source_location(i).face, i);
       const Index h = geodesics_.source_edge(i);
@@ -125,21 +165,20 @@ private:
     }
   }
 
-  static void add_window(const Crossing_window& w, const std::array<Plane_point, 3>& corner,
-                         std::vector<Geodesic_front>& result)
+  void add_window(const Crossing_window& w, const std::array<Plane_point, 3>& corner,
+                  std::vector<Geodesic_front>& result) const
   {
     const Plane_point& from = corner[w.halfedge % 3];
     const Plane_point along = minus(corner[(w.halfedge + 1) % 3], from);
     const double length = std::hypot(along.x, along.y), c = along.x / length, s = along.y / length;
     const auto placed = [&](double x, double y) { return Plane_point{from.x + c * x - s * y, from.y + s * x + c * y}; };
-    Geodesic_front front{placed(w.x, w.y), w.sigma, {}, 0.};
-    front.right = minus(placed(w.b, 0.), front.image);
-    const Plane_point left = minus(placed(w.a, 0.), front.image);
-    front.width = std::atan2(cross(front.right, left), dot(front.right, left));
+    const Plane_point image = placed(w.x, w.y), right = minus(placed(w.b, 0.), image),
+                      left = minus(placed(w.a, 0.), image);
+    double width = std::atan2(cross(right, left), dot(right, left));
     if(w.y >= 0.) // a source on the edge sees all of the face, or nothing
-      front.width = w.a < w.x && w.x < w.b ? geodesic_pi : 0.;
-    if(front.width > 0.)
-      result.push_back(front);
+      width = w.a < w.x && w.x < w.b ? geodesic_pi : 0.;
+    if(width > 0.)
+      result.push_back({image, w.sigma, right, left, width, geodesics_.seen_beyond(length, w.sigma)});
   }
 
   const Exact_geodesic_propagation& geodesics_;

@@ -236,6 +236,13 @@ public:
     return is_line(origin) ? -line_distance() : 0.;
   }
 
+  /// How far beyond its rays a window of a halfedge sees: rounding leaves gaps between windows, and so do seams of lines, from
+  /// which `sigma` is negative. A path that passes a vertex on the wrong side by this much is too short by about its square.
+  double seen_beyond(double length, double sigma) const
+  {
+    return length * (sigma < 0. ? (std::max)(geodesic_cover, 0.5 * seam_angle()) : geodesic_cover);
+  }
+
   /// the last straight pieces, for tracing paths
   const Geodesic_arrival& arrival(Index v) const { return arrival_[v]; }
   const Geodesic_arrival& query_arrival(std::size_t i) const { return queries_[i].arrival; }
@@ -361,19 +368,22 @@ protected:
 
   /// considers the paths to the query locations of the face that windows of `h` lead to
   ///
-  /// A location in a gap that rounding has left between two windows is reached around the end of one: no path is shorter
-  /// than it is. What bends there comes after all that is straight, up to the accuracy of windows.
+  /// A location in a wider gap than windows see beyond their rays is reached around the end of one: no path is shorter than
+  /// it is. What bends there comes after all that is straight, up to the accuracy of windows.
   template <int columns>
   void answer_queries(Index h, const Geodesic_window_list& list)
   {
-    const double accuracy = geodesic_cover * faces_.length(h);
+    const double length = faces_.length(h);
     const double *a = list.column(0), *b = list.column(1), *x = list.column(2), *y = list.column(3);
     const auto answer = [&](Geodesic_queries::Query& query)
     {
       const Plane_point p = faces_.in_frame(h, query.location.coordinates);
       for(std::size_t i = list.begin; i < list.end; ++i)
       {
-        const Geodesic_side side = side_of_rays(a[i], b[i], x[i], y[i], p, 0.);
+        const double accuracy = seen_beyond(length, list.column(4)[i]);
+        const Geodesic_side side = side_of_rays(a[i], b[i], x[i], y[i], p, accuracy);
+        if(side != covers && list.column(4)[i] < 0.)
+          continue; // waves of lines do not bend
         const double way = side == covers
                              ? std::sqrt((p.x - x[i]) * (p.x - x[i]) + (p.y - y[i]) * (p.y - y[i]))
                              : length_through({x[i], y[i]}, side == passes_left ? b[i] : a[i], p) + accuracy;

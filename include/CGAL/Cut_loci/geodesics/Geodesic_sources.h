@@ -161,14 +161,16 @@ public:
   /// for corners that are no larger than that.
   bool is_seam(Index a, Index b, double meeting_angle) const
   {
-    return has_lines() && meeting_angle <= 2. / line_reach_ && are_neighbors(a, b);
+    return has_lines() && meeting_angle <= seam_angle() && are_neighbors(a, b);
   }
+  /// up to which rays that meet at a seam differ
+  double seam_angle() const { return 2. / line_reach_; }
 
   /// whether a branch starts between the two lines at `v`, if there are two
   bool has_corner(Index v) const
   {
     return first_line(v) != null_index && last_line(v) != null_index &&
-           geodesic_pi - faces_.total_angle(v) > 2. / line_reach_;
+           geodesic_pi - faces_.total_angle(v) > seam_angle();
   }
 
   // -- frames ------------------------------------------------------------------------------------------------------------

@@ -23,12 +23,8 @@ namespace internal {
 /// is a piece of an isoline in a face: a circular arc, counterclockwise around an image, which has what is nearer on its left.
 struct Isoline_arc
 {
-  static constexpr int inside = 3; ///< in place of an edge
-
   std::size_t front;
-  double begin, end;            // angles
-  std::array<int, 2> edge;      // of the face that the arc begins and ends on, or `inside`
-  std::array<Plane_point, 2> p; // where
+  double begin, end; // angles
 };
 
 /*!
@@ -53,78 +49,38 @@ public:
   const std::vector<Isoline_arc>& arcs() const { return arcs_; }
 
 private:
-  struct Division
-  {
-    double angle;
-    int edge;
-  };
-
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
 
   double radius(std::size_t i) const { return level_ - fronts_[i].sigma; }
 
   void add_arcs(std::size_t i)
   {
-    const Geodesic_front& front = fronts_[i];
-    const bool is_at_corner = front.corner != null_index;
-    const int first = is_at_corner ? static_cast<int>(front.corner) : Isoline_arc::inside,
-              last = is_at_corner ? (first + 2) % 3 : Isoline_arc::inside;
-    divisions_ = {{0., first}, {front.width, last}};
-    for(int k = 0; k < 3; ++k)
-      if(!is_at_corner || (k != first && k != last))
-        divide_by_line(i, corners_[k], minus(corners_[(k + 1) % 3], corners_[k]), 1., k);
-    sort();
+    divisions_ = {0., fronts_[i].width};
+    for(std::size_t k = 0; k < 3; ++k)
+      divide_by_line(i, corners_[k], minus(corners_[(k + 1) % 3], corners_[k]));
+    std::sort(divisions_.begin(), divisions_.end());
     if(!has_part_in_face(i))
       return;
     for(std::size_t j = 0; j < fronts_.size(); ++j)
       if(j != i && level_ > fronts_[j].sigma)
         divide_by_front(i, j);
-    sort();
+    std::sort(divisions_.begin(), divisions_.end());
     for(std::size_t k = 0; k + 1 < divisions_.size(); ++k)
     {
-      const double from = divisions_[k].angle;
+      const double from = divisions_[k];
       if(!is_shown(i, probes(i, k)))
         continue;
       if(arcs_.empty() || arcs_.back().front != i || arcs_.back().end != from)
-        arcs_.push_back({i, from, 0., {{edge_at(i, k), 0}}, {{front.point(from, radius(i)), {}}}});
-      arcs_.back().end = divisions_[k + 1].angle;
-      arcs_.back().edge[1] = edge_at(i, k + 1);
-      arcs_.back().p[1] = front.point(divisions_[k + 1].angle, radius(i));
+        arcs_.push_back({i, from, from});
+      arcs_.back().end = divisions_[k + 1];
     }
-  }
-
-  /// the edge at division number `k` of front `i`: rays and other arcs may meet the arc where it crosses an edge
-  int edge_at(std::size_t i, std::size_t k) const
-  {
-    if(divisions_[k].edge != Isoline_arc::inside)
-      return divisions_[k].edge;
-    const Plane_point p = fronts_[i].point(divisions_[k].angle, radius(i));
-    int result = Isoline_arc::inside;
-    double least = rounding_;
-    for(int e = 0; e < 3; ++e)
-    {
-      const Plane_point along = minus(corners_[(e + 1) % 3], corners_[e]);
-      const double height = cross(along, minus(p, corners_[e])) / std::hypot(along.x, along.y);
-      if(height < least)
-      {
-        least = height;
-        result = e;
-      }
-    }
-    return result;
-  }
-
-  void sort()
-  {
-    std::sort(divisions_.begin(), divisions_.end(),
-              [](const Division& a, const Division& b) { return a.angle < b.angle; });
   }
 
   /// two points between a division and the next: where circles and edges touch, the one that is farther from there tells the
   /// side
   std::array<Plane_point, 2> probes(std::size_t i, std::size_t k) const
   {
-    const double from = divisions_[k].angle, width = divisions_[k + 1].angle - from;
+    const double from = divisions_[k], width = divisions_[k + 1] - from;
     return {{fronts_[i].point(from + 0.5 * width, radius(i)), fronts_[i].point(from + 0.38 * width, radius(i))}};
   }
 
@@ -167,25 +123,21 @@ private:
     return true;
   }
 
-  void divide(std::size_t i, const Plane_point& p, int edge)
+  void divide(std::size_t i, const Plane_point& p)
   {
     const double angle = fronts_[i].angle(p);
     if(angle > 0. && angle < fronts_[i].width)
-      divisions_.push_back({angle, edge});
+      divisions_.push_back(angle);
   }
 
-  /// where the line from `p`, up to `most` times `along`, meets the circle of front `i`
-  void divide_by_line(std::size_t i, const Plane_point& p, const Plane_point& along, double most, int edge)
+  /// where the line from `p` meets the circle of front `i`: in all of it, since a circle through a corner of the face may miss
+  /// both of its edges by rounding
+  void divide_by_line(std::size_t i, const Plane_point& p, const Plane_point& along)
   {
-    const Plane_point way = minus(fronts_[i].image, p);
-    const double square = dot(along, along), r = radius(i), foot = dot(way, along) / square,
-                 height = cross(along, way) / std::sqrt(square), half = (r - height) * (r + height);
-    if(half <= 0.)
-      return;
-    const double reach = std::sqrt(half / square);
-    for(double t : {foot - reach, foot + reach})
-      if(t >= 0. && t <= most)
-        divide(i, {p.x + t * along.x, p.y + t * along.y}, edge);
+    const std::array<double, 2> chord = fronts_[i].chord(p, along, radius(i));
+    for(double t : chord)
+      if(chord[0] < chord[1])
+        divide(i, {p.x + t * along.x, p.y + t * along.y});
   }
 
   void divide_by_front(std::size_t i, std::size_t j)
@@ -204,17 +156,17 @@ private:
                    aside = std::sqrt((std::max)((small - along) * (small + along), 0.));
       const Plane_point unit{sign * way.x / d, sign * way.y / d}, &c = is_nearer ? fronts_[i].image : other.image;
       for(double a : {aside, -aside})
-        divide(i, {c.x + along * unit.x - a * unit.y, c.y + along * unit.y + a * unit.x}, Isoline_arc::inside);
+        divide(i, {c.x + along * unit.x - a * unit.y, c.y + along * unit.y + a * unit.x});
     }
-    if(!other.is_in_face)
+    if(other.accuracy < Geodesic_front::sees_all)
       for(double angle : {0., other.width})
-        divide_by_line(i, other.image, minus(other.point(angle, q), other.image), infinity, Isoline_arc::inside);
+        divide_by_line(i, other.image, minus(other.point(angle, q), other.image));
   }
 
   const std::vector<Geodesic_front>& fronts_;
   const std::array<Plane_point, 3>& corners_;
   double level_, rounding_;
-  std::vector<Division> divisions_; // of the arc in work
+  std::vector<double> divisions_; // of the arc in work: angles
   std::vector<Isoline_arc> arcs_;
 };
 

@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -36,8 +35,9 @@ struct Indexed_isoline
 /*!
  * finds isolines of exact distances, one level after the other.
  *
- * The arcs of each face are joined: inside, the end of one to the begin of another that is next to it; on edges, in the order
- * along the edge, so that an isoline is closed, or ends at the border, whatever rounding does.
+ * What is nearer on an edge is found once, from all fronts in its two faces, and begins at its vertices if these are nearer; so
+ * isolines enter and leave each face equally often. There, the begins and ends of arcs and these crossings of edges are joined,
+ * the nearest pairs first, until none is left: an isoline is closed, or leads from border to border, whatever rounding does.
  */
 class Isoline_tracing
 {
@@ -45,100 +45,146 @@ public:
   Isoline_tracing(const Exact_geodesic_propagation& geodesics, const std::vector<Crossing_window>& windows)
     : geodesics_(geodesics), faces_(geodesics.faces()), fronts_(geodesics, windows)
   {
-    // what rounding leaves unknown of the distances
+    // what rounding leaves unknown of the distances: of lines, the images are far behind them
+    double largest = 0.;
     for(Index v = 0; v < faces_.number_of_vertices(); ++v)
       if(geodesics_.is_reached(v))
-        largest_ = (std::max)(largest_, geodesics_.distance(v));
+        largest = (std::max)(largest, geodesics_.distance(v));
     constexpr double few_roundings = 64. * std::numeric_limits<double>::epsilon();
-    rounding_ = few_roundings * (largest_ + faces_.mean_edge_length());
+    rounding_ = few_roundings * (largest + faces_.mean_edge_length() + geodesics_.line_distance());
   }
 
   /// the segments deviate from the arcs by `deviation` at most
   std::vector<Indexed_isoline> operator()(double level, double deviation)
   {
-    level_ = off_vertices(level);
-    arcs_.clear();
-    next_.clear();
-    length_.clear();
-    gap_.clear();
-    crossings_.clear();
-    lone_.clear();
+    level_ = level;
+    pieces_.clear();
+    nearer_.clear();
+    tokens_.clear();
+    std::vector<Index> faces;
     for(Index f = 0; f < faces_.number_of_faces(); ++f)
       if(may_meet(f))
-        add_face(f, deviation);
-    for(auto& crossing : crossings_)
-      join(crossing.second);
-    for(auto& crossing : crossings_)
-      join_rest(crossing.first, crossing.second);
+      {
+        faces.push_back(f);
+        add_nearer(f);
+      }
+    cross_edges();
+    for(Index f : faces)
+      add_arcs(f, deviation);
+    join();
     return chains();
   }
 
 private:
-  struct End
+  /// a crossing of an edge, or an arc in a face
+  struct Piece
   {
-    std::size_t arc;
-    double place; // along the edge
+    std::vector<Indexed_location> locations;
+    double length;
+    std::size_t next = none;
+    double gap = 0.; // between it and the next
   };
-  struct Crossing
+  /// a part of an edge, by its smaller halfedge, that is nearer than the level
+  struct Nearer
   {
-    std::vector<End> ends, begins; // of arcs that leave the face of the halfedge, and those that go on behind it
+    Index halfedge;
+    double begin, end; // shares of it
+  };
+  /// an isoline comes to `at` along a piece, or goes on from there
+  struct Token
+  {
+    Indexed_location at;
+    std::size_t piece;
+    bool is_head;
   };
 
-  /// A level within rounding of the distance of a vertex, as in grids, may pass on either side of it: it is moved into the
-  /// widest gap between such distances that is near, by an amount that nobody sees.
-  double off_vertices(double level) const
-  {
-    const double near = 1e-10 * largest_;
-    std::vector<double> distances = {level - near, level + near};
-    for(Index v = 0; v < faces_.number_of_vertices(); ++v)
-      if(std::fabs(geodesics_.distance(v) - level) < near)
-        distances.push_back(geodesics_.distance(v));
-    if(distances.size() == 2)
-      return level;
-    std::sort(distances.begin(), distances.end());
-    std::size_t best = 1;
-    for(std::size_t i = 2; i < distances.size(); ++i)
-      if(distances[i] - distances[i - 1] > distances[best] - distances[best - 1])
-        best = i;
-    return 0.5 * (distances[best - 1] + distances[best]);
-  }
+  bool is_nearer(Index v) const { return geodesics_.distance(v) < level_; }
 
   /// distances change by no more than the way
   bool may_meet(Index f) const
   {
-    double least = (std::numeric_limits<double>::infinity)(), longest = 0.;
+    double least = (std::numeric_limits<double>::infinity)(), largest = 0., longest = 0.;
     for(Index h = 3 * f; h < 3 * f + 3; ++h)
     {
       least = (std::min)(least, geodesics_.distance(faces_.source(h)));
+      largest = (std::max)(largest, geodesics_.distance(faces_.source(h)));
       longest = (std::max)(longest, faces_.length(h));
     }
-    return least - longest < level_ && level_ < least + longest;
+    return least - longest < level_ && level_ <= (std::max)(largest, least + longest);
   }
 
-  void add_face(Index f, double deviation)
+  void add_nearer(Index f)
+  {
+    const std::array<Plane_point, 3> corners = fronts_.corners(f);
+    for(const Geodesic_front& front : fronts_.in_face(f))
+      for(Index h = 3 * f; h < 3 * f + 3 && front.sigma < level_; ++h)
+      {
+        const Plane_point &p = corners[h % 3], along = minus(corners[(h + 1) % 3], p);
+        std::array<double, 2> part = front.seen_chord(p, along, level_ - front.sigma);
+        part = {{(std::max)(part[0], 0.), (std::min)(part[1], 1.)}};
+        if(part[0] < part[1])
+          add_nearer(h, part);
+      }
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      for(Index end : {0, 1})
+        if(is_nearer(end == 0 ? faces_.source(h) : faces_.target(h)))
+          add_nearer(h, {{double(end), double(end)}});
+  }
+
+  void add_nearer(Index h, const std::array<double, 2>& part)
+  {
+    const Index o = faces_.opposite(h);
+    nearer_.push_back(o < h ? Nearer{o, 1. - part[1], 1. - part[0]} : Nearer{h, part[0], part[1]});
+  }
+
+  /// where what parts cover together begins and ends
+  void cross_edges()
+  {
+    std::sort(nearer_.begin(), nearer_.end(),
+              [](const Nearer& a, const Nearer& b)
+              { return a.halfedge != b.halfedge ? a.halfedge < b.halfedge : a.begin < b.begin; });
+    for(std::size_t i = 0; i < nearer_.size();)
+    {
+      const Index h = nearer_[i].halfedge;
+      bool is_begun = is_nearer(faces_.source(h));
+      while(i < nearer_.size() && nearer_[i].halfedge == h)
+      {
+        if(!is_begun)
+          cross_edge(h, nearer_[i].begin, true);
+        is_begun = false;
+        double end = nearer_[i].end;
+        for(++i; i < nearer_.size() && nearer_[i].halfedge == h && nearer_[i].begin <= end; ++i)
+          end = (std::max)(end, nearer_[i].end);
+        const bool is_last = i == nearer_.size() || nearer_[i].halfedge != h;
+        if(!is_last || !is_nearer(faces_.target(h)))
+          cross_edge(h, end, false);
+      }
+    }
+  }
+
+  /// the isoline leaves the face of `h` where what is nearer begins
+  void cross_edge(Index h, double t, bool leaves)
+  {
+    const Indexed_location at = location_on(h, t);
+    tokens_.push_back({at, pieces_.size(), !leaves});
+    if(const Index o = faces_.opposite(h); o != null_index)
+      tokens_.push_back({across(h, o, at), pieces_.size(), leaves});
+    pieces_.push_back({{at}, 0.});
+  }
+
+  void add_arcs(Index f, double deviation)
   {
     const std::array<Plane_point, 3> corners = fronts_.corners(f);
     const std::vector<Geodesic_front> fronts = fronts_.in_face(f);
     const Isoline_arcs found(fronts, corners, level_, rounding_);
-    std::vector<Inner_end> ends, begins;
     for(const Isoline_arc& arc : found.arcs())
     {
-      const double length = (level_ - fronts[arc.front].sigma) * (arc.end - arc.begin);
-      if(arc.edge[0] == arc.edge[1] && length < 4. * rounding_)
-        continue; // between an edge and a ray along it
-      const std::size_t number = arcs_.size();
-      arcs_.push_back(sampled(f, corners, fronts[arc.front], arc, deviation));
-      next_.push_back(none);
-      length_.push_back(length);
-      gap_.push_back(0.);
-      for(std::size_t k = 0; k < 2; ++k)
-        if(arc.edge[k] == Isoline_arc::inside)
-          (k == 0 ? begins : ends).push_back({number, arc.p[k]});
-        else
-          cross_edge(3 * f + static_cast<Index>(arc.edge[k]), {number, 0.}, arc.p[k],
-                     corners[static_cast<std::size_t>(arc.edge[k])], k == 0);
+      Piece piece{sampled(f, corners, fronts[arc.front], arc, deviation),
+                  (level_ - fronts[arc.front].sigma) * (arc.end - arc.begin)};
+      tokens_.push_back({piece.locations.front(), pieces_.size(), false});
+      tokens_.push_back({piece.locations.back(), pieces_.size(), true});
+      pieces_.push_back(std::move(piece));
     }
-    join_inside(f, ends, begins);
   }
 
   std::vector<Indexed_location> sampled(Index f, const std::array<Plane_point, 3>& corners, const Geodesic_front& front,
@@ -151,13 +197,7 @@ private:
     std::vector<Indexed_location> result;
     for(std::size_t i = 0; i <= n; ++i)
     {
-      const Plane_point p = i == 0   ? arc.p[0]
-                            : i == n ? arc.p[1]
-                                     : front.point(arc.begin + angle * double(i) / double(n), r);
-      result.push_back(located(f, corners, p));
-      for(std::size_t k = 0; k < 2; ++k)
-        if(i == k * n && arc.edge[k] != Isoline_arc::inside)
-          result.back().coordinates[static_cast<std::size_t>(arc.edge[k] + 2) % 3] = 0.;
+      result.push_back(located(f, corners, front.point(arc.begin + angle * (double(i) / double(n)), r)));
       snap(result.back(), 0.);
     }
     return result;
@@ -175,141 +215,85 @@ private:
     return result;
   }
 
-  struct Inner_end
+  void join()
   {
-    std::size_t arc;
-    Plane_point p;
-  };
+    const auto face = [](const Token& token) { return token.at.face; };
+    std::stable_sort(tokens_.begin(), tokens_.end(), [&](const Token& a, const Token& b) { return face(a) < face(b); });
+    for(auto begin = tokens_.cbegin(); begin != tokens_.cend();)
+    {
+      const auto end = std::find_if(begin, tokens_.cend(), [&](const Token& t) { return face(t) != face(*begin); });
+      join(begin, end);
+      begin = end;
+    }
+  }
 
-  /// ends with begins, the nearest pairs first
-  void join_inside(Index f, const std::vector<Inner_end>& ends, const std::vector<Inner_end>& begins)
+  /// the pieces that come and go in a face
+  void join(std::vector<Token>::const_iterator first, std::vector<Token>::const_iterator last)
   {
     struct Pair
     {
       double distance;
-      std::size_t end, begin;
+      std::size_t head, tail;
     };
     std::vector<Pair> pairs;
-    for(const Inner_end& e : ends)
-      for(const Inner_end& b : begins)
-        pairs.push_back({std::hypot(e.p.x - b.p.x, e.p.y - b.p.y), e.arc, b.arc});
+    for(auto head = first; head != last; ++head)
+      for(auto tail = first; tail != last; ++tail)
+        if(head->is_head && !tail->is_head)
+          pairs.push_back({distance(head->at, tail->at), head->piece, tail->piece});
     std::sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) { return p.distance < q.distance; });
     std::vector<std::size_t> taken;
     for(const Pair& p : pairs)
-      if(next_[p.end] == none && std::find(taken.begin(), taken.end(), p.begin) == taken.end())
+      if(pieces_[p.head].next == none && std::find(taken.begin(), taken.end(), p.tail) == taken.end())
       {
-        next_[p.end] = p.begin;
-        gap_[p.end] = p.distance;
-        taken.push_back(p.begin);
+        pieces_[p.head].next = p.tail;
+        pieces_[p.head].gap = p.distance;
+        taken.push_back(p.tail);
       }
-    for(const Inner_end& e : ends)
-      if(next_[e.arc] == none)
-        lone_[f].ends.push_back({e.arc, 0.});
-    for(const Inner_end& b : begins)
-      if(std::find(taken.begin(), taken.end(), b.arc) == taken.end())
-        lone_[f].begins.push_back({b.arc, 0.});
   }
 
-  void cross_edge(Index h, End end, const Plane_point& p, const Plane_point& corner, bool begins)
+  double distance(const Indexed_location& a, const Indexed_location& b) const
   {
-    const Index o = faces_.opposite(h);
-    if(o == null_index)
-      return;
-    const double t = std::hypot(p.x - corner.x, p.y - corner.y);
-    // by the halfedge that the isoline crosses from its face
-    if(begins)
-    {
-      end.place = faces_.length(h) - t;
-      crossings_[o].begins.push_back(end);
-    }
-    else
-    {
-      end.place = t;
-      crossings_[h].ends.push_back(end);
-    }
-  }
-
-  /// arcs on the two sides of an edge in their order; if rounding has seen more on one side, those next to each other
-  void join(Crossing& crossing)
-  {
-    std::vector<End>&ends = crossing.ends, &begins = crossing.begins;
-    const auto before = [](const End& a, const End& b) { return a.place < b.place; };
-    std::sort(ends.begin(), ends.end(), before);
-    std::sort(begins.begin(), begins.end(), before);
-    std::vector<End>&more = ends.size() > begins.size() ? ends : begins,
-    &less = ends.size() > begins.size() ? begins : ends;
-    std::vector<End> rest;
-    while(more.size() > less.size())
-    {
-      const auto worst = std::max_element(
-        more.begin(), more.end(), [&](const End& a, const End& b) { return distance(a, less) < distance(b, less); });
-      rest.push_back(*worst);
-      more.erase(worst);
-    }
-    for(std::size_t i = 0; i < ends.size(); ++i)
-      next_[ends[i].arc] = begins[i].arc;
-    ends.clear();
-    begins.clear();
-    more = rest;
-  }
-
-  static double distance(const End& end, const std::vector<End>& others)
-  {
-    double result = (std::numeric_limits<double>::infinity)();
-    for(const End& other : others)
-      result = (std::min)(result, std::fabs(end.place - other.place));
-    return result;
-  }
-
-  /// where an arc touches an edge, and rounding sees it behind the edge from one side only; or a ridge runs along the edge,
-  /// so that it sees one side of it in the wrong face
-  void join_rest(Index h, Crossing& crossing)
-  {
-    const Index o = faces_.opposite(h);
-    for(std::vector<End>* begins : {&crossings_[o].begins, &lone_[o / 3].begins})
-      join_any(crossing.ends, *begins);
-    join_any(lone_[h / 3].ends, crossing.begins);
-  }
-
-  void join_any(std::vector<End>& ends, std::vector<End>& begins)
-  {
-    while(!ends.empty() && !begins.empty())
-    {
-      next_[ends.back().arc] = begins.back().arc;
-      ends.pop_back();
-      begins.pop_back();
-    }
+    const Plane_point p = faces_.in_frame(3 * a.face, a.coordinates), q = faces_.in_frame(3 * a.face, b.coordinates);
+    return std::hypot(p.x - q.x, p.y - q.y);
   }
 
   std::vector<Indexed_isoline> chains() const
   {
-    std::vector<unsigned char> has_previous(arcs_.size(), 0), is_done(arcs_.size(), 0);
-    for(std::size_t n : next_)
-      if(n != none)
-        has_previous[n] = 1;
+    std::vector<unsigned char> has_previous(pieces_.size(), 0), is_done(pieces_.size(), 0);
+    for(const Piece& piece : pieces_)
+      if(piece.next != none)
+        has_previous[piece.next] = 1;
     std::vector<Indexed_isoline> result;
     for(bool is_closed : {false, true})
-      for(std::size_t first = 0; first < arcs_.size(); ++first)
+      for(std::size_t first = 0; first < pieces_.size(); ++first)
       {
         if(is_done[first] || (!is_closed && has_previous[first]))
           continue;
-        Indexed_isoline line{{arcs_[first].front()}, is_closed};
+        Indexed_isoline line{{}, is_closed};
         double length = 0., gaps = 0.;
-        for(std::size_t i = first; i != none && !is_done[i]; i = next_[i])
+        for(std::size_t i = first; i != none && !is_done[i]; i = pieces_[i].next)
         {
           is_done[i] = 1;
-          length += length_[i];
-          gaps += gap_[i];
-          line.locations.insert(line.locations.end(), arcs_[i].begin() + 1, arcs_[i].end());
+          length += pieces_[i].length;
+          gaps += pieces_[i].gap;
+          append(pieces_[i], line.locations);
         }
         // where rounding leaves a gap between windows, a bit of a front behind them shows through, as wide as the gap
         if(length < (std::max)(2. * gaps, 4. * geodesic_cover * faces_.mean_edge_length()))
           continue;
         if(is_closed)
-          line.locations.back() = line.locations.front();
+          line.locations.push_back(line.locations.front());
         result.push_back(std::move(line));
       }
     return result;
+  }
+
+  /// of points that two pieces have, one is enough: crossings have theirs, and an arc its end where another arc follows
+  void append(const Piece& piece, std::vector<Indexed_location>& line) const
+  {
+    const bool is_crossing = piece.locations.size() == 1;
+    const bool keeps_end = is_crossing || pieces_[piece.next].locations.size() > 1;
+    line.insert(line.end(), piece.locations.begin() + !is_crossing, piece.locations.end() - !keeps_end);
   }
 
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
@@ -317,12 +301,10 @@ private:
   const Exact_geodesic_propagation& geodesics_;
   const Geodesic_faces& faces_;
   const Geodesic_fronts fronts_;
-  double largest_ = 0., rounding_ = 0., level_ = 0.;
-  std::vector<std::vector<Indexed_location>> arcs_;
-  std::vector<std::size_t> next_;       // of each arc
-  std::vector<double> length_, gap_;    // of each arc, and between it and the next
-  std::map<Index, Crossing> crossings_; // by halfedge
-  std::map<Index, Crossing> lone_;      // by face: inside of it, and next to no other
+  double rounding_ = 0., level_ = 0.;
+  std::vector<Piece> pieces_; // crossings first
+  std::vector<Nearer> nearer_;
+  std::vector<Token> tokens_;
 };
 
 } // namespace internal

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_HELPERS_LOCATION_IN_PART_H
-#define CGAL_CUT_LOCI_HELPERS_LOCATION_IN_PART_H
+#ifndef CGAL_CUT_LOCI_SURFACE_LOCATION_IN_PART_H
+#define CGAL_CUT_LOCI_SURFACE_LOCATION_IN_PART_H
 
 #include <CGAL/Cut_loci/Index.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -18,15 +18,14 @@
 #include <limits>
 #include <vector>
 
-namespace curve_measures {
+namespace CGAL {
+namespace Cut_loci {
 namespace internal {
 
 // Barycentric coordinates of a point of a triangle, negative if it is outside; of one without area, those of the nearest
 // point of its edges, and how far away that is, as a negative part of their length.
-inline std::array<double, 3> coordinates_in(const std::array<CGAL::Cut_loci::internal::Vector, 3>& corners,
-                                            const CGAL::Cut_loci::internal::Vector& point, double& least)
+inline std::array<double, 3> coordinates_in(const std::array<Vector, 3>& corners, const Vector& point, double& least)
 {
-  using namespace CGAL::Cut_loci::internal;
   std::array<double, 3> result;
   double longest = 0.;
   for(std::size_t i = 0; i < 3; ++i)
@@ -61,17 +60,13 @@ inline std::array<double, 3> coordinates_in(const std::array<CGAL::Cut_loci::int
 
 // The place of a point of a mesh on one of which each face is a part of that with the number `face_origin`: in the part
 // that has it, or that it misses least by rounding.
-inline CGAL::Cut_loci::Indexed_location location_in_part(const CGAL::Cut_loci::Indexed_triangle_mesh& mesh,
-                                                         const CGAL::Cut_loci::Indexed_triangle_mesh& refined,
-                                                         const std::vector<CGAL::Cut_loci::Index>& face_origin,
-                                                         const CGAL::Cut_loci::Indexed_location& x)
+inline Indexed_location location_in_part(const Indexed_triangle_mesh& mesh, const Indexed_triangle_mesh& refined,
+                                         const std::vector<Index>& face_origin, const Indexed_location& x)
 {
-  using namespace CGAL::Cut_loci::internal;
-  using CGAL::Cut_loci::Index;
   Vector point = {{0., 0., 0.}};
   for(int i = 0; i < 3; ++i)
     point = point + x.coordinates[i] * mesh.points[mesh.triangles[x.face][i]];
-  CGAL::Cut_loci::Indexed_location best;
+  Indexed_location best;
   double best_least = -(std::numeric_limits<double>::infinity)();
   for(Index part = 0; part < face_origin.size(); ++part)
   {
@@ -96,6 +91,7 @@ inline CGAL::Cut_loci::Indexed_location location_in_part(const CGAL::Cut_loci::I
 }
 
 } // namespace internal
-} // namespace curve_measures
+} // namespace Cut_loci
+} // namespace CGAL
 
-#endif // CGAL_CUT_LOCI_HELPERS_LOCATION_IN_PART_H
+#endif // CGAL_CUT_LOCI_SURFACE_LOCATION_IN_PART_H

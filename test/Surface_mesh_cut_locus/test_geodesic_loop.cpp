@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#include "built_mesh.h"
+#include "test_meshes.h"
+
+#include <CGAL/Cut_loci/geodesic_loop.h>
+#include <CGAL/Cut_loci/injectivity_radius.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/compute_cut_locus.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+// The two shortest paths to the nearest point of the cut locus.
+
+namespace test_geodesic_loop {
+
+namespace {
+
+using namespace test_meshes;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Built = Built_mesh<Mesh>;
+using Points = std::vector<Kernel::Point_3>;
+namespace params = CGAL::parameters;
+
+double length(const Points& points)
+{
+  double result = 0.;
+  for(std::size_t i = 0; i + 1 < points.size(); ++i)
+    result += std::sqrt(CGAL::squared_distance(points[i], points[i + 1]));
+  return result;
+}
+
+/// around a cylinder, it is the circle through the source
+TEST(Geodesic_loop, of_a_cylinder_goes_around)
+{
+  const Built built(cylinder(2., 24, 8, 0., 0));
+  const Mesh& mesh = built.mesh;
+  for(const Mesh::Vertex_index source : {built.vertices[0], built.vertices[built.vertices.size() / 2]})
+  {
+    const Points loop = CGAL::Cut_loci::geodesic_loop(mesh, CGAL::compute_cut_locus(mesh, source));
+    EXPECT_NEAR(length(loop), 48. * std::sin(3.14159265358979323846 / 24.), 1e-5);
+    EXPECT_EQ(loop.front(), loop.back());
+    for(const Kernel::Point_3& p : loop)
+      EXPECT_NEAR(p.z(), mesh.point(source).z(), 2e-3);
+  }
+}
+
+/// begins and ends at the source, passes through the nearest point in its middle, and is twice as long as the radius
+TEST(Geodesic_loop, is_twice_the_radius_on_random_surfaces)
+{
+  for(unsigned seed = 0; seed < 12; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Built built(seed % 3 == 0   ? torus(2., 0.8, 18, 10, 0.2, seed)
+                      : seed % 3 == 1 ? irregular_bumpy_sphere(6, 0.3, seed)
+                                      : random_convex_polyhedron(15, seed));
+    const std::pair<Mesh::Face_index, std::array<double, 3>> source(Mesh::Face_index(seed), {{0.2, 0.5, 0.3}});
+    const auto cut_locus = CGAL::compute_cut_locus(built.mesh, source);
+    const auto nearest = CGAL::Cut_loci::injectivity_radius(cut_locus);
+    const Points loop = CGAL::Cut_loci::geodesic_loop(built.mesh, cut_locus);
+    // between the ends of an edge, the radius is that in a plane, which is known to this
+    double tolerance = 1e-5;
+    if(nearest.edge)
+    {
+      const auto& graph = cut_locus.graph();
+      const auto &a = graph[boost::source(*nearest.edge, graph)], &b = graph[boost::target(*nearest.edge, graph)];
+      tolerance += CGAL::squared_distance(a.point, b.point) / (4. * (a.distance + b.distance));
+    }
+    EXPECT_NEAR(length(loop), 2. * nearest.distance, 2. * tolerance);
+    const Kernel::Point_3 start = cut_locus.source().point;
+    EXPECT_LT(CGAL::squared_distance(loop.front(), start), 1e-24);
+    EXPECT_LT(CGAL::squared_distance(loop.back(), start), 1e-24);
+    double way = 0., closest = 1.;
+    for(std::size_t i = 0; i + 1 < loop.size(); ++i)
+    {
+      if(std::fabs(way - nearest.distance) < tolerance)
+        closest = std::min(closest, std::sqrt(CGAL::squared_distance(loop[i], nearest.point)));
+      way += std::sqrt(CGAL::squared_distance(loop[i], loop[i + 1]));
+    }
+    EXPECT_LT(closest, 1e-5);
+  }
+}
+
+TEST(Geodesic_loop, is_that_of_one_source)
+{
+  const Built built(torus(2., 0.8, 18, 10));
+  const auto of_two =
+    CGAL::compute_cut_locus(built.mesh, std::vector<Mesh::Vertex_index>{built.vertices[0], built.vertices[50]});
+  EXPECT_THROW(CGAL::Cut_loci::geodesic_loop(built.mesh, of_two), CGAL::Cut_loci::Invalid_input);
+}
+
+} // namespace
+
+} // namespace test_geodesic_loop
