@@ -33,8 +33,8 @@ std::vector<double> statistics_of(const Cut_locus& cut_locus)
 {
   const CGAL::Cut_loci::Cut_locus_statistics s = CGAL::Cut_loci::compute_statistics(cut_locus);
   const auto nearest = CGAL::Cut_loci::injectivity_radius(cut_locus);
-  return {double(s.edges),   double(s.cycles), double(s.leaves),          double(s.branchings),
-          s.length,          nearest.distance, nearest.point.x(),         nearest.point.y(),
+  return {double(s.edges),   double(s.cycles), double(s.leaves),           double(s.branchings),
+          s.length,          nearest.distance, nearest.point.x(),          nearest.point.y(),
           nearest.point.z(), double(s.status), double(s.narrow_corridors), nearest.lower_bound};
 }
 
