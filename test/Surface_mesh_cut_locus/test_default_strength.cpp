@@ -246,19 +246,6 @@ TEST(Default_strength, changes_little_with_little_noise)
   }
 }
 
-// All shortest paths meet at the opposite point: what is between the vertices there is no star of branches.
-TEST(Default_strength, shows_no_branches_on_spheres)
-{
-  for(int n : {6, 12, 24})
-    for(double noise : {0., 0.01})
-    {
-      SCOPED_TRACE(std::to_string(n) + ", " + std::to_string(noise));
-      const Mesh_data m = rough(sphere_of_squares(n), noise, 3);
-      for(Index v : {Index(0), Index(2 * n + 3)})
-        EXPECT_EQ(shown(m, at_vertex(indexed(m), v)).tips.size(), 0u);
-    }
-}
-
 // Icosahedra with more and more noise: what is shown gets less, but not at once.
 TEST(Default_strength, of_corners_fades)
 {
