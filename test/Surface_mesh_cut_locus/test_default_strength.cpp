@@ -271,7 +271,7 @@ TEST(Default_strength, shows_each_limb_of_a_coarse_mesh)
     for(const Vector& a : axes)
     {
       double farthest = 0.;
-      for(const Vector& p : found.nodes) // in the one opposite to the source the branches of the others meet
+      for(const Vector& p : found.tips)
         if(dot(p, a) > 0.8 * norm(p))
           farthest = (std::max)(farthest, norm(p));
       EXPECT_GT(farthest, 2.) << "along " << a[0] << ", " << a[1] << ", " << a[2];

@@ -70,8 +70,7 @@ struct Branch_strength
   double enclosed = (std::numeric_limits<double>::infinity)();
   double narrow = 0.;
   static constexpr double narrow_share = 0.25; // of the width, where corners do not count
-  double spur = 0.;     // a length: of branches that meet, those that are not as high are none; see `remove_spurs()`
-  double shortest = 0.; // of those that are not as high, but enclose enough
+  double spur = 0.; // a length: of branches that meet, those that are not as high are none; see `remove_spurs()`
   // If there is any, widths and what is enclosed are for paths as long as the surface, and others for shorter ones.
   Path_noise noise;
 
@@ -79,7 +78,7 @@ struct Branch_strength
   bool operator==(const Branch_strength& other) const
   {
     return gap == other.gap && width == other.width && enclosed == other.enclosed && narrow == other.narrow &&
-           spur == other.spur && shortest == other.shortest && noise == other.noise;
+           spur == other.spur && noise == other.noise;
   }
   /// whether it needs angles that the other one does not: those of what encloses much are never small
   bool is_weaker_than(const Branch_strength& other) const

@@ -55,7 +55,6 @@ public:
     strength.width = strength.noise.width(infinity);
     strength.narrow = Branch_strength::narrow_share * strength.width;
     strength.spur = strength.width * strength.width / (2. * length_ * edge_);
-    strength.shortest = shortest(faces);
     strength.enclosed = strength.noise.enclosed(infinity);
     if(!turns_.chains.empty())
       add_turns();
@@ -85,17 +84,6 @@ private:
       bent += is_bent(d) ? 1. : 0.;
     is_flat_ = bent == 0.;
     edge_ = connectivity_.mean_edge_length * (bent > 0. ? std::sqrt(inner / bent) : 1.);
-  }
-
-  /// the edges of the regular mesh of the same area that has as many vertices, where faces are slim
-  double shortest(const Geodesic_faces& faces) const
-  {
-    double area = 0., bent = 0.;
-    for(Index h = 0; h < faces.number_of_halfedges(); h += 3)
-      area += 0.5 * faces.length(h) * faces.apex(h).y;
-    for(double d : deficit_)
-      bent += is_bent(d) ? 1. : 0.;
-    return bent > 0. ? (std::min)(edge_, std::sqrt(2. * area / (std::sqrt(3.) * bent))) : edge_;
   }
 
   bool is_bent(double deficit) const { return std::fabs(deficit) > flat_; }
@@ -168,7 +156,6 @@ private:
                    (std::max)(0.9 * sizes[i], bends(noise(sizes[i + 1])) + bends_of_turns(sizes[i + 1] / of_turn)));
       strength.enclosed = (std::min)(strength.enclosed, of_all.enclosed + part * (enough - of_all.enclosed));
       strength.narrow = (std::min)(strength.narrow, (1. - part) * of_all.narrow);
-      strength.spur = (std::min)(strength.spur, (1. - part) * of_all.spur);
       most = (std::max)(most, part);
       smooth_ = (std::max)(sizes[i + 1], (1. - most) * sizes.front()); // those before it are no smaller
     }

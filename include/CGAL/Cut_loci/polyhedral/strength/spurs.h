@@ -20,12 +20,6 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-/// is what a branch must have, to be no spur: that height, or that length, if it encloses enough.
-struct No_spur
-{
-  double height, length;
-};
-
 /*!
  * removes branches that are not as high as `least`. Where branches meet, the highest one continues and the others end; at
  * cycles, and at the first `terminals` nodes, all of them end. At the root of a tree without these the two highest are one
@@ -33,28 +27,20 @@ struct No_spur
  *
  * The height of a branch is by how much a way along it is longer than the distance grows from one end to the other. If
  * noise may lengthen paths by as much, it may have made the branch: near the end of another one, which the polyhedron
- * divides between its vertices, or around the antipode of a part that is nearly a sphere, where all paths meet. What
- * encloses more curvature than noise is a corner or a limb, however low, if the mesh resolves it: what is shorter than an
- * edge is between its vertices.
+ * divides between its vertices, or around the antipode of a part that is nearly a sphere, where all paths meet.
  *
  * @param edges as in `Tree_branches::edges()`
  * @param height of an edge, of which branches sum it up
- * @param length of an edge
- * @param encloses_enough tells it of an edge
+ * @param is_exempt tells of an edge that no branch through it is a spur, however low
  */
-template <typename Height, typename Length, typename Encloses_enough>
-void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes, Index terminals, const No_spur& least,
-                  const Height& height, const Length& length, const Encloses_enough& encloses_enough)
+template <typename Height, typename Is_exempt>
+void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes, Index terminals, double least,
+                  const Height& height, const Is_exempt& is_exempt)
 {
-  struct Way // outward
+  struct Ways // outward from a node: the two highest
   {
-    double height = 0., length = 0.;
-    bool encloses_enough = false;
-    Index edge = null_index;
-  };
-  struct Ways // the two highest from a node
-  {
-    std::array<Way, 2> way;
+    std::array<double, 2> height = {{0., 0.}};
+    std::array<Index, 2> edge = {{null_index, null_index}};
     bool is_in_core = false;
   };
   std::vector<Ways> ways(number_of_nodes);
@@ -72,18 +58,20 @@ void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes
       at.is_in_core = ways[b.outer].is_in_core = true;
       continue;
     }
-    Way way = ways[b.outer].way[0];
-    way.edge = b.edge;
-    way.height += height(b.edge);
-    way.length += length(b.edge);
-    way.encloses_enough = way.encloses_enough || (way.height < least.height && encloses_enough(b.edge));
-    if(way.encloses_enough && way.length >= least.length)
-      way.height = (std::max)(way.height, least.height);
-    is_high[i] = !(way.height < least.height);
-    if(at.way[1].edge == null_index || way.height > at.way[1].height)
-      at.way[1] = way;
-    if(at.way[0].edge == null_index || at.way[1].height > at.way[0].height)
-      std::swap(at.way[0], at.way[1]);
+    double way = ways[b.outer].height[0] + height(b.edge);
+    if(way < least && is_exempt(b))
+      way = least;
+    is_high[i] = !(way < least);
+    if(at.edge[1] == null_index || way > at.height[1])
+    {
+      at.height[1] = way;
+      at.edge[1] = b.edge;
+    }
+    if(at.edge[0] == null_index || at.height[1] > at.height[0])
+    {
+      std::swap(at.height[0], at.height[1]);
+      std::swap(at.edge[0], at.edge[1]);
+    }
   }
   std::vector<unsigned char> is_gone(number_of_nodes, 0), is_root(number_of_nodes, 1);
   for(const Tree_branches::Edge& b : edges)
@@ -94,9 +82,8 @@ void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes
     const Tree_branches::Edge b = edges[i];
     const Ways& at = ways[b.inner];
     const bool continues =
-      !at.is_in_core &&
-      (is_root[b.inner] ? at.way[0].height >= least.height && (b.edge == at.way[0].edge || b.edge == at.way[1].edge)
-                        : b.edge == at.way[0].edge);
+      !at.is_in_core && (is_root[b.inner] ? at.height[0] >= least && (b.edge == at.edge[0] || b.edge == at.edge[1])
+                                          : b.edge == at.edge[0]);
     if(is_in_core(b) || (!is_gone[b.inner] && (continues || is_high[i])))
       edges[size++] = b;
     else

@@ -314,18 +314,17 @@ private:
     std::vector<Tree_branches::Edge> result = branches.edges();
     for(Tree_branches::Edge& b : result)
       b.edge = edges[b.edge];
-    const auto encloses_enough = [&](Index e)
-    {
-      // in the middle of a curve that is nearly a circle, what it encloses is no corner
-      if(!options_.lines.empty() || graph_->edges[e].piece == null_index)
-        return false;
-      const Ridges::Enclosed there = enclosed(e);
-      return least.is_enough(there.curvature, there.length) && is_wide(e, there.length, least.narrow);
-    };
     remove_spurs(
-      result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops,
-      {least.spur, least.shortest}, [this](Index e) { return height(e); }, [this](Index e) { return length(e); },
-      encloses_enough);
+      result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, least.spur,
+      [this](Index e) { return height(e); },
+      [&](const Tree_branches::Edge& b)
+      {
+      // in the middle of a curve that is nearly a circle, what it encloses is no corner
+      if(!options_.lines.empty() || graph_->edges[b.edge].piece == null_index)
+        return false;
+      const Ridges::Enclosed there = enclosed(b.edge);
+      return least.is_enough(there.curvature, there.length) && is_wide(b.edge, there.length, least.narrow);
+      });
     return result;
   }
 
