@@ -78,7 +78,7 @@ TYPED_TEST_SUITE(Exact_geodesics_interface, Mesh_types, );
 TYPED_TEST(Exact_geodesics_interface, curves_and_isolines)
 {
   using Fixture = Exact_geodesics_interface<TypeParam>;
-  using Geodesics = typename Fixture::Geodesics;
+  using Solver = typename Fixture::Geodesics;
   const TypeParam mesh = Fixture::square(6);
   std::vector<typename boost::graph_traits<TypeParam>::edge_descriptor> loop;
   for(const auto e : CGAL::make_range(edges(mesh)))
@@ -89,7 +89,7 @@ TYPED_TEST(Exact_geodesics_interface, curves_and_isolines)
   CGAL::exact_geodesic_distances(mesh, std::vector<typename Fixture::vertex_descriptor>(),
                                  boost::make_assoc_property_map(map),
                                  CGAL::parameters::source_curves(std::vector<decltype(loop)>{loop}));
-  Geodesics geodesics(mesh);
+  Solver geodesics(mesh);
   geodesics.add_source_border();
   geodesics.set_isolines(true);
   geodesics.compute();
@@ -100,10 +100,10 @@ TYPED_TEST(Exact_geodesics_interface, curves_and_isolines)
     EXPECT_NEAR(geodesics.distance(v), expected, 1e-7);
     EXPECT_NEAR(map[v], expected, 1e-7);
   }
-  std::vector<typename Geodesics::Isoline> lines;
+  std::vector<typename Solver::Isoline> lines;
   geodesics.isolines(std::vector<double>{0.5, 2.}, std::back_inserter(lines));
   ASSERT_EQ(lines.size(), 2u);
-  for(const typename Geodesics::Isoline& line : lines)
+  for(const typename Solver::Isoline& line : lines)
   {
     double length = 0.;
     for(std::size_t i = 0; i + 1 < line.locations.size(); ++i)
