@@ -485,6 +485,61 @@ TEST(Exact_tree, branches_closer_than_rounding_do_not_cross)
   }
 }
 
+// a plate with square holes in rows and columns, divided by lines along their sides and one beside each
+test_meshes::Mesh_data plate_with_holes(int rows)
+{
+  std::vector<double> x = {0.};
+  for(int i = 0; i < rows; ++i)
+    for(double step : {1., 0.2, 0.3})
+      x.push_back(x.back() + step);
+  x.push_back(x.back() + 1.);
+  const int n = static_cast<int>(x.size());
+  const auto is_solid = [n](int i, int j)
+  { return i >= 0 && j >= 0 && i < n - 1 && j < n - 1 && !(i % 3 == 2 && j % 3 == 2); };
+  test_meshes::Mesh_data m;
+  for(double a : x)
+    for(double b : x)
+      for(double height : {0., 1.})
+        m.points.push_back({{a, b, height}});
+  const auto at = [n](int i, int j, int k) { return static_cast<std::size_t>((i * n + j) * 2 + k); };
+  const auto add = [&m](std::size_t a, std::size_t b, std::size_t c, std::size_t d)
+  {
+    m.triangles.push_back({{a, b, c}});
+    m.triangles.push_back({{a, c, d}});
+  };
+  for(int i = 0; i < n - 1; ++i)
+    for(int j = 0; j < n - 1; ++j)
+    {
+      if(!is_solid(i, j))
+        continue;
+      add(at(i, j, 1), at(i + 1, j, 1), at(i + 1, j + 1, 1), at(i, j + 1, 1));
+      add(at(i, j, 0), at(i, j + 1, 0), at(i + 1, j + 1, 0), at(i + 1, j, 0));
+      const auto wall = [&](int a, int b, int c, int d) { add(at(a, b, 0), at(c, d, 0), at(c, d, 1), at(a, b, 1)); };
+      if(!is_solid(i - 1, j))
+        wall(i, j + 1, i, j);
+      if(!is_solid(i + 1, j))
+        wall(i + 1, j, i + 1, j + 1);
+      if(!is_solid(i, j - 1))
+        wall(i, j, i + 1, j);
+      if(!is_solid(i, j + 1))
+        wall(i + 1, j + 1, i, j + 1);
+    }
+  return m;
+}
+
+// Sources are symmetric, and branches run along edges: what the topology adds there must not run along the same edges.
+TEST(Exact_tree, of_a_plate_with_holes_leaves_a_disk)
+{
+  const Indexed_triangle_mesh mesh = indexed(plate_with_holes(4));
+  Exact_tree_solver solver(mesh);
+  for(Index source = 0; source < mesh.number_of_vertices(); source += 8)
+  {
+    solve(solver, at_vertex(mesh, source));
+    const Indexed_cut_locus curve = curve_of(solver);
+    EXPECT_EQ(curve_measures::internal::Curve_topology(mesh, curve).fault(), "") << "source " << source;
+  }
+}
+
 TEST(Exact_tree, planar_positions)
 {
   using CGAL::Cut_loci::internal::Plane_point;
