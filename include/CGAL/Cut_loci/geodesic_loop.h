@@ -108,7 +108,7 @@ Point_3 point_at(const Mesh& mesh, const Location& location)
  *
  * @return the points of the loop, from the source to the source
  *
- * @throws Invalid_input if the cut locus is not one of `tm`, or has several sources
+ * @throws Invalid_input if the cut locus is not one of `tm`, is empty, or has several sources
  */
 template <typename TriangleMesh, typename Point_3>
 std::vector<Point_3> geodesic_loop(const TriangleMesh& tm, const Cut_locus<TriangleMesh, Point_3>& cut_locus)

@@ -27,7 +27,8 @@ namespace Cut_loci {
  * A vertex on a seam has several copies, each with the path that comes from its side: distances are those within `disk`, and no
  * shortest path crosses the cut locus. Where branches have been left out, faces across them are torn apart, and may be flipped;
  * `layout_quality()` tells. With all branches of a convex polyhedron, from a source in a face, the chart is its source unfolding,
- * which is isometric; at a vertex, directions are scaled to a full turn. The x-axis is `Surface_mesh_exact_geodesics::source_halfedge()` of `disk`.
+ * which is isometric; at a vertex, directions are scaled to a full turn. The x-axis is
+ * `Surface_mesh_exact_geodesics::source_halfedge()` of `disk`.
  *
  * Behind a vertex of negative curvature, there are points to which all shortest paths bend there, and leave the source in one
  * direction: faces among these lie on a ray, without area.
