@@ -78,10 +78,13 @@ public:
     progress_ = progress;
   }
 
-  // the shortest paths of the last call
-  const Cut_loci::internal::Geodesic_results& geodesics() const
+  // of the vertices, from the last call with points
+  std::vector<Cut_loci::Index> nearest_sources() const
   {
-    return *propagation_;
+    std::vector<Cut_loci::Index> result;
+    for(Cut_loci::Index v = 0; v < mesh_->number_of_vertices(); ++v)
+      result.push_back(propagation_->nearest_source(v));
+    return result;
   }
 #endif
 

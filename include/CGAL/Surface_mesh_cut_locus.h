@@ -306,8 +306,7 @@ public:
    *
    * `Cut_loci::Method::LAPLACIAN` takes any distances. If the solver takes one source only, there is a run for each of them. A
    * `vertex_distance_map` has the distances to the nearest source. Each source must have a face to itself. The cell of a
-   * vertex is that of the source where the steepest descent of the distance ends, or, with exact distances, its shortest
-   * path.
+   * vertex is that of the source which the solver says is nearest, or from which a shortest way through faces comes.
    *
    * Curves along edges of the mesh, and the border, may be sources, too. They are numbered behind the points. The surface
    * without the sources shrinks to the cut locus: its parts are disks around points and open curves, and rings around
@@ -740,8 +739,9 @@ private:
   void set_distances(Component& component, Cut_loci::internal::Laplacian_method& solver, const VertexDistanceMap& map)
   {
     std::vector<double> distance;
-    const Cut_loci::internal::Geodesic_results* geodesics = compute_distances(component, distance, map);
-    solver.set_distance(points_, curves_, std::move(distance), geodesics);
+    std::vector<Index> nearest;
+    compute_distances(component, distance, nearest, map);
+    solver.set_distance(points_, curves_, std::move(distance), std::move(nearest));
   }
 
   // The package's own solver also finds the directions.
@@ -773,9 +773,8 @@ private:
     return *component;
   }
 
-  // The paths that the solver found, or null.
-  const Cut_loci::internal::Geodesic_results* compute_distances(Component& component, std::vector<double>& distance,
-                                                                internal_np::Param_not_found)
+  void compute_distances(Component& component, std::vector<double>& distance, std::vector<Index>& nearest,
+                         internal_np::Param_not_found)
   {
     Solver_handle& solver = component.geodesic_solver;
     const Cut_loci::internal::Progress progress = visitor_.progress(Cut_loci::Stage::DISTANCE);
@@ -784,16 +783,15 @@ private:
     if(!solver.set_maximum_relative_error(maximum_relative_error_) && maximum_relative_error_ > 0.)
       Cut_loci::internal::refuse_error();
     solver.report_to(progress);
-    solver.compute_distances(points_, curves_, distance);
+    solver.compute_distances(points_, curves_, distance, nearest);
     Cut_loci::internal::check_distances(distance, component, read_->positions, "the geodesic solver returned");
     Cut_loci::internal::check_range(distance, component, read_->positions, "the geodesic solver returned",
                                     "take another solver, or a mesh with better faces");
-    return solver.geodesics();
   }
 
   template <typename VertexDistanceMap>
-  const Cut_loci::internal::Geodesic_results* compute_distances(Component& component, std::vector<double>& distance,
-                                                                const VertexDistanceMap& map)
+  void compute_distances(Component& component, std::vector<double>& distance, std::vector<Index>&,
+                         const VertexDistanceMap& map)
   {
     distance.resize(component.mesh->number_of_vertices());
     for(Index v = 0; v < distance.size(); ++v)
@@ -802,7 +800,6 @@ private:
     Cut_loci::internal::check_range(distance, component, read_->positions, "the vertex distance map holds",
                                     "it must hold the geodesic distances to the source, in the unit of the points");
     Cut_loci::internal::check_is_not_constant(distance, *component.mesh, points_, curves_);
-    return nullptr;
   }
 
   void mark_edges(const Cut_loci::Indexed_cut_locus&, internal_np::Param_not_found) const {}

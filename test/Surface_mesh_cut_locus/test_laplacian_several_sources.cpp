@@ -321,9 +321,9 @@ TEST(Laplacian_several_sources, have_distances_to_the_nearest_with_each_solver)
   EXPECT_LT(most(distances(CGAL::Heat_method_geodesic_solver<>())), 2.);
 }
 
-// Cutting along the curve makes hardly any way longer: what DIRECTION, which knows the paths, makes of the same sources is
-// the measure.
-TEST(Laplacian_several_sources, lengthen_ways_as_little_as_with_the_default_method)
+// Cutting along the curve makes hardly any way longer: some do become so, since each face is entered in one way, which is not
+// that of the shortest path to every vertex behind it.
+TEST(Laplacian_several_sources, lengthen_hardly_any_way)
 {
   for(const Mesh_data& data : {jittered_sphere(16, 0.2, 1), torus(1., 0.4, 48, 24, 0.2, 4), bumpy_sphere(16, 0.5, 3),
                                divided(perforated_plate(2, 1, 2, 5))})
@@ -333,8 +333,7 @@ TEST(Laplacian_several_sources, lengthen_ways_as_little_as_with_the_default_meth
       const std::vector<Source> sources = separate_sources(built, k, 3);
       std::vector<double> exact;
       const auto measured = [&](const Result& result) { return curve_measures::measure(built.mesh, result, exact); };
-      const auto direction = measured(CGAL::compute_cut_locus(built.mesh, sources, mesh_edges)),
-                 edges = measured(CGAL::compute_cut_locus(
+      const auto edges = measured(CGAL::compute_cut_locus(
                    built.mesh, sources, laplacian.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES))),
                  faces = measured(
                    CGAL::compute_cut_locus(built.mesh, sources, laplacian.cut_locus_curve(Curve::THROUGH_FACES))),
@@ -342,12 +341,12 @@ TEST(Laplacian_several_sources, lengthen_ways_as_little_as_with_the_default_meth
                    measured(CGAL::compute_cut_locus(built.mesh, sources,
                                                     laplacian.geodesic_solver(CGAL::Heat_method_geodesic_solver<>())
                                                       .cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)));
-      for(const auto& m : {direction, edges, faces, heat})
+      for(const auto& m : {edges, faces, heat})
       {
         EXPECT_EQ(m.topology_fault, "") << k;
         EXPECT_EQ(m.measuring_failed, "") << k;
       }
-      EXPECT_LE(edges.mean, (std::max)(direction.mean, 1e-4)) << k;
+      EXPECT_LT(edges.mean, 5e-4) << k;
       EXPECT_LT(edges.max, 0.5) << k;
       EXPECT_LT(faces.max, 1.) << k;
       EXPECT_LT(heat.max, 2.) << k << ", where one source has 1.2";

@@ -7,7 +7,6 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_LAPLACIAN_SET_SOLVER_H
 #define CGAL_CUT_LOCI_LAPLACIAN_LAPLACIAN_SET_SOLVER_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_results.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/graph/Mesh_beside_curves.h>
 #include <CGAL/Cut_loci/graph/kept_parts.h>
@@ -55,14 +54,14 @@ public:
   void report_to(const Progress& progress) override { progress_ = progress; }
 
   void set_distance(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
-                    std::vector<double> distance, const Geodesic_results* geodesics) override
+                    std::vector<double> distance, std::vector<Index> nearest) override
   {
     pieces_.clear();
     beside_.reset();
     number_of_sources_ = points.size() + curves.size();
     if(curves.empty())
     {
-      whole_->set_distance(points, std::move(distance), geodesics);
+      whole_->set_distance(points, std::move(distance), std::move(nearest));
       return;
     }
     beside_.reset(new Mesh_beside_curves(mesh_, static_cast<Index>(points.size()), curves));

@@ -7,7 +7,6 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_LAPLACIAN_SOLVER_H
 #define CGAL_CUT_LOCI_LAPLACIAN_LAPLACIAN_SOLVER_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_results.h>
 #include <CGAL/Cut_loci/graph/Edges_off_sources.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/graph/Nodes_with_sources.h>
@@ -21,7 +20,7 @@
 #include <CGAL/Cut_loci/laplacian/Differential_operators.h>
 #include <CGAL/Cut_loci/laplacian/Source_roots.h>
 #include <CGAL/Cut_loci/laplacian/Tangent_directions.h>
-#include <CGAL/Cut_loci/laplacian/descent_forest.h>
+#include <CGAL/Cut_loci/laplacian/Way_forest.h>
 #include <CGAL/Cut_loci/laplacian/gradient_angles.h>
 #include <CGAL/Cut_loci/laplacian/homology.h>
 #include <CGAL/Cut_loci/laplacian/region_growing_tree.h>
@@ -67,16 +66,13 @@ public:
 
   void report_to(const Progress& progress) { progress_ = progress; }
 
-  // once per source, in three parts
-  //
-  // `geodesics` is what the exact solver found: null, or there until the tree has grown.
-  void set_distance(const Source_roots& roots, std::vector<double> distance,
-                    const Geodesic_results* geodesics = nullptr)
+  // once per source, in three parts; `nearest` are the nearest sources of the vertices, if they are known
+  void set_distance(const Source_roots& roots, std::vector<double> distance, std::vector<Index> nearest = {})
   {
     roots_ = roots;
+    nearest_source_ = std::move(nearest);
     if(const Index i = roots_.first_without_face(); i != null_index)
       Source_faces::throw_source_without_face(roots_.name(i), remedy());
-    geodesics_ = geodesics;
     distance_ = std::move(distance);
     is_source_.assign(distance_.size(), 0);
     for(const Indexed_source& source : roots_.points())
@@ -88,9 +84,9 @@ public:
     find_farthest();
   }
   void set_distance(const std::vector<Indexed_source>& points, std::vector<double> distance,
-                    const Geodesic_results* geodesics = nullptr)
+                    std::vector<Index> nearest = {})
   {
-    set_distance(Source_roots(mesh_, connectivity_, points), std::move(distance), geodesics);
+    set_distance(Source_roots(mesh_, connectivity_, points), std::move(distance), std::move(nearest));
   }
 
   void compute_strengths()
@@ -127,10 +123,8 @@ public:
 
   void grow_tree()
   {
-    crossed_ = edges_crossed_by_descents(mesh_, connectivity_, distance_, roots_, geodesics_, progress_.part(0., 0.5),
-                                         &nearest_source_);
-    for(Index v = 0; v < nearest_source_.size() && geodesics_ != nullptr; ++v)
-      nearest_source_[v] = geodesics_->nearest_source(v);
+    crossed_ = edges_crossed_by_ways(mesh_, connectivity_, distance_, roots_, progress_.part(0., 0.5),
+                                     nearest_source_.empty() ? &nearest_source_ : nullptr);
     spanning_tree_ = region_growing_tree(connectivity_, laplacian_, choose_root(), roots_.elements(), crossed_,
                                          progress_.part(0.5, 0.75));
     tree_ = spanning_tree_;
@@ -187,6 +181,10 @@ public:
   std::vector<Index> nearest_sources() const
   {
     std::vector<Index> result = nearest_source_;
+    for(Index f = 0; f < mesh_.number_of_faces() && !result.empty(); ++f) // where no way has been found
+      for(Index v : mesh_.triangles[f])
+        if(result[v] == null_index)
+          result[v] = source_of_face_[f];
     for(Index& i : result)
       if(i != null_index)
         i = roots_.name(i);
@@ -396,12 +394,11 @@ private:
   Source_roots roots_;
   std::vector<unsigned char> is_source_; // vertices
   std::vector<double> distance_;
-  const Geodesic_results* geodesics_ = nullptr;
   Index farthest_ = null_index;
   std::vector<float> angle_, laplacian_;
   std::vector<float> slope_error_;
   float laplacian_noise_ = 0.f;
-  std::vector<unsigned char> crossed_; // edges, by descents of the distance
+  std::vector<unsigned char> crossed_; // edges, by short ways to vertices
   Spanning_tree spanning_tree_;
   Spanning_tree tree_; // the same, thinned
   Branch_filter filter_;

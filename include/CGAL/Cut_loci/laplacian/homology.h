@@ -45,7 +45,7 @@ public:
     std::vector<unsigned char> is_inside(connectivity_.number_of_edges(), 0);
     for(Index h : roots.crossings())
       is_inside[connectivity_.edge_of_halfedge[h]] = 1;
-    cross_first(is_inside, Progress());
+    cross_first(is_inside, 0);
   }
 
   // Starts with all faces around the source; around a vertex, from the covered edge on.
@@ -74,27 +74,30 @@ public:
     }
   }
 
-  // Crosses what can be reached of these edges.
-  void cross_first(const std::vector<unsigned char>& crossed, const Progress& progress)
+  // Crosses what can be reached of these edges, if there are any, from the face of this number on; returns the next one.
+  std::size_t cross_first(const std::vector<unsigned char>& crossed, std::size_t i)
   {
-    for(std::size_t i = 0; i < faces_.size(); ++i)
-    {
-      progress(i, source_.size());
+    for(; i < faces_.size() && !crossed.empty(); ++i)
       for(Index h = 3 * faces_[i]; h < 3 * faces_[i] + 3; ++h)
         if(crossed[connectivity_.edge_of_halfedge[h]])
           cross(h);
-    }
+    return i;
   }
 
-  void grow(const Progress& progress)
+  // Crosses these edges as soon as they are reached, then those of the faces of least distance.
+  void grow(const std::vector<unsigned char>& crossed, const Progress& progress)
   {
+    std::size_t next = cross_first(crossed, 0);
     for(std::size_t i = 0; !queue_.empty(); ++i)
     {
       progress(i, source_.size());
       const Index f = queue_.top().vertex;
       queue_.pop();
       for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      {
         cross(h);
+        next = cross_first(crossed, next);
+      }
     }
   }
 
@@ -155,7 +158,7 @@ private:
  * A part of the border that is a source is one node, too. With k sources, the cotree is a forest with one tree for each of
  * them, there are 2g - 1 + k generators, and the union leaves k open disks.
  *
- * @param crossed edges that are in the cotree first, as `edges_crossed_by_descents()` gives them: none of `tree`
+ * @param crossed edges that are in the cotree first, as `edges_crossed_by_ways()` gives them: none of `tree`
  * @param source_of_face if not null, becomes the source in whose disk each face is
  */
 inline std::vector<Index> homology_generators(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
@@ -171,9 +174,7 @@ inline std::vector<Index> homology_generators(const Indexed_triangle_mesh& mesh,
   progress(0.1);
   internal::Cotree cotree(mesh, connectivity, distance, std::move(covered));
   cotree.start(roots);
-  if(!crossed.empty())
-    cotree.cross_first(crossed, progress.part(0.1, 0.4));
-  cotree.grow(progress.part(0.4, 1.));
+  cotree.grow(crossed, progress.part(0.1, 1.));
   if(source_of_face != nullptr)
     source_of_face->swap(cotree.sources());
   return cotree.rest();

@@ -8,7 +8,6 @@
 #define CGAL_CUT_LOCI_METHOD_GEODESIC_SOLVER_HANDLE_H
 
 #include <CGAL/Cut_loci/cut_locus_method.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_results.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
@@ -64,14 +63,16 @@ public:
     return result;
   }
 
-  // To the nearest source. Solvers that take no curves are given all vertices of these.
+  // To the nearest source. Solvers that take no curves are given all vertices of these. `nearest` becomes which of several
+  // points that is, for each vertex, if the solver tells, as those do that take one source at a time; else it is empty.
   void compute_distances(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
-                         std::vector<double>& distances)
+                         std::vector<double>& distances, std::vector<Index>& nearest)
   {
+    nearest.clear();
     if(curves.empty())
-      has_all_paths_ = model_->compute_distances(points, distances);
-    else if(has_all_paths_ = false; !model_->compute_distances(points, curves, distances))
-      model_->compute_distances(with_vertices(points, curves), distances);
+      model_->compute_distances(points, distances, nearest);
+    else if(std::vector<Index> vertices; !model_->compute_distances(points, curves, distances))
+      model_->compute_distances(with_vertices(points, curves), distances, vertices);
   }
 
   // of the distances that follow; returns whether the solver knows such an error
@@ -80,26 +81,19 @@ public:
   // is told the share of the next distances that is done, if the solver knows it
   void report_to(const Progress& progress) { model_->report_to(progress); }
 
-  // what the package's exact solver found in the last call, or null; where windows have been merged there are no paths
-  const Geodesic_results* geodesics() const
-  {
-    const Geodesic_results* result = has_all_paths_ ? model_->geodesics() : nullptr;
-    return result != nullptr && result->is_approximate() ? nullptr : result;
-  }
-
 private:
   struct Concept
   {
     virtual ~Concept() = default;
     virtual std::unique_ptr<Concept> copy() const = 0;
     virtual void set_mesh(const Indexed_triangle_mesh& mesh) = 0;
-    virtual bool compute_distances(const std::vector<Indexed_source>& sources, std::vector<double>& distances) = 0;
+    virtual void compute_distances(const std::vector<Indexed_source>& sources, std::vector<double>& distances,
+                                   std::vector<Index>& nearest) = 0;
     // whether it takes curves
     virtual bool compute_distances(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
                                    std::vector<double>& distances) = 0;
     virtual bool set_maximum_relative_error(double error) = 0;
     virtual void report_to(const Progress& progress) = 0;
-    virtual const Geodesic_results* geodesics() const = 0;
   };
 
   template <typename Solver, typename = void>
@@ -124,12 +118,13 @@ private:
     explicit Model(const Solver& s) : solver(s) {}
     std::unique_ptr<Concept> copy() const override { return std::unique_ptr<Concept>(new Model(solver)); }
     void set_mesh(const Indexed_triangle_mesh& mesh) override { solver.set_mesh(mesh); }
-    bool compute_distances(const std::vector<Indexed_source>& sources, std::vector<double>& distances) override
+    void compute_distances(const std::vector<Indexed_source>& sources, std::vector<double>& distances,
+                           std::vector<Index>& nearest) override
     {
       if(sources.size() > 1)
-        return compute_own_distances(solver, sources, distances, 0);
-      solver.compute_distances(sources.front(), distances);
-      return true;
+        compute_own_distances(solver, sources, distances, nearest, 0);
+      else
+        solver.compute_distances(sources.front(), distances);
     }
     bool compute_distances(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
                            std::vector<double>& distances) override
@@ -138,34 +133,37 @@ private:
     }
     bool set_maximum_relative_error(double error) override { return set_own_error(solver, error, 0); }
     void report_to(const Progress& progress) override { set_own_progress(solver, progress, 0); }
-    const Geodesic_results* geodesics() const override { return own_geodesics(solver, 0); }
     Solver solver;
   };
 
-  // Returns whether one run was for all sources.
   template <typename Solver>
   static auto compute_own_distances(Solver& solver, const std::vector<Indexed_source>& sources,
-                                    std::vector<double>& distances, int)
-    -> decltype(solver.compute_distances(sources, distances), bool()) // if it takes several
+                                    std::vector<double>& distances, std::vector<Index>& nearest, int)
+    -> decltype(solver.compute_distances(sources, distances), void()) // if it takes several
   {
     solver.compute_distances(sources, distances);
-    return true;
+    set_own_nearest_sources(solver, nearest, 0);
   }
   template <typename Solver>
-  static bool compute_own_distances(Solver& solver, const std::vector<Indexed_source>& sources,
-                                    std::vector<double>& distances, long)
+  static void compute_own_distances(Solver& solver, const std::vector<Indexed_source>& sources,
+                                    std::vector<double>& distances, std::vector<Index>& nearest, long)
   {
     std::vector<double> to_one;
     for(std::size_t i = 0; i < sources.size(); ++i)
     {
       solver.compute_distances(sources[i], to_one);
       if(i == 0 || to_one.size() != distances.size()) // the latter is an error, which is seen by the last size
+      {
         distances = to_one;
+        nearest.assign(distances.size(), static_cast<Index>(i));
+      }
       for(std::size_t v = 0; v < to_one.size(); ++v)
         if(to_one[v] < distances[v] || std::isnan(to_one[v]))
+        {
           distances[v] = to_one[v];
+          nearest[v] = static_cast<Index>(i);
+        }
     }
-    return false;
   }
 
   template <typename Solver>
@@ -246,19 +244,18 @@ private:
   }
 
   template <typename Solver>
-  static auto own_geodesics(const Solver& solver, int) -> decltype(&solver.geodesics()) // if it has them
+  static auto set_own_nearest_sources(const Solver& solver, std::vector<Index>& nearest, int)
+    -> decltype(nearest = solver.nearest_sources(), void()) // if it has them
   {
-    return &solver.geodesics();
+    nearest = solver.nearest_sources();
   }
   template <typename Solver>
-  static const Geodesic_results* own_geodesics(const Solver&, long)
+  static void set_own_nearest_sources(const Solver&, std::vector<Index>&, long)
   {
-    return nullptr;
   }
 
   std::unique_ptr<Concept> model_;
   const Indexed_triangle_mesh* mesh_ = nullptr; // if it is bound to one
-  bool has_all_paths_ = true;                   // one run was for all sources
   double gradient_angle_threshold_ = 0.;
   Method method_ = Method::LAPLACIAN;
 };

@@ -21,8 +21,6 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-class Geodesic_results;
-
 // What a method does on one connected component, on dense indices. The mesh is read by the constructor; the functions
 // are called in this order, those of a stage once per source.
 class Method_solver
@@ -53,10 +51,10 @@ class Laplacian_method : public Method_solver
 public:
   // another one for the same mesh, which shares what depends on it alone, also in another thread
   virtual std::unique_ptr<Laplacian_method> for_other_sources() const = 0;
-  // comes first; `distance` is that to the nearest source, of which the points come first, and `geodesics` what the
-  // exact solver found: null, or there until the tree has grown
+  // comes first; `distance` is that to the nearest source, of which the points come first, and `nearest` which that is
+  // for each vertex; empty if it has to be found
   virtual void set_distance(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
-                            std::vector<double> distance, const Geodesic_results* geodesics) = 0;
+                            std::vector<double> distance, std::vector<Index> nearest) = 0;
   // the result is made of edges of the mesh if there are no iterations of smoothing
   virtual Indexed_cut_locus filter(const Branch_thresholds& thresholds, const Smoothing_parameters& smoothing,
                                    const Kept_parts& parts) = 0;

@@ -4,21 +4,18 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-// The descents of a distance, good or bad, leave room for a tree of all vertices and 2g edges more.
+// The forest of a distance, good or bad, leaves room for a tree of all vertices and 2g edges more.
 
 #include "Union_find.h"
 #include "test_meshes.h"
 
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
-#include <CGAL/Cut_loci/laplacian/Exact_descent.h>
-#include <CGAL/Cut_loci/laplacian/descent_forest.h>
+#include <CGAL/Cut_loci/laplacian/Way_forest.h>
 #include <CGAL/Cut_loci/laplacian/homology.h>
 #include <CGAL/Cut_loci/laplacian/region_growing_tree.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
-#include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -30,19 +27,18 @@
 #include <string>
 #include <vector>
 
-namespace test_descent_forest {
+namespace test_way_forest {
 
 namespace {
 
 using namespace CGAL::Cut_loci;
 using Mesh = CGAL::Cut_loci::Indexed_triangle_mesh;
 
-void expect_room(const Mesh& mesh, const std::vector<double>& distance, const Indexed_source& source,
-                 const internal::Geodesic_results* geodesics = nullptr)
+void expect_room(const Mesh& mesh, const std::vector<double>& distance, const Indexed_source& source)
 {
   const Mesh_connectivity connectivity(mesh);
   const Source_roots roots(mesh, connectivity, {source});
-  const std::vector<unsigned char> crossed = edges_crossed_by_descents(mesh, connectivity, distance, roots, geodesics);
+  const std::vector<unsigned char> crossed = edges_crossed_by_ways(mesh, connectivity, distance, roots);
   curve_measures::Union_find faces(mesh.number_of_faces());
   for(Index e = 0; e < crossed.size(); ++e)
     if(crossed[e])
@@ -73,7 +69,7 @@ void expect_room(const Mesh& mesh, const std::vector<double>& distance, const In
     EXPECT_FALSE(crossed[connectivity.edge_of_halfedge[h]]);
 }
 
-TEST(Descent_forest, leaves_a_tree_and_generators)
+TEST(Way_forest, leaves_a_tree_and_generators)
 {
   std::mt19937 engine(7);
   for(const Mesh& mesh :
@@ -98,7 +94,6 @@ TEST(Descent_forest, leaves_a_tree_and_generators)
       exact.run({source.location});
       std::vector<double> distance = exact.distances();
       expect_room(mesh, distance, source);
-      expect_room(mesh, distance, source, &exact);
       for(double& d : distance) // with pits all over
         d += 0.5 * (engine() / 4294967296.);
       expect_room(mesh, distance, source);
@@ -149,15 +144,15 @@ double longest_detour_from(Index v, const Mesh& mesh)
   exact.run({source.location});
   const std::vector<double> distance = exact.distances();
   const Source_roots roots(mesh, connectivity, {source});
-  expect_room(mesh, distance, source, &exact);
-  const auto crossed = edges_crossed_by_descents(mesh, connectivity, distance, roots, &exact);
+  expect_room(mesh, distance, source);
+  const auto crossed = edges_crossed_by_ways(mesh, connectivity, distance, roots);
   return longest_detour(mesh, connectivity, v, distance, crossed) / connectivity.mean_edge_length;
 }
 
 // Shortest paths to different sides of a vertex cross the same edges of a fan before they part. Where older ones went, and
 // most of them, is not where the others have to go. What is longer by a mean edge is left as it is, and no path may become
 // longer by another one for others; without a look at how long they become, some do.
-TEST(Descent_forest, leads_paths_through_fans_of_slim_faces)
+TEST(Way_forest, leads_paths_through_fans_of_slim_faces)
 {
   for(const std::vector<std::size_t>& numbers : {std::vector<std::size_t>{3, 40}, std::vector<std::size_t>{4, 40},
                                                  std::vector<std::size_t>{5, 61, 17}, std::vector<std::size_t>{6, 90}})
@@ -170,7 +165,7 @@ TEST(Descent_forest, leads_paths_through_fans_of_slim_faces)
 
 // Shortest paths to several vertices pass the same slim faces and part there. One of them at most can have those; to the
 // others, a way along an edge is hardly longer. Led along paths of their own alone, some stay longer by two mean edges.
-TEST(Descent_forest, leads_ways_along_edges_beside_fans)
+TEST(Way_forest, leads_ways_along_edges_beside_fans)
 {
   const Mesh mesh = test_meshes::indexed(test_meshes::torus_of_rings({4, 7, 33, 120}));
   for(Index v = 0; v < mesh.number_of_vertices(); v += 12)
@@ -180,63 +175,6 @@ TEST(Descent_forest, leads_ways_along_edges_beside_fans)
   }
 }
 
-// The points at which the steps of `Exact_descent` cross edges or meet vertices, up to the faces of the source.
-std::vector<internal::Vector> points_of_descent(const Mesh& mesh, const Mesh_connectivity& connectivity,
-                                                const internal::Exact_geodesic_propagation& exact, Index v,
-                                                Index source)
-{
-  using namespace CGAL::Cut_loci::internal;
-  const Exact_descent descent(mesh, connectivity, exact);
-  std::vector<Vector> result;
-  Exact_descent::Way way = descent.leave(v);
-  while(way.exists() && result.size() < mesh.number_of_faces())
-  {
-    if(way.vertex != null_index)
-    {
-      result.push_back(mesh.points[way.vertex]);
-      way = way.vertex == source ? Exact_descent::Way() : descent.leave(way.vertex);
-      continue;
-    }
-    const Index h = way.halfedge;
-    result.push_back((1. - way.place) * mesh.points[mesh.source(h)] + way.place * mesh.points[mesh.target(h)]);
-    const Mesh::Triangle& t = mesh.triangles[mesh.opposite[h] / 3];
-    way = std::find(t.begin(), t.end(), source) != t.end() ? Exact_descent::Way() : descent.across(way);
-  }
-  return result;
-}
-
-TEST(Exact_descent, goes_where_the_shortest_paths_go)
-{
-  using namespace CGAL::Cut_loci::internal;
-  for(const Mesh& mesh : {test_meshes::indexed(test_meshes::hilly_sphere(10)),
-                          test_meshes::indexed(test_meshes::torus_with_shifted_rows(24, 10)),
-                          test_meshes::indexed(test_meshes::needles(6))})
-  {
-    const Mesh_connectivity connectivity(mesh);
-    Indexed_location location;
-    location.face = 0;
-    location.coordinates = {{1., 0., 0.}};
-    const Index source = mesh.triangles[0][0];
-    Exact_geodesic_propagation exact(mesh);
-    exact.run({location});
-    Geodesic_path_tracing tracing(exact);
-    std::size_t crossings = 0;
-    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-    {
-      if(v == source || connectivity.valence(v) == 0)
-        continue;
-      const std::vector<Indexed_location> path = tracing.path_from_vertex(v);
-      const std::vector<Vector> points = points_of_descent(mesh, connectivity, exact, v, source);
-      ASSERT_LE(points.size() + 1, path.size()) << v;
-      EXPECT_LE(path.size(), points.size() + 2) << v << ": all but the ends";
-      for(std::size_t i = 0; i < points.size(); ++i)
-        EXPECT_LT(norm(points[i] - position(mesh, path[i + 1])), 1e-6 * connectivity.mean_edge_length) << v;
-      crossings += points.size();
-    }
-    EXPECT_GT(crossings, mesh.number_of_vertices());
-  }
-}
-
 } // namespace
 
-} // namespace test_descent_forest
+} // namespace test_way_forest
