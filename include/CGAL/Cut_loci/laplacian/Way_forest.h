@@ -210,7 +210,7 @@ private:
 
   // A row waits for others, as its faces are lost for them: by a quarter of the longest detour to a corner of one that is not
   // linked, compared to known ways. Without that those who come first take too much, and by all of it, many ways bend that
-  // need not.
+  // need not. But what is longer by more than an edge is no bend: a better row is late, as it enters a face along a long side.
   void offer(Index row, Index h)
   {
     const Index entry = mesh_.opposite[h];
@@ -224,10 +224,11 @@ private:
     }
     Rows_of_faces::Row next = rows_.longer(row, entry);
     const Index v = mesh_.source(mesh_.previous(entry));
-    // what comes late stays so
-    next.late = (std::max)(rows_[row].late, is_slow_[v] ? distance_[v] - next.length : 0.);
+    // what comes late stays so, and leaves the corner to another way that comes at once with it
+    next.late = (std::max)(rows_[row].late, is_slow_[v] ? (1. + 1e-8) * (distance_[v] - next.length) : 0.);
     const double at = next.length + next.late, known = (std::min)(first(v), (std::max)(0., distance_[v]));
-    next.delay = (std::max)(is_linked ? 0. : rows_[row].delay, 0.25 * (at - known));
+    const double detour = at - known, waits = (std::max)(0.25 * detour, detour - connectivity_.mean_edge_length);
+    next.delay = (std::max)(is_linked ? 0. : rows_[row].delay, waits);
     queue_.push({at + next.delay, rows_.add(next)});
   }
 
