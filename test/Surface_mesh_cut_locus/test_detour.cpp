@@ -319,6 +319,32 @@ TEST(Detour, Source_in_a_face)
   }
 }
 
+// On faces that are longer than the corridors between branches are wide, centroids are in the wrong cells.
+TEST(Detour, Is_short_where_corridors_are_narrower_than_faces_are_long)
+{
+  const std::vector<Mesh_data> surfaces = {
+    scaled(square_with_holes(3, 12), {{1., 7., 1.}}), scaled(perforated_plate(4, 3, 3, 2), {{1., 8., 1.}}),
+    with_diagonals_at_random(scaled(plate_with_holes(4, 3, 2), {{1., 6., 1.}}), 5),
+    torus_of_rings({24, 24, 5, 24, 24, 5})};
+  for(std::size_t i = 0; i < surfaces.size(); ++i)
+  {
+    const Built_mesh<Mesh> built(surfaces[i]);
+    CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh);
+    for(std::size_t k = 0; k < 4; ++k)
+    {
+      SCOPED_TRACE(std::to_string(i) + " " + std::to_string(k));
+      solver.set_source(built.vertices[k * built.vertices.size() / 4]);
+      const Measures m = curve_measures::measure(built.mesh, solver.cut_locus(mesh_edges));
+      EXPECT_EQ(m.topology_fault + m.measuring_failed, "");
+      EXPECT_LT(m.max, 1.);
+    }
+    solver.set_sources(std::vector<Vertex>{built.vertices[1], built.vertices[built.vertices.size() / 2]});
+    const Measures m = curve_measures::measure(built.mesh, solver.cut_locus(mesh_edges));
+    EXPECT_EQ(m.topology_fault + m.measuring_failed, "");
+    EXPECT_LT(m.max, 1.);
+  }
+}
+
 // ---- the paper's method: nothing that it joins lies across shortest paths
 
 Measures worst_of_thresholds(const Mesh_data& data, std::size_t source, CGAL::Cut_loci::Filter_policy policy,

@@ -10,7 +10,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/laplacian/Way_forest.h>
+#include <CGAL/Cut_loci/ways/Way_forest.h>
 #include <CGAL/Cut_loci/laplacian/homology.h>
 #include <CGAL/Cut_loci/laplacian/region_growing_tree.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>

@@ -18,9 +18,9 @@
 #include <CGAL/Cut_loci/laplacian/Branch_filter.h>
 #include <CGAL/Cut_loci/laplacian/Branch_tips.h>
 #include <CGAL/Cut_loci/laplacian/Differential_operators.h>
-#include <CGAL/Cut_loci/laplacian/Source_roots.h>
+#include <CGAL/Cut_loci/ways/Source_roots.h>
 #include <CGAL/Cut_loci/laplacian/Tangent_directions.h>
-#include <CGAL/Cut_loci/laplacian/Way_forest.h>
+#include <CGAL/Cut_loci/ways/Way_forest.h>
 #include <CGAL/Cut_loci/laplacian/gradient_angles.h>
 #include <CGAL/Cut_loci/laplacian/homology.h>
 #include <CGAL/Cut_loci/laplacian/region_growing_tree.h>
@@ -30,7 +30,7 @@
 #include <CGAL/Cut_loci/method/distances_from_lines.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/surface/Source_faces.h>
+#include <CGAL/Cut_loci/ways/Source_faces.h>
 #include <CGAL/Cut_loci/surface/checked_mesh.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/vertex_queue.h>
-#include <CGAL/Cut_loci/laplacian/Source_roots.h>
+#include <CGAL/Cut_loci/ways/Source_roots.h>
 #include <CGAL/Cut_loci/laplacian/region_growing_tree.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>

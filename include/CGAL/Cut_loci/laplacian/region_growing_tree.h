@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/internal/vertex_queue.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/ways/Source_roots.h>
 
 #include <vector>
 
@@ -33,27 +34,6 @@ struct Spanning_tree
   std::vector<Index> order;        ///< the vertices of the tree, parents before children
 
   bool contains(Index v) const { return v == root || parent[v] != null_index; }
-};
-
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
- * is the vertex or the inner edge that the source is on, or neither if it is inside a face. It is never on the cut
- * locus: a vertex becomes a leaf of the tree, or a part of a border loop that nothing joins there, and an edge is
- * left out.
- */
-struct Source_element
-{
-  Index vertex = null_index;
-  Index edge = null_index;
-
-  Source_element() = default;
-  Source_element(const Mesh_connectivity& connectivity, const Indexed_source& source) : vertex(source.vertex)
-  {
-    for(Index i = 0; i < 3; ++i)
-      if(vertex == null_index && source.location.coordinates[(i + 2) % 3] == 0.)
-        edge = connectivity.edge_of_halfedge[3 * source.location.face + i];
-  }
 };
 
 namespace internal {
@@ -101,25 +81,6 @@ void add_with_border_loop(Spanning_tree& tree, const Mesh_connectivity& connecti
   const Index w = connectivity.ring_vertex[entry];
   if(add_vertex(tree, connectivity, entry, v, reached) && connectivity.is_border(w))
     add_border_loop(tree, connectivity, w, reached);
-}
-
-// The edges that the tree does not take, but along the border: those that are crossed, and those at the sources.
-inline std::vector<unsigned char> closed_edges(const Mesh_connectivity& connectivity,
-                                               const std::vector<unsigned char>& crossed,
-                                               const std::vector<Source_element>& sources)
-{
-  std::vector<unsigned char> result = crossed;
-  result.resize(connectivity.number_of_edges(), 0);
-  for(const Source_element& source : sources)
-  {
-    if(source.edge != null_index)
-      result[source.edge] = 1;
-    if(source.vertex != null_index)
-      for(Index entry = connectivity.ring_begin[source.vertex]; entry < connectivity.ring_begin[source.vertex + 1];
-          ++entry)
-        result[connectivity.ring_edge(entry)] = 1;
-  }
-  return result;
 }
 
 // Adds the source as a leaf, at the first neighbor in its ring, when all other vertices are in the tree.

@@ -13,6 +13,7 @@
 #include <CGAL/Cut_loci/polyhedral/strength/Tree_branches.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/ways/Way_forest.h>
 
 #include <algorithm>
 #include <array>
@@ -27,7 +28,8 @@ namespace Cut_loci {
 namespace internal {
 
 /*!
- * divides the faces that a part of a `Tree_graph` runs through into cells, and tells which of them holds the centroid.
+ * divides the faces that a part of a `Tree_graph` runs through into cells, and tells to which of them each face belongs:
+ * to the one that a way enters, or else to that which holds the centroid.
  *
  * A cell touches the boundary of its face in parts between two nodes of the graph, on edges or in corners. Part `i`
  * starts at node `i`, in counterclockwise order.
@@ -35,9 +37,11 @@ namespace internal {
 class Face_cells
 {
 public:
+  /// @param entrances of the ways to the faces; there may be more of these
   Face_cells(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Geodesic_faces& faces,
-             const Tree_graph& graph, const std::vector<Tree_branches::Edge>& kept, const Progress& progress = {})
-    : mesh_(mesh), connectivity_(connectivity), faces_(faces), graph_(graph)
+             const Tree_graph& graph, const std::vector<Tree_branches::Edge>& kept,
+             const std::vector<Face_entrance>& entrances, const Progress& progress = {})
+    : mesh_(mesh), connectivity_(connectivity), faces_(faces), graph_(graph), entrances_(entrances)
   {
     sort_nodes(kept);
     progress(0.2);
@@ -62,9 +66,9 @@ public:
   /// whether nothing divides a face
   bool is_whole(Index f) const { return part_begin_[f] == null_index; }
 
-  /// whether the centroid of the face of `h` is in the cell that touches interval `k` of `h`, counted along the halfedge
-  /// of smaller index
-  bool holds_centroid(Index h, Index k) const
+  /// whether the face of `h` belongs to the cell that touches interval `k` of `h`, counted along the halfedge of smaller
+  /// index
+  bool holds_face(Index h, Index k) const
   {
     const Index f = h / 3;
     if(part_begin_[f] == null_index)
@@ -196,8 +200,9 @@ private:
     holds_.resize(holds_.size() + n, false);
     if(n == 0)
       return;
-    // the part that the centroid sees, and those of the same cell
-    std::size_t part = part_seen(f);
+    // the part that a way enters, or the centroid sees, and those of the same cell
+    const bool is_entered = f < entrances_.size() && entrances_[f].halfedge != null_index;
+    std::size_t part = is_entered ? part_entered(entrances_[f]) : part_seen(f);
     std::vector<unsigned char>& is_done = is_done_;
     is_done.assign(n, 0);
     while(!is_done[part])
@@ -245,6 +250,22 @@ private:
     tree_.resize(around_.size());
     for(std::size_t i = 0; i < around_.size(); ++i)
       tree_[i] = root(number(around_[i]));
+  }
+
+  /// the part after the last node before the entrance
+  std::size_t part_entered(const Face_entrance& entrance) const
+  {
+    const Index f = entrance.halfedge / 3;
+    const auto is_before = [&](Index i)
+    {
+      const Index h = halfedge_in(f, i);
+      const Tree_graph::Node& n = graph_.nodes[i];
+      if(h != entrance.halfedge || n.halfedge == null_index) // those in corners are at the beginning of theirs
+        return h <= entrance.halfedge;
+      return (n.halfedge == h ? n.t : faces_.length(h) - n.t) < entrance.t;
+    };
+    const auto first_after = std::find_if_not(around_.begin(), around_.end(), is_before);
+    return (static_cast<std::size_t>(first_after - around_.begin()) + around_.size() - 1) % around_.size();
   }
 
   /// the part with a point from which the straight way to the centroid crosses the graph least often; where pieces end in
@@ -327,10 +348,11 @@ private:
   const Mesh_connectivity& connectivity_;
   const Geodesic_faces& faces_;
   const Tree_graph& graph_;
+  const std::vector<Face_entrance>& entrances_;
   std::vector<Index> node_begin_, nodes_, edge_begin_, edges_;
   std::vector<Index> part_begin_;
   std::vector<unsigned char> corners_with_nodes_; // by face, a bit each
-  std::vector<bool> holds_;                       // by part of a face: whether it belongs to the cell of the centroid
+  std::vector<bool> holds_;                       // by part of a face: whether the face belongs to its cell
 
   // of the face in work
   std::array<Plane_point, 3> corners_;

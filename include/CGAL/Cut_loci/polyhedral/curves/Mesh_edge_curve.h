@@ -21,13 +21,17 @@
 #include <CGAL/Cut_loci/polyhedral/tree/Exact_tree.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/surface/Source_faces.h>
-#include <CGAL/Cut_loci/surface/Source_parts.h>
+#include <CGAL/Cut_loci/surface/cut_open.h>
+#include <CGAL/Cut_loci/ways/Source_roots.h>
+#include <CGAL/Cut_loci/ways/Way_forest.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -38,13 +42,16 @@ namespace internal {
 /*!
  * is the cut locus made of edges of the mesh.
  *
- * A face that the cut locus divides belongs to the cell that holds its centroid. Two faces are on the same side if
- * these cells touch along the edge between them. A spanning tree of the faces stays on one side as far as it can. What
- * is behind a corridor narrower than a face has to be opened elsewhere: across the cut locus, where it is nearest to the
- * source, which is beside the corridor. There both sides are at the same distance, so that ways become longer by about
- * what it takes from there to the corridor. The edges of the mesh that the tree does not cross form a graph whose
- * complement is an open disk. What of it stands for no piece, and has nothing behind it that does, is no part of the
- * curve.
+ * A face that the cut locus divides belongs to the cell that holds its centroid. Two faces are on the same side if these
+ * cells touch along the edge between them. A spanning tree of the faces stays on one side as far as it can. What it does
+ * not reach so has to be opened elsewhere: across the cut locus, where it is nearest to the source. The edges of the mesh
+ * that the tree does not cross form a graph whose complement is an open disk. What of it stands for no piece, and has
+ * nothing behind it that does, is no part of the curve.
+ *
+ * In a corridor that is narrower than its faces are long, the centroids are on other sides. What is behind it is then
+ * reached by a detour, which distances tell on the mesh that is cut open along the curve. The tree takes short ways to the
+ * vertices there first, and the faces on these belong to the cells that the ways enter. As the ways of `Way_forest` to all
+ * vertices are in one tree, no other choice has to be made for them.
  *
  * With several sources the tree is a forest, with one tree for each source that has a face to itself.
  *
@@ -55,33 +62,31 @@ namespace internal {
 class Mesh_edge_curve
 {
 public:
+  using Distance_cut_open = std::function<std::vector<double>(const Seams&)>;
+
   Indexed_cut_locus graph; ///< it counts the corridors that are opened elsewhere
 
   /// @param kept the edges of the tree that the curve stands for
   /// @param divided the mesh that the tree is on, if it is another one
   /// @param distance of the vertices
-  /// @param parts of the border that are sources
+  /// @param distance_cut_open of the vertices, on the mesh that is cut open along `Seams`
   /// @param lone the vertex that is left if nothing else is, or null for none
   Mesh_edge_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                   const Mesh_with_sources* divided, Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept,
-                  const Source_faces& sources, const std::vector<double>& distance, const Source_parts& parts,
-                  Index lone, const Progress& progress = {})
-    : mesh_(mesh), connectivity_(connectivity), divided_(divided), distance_(distance),
-      nodes_(mesh, connectivity, parts), tree_(tree)
+                  const Source_roots& sources, const std::vector<double>& distance,
+                  const Distance_cut_open& distance_cut_open, Index lone, const Progress& progress = {})
+    : mesh_(mesh), connectivity_(connectivity), divided_(divided), sources_(sources), distance_(distance),
+      nodes_(mesh, connectivity, sources.parts()), tree_(tree), kept_(kept)
   {
-    const Face_cells cells(tree.mesh(), tree.connectivity(), tree.geodesics().faces(), tree.graph(), kept,
-                           progress.part(0., 0.2));
-    grow_tree(cells, sources, progress.part(0.2, 0.8));
-    drop_weak_leaves(progress.part(0.8, 1.));
-    if(!parts.empty())
-    {
-      leave_sources();
-      drop_weak_leaves(Progress());
-    }
+    find_edges({}, progress.part(0., 0.4));
+    shorten_ways(distance_cut_open, progress.part(0.4, 1.));
     draw(lone);
   }
 
 private:
+  // each takes a run; few surfaces need a third
+  static constexpr int most_rounds = 4;
+
   struct Candidate
   {
     Index edge;       // of the mesh
@@ -90,35 +95,118 @@ private:
     std::array<Index, 2> sources = {{0, 0}}; // on its two sides
   };
 
-  void grow_tree(const Face_cells& cells, const Source_faces& sources, const Progress& progress)
+  void find_edges(const Ways_through_faces& ways, const Progress& progress)
+  {
+    candidates_.clear();
+    graph.number_of_narrow_corridors = 0;
+    std::vector<Face_entrance> entrances = ways.entrances;
+    for(Index f = 0; f < entrances.size() && divided_ != nullptr; ++f)
+      if(divided_->is_divided(f)) // they have other numbers in the mesh that the tree is on
+        entrances[f] = {};
+    const Face_cells cells(tree_.mesh(), tree_.connectivity(), tree_.geodesics().faces(), tree_.graph(), kept_,
+                           entrances, progress.part(0., 0.2));
+    grow_tree(ways.is_crossed, cells, progress.part(0.2, 0.8));
+    drop_weak_leaves(progress.part(0.8, 1.));
+    if(!sources_.parts().empty())
+    {
+      leave_sources();
+      drop_weak_leaves(Progress());
+    }
+  }
+
+  // The ways are taken that cutting lengthens by more than a quarter of an edge, and what that does to others is looked at
+  // again, until it is done to none. The best curve so far counts, by the sum of all detours.
+  void shorten_ways(const Distance_cut_open& distance_cut_open, const Progress& progress)
+  {
+    std::vector<unsigned char> is_late(mesh_.number_of_vertices(), 0);
+    std::unique_ptr<Way_forest> forest;
+    double least = (std::numeric_limits<double>::infinity)();
+    std::vector<Candidate> best;
+    Index best_number = 0;
+    for(int round = 0; round <= most_rounds; ++round)
+    {
+      if(round > 0)
+        find_edges(forest->ways([&](Index v) { return is_late[v] != 0; }), Progress());
+      const std::vector<double> cut_open = distance_cut_open(seams());
+      if(const double sum = sum_of_detours(cut_open); sum < least)
+      {
+        least = sum;
+        best = candidates_;
+        best_number = graph.number_of_narrow_corridors;
+      }
+      if(!find_late(cut_open, is_late))
+        break;
+      if(!forest)
+      {
+        forest.reset(new Way_forest(mesh_, connectivity_, sources_, distance_));
+        forest->grow(progress.part(0., 0.5));
+      }
+    }
+    candidates_ = std::move(best);
+    graph.number_of_narrow_corridors = best_number;
+  }
+
+  Seams seams() const
+  {
+    Seams result(mesh_.number_of_halfedges(), 0);
+    for(const Candidate& c : candidates_)
+      add_seam(mesh_, connectivity_.halfedge_of_edge[c.edge], result);
+    return result;
+  }
+
+  double sum_of_detours(const std::vector<double>& cut_open) const
+  {
+    double result = 0.;
+    for(Index v = 0; v < cut_open.size(); ++v)
+      if(cut_open[v] > distance_[v] && std::isfinite(cut_open[v]))
+        result += cut_open[v] - distance_[v];
+    return result;
+  }
+
+  // adds those that are; false if there are no more
+  bool find_late(const std::vector<double>& cut_open, std::vector<unsigned char>& is_late) const
+  {
+    bool result = false;
+    for(Index v = 0; v < cut_open.size(); ++v)
+      if(!is_late[v] && cut_open[v] - distance_[v] > 0.25 * connectivity_.mean_edge_length)
+        is_late[v] = result = true;
+    return result;
+  }
+
+  void grow_tree(const std::vector<unsigned char>& is_crossed, const Face_cells& cells, const Progress& progress)
   {
     forest_ = Source_forest(mesh_.number_of_faces());
-    for(Index i = 0; i < sources.number_of_sources(); ++i)
-      if(sources.face(i) != null_index)
-        forest_.plant(sources.face(i), sources.name(i));
-    // The faces at the source belong to its cell, wherever their centroids are.
-    const Progress at_sources = progress.part(0., 0.2), linking = progress.part(0.2, 1.);
-    for(Index h = 0; h < mesh_.number_of_halfedges(); ++h)
+    for(Index i = 0; i < sources_.number_of_sources() && sources_.number_of_sources() > 1; ++i)
+      forest_.plant(sources_.face(i), sources_.name(i));
+    const auto link = [&](Index e)
     {
-      at_sources(h, mesh_.number_of_halfedges());
-      if(!sources.is_inside(mesh_, h))
-        continue;
-      // The faces around a source that is a loop form a ring; what is behind a corridor one face wide has one of its own.
-      if(!forest_.link(h / 3, mesh_.opposite[h] / 3) && h < mesh_.opposite[h] && sources.is_part(sources.owner(h / 3)))
-        candidates_.push_back({connectivity_.edge_of_halfedge[h], null_index, 0.});
-    }
+      const Index h = connectivity_.halfedge_of_edge[e];
+      return forest_.link(h / 3, mesh_.opposite[h] / 3);
+    };
+    // The faces at a source belong to its cell. Those around one that is a loop form a ring.
+    std::vector<unsigned char> is_done = closed_edges(connectivity_, is_crossed, sources_.elements());
+    for(Index e = 0; e < is_crossed.size(); ++e)
+      if(is_crossed[e])
+        link(e);
+    for(Index h : sources_.crossings())
+      if(const Index e = connectivity_.edge_of_halfedge[h]; is_crossed.empty() || !is_crossed[e])
+      {
+        is_done[e] = 1;
+        if(!link(e))
+          candidates_.push_back({e, null_index, 0.});
+      }
     // edges between cells that touch come first, in any order, then the others by the distance of their middle
     std::vector<Candidate> barred;
     for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
     {
-      linking(e, connectivity_.number_of_edges());
+      progress(e, connectivity_.number_of_edges());
       const Index h = connectivity_.halfedge_of_edge[e];
-      if(mesh_.is_border_edge(h) || sources.is_inside(mesh_, h))
+      if(is_done[e] || mesh_.is_border_edge(h))
         continue;
       const Candidate c = barrier(cells, h);
       if(c.stands_for != null_index)
         barred.push_back(c);
-      else if(!forest_.link(h / 3, mesh_.opposite[h] / 3))
+      else if(!link(e))
         candidates_.push_back(c);
     }
     const auto way = [&](const Candidate& c)
@@ -133,15 +221,12 @@ private:
       return is_between(a) != is_between(b) ? is_between(b) : way(a) != way(b) ? way(a) < way(b) : a.edge < b.edge;
     });
     for(const Candidate& c : barred)
-    {
-      const Index h = connectivity_.halfedge_of_edge[c.edge];
-      if(!forest_.link(h / 3, mesh_.opposite[h] / 3))
+      if(!link(c.edge))
         candidates_.push_back(c);
       else
         ++graph.number_of_narrow_corridors;
-    }
     for(Candidate& c : candidates_)
-      for(std::size_t k = 0; k < 2 && sources.number_of_sources() > 1; ++k)
+      for(std::size_t k = 0; k < 2 && sources_.number_of_sources() > 1; ++k)
       {
         const Index h = connectivity_.halfedge_of_edge[c.edge];
         const Index source = forest_.source(k == 0 ? h / 3 : mesh_.opposite[h] / 3);
@@ -149,8 +234,8 @@ private:
       }
   }
 
-  /// what is between the centroids of the faces of an edge: the piece of the graph with the largest gap in a face whose
-  /// centroid is in another cell, across the interval of the edge where that is least
+  /// what is between the cells of the faces of an edge: the piece of the graph with the largest gap in a face that belongs
+  /// to another cell, across the interval of the edge where that is least
   Candidate barrier(const Face_cells& cells, Index h) const
   {
     if(divided_ == nullptr)
@@ -180,7 +265,7 @@ private:
     {
       Candidate here{name, null_index, 0.};
       for(Index g : {h, o})
-        if(!cells.holds_centroid(g, k))
+        if(!cells.holds_face(g, k))
           for(Index i = cells.first_edge(g / 3); i < cells.first_edge(g / 3 + 1); ++i)
             if(here.stands_for == null_index || tree_.graph().edges[cells.edge(i)].gap > here.gap)
             {
@@ -306,9 +391,11 @@ private:
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   const Mesh_with_sources* divided_;
+  const Source_roots& sources_;
   const std::vector<double>& distance_;
   const Nodes_with_sources nodes_;
   Exact_tree& tree_;
+  const std::vector<Tree_branches::Edge>& kept_;
   Source_forest forest_{0}; // of faces
   std::vector<Candidate> candidates_;
   std::vector<Index> position_; // of vertices of the curve in the graph

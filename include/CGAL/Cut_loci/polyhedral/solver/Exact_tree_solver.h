@@ -28,7 +28,7 @@
 #include <CGAL/Cut_loci/polyhedral/tree/Exact_tree.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/surface/Source_faces.h>
+#include <CGAL/Cut_loci/ways/Source_roots.h>
 #include <CGAL/Cut_loci/surface/checked_mesh.h>
 #include <CGAL/Cut_loci/surface/extent.h>
 
@@ -291,11 +291,13 @@ private:
 
   Indexed_cut_locus mesh_edges(const std::vector<Tree_branches::Edge>& kept, const Progress& progress)
   {
-    const Source_faces at_sources(mesh_, connectivity_, sources_);
-    if(at_sources.first_without_face() != null_index)
-      Source_faces::throw_source_without_face(at_sources.first_without_face(),
+    const Source_roots roots(mesh_, connectivity_, sources_);
+    if(roots.first_without_face() != null_index)
+      Source_faces::throw_source_without_face(roots.first_without_face(),
                                               "ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
-    return std::move(Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, at_sources, distance_, {},
+    const auto cut_open = [&](const Seams& seams)
+    { return distances_cut_open(mesh_, sources_, {}, seams, maximum_relative_error_); };
+    return std::move(Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, roots, distance_, cut_open,
                                      lone_vertex(), progress)
                        .graph);
   }

@@ -22,7 +22,7 @@
 #include <CGAL/Cut_loci/polyhedral/tree/Exact_tree.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/surface/Source_faces.h>
+#include <CGAL/Cut_loci/ways/Source_roots.h>
 
 #include <string>
 #include <utility>
@@ -48,13 +48,14 @@ mesh_edges_between_curves(const Indexed_triangle_mesh& mesh, const std::vector<I
   const Mesh_beside_curves beside(mesh, static_cast<Index>(points.size()), curves);
   const std::string remedy = "ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)";
   beside.check_gaps(remedy);
-  const Source_faces at_sources(beside.mesh(), beside.connectivity(), points, beside.parts());
-  if(at_sources.first_without_face() != null_index)
-    Source_faces::throw_source_without_face(at_sources.name(at_sources.first_without_face()), remedy);
+  const Source_roots roots(beside.mesh(), beside.connectivity(), points, beside.parts());
+  if(roots.first_without_face() != null_index)
+    Source_faces::throw_source_without_face(roots.name(roots.first_without_face()), remedy);
   const std::vector<double> distance = beside.distances(distance_on_mesh);
-  Indexed_cut_locus result = std::move(Mesh_edge_curve(beside.mesh(), beside.connectivity(), &divided, tree, kept,
-                                                       at_sources, distance, beside.parts(), null_index)
-                                         .graph);
+  const auto cut_open = [&](const Seams& seams) { return distances_cut_open(mesh, points, curves, seams, 0.); };
+  Indexed_cut_locus result = std::move(
+    Mesh_edge_curve(beside.mesh(), beside.connectivity(), &divided, tree, kept, roots, distance, cut_open, null_index)
+      .graph);
   remove_short_branches(beside.mesh(), beside.connectivity(), {}, thresholds.minimum_edges, thresholds.minimum_length,
                         result);
   if(result.edges.empty())

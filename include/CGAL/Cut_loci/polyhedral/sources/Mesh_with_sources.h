@@ -56,6 +56,9 @@ public:
   /// the vertices of the sources
   const std::vector<Index>& vertices() const { return vertices_; }
 
+  /// tells of a face of the mesh without the sources whether there are some in it
+  bool is_divided(Index f) const { return parts_of_face_.count(f) > 0; }
+
   /// calls a function with each halfedge that is a part of one of the mesh without the sources
   template <typename Function>
   void for_each_part(Index h, const Function& function) const

@@ -15,6 +15,7 @@
 #include <CGAL/Cut_loci/polyhedral/sources/Mesh_with_curves.h>
 #include <CGAL/Cut_loci/polyhedral/sources/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/cut_open.h>
 
 #include <memory>
 #include <numeric>
@@ -53,6 +54,14 @@ inline Run_from_curves run_from_curves(const Indexed_triangle_mesh& mesh, const 
   return result;
 }
 
+inline std::vector<Indexed_location> locations_of(const std::vector<Indexed_source>& points)
+{
+  std::vector<Indexed_location> result;
+  for(const Indexed_source& point : points)
+    result.push_back(point.location);
+  return result;
+}
+
 /// exact distances from points and curves, of the vertices and of further locations: those of a tree are ones on a mesh whose
 /// curves have been moved
 inline Distances_from_lines distances_from_curves(const Indexed_triangle_mesh& mesh,
@@ -61,17 +70,34 @@ inline Distances_from_lines distances_from_curves(const Indexed_triangle_mesh& m
                                                   const std::vector<Indexed_location>& queries,
                                                   const Progress& progress = {})
 {
-  std::vector<Indexed_location> locations;
-  locations.reserve(points.size());
-  for(const Indexed_source& point : points)
-    locations.push_back(point.location);
   Exact_geodesic_options options;
   options.queries = queries;
   options.progress = progress;
-  const Run_from_curves run = run_from_curves(mesh, locations, curves, options);
+  const Run_from_curves run = run_from_curves(mesh, locations_of(points), curves, options);
   run.geodesics->run(run.sources, run.options);
   Distances_from_lines result = distances_of(*run.geodesics);
   result.of_vertices.resize(mesh.number_of_vertices());
+  return result;
+}
+
+/// the same on the mesh cut open along seams, of the vertices alone: of several copies of one, the least
+inline std::vector<double> distances_cut_open(const Indexed_triangle_mesh& mesh,
+                                              const std::vector<Indexed_source>& points,
+                                              const std::vector<Indexed_curve>& curves, const Seams& seams,
+                                              double maximum_relative_error)
+{
+  const Cut_mesh cut = cut_open(mesh, seams);
+  Exact_geodesic_options options;
+  if(curves.empty())
+    options.maximum_relative_error = maximum_relative_error;
+  const Run_from_curves run = run_from_curves(cut.mesh, locations_of(points), curves, options);
+  run.geodesics->run(run.sources, run.options);
+  std::vector<double> result(mesh.number_of_vertices(), (std::numeric_limits<double>::infinity)());
+  for(Index v = 0; v < cut.vertices.size(); ++v)
+  {
+    double& least = result[cut.vertices[v]];
+    least = (std::min)(least, run.geodesics->true_distance(v));
+  }
   return result;
 }
 

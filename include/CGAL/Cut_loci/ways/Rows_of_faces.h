@@ -4,8 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_LAPLACIAN_ROWS_OF_FACES_H
-#define CGAL_CUT_LOCI_LAPLACIAN_ROWS_OF_FACES_H
+#ifndef CGAL_CUT_LOCI_WAYS_ROWS_OF_FACES_H
+#define CGAL_CUT_LOCI_WAYS_ROWS_OF_FACES_H
 
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
@@ -132,6 +132,17 @@ public:
     return r;
   }
 
+  // Where the way to the corner crosses the edge across which its face is entered: the length along that.
+  double entrance(Index row) const
+  {
+    const Row& r = rows_[row];
+    const Planar_vector &left = rows_[r.left].position, &right = rows_[r.right].position,
+                        &from = rows_[r.previous].position;
+    const double of_left = cross(left - from, r.position - from), of_right = cross(right - from, r.position - from);
+    const double share = of_left != of_right ? of_left / (of_left - of_right) : 0.5;
+    return (std::max)(0., (std::min)(1., share)) * edge_length(mesh_, r.entry);
+  }
+
 private:
   // A point in the frame of a halfedge of its face, or what stands for the part of a curve that is seen across it: a point
   // so far away that what comes from it is a line, with the distances of both ends, or the corner behind if both ways come
@@ -196,4 +207,4 @@ private:
 } // namespace Cut_loci
 } // namespace CGAL
 
-#endif // CGAL_CUT_LOCI_LAPLACIAN_ROWS_OF_FACES_H
+#endif // CGAL_CUT_LOCI_WAYS_ROWS_OF_FACES_H

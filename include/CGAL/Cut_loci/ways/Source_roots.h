@@ -4,13 +4,12 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_LAPLACIAN_SOURCE_ROOTS_H
-#define CGAL_CUT_LOCI_LAPLACIAN_SOURCE_ROOTS_H
+#ifndef CGAL_CUT_LOCI_WAYS_SOURCE_ROOTS_H
+#define CGAL_CUT_LOCI_WAYS_SOURCE_ROOTS_H
 
-#include <CGAL/Cut_loci/laplacian/region_growing_tree.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/surface/Source_faces.h>
+#include <CGAL/Cut_loci/ways/Source_faces.h>
 #include <CGAL/Cut_loci/surface/Source_parts.h>
 
 #include <algorithm>
@@ -19,6 +18,27 @@
 
 namespace CGAL {
 namespace Cut_loci {
+
+/*!
+ * \ingroup PkgSurfaceMeshCutLocusStages
+ *
+ * is the vertex or the inner edge that the source is on, or neither if it is inside a face. It is never on the cut
+ * locus: a vertex becomes a leaf of the tree, or a part of a border loop that nothing joins there, and an edge is
+ * left out.
+ */
+struct Source_element
+{
+  Index vertex = null_index;
+  Index edge = null_index;
+
+  Source_element() = default;
+  Source_element(const Mesh_connectivity& connectivity, const Indexed_source& source) : vertex(source.vertex)
+  {
+    for(Index i = 0; i < 3; ++i)
+      if(vertex == null_index && source.location.coordinates[(i + 2) % 3] == 0.)
+        edge = connectivity.edge_of_halfedge[3 * source.location.face + i];
+  }
+};
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
@@ -127,7 +147,29 @@ private:
   Index first_without_face_ = null_index;
 };
 
+namespace internal {
+
+// The edges that are not on the cut locus, but along the border: those that are crossed, and those at the sources.
+inline std::vector<unsigned char> closed_edges(const Mesh_connectivity& connectivity,
+                                               const std::vector<unsigned char>& crossed,
+                                               const std::vector<Source_element>& sources)
+{
+  std::vector<unsigned char> result = crossed;
+  result.resize(connectivity.number_of_edges(), 0);
+  for(const Source_element& source : sources)
+  {
+    if(source.edge != null_index)
+      result[source.edge] = 1;
+    if(source.vertex != null_index)
+      for(Index entry = connectivity.ring_begin[source.vertex]; entry < connectivity.ring_begin[source.vertex + 1];
+          ++entry)
+        result[connectivity.ring_edge(entry)] = 1;
+  }
+  return result;
+}
+
+} // namespace internal
 } // namespace Cut_loci
 } // namespace CGAL
 
-#endif // CGAL_CUT_LOCI_LAPLACIAN_SOURCE_ROOTS_H
+#endif // CGAL_CUT_LOCI_WAYS_SOURCE_ROOTS_H

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_SURFACE_SOURCE_FACES_H
-#define CGAL_CUT_LOCI_SURFACE_SOURCE_FACES_H
+#ifndef CGAL_CUT_LOCI_WAYS_SOURCE_FACES_H
+#define CGAL_CUT_LOCI_WAYS_SOURCE_FACES_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -193,4 +193,4 @@ private:
 } // namespace Cut_loci
 } // namespace CGAL
 
-#endif // CGAL_CUT_LOCI_SURFACE_SOURCE_FACES_H
+#endif // CGAL_CUT_LOCI_WAYS_SOURCE_FACES_H

@@ -4,12 +4,12 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_LAPLACIAN_WAY_FOREST_H
-#define CGAL_CUT_LOCI_LAPLACIAN_WAY_FOREST_H
+#ifndef CGAL_CUT_LOCI_WAYS_WAY_FOREST_H
+#define CGAL_CUT_LOCI_WAYS_WAY_FOREST_H
 
 #include <CGAL/Cut_loci/internal/Progress.h>
-#include <CGAL/Cut_loci/laplacian/Rows_of_faces.h>
-#include <CGAL/Cut_loci/laplacian/Source_roots.h>
+#include <CGAL/Cut_loci/ways/Rows_of_faces.h>
+#include <CGAL/Cut_loci/ways/Source_roots.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
@@ -26,6 +26,20 @@
 namespace CGAL {
 namespace Cut_loci {
 namespace internal {
+
+// Where a way enters a face: at a length along a halfedge of it, or null.
+struct Face_entrance
+{
+  Index halfedge = null_index;
+  double t = 0.;
+};
+
+// Which edges ways cross, and where they enter each face.
+struct Ways_through_faces
+{
+  std::vector<unsigned char> is_crossed;
+  std::vector<Face_entrance> entrances;
+};
 
 // A forest of faces with roots at the sources, whose rows of faces hold short ways to all vertices.
 //
@@ -72,17 +86,20 @@ public:
     }
   }
 
-  // The edges that the ways to vertices cross, and those between faces at one source. Other links are of no use.
-  std::vector<unsigned char> crossed_edges() const
+  // What the ways to those vertices cross that are wanted. Other links are of no use, but those between faces at one source.
+  template <typename Is_wanted>
+  Ways_through_faces ways(const Is_wanted& is_wanted) const
   {
-    std::vector<unsigned char> result = at_sources_;
-    for(Index row : way_)
-      for(; row != null_index && !rows_.is_root(row); row = rows_[row].before)
+    Ways_through_faces result{at_sources_, std::vector<Face_entrance>(mesh_.number_of_faces())};
+    for(Index v = 0; v < way_.size(); ++v)
+      for(Index row = is_wanted(v) ? way_[v] : null_index; row != null_index && !rows_.is_root(row);
+          row = rows_[row].before)
       {
-        unsigned char& is_crossed = result[connectivity_.edge_of_halfedge[rows_[row].entry]];
-        if(is_crossed)
+        Face_entrance& entrance = result.entrances[rows_.face(row)];
+        if(entrance.halfedge != null_index)
           break;
-        is_crossed = 1;
+        entrance = {rows_[row].entry, rows_.entrance(row)};
+        result.is_crossed[connectivity_.edge_of_halfedge[entrance.halfedge]] = 1;
       }
     return result;
   }
@@ -316,10 +333,10 @@ inline std::vector<unsigned char> edges_crossed_by_ways(const Indexed_triangle_m
   forest.grow(progress);
   if(nearest_sources != nullptr)
     *nearest_sources = roots.number_of_sources() > 1 ? forest.nearest_sources() : std::vector<Index>();
-  return forest.crossed_edges();
+  return forest.ways([](Index) { return true; }).is_crossed;
 }
 
 } // namespace Cut_loci
 } // namespace CGAL
 
-#endif // CGAL_CUT_LOCI_LAPLACIAN_WAY_FOREST_H
+#endif // CGAL_CUT_LOCI_WAYS_WAY_FOREST_H
