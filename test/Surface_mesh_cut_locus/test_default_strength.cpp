@@ -178,8 +178,9 @@ TEST(Default_strength, of_polyhedra_does_not_depend_on_faces_axes_and_digits)
 Branch_strength scaled(const Branch_strength& strength, double factor)
 {
   Branch_strength result = strength;
-  for(double* x : {&result.width, &result.narrow, &result.enclosed, &result.spur, &result.noise.sigma})
+  for(double* x : {&result.width, &result.narrow, &result.enclosed, &result.spur})
     *x *= factor;
+  result.noise = {factor * strength.noise.sigma(), strength.noise.edge(), strength.noise.length()};
   return result;
 }
 

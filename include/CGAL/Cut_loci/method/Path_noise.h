@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Cut_loci {
@@ -29,24 +30,38 @@ namespace internal {
  * - No path turns by more than a right angle at an edge, and what is as wide as a quarter of the way is the shape, as noise
  *   has left it.
  */
-struct Path_noise
+class Path_noise
 {
-  double sigma = 0.;  // an angle
-  double edge = 1.;   // the mean length of edges
-  double length = 1.; // of the surface, in edges
+public:
+  Path_noise() = default;
+  /// @param sigma an angle
+  /// @param edge the mean length of edges
+  /// @param length of the surface, in edges
+  Path_noise(double sigma, double edge, double length)
+    : sigma_(sigma), edge_(edge), length_(length), apart_(std::pow(sigma / std::sqrt(3.), 4. / 9.)),
+      widest_(width((std::numeric_limits<double>::infinity)()))
+  {
+  }
+
+  bool is_there() const { return sigma_ > 0.; }
+  double sigma() const { return sigma_; }
+  double edge() const { return edge_; }
+  double length() const { return length_; }
 
   static constexpr double sharp = 0.5; // of vertices: a smooth surface with such ones has a dozen edges around it
 
   /// how far it takes paths of that length apart
   double width(double way) const
   {
-    const double n = edges(way);
-    const double apart = std::pow(sigma * std::pow(n, 1.5) / std::sqrt(3.), 4. / 9.);
-    return edge * std::hypot(3., (std::min)(std::sqrt(2.) * deviations(n) * apart, 0.25 * n));
+    const double n = edges(way), root = std::cbrt(n);
+    const double bent = (std::min)(std::sqrt(2.) * deviations(n) * apart_ * root * root, 0.25 * n);
+    return edge_ * std::sqrt(9. + bent * bent);
   }
+  /// the same of paths as long as the surface
+  double widest() const { return widest_; }
 
   /// the curvature that they enclose
-  double enclosed(double way) const { return 2.5 * sharp + bends(way, sigma); }
+  double enclosed(double way) const { return 2.5 * sharp + bends(way, sigma_); }
 
   /// the part of it that is noise of that standard deviation
   double bends(double way, double s) const
@@ -57,12 +72,16 @@ struct Path_noise
 
   bool operator==(const Path_noise& other) const
   {
-    return sigma == other.sigma && edge == other.edge && length == other.length;
+    return sigma_ == other.sigma_ && edge_ == other.edge_ && length_ == other.length_;
   }
 
 private:
-  double edges(double way) const { return (std::max)(1., (std::min)(way / edge, length)); }
-  double deviations(double n) const { return std::sqrt(2.) + std::sqrt(2. * std::log((std::max)(1., length / n))); }
+  double sigma_ = 0., edge_ = 1., length_ = 1.;
+  double apart_ = 0.; // how far an edge takes paths apart, in edges
+  double widest_ = 3.;
+
+  double edges(double way) const { return (std::max)(1., (std::min)(way / edge_, length_)); }
+  double deviations(double n) const { return std::sqrt(2.) + std::sqrt(2. * std::log((std::max)(1., length_ / n))); }
 };
 
 } // namespace internal

@@ -89,25 +89,23 @@ struct Branch_strength
   /// whether paths of that length, from where they part, enclose enough
   bool is_enough(double curvature, double way) const
   {
-    return curvature >= enclosed || (noise.sigma > 0. && curvature >= noise.enclosed(way));
+    return curvature >= enclosed || (noise.is_there() && curvature >= noise.enclosed(way));
   }
   /// the widths that are asked of them, as shares of those of paths as long as the surface
-  double share_of_width(double way) const
-  {
-    constexpr double whole = (std::numeric_limits<double>::infinity)();
-    return noise.sigma > 0. ? noise.width(way) / noise.width(whole) : 1.;
-  }
+  double share_of_width(double way) const { return noise.is_there() ? noise.width(way) / noise.widest() : 1.; }
+  static constexpr double share_of_angle = 0.5; // that paths of some width need, see `least_angle()`
 
   /*
    * Of the gap, at this distance from where the paths part. Where the curvature is not negative, two paths of the length
-   * d that part at an angle are never farther apart than that angle times d. Half of it is for places where it is. A gap
+   * d that part at an angle are never farther apart than that angle times d. A share of it is for places where it is. A gap
    * needs no such margin, but cycles, which stay whatever the strength, have weak parts; a tenth of a radian finds most
    * of them. Of the two angles that enclose a curvature one is half of it.
    */
   double least_angle(double distance) const
   {
-    return (std::min)({usual_angle, 0.5 * enclosed,
-                       (std::max)(0.1 * gap, distance > 0. ? 0.5 * share_of_width(distance) * width / distance : 0.)});
+    return (std::min)(
+      {usual_angle, 0.5 * enclosed,
+       (std::max)(0.1 * gap, distance > 0. ? share_of_angle * share_of_width(distance) * width / distance : 0.)});
   }
 
 private:

@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_POLYHEDRAL_FACES_IMAGE_BISECTOR_H
 
 #include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/polyhedral/labels/Path_label.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <array>
@@ -38,7 +39,8 @@ struct Image
     const Plane_point &a = corners[axis % 3], &b = corners[(axis + 1) % 3];
     const double sign = axis < 3 ? 1. : -1., nx = sign * (a.y - b.y), ny = sign * (b.x - a.x);
     const double dx = p.x - x, dy = p.y - y;
-    return direction + rate * std::atan2(nx * dy - ny * dx, nx * dx + ny * dy);
+    const double cross = nx * dy - ny * dx;
+    return direction + rate * std::copysign(upper_angle(nx * dx + ny * dy, std::fabs(cross)), cross);
   }
 };
 

@@ -82,13 +82,16 @@ public:
 
   /// the edges that are left when branches fall off, from the leaves inward, up to their outermost strong edges. No edge has
   /// to be known as the root.
+  ///
+  /// @param is_strong tells it of an edge and the leaf that it falls off from
   template <typename Is_strong>
   std::vector<Index> strong_branches(const Is_strong& is_strong, const Progress& progress = {}) const
   {
     Edges_left left = edges_left(progress.part(0., 0.3));
     std::vector<unsigned char> is_removed(edges.size(), 0);
     left.peel(
-      nodes_of_edges(), [&](Index e, Index) { return (is_removed[e] = !is_strong(e)) != 0; }, progress.part(0.3, 1.));
+      nodes_of_edges(), [&](Index e, Index leaf) { return (is_removed[e] = !is_strong(e, leaf)) != 0; },
+      progress.part(0.3, 1.));
     std::vector<Index> result;
     for(Index e = 0; e < edges.size(); ++e)
       if(!is_removed[e])

@@ -261,7 +261,7 @@ private:
   void add_crossing(Index h, Index label, double t, const Path_label& left, const Path_label& right)
   {
     const double angle = meeting_angle(left, right, t);
-    const Parting_angle::Parting parting = parting_angle_.parting(left, right, t);
+    const Parting_angle::Parting parting = parting_angle_.parting(left, right, t, angle);
     const bool is_seam = geodesics_.is_seam(left.origin, right.origin, angle);
     if(!geodesics_.is_approximate())
     {

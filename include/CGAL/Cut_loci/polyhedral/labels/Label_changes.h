@@ -176,7 +176,7 @@ private:
   void add_crossing_at_line(Index h, double t, const Path_label& left, const Path_label& right)
   {
     const double angle = meeting_angle(left, right, t);
-    const Parting_angle::Parting parting = Parting_angle(*geodesics_).parting(left, right, t);
+    const Parting_angle::Parting parting = Parting_angle(*geodesics_).parting(left, right, t, angle);
     if(left.origin != right.origin && !geodesics_->is_seam(left.origin, right.origin, angle) &&
        !Parting_angle::is_same_path(angle, parting.angle))
       add_crossing(h, t, left, right, parting, angle);
@@ -239,8 +239,9 @@ private:
         for(Vertex_labels::Change& c : labels.changes(v))
           if(is_drawn(c.halfedge / 3))
           {
-            c.is_weak = Label_jumps::is_weak(least_, Parting_angle(*geodesics_).parting(c.before, c.after, 0.),
-                                             meeting_angle(c.before, c.after, 0.), geodesics_->distance(v));
+            const double angle = meeting_angle(c.before, c.after, 0.);
+            c.is_weak = Label_jumps::is_weak(least_, Parting_angle(*geodesics_).parting(c.before, c.after, 0., angle),
+                                             angle, geodesics_->distance(v));
             at_vertices_.push_back(c);
           }
     }

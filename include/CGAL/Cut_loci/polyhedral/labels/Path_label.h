@@ -107,7 +107,12 @@ public:
   /// of the paths of two labels to the point `t`
   Parting parting(const Path_label& a, const Path_label& b, double t) const
   {
-    return parting(a.origin, a.direction(t), b.origin, b.direction(t), meeting_angle(a, b, t));
+    return parting(a, b, t, meeting_angle(a, b, t));
+  }
+  /// the same if the angle at which they meet there is known
+  Parting parting(const Path_label& a, const Path_label& b, double t, double meeting) const
+  {
+    return parting(a.origin, a.direction(t), b.origin, b.direction(t), meeting);
   }
 
   /// for paths that leave their origins in the given directions, and meet at some angle
@@ -142,7 +147,8 @@ public:
   /// The same for the labels on both sides of a point on a halfedge.
   bool is_same_path(const Path_label& a, const Path_label& b, double t, Index h) const
   {
-    return is_same_path(meeting_angle(a, b, t), parting(a, b, t), a.distance(t), (std::max)(a.sigma, b.sigma),
+    const double meeting = meeting_angle(a, b, t);
+    return is_same_path(meeting, parting(a, b, t, meeting), a.distance(t), (std::max)(a.sigma, b.sigma),
                         longest_edge_at(h));
   }
 

@@ -72,25 +72,32 @@ public:
 private:
   static constexpr double margin = 1e-9; // of angles, as for the paths that go on at a bend
 
-  /// the angle of a halfedge from the path to its source, counterclockwise
-  double angle_from_path(Index h) const
+  /// calls `function(h, angle)` for the halfedges that leave `v`, counterclockwise from its first, with their angles from the
+  /// path to `v`, counterclockwise
+  template <typename Function>
+  void for_each_halfedge(Index v, const Function& function) const
   {
-    const Index v = faces_.source(h);
-    const double angle = faces_.angle_around_source(h) - geodesics_.arrival_angle(v);
-    return angle < 0. && !faces_.is_border(v) ? angle + faces_.total_angle(v) : angle;
+    const double path = geodesics_.arrival_angle(v), full = faces_.is_border(v) ? 0. : faces_.total_angle(v);
+    const Index first = faces_.first_halfedge(v);
+    double around = 0.;
+    Index h = first;
+    do
+    {
+      function(h, around < path ? around - path + full : around - path);
+      around += faces_.angle(h);
+      h = faces_.next_around_source(h);
+    } while(h != null_index && h != first);
   }
 
   /// behind the last halfedge with the label from the right, or, if all have the one from the left, before the first
   Change branch(Index v) const
   {
     const double full = faces_.total_angle(v);
-    const Index first = faces_.first_halfedge(v);
-    Index before = first, last = first;
+    Index before = faces_.first_halfedge(v), last = before;
     double angle_before = -1., angle_last = -1.;
-    Index h = first;
-    do
-    {
-      const double angle = angle_from_path(h);
+    for_each_halfedge(v,
+                      [&](Index h, double angle)
+                      {
       if(angle <= 0.5 * full && angle > angle_before)
       {
         angle_before = angle;
@@ -101,8 +108,7 @@ private:
         angle_last = angle;
         last = h;
       }
-      h = faces_.next_around_source(h);
-    } while(h != first);
+    });
     if(angle_before < 0.)
     {
       before = last;
@@ -116,11 +122,10 @@ private:
     constexpr double first_shadow = geodesic_pi - margin;
     const bool is_border = faces_.is_border(v);
     const double full = faces_.total_angle(v), last_shadow = is_border ? -first_shadow : full - first_shadow;
-    const Index first = faces_.first_halfedge(v);
-    Index h = first;
-    do
-    {
-      const double angle = angle_from_path(h), next = angle + faces_.angle(h);
+    for_each_halfedge(v,
+                      [&](Index h, double angle)
+                      {
+      const double next = angle + faces_.angle(h);
       // the one that comes later around the vertex comes first around the face
       const bool has_last = angle < last_shadow && last_shadow <= next;
       if(has_last && !is_border)
@@ -129,8 +134,7 @@ private:
         result.push_back({h, bent(v, angle), straight(v, angle), true});
       if(has_last && is_border)
         result.push_back({h, straight(v, angle), bent(v, angle), true});
-      h = faces_.next_around_source(h);
-    } while(h != null_index && h != first);
+    });
   }
 
   /// At a vertex on lines their waves meet, in the direction that halves the angle between them, or they leave room for

@@ -52,7 +52,7 @@ public:
     const double any_turn = geodesic_pi / std::sqrt(12.);
     const double sigma = (std::min)(any_turn, noise(infinity, progress.part(0.1, 1.)));
     strength.noise = {sigma, edge_, length_};
-    strength.width = strength.noise.width(infinity);
+    strength.width = strength.noise.widest();
     strength.narrow = Branch_strength::narrow_share * strength.width;
     strength.spur = strength.width * strength.width / (2. * length_ * edge_);
     strength.enclosed = strength.noise.enclosed(infinity);

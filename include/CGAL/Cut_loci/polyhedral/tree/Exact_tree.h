@@ -25,6 +25,7 @@
 #include <CGAL/Cut_loci/polyhedral/strength/Path_classes.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Shot_width.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Tree_branches.h>
+#include <CGAL/Cut_loci/polyhedral/strength/Width_bounds.h>
 #include <CGAL/Cut_loci/polyhedral/strength/spurs.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -294,18 +295,38 @@ private:
     return options_.lines.empty() ? ridges_.enclosed(edge.piece, edge.face) : Ridges::Enclosed{edge.gap, whole};
   }
 
+  /// how wide an edge has to be
+  static double least_width(const Branch_strength& least, const Ridges::Enclosed& there)
+  {
+    const double width = least.is_enough(there.curvature, there.length) ? least.narrow : least.width;
+    return width > 0. ? least.share_of_width(there.length) * width : 0.;
+  }
+
+  /// of an edge at a leaf; if it is weak, it falls off, and the bounds know of it
+  bool is_strong(Index e, Index leaf, const Branch_strength& least, Width_bounds& bounds)
+  {
+    double most = (std::numeric_limits<double>::infinity)();
+    if(graph_->edges[e].piece != null_index && (least.is_none() || is_a_branch(e, least)))
+    {
+      const double needed = least_width(least, enclosed(e));
+      if(!mesh_.is_intrinsic && !geodesics_.is_approximate()) // else widths are no separations of known paths
+        most = bounds.most(e, leaf);
+      if(!(most < needed))
+      {
+        if(needed == 0. || width(e) >= needed)
+          return true;
+        most = bounds.most(e, double(width(e)));
+      }
+    }
+    bounds.add(e, leaf, most);
+    return false;
+  }
+
   std::vector<Tree_branches::Edge> find_kept(const Branch_strength& least, const Progress& progress)
   {
-    const auto is_wide = [&](Index e, double length, double enough)
-    { return enough == 0. || width(e) >= least.share_of_width(length) * enough; };
-    const auto is_strong = [&](Index e)
-    {
-      if(graph_->edges[e].piece == null_index || (!least.is_none() && !is_a_branch(e, least)))
-        return false;
-      const Ridges::Enclosed there = enclosed(e);
-      return is_wide(e, there.length, least.is_enough(there.curvature, there.length) ? least.narrow : least.width);
-    };
-    const std::vector<Index> edges = graph_->strong_branches(is_strong, progress.part(0., 0.6));
+    Width_bounds bounds(*graph_, ridges_, geodesics_);
+    const std::vector<Index> edges = graph_->strong_branches(
+      [&](Index e, Index leaf) { return is_strong(e, leaf, least, bounds); }, progress.part(0., 0.6));
     const Tree_branches branches(
       static_cast<Index>(graph_->nodes.size()), static_cast<Index>(edges.size()),
       [&](Index i) { return graph_->edges[edges[i]].nodes; }, [&](Index i) { return graph_->edges[edges[i]].gap; },
@@ -323,7 +344,7 @@ private:
       if(!options_.lines.empty() || graph_->edges[b.edge].piece == null_index)
         return false;
       const Ridges::Enclosed there = enclosed(b.edge);
-      return least.is_enough(there.curvature, there.length) && is_wide(b.edge, there.length, least.narrow);
+      return least.is_enough(there.curvature, there.length) && width(b.edge) >= least_width(least, there);
       });
     return result;
   }
