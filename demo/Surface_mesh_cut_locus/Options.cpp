@@ -467,9 +467,15 @@ Options parse_command_line(int argc, char* argv[])
        (options.curve == CGAL::Cut_loci::Curve::THROUGH_FACES || options.smoothing.value_or(0) > 0))
       throw Usage_error("--" + std::string(name) +
                         " writes a curve of edges of the mesh: not with --curve faces or --smooth");
-  if(options.uv.empty() && !given["parameterization"].defaulted())
-    throw Usage_error("--parameterization is for --uv");
+  if(!has_atlas(options) && !given["parameterization"].defaulted())
+    throw Usage_error("--parameterization is for --uv and --seams");
   options.parameterization = text("parameterization");
+  if(given.count("max-stretch"))
+    options.maximum_stretch = to_number(text("max-stretch"), "--max-stretch");
+  if(options.maximum_stretch < 1.)
+    throw Usage_error("--max-stretch takes a number from 1, not '" + text("max-stretch") + "'");
+  if(!has_atlas(options) && given.count("max-stretch"))
+    throw Usage_error("--max-stretch is for --uv and --seams");
   if(!options.curve && !options.smoothing &&
      (given.count("edges") || given.count("seams") || (given.count("uv") && options.parameterization != "logmap")))
     options.curve = CGAL::Cut_loci::Curve::MESH_EDGES; // these need them

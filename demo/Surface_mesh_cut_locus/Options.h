@@ -57,6 +57,7 @@ struct Options
   std::string uv;
   std::string seams;
   std::string parameterization;
+  double maximum_stretch = 2.; // of a chart, unless the detail of seams is given
   std::string unfold;
   std::string report;
   Kept_part kept = Kept_part::ALL;

@@ -5,7 +5,6 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "atlas.h"
-#include "flatten.h"
 #include "packing.h"
 
 #include <CGAL/Cut_loci/flatten_disk.h>
@@ -14,7 +13,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <stdexcept>
 
 namespace {
 
@@ -27,30 +25,6 @@ double length_of_border(const Mesh& mesh)
     if(mesh.is_border(e))
       result += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
   return result;
-}
-
-// The charts of all components; flattened, if there is a parameterization.
-Charts charts_of(const Input_mesh& input, const std::vector<Component_cut>& cuts, const std::string& parameterization)
-{
-  Charts charts;
-  for(const Component_cut& cut : cuts)
-  {
-    if(cut.has_cells && parameterization == "logmap")
-      throw std::runtime_error(
-        "the logarithmic map is that of one point: give one source, or another --parameterization");
-    Charts of_component;
-    if(cut.has_cells)
-      of_component = charts_of_cells(input.mesh, cut.cut_locus, input.is_added);
-    else
-      of_component.push_back(chart_of_source(input.mesh, cut.cut_locus, input.is_added));
-    for(auto& chart : of_component)
-    {
-      if(!parameterization.empty())
-        flatten(input.mesh, cut.cut_locus, *chart, parameterization);
-      charts.push_back(std::move(chart));
-    }
-  }
-  return charts;
 }
 
 // Moves the charts to their places in the unit square, and finds how good they are there.
@@ -70,7 +44,9 @@ void arrange(Atlas& atlas)
     const UV& corner = packing.corners[i];
     for(const Mesh::Vertex_index v : chart.disk.vertices())
       chart.uv[v] = {(corner[0] + chart.uv[v].x()) / packing.side, (corner[1] + chart.uv[v].y()) / packing.side};
-    add_part(CGAL::Cut_loci::layout_quality(chart.disk, chart.uv), chart.area / area, atlas.quality);
+    const auto quality = CGAL::Cut_loci::layout_quality(chart.disk, chart.uv);
+    atlas.stretch = (std::max)(atlas.stretch, stretch(quality));
+    add_part(quality, chart.area / area, atlas.quality);
   }
 }
 
@@ -105,11 +81,18 @@ void for_each_corner(const Atlas& atlas, const Mesh& mesh, const Visit& visit)
 
 } // namespace
 
-Atlas make_atlas(const Input_mesh& input, const std::vector<Component_cut>& cuts, const std::string& parameterization)
+double stretch(const CGAL::Cut_loci::Layout_quality& quality)
+{
+  const double energy = (std::max)(quality.symmetric_dirichlet_energy, 1.); // up to rounding
+  return std::sqrt(energy + std::sqrt(energy * energy - 1.));
+}
+
+Atlas make_atlas(const Input_mesh& input, const Cut_locus& cut_locus, Charts charts,
+                 const std::string& parameterization)
 {
   Atlas atlas;
   atlas.parameterization = parameterization;
-  atlas.charts = charts_of(input, cuts, parameterization);
+  atlas.charts = std::move(charts);
   std::vector<bool> is_there(input.mesh.number_of_faces(), false);
   double border = 0.;
   for(const auto& chart : atlas.charts)
@@ -130,11 +113,10 @@ Atlas make_atlas(const Input_mesh& input, const std::vector<Component_cut>& cuts
                   : 0.;
   atlas.seam_length = 0.5 * border;
   atlas.seam_distance = (std::numeric_limits<double>::infinity)();
-  const Cut_locus::Graph& graph = cuts.front().cut_locus.graph();
+  const Cut_locus::Graph& graph = cut_locus.graph();
   for(auto v : CGAL::make_range(vertices(graph)))
     atlas.seam_distance = (std::min)(atlas.seam_distance, graph[v].distance);
-  if(!parameterization.empty())
-    arrange(atlas);
+  arrange(atlas);
   return atlas;
 }
 

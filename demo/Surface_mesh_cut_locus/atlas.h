@@ -19,28 +19,27 @@
 #include <utility>
 #include <vector>
 
-// What one component is cut along.
-struct Component_cut
-{
-  Cut_locus cut_locus;
-  bool has_cells; // of several sources, or of curves: or else one disk
-};
-
 // All components of a surface, cut open to disks and laid flat.
 struct Atlas
 {
-  std::string parameterization; // empty: cut open only
-  Charts charts;                // with `uv` in the unit square
-  bool splits_faces = false;    // as seams that are straight do
+  std::string parameterization;
+  Charts charts;             // with `uv` in the unit square
+  bool splits_faces = false; // as seams that are straight do
   std::size_t seams_in_polygons = 0;
   double seam_length = 0.;
   double seam_distance = 0.; // of the seams to the source of the first component
   double covered = 0.;       // the part of the unit square
+  double stretch = 0.;       // of the chart that has most, see `stretch()`
   CGAL::Cut_loci::Layout_quality quality;
 };
 
-// Throws `std::runtime_error` if the surface can not be flattened.
-Atlas make_atlas(const Input_mesh& input, const std::vector<Component_cut>& cuts, const std::string& parameterization);
+// The stretch of a disk that is as far from an isometry all over as one is in the mean, by the symmetric Dirichlet energy:
+// 2 where all lengths are doubled, or halved.
+double stretch(const CGAL::Cut_loci::Layout_quality& quality);
+
+// Packs charts that are flattened. `cut_locus` is that of the first source.
+Atlas make_atlas(const Input_mesh& input, const Cut_locus& cut_locus, Charts charts,
+                 const std::string& parameterization);
 
 // For each corner of each polygon of the file its number in the vertices of all charts, one after the other, or
 // `no_corner`. No face may be split.

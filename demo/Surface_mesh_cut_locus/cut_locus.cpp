@@ -12,6 +12,7 @@
 #include "atlas.h"
 #include "cells.h"
 #include "check.h"
+#include "component_charts.h"
 #include "each_source.h"
 #include "log_map.h"
 #include "output.h"
@@ -83,25 +84,6 @@ struct Results
   std::optional<Check> checked;
 };
 
-// Each component by itself: of the first one the cut locus is there.
-Atlas atlas_of_components(const std::vector<Options>& options, const Input_mesh& input, const Cut_locus& cut_locus)
-{
-  const auto has_cells = [](const Options& of, const Cut_locus& cut)
-  { return cut.number_of_sources() > 1 || has_curves(of); };
-  std::vector<Component_cut> cuts = {{cut_locus, has_cells(options.front(), cut_locus)}};
-  std::unique_ptr<Cut_locus_solver> solver;
-  for(std::size_t i = 1; i < options.size(); ++i)
-  {
-    if(!solver)
-      solver = make_solver(options[i].solver, options[i].method, input.mesh, nullptr, options[i].threads > 1);
-    set_source(options[i], input, *solver);
-    Cut_locus other = apply_thresholds(options[i], *solver);
-    const bool of_cells = has_cells(options[i], other);
-    cuts.push_back({std::move(other), of_cells});
-  }
-  return make_atlas(input, cuts, options.front().uv.empty() ? "" : options.front().parameterization);
-}
-
 void write_files(const Options& options, const Input_mesh& input, const Cut_locus& cut_locus, const Results& results)
 {
   write_outputs(options.outputs, cut_locus, input, results.source_curves, results.cells, options.view);
@@ -160,7 +142,8 @@ bool run(const Options& given)
     progress.run("flatten",
                  [&]()
                  {
-      results.atlas = atlas_of_components(of_components, input, cut_locus);
+      results.atlas = make_atlas(input, cut_locus, charts_of_components(of_components, input, *solver, cut_locus),
+                                 options.parameterization);
       if(!options.uv.empty())
         write_atlas(options.uv, *results.atlas, input, content);
       if(!options.seams.empty())

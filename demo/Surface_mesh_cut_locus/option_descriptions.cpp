@@ -191,6 +191,12 @@ po::options_description output()
   add("seams", text("FILE.obj|.json|.py"),
       "write these seams on the vertices of the file: as lines, as a list of pairs counted from 0, or as a script that "
       "marks them in Blender");
+  add(
+    "max-stretch", text("S"),
+    "a component is cut along finer branches as long as a chart of it is stretched more than this, in the mean; with "
+    "the "
+    "method direction, --parameterization injective, and no --min-branch-width, -gap or -curvature (default: 2, where "
+    "lengths are doubled or halved)");
   add("parameterization", text("injective|arap|lscm|convex|logmap")->default_value("injective"),
       "how --uv flattens:\n"
       "  injective: as isometrically as may be without flipped or overlapping triangles\n"

@@ -97,17 +97,21 @@ void add_atlas(Json& report, const Atlas& atlas, const std::optional<double>& sh
   seams["distance"] = atlas.seam_distance;
   seams["edges_not_in_file"] = atlas.seams_in_polygons;
   seams["charts"] = atlas.charts.size();
-  if(atlas.parameterization.empty())
-    return;
   const CGAL::Cut_loci::Layout_quality& quality = atlas.quality;
   const auto figure = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
   Json& uv = report["uv"];
   uv["parameterization"] = atlas.parameterization;
   std::size_t faces = 0;
+  double area = 0.;
   for(const auto& chart : atlas.charts)
+  {
     faces += chart->faces.size();
+    area += chart->area;
+  }
+  seams["area"] = area;
   uv["faces"] = faces;
   uv["covered"] = atlas.covered;
+  uv["stretch"] = figure(atlas.stretch);
   uv["flipped_faces"] = quality.flipped_faces;
   uv["injective"] = quality.is_injective;
   uv["overlapping_faces"] = quality.overlapping_faces;
@@ -293,8 +297,6 @@ std::string summary(const Atlas& atlas, const Input_mesh& input)
 {
   std::ostringstream text;
   text << std::setprecision(3) << "seams: length " << atlas.seam_length << ", charts: " << atlas.charts.size();
-  if(atlas.parameterization.empty())
-    return text.str() + notes_on_seams(atlas, input);
   text << ", which cover " << 100. * atlas.covered << " % of the unit square, at least " << 100. * margin_of_packing
        << " % of its side apart\n";
   const CGAL::Cut_loci::Layout_quality& quality = atlas.quality;
@@ -304,7 +306,8 @@ std::string summary(const Atlas& atlas, const Input_mesh& input)
   else
     text << quality.flipped_faces << " faces flipped, " << quality.overlapping_faces << " overlap, which is "
          << 100. * quality.overlap << " % of what is covered";
-  text << "; distortion of areas " << quality.area_distortion << ", of angles " << quality.angle_distortion;
+  text << "; distortion of areas " << quality.area_distortion << ", of angles " << quality.angle_distortion
+       << ", largest stretch of a chart " << atlas.stretch;
   if(quality.faces_without_shape > 0)
     text << "; " << quality.faces_without_shape << " faces are too thin to have a shape";
   if(!quality.is_injective && atlas.parameterization != "injective")

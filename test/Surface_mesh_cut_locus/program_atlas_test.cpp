@@ -284,6 +284,27 @@ TEST_F(Model, is_packed_with_a_margin_and_one_density)
   }
 }
 
+// What is stretched too much is cut along finer branches, unless the detail is given.
+TEST_F(Model, is_stretched_as_little_as_asked_for)
+{
+  const auto run_with = [&](const std::string& more)
+  {
+    const Json report = run_model("--uv " + quoted(path("uv.obj")) + more);
+    EXPECT_EQ(report.at("uv").at("flipped_faces"), 0);
+    return std::make_pair(report.at("uv").at("stretch").get<double>(), report.at("seams").at("length").get<double>());
+  };
+  const auto usual = run_with(""), coarse = run_with(" --max-stretch 1000"), fine = run_with(" --max-stretch 1.25");
+  EXPECT_LE(usual.first, 2.);
+  EXPECT_GT(coarse.first, 1.5);
+  EXPECT_LE(fine.first, 1.25);
+  EXPECT_GT(fine.second, coarse.second);
+  const std::string width = " --min-branch-width 0.3";
+  EXPECT_EQ(run_with(width + " --max-stretch 1"), run_with(width));
+  expect_failure(run_on_torus("--max-stretch 2"), "--max-stretch is for --uv and --seams");
+  expect_failure(run_on_torus("--max-stretch 0.5 --uv " + quoted(path("uv.obj"))),
+                 "--max-stretch takes a number from 1");
+}
+
 TEST_F(Model, as_glTF)
 {
   const Json report = run_model("--uv " + quoted(path("uv.glb")));

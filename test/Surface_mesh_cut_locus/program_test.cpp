@@ -63,6 +63,7 @@ TEST_F(Program, Help)
                             "--keep",
                             "--uv",
                             "--seams",
+                            "--max-stretch",
                             "--parameterization",
                             "--unfold",
                             "--report",
