@@ -48,7 +48,8 @@ void write_polygons(std::ostream& os, const std::vector<Kernel::Point_3>& points
 void write_corner(std::ostream& os, const std::string& corner, std::size_t texture)
 {
   const std::size_t first = (std::min)(corner.find('/'), corner.size()), last = corner.rfind('/');
-  const std::string normal = last != std::string::npos && last > first ? corner.substr(last) : "";
+  const std::string normal =
+    last != std::string::npos && last > first && last + 1 < corner.size() ? corner.substr(last) : "";
   os << ' ' << corner.substr(0, first);
   if(texture != no_corner)
     os << '/' << texture + 1 << normal;
@@ -67,8 +68,13 @@ std::string_view keyword(std::string_view line)
 // With what follows it, where the line goes on.
 std::string_view next_line(std::string_view& text)
 {
+  const auto goes_on = [&](std::size_t end)
+  {
+    const std::size_t last = end > 0 && text[end - 1] == '\r' ? end - 1 : end;
+    return end < text.size() && last > 0 && text[last - 1] == '\\';
+  };
   std::size_t end = (std::min)(text.find('\n'), text.size());
-  while(end < text.size() && end > 0 && text[end - 1] == '\\')
+  while(goes_on(end))
     end = (std::min)(text.find('\n', end + 1), text.size());
   const std::string_view line = text.substr(0, (std::min)(end + 1, text.size()));
   text.remove_prefix(line.size());

@@ -222,6 +222,21 @@ TEST_F(Model, is_kept_but_for_its_texture_coordinates)
   EXPECT_GE(seams.size(), 4u);
 }
 
+// Lines that go on, ends of lines as on Windows, elements that are no faces, and corners without a number after a slash.
+TEST_F(Model, may_be_written_in_any_way)
+{
+  const std::string points = "v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nv 2 0 0\r\nv 2 1 0\r\n# all\r\n";
+  write("model.obj", points + "vt 0 0\r\nf 1/1 2/1 \\\r\n 3/1 4/1\r\nf 2// 5\\\n 6 3\r\nl 1/1 2/1\r\n");
+  EXPECT_EQ(run_model("--uv " + quoted(path("uv.obj"))).at("uv").at("faces"), 4);
+  const std::string text = read_file(path("uv.obj"));
+  std::istringstream lines(text.substr(points.size()));
+  EXPECT_EQ(text.substr(0, points.size()), points);
+  std::string rest;
+  for(std::string line; std::getline(lines, line);)
+    rest += line.compare(0, 2, "vt") == 0 ? "t" : line + "\n";
+  EXPECT_EQ(rest, "ttttttf 1/1 2/2 3/3 4/4\r\nf 2/2 5/5 6/6 3/3\r\nl 1 2\r\n");
+}
+
 // Also with fine seams, and where they divide cells: they go around quads everywhere.
 TEST_F(Model, has_seams_on_its_edges_alone)
 {
