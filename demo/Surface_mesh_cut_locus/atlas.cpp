@@ -41,9 +41,11 @@ void arrange(Atlas& atlas)
   for(std::size_t i = 0; i < atlas.charts.size(); ++i)
   {
     Chart& chart = *atlas.charts[i];
-    const UV& corner = packing.corners[i];
     for(const Mesh::Vertex_index v : chart.disk.vertices())
-      chart.uv[v] = {(corner[0] + chart.uv[v].x()) / packing.side, (corner[1] + chart.uv[v].y()) / packing.side};
+    {
+      const UV at = packing(chart, packing.places[i], v);
+      chart.uv[v] = {at[0], at[1]};
+    }
     const auto quality = CGAL::Cut_loci::layout_quality(chart.disk, chart.uv);
     atlas.stretch = (std::max)(atlas.stretch, stretch(quality));
     add_part(quality, chart.area / area, atlas.quality);

@@ -12,6 +12,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace {
 
@@ -47,45 +48,71 @@ struct Outline
     }
   }
 
+  // That of the chart after half a turn.
+  Outline turned(double height) const
+  {
+    Outline result = *this;
+    for(std::size_t i = 0; i < low.size(); ++i)
+    {
+      result.low[i] = height - high[low.size() - 1 - i];
+      result.high[i] = height - low[low.size() - 1 - i];
+    }
+    return result;
+  }
+
   static UV to_UV(const Chart& chart, Mesh::Vertex_index v)
   {
     return {{(std::max)(chart.uv[v].x(), 0.), chart.uv[v].y()}}; // rounding may leave it
   }
 };
 
+// The lowest place above what is there; infinite if the outline is too wide.
+std::pair<double, std::size_t> lowest_place(const Outline& outline, const std::vector<double>& top, double margin)
+{
+  std::pair<double, std::size_t> best(infinity, 0);
+  for(std::size_t column = 0; column + outline.low.size() <= columns; ++column)
+  {
+    double y = 0.;
+    for(std::size_t k = 0; k < outline.low.size(); ++k)
+      y = (std::max)(y, top[column + k] + margin - outline.low[k]);
+    best = (std::min)(best, std::make_pair(y, column));
+  }
+  return best;
+}
+
 // Nothing if the charts do not go into a square of this side.
 std::optional<Packing> packing_in(const Charts& charts, const std::vector<std::size_t>& order, double side)
 {
   const double margin = side * margin_of_packing;
   std::vector<double> top(columns, 0.);
-  Packing result{std::vector<UV>(charts.size()), side};
+  Packing result{std::vector<Packing::Place>(charts.size()), side};
   for(const std::size_t i : order)
   {
-    const Outline outline(*charts[i], margin);
-    const std::size_t width = outline.low.size();
-    double best = infinity;
-    std::size_t best_column = 0;
-    for(std::size_t column = 0; column + width <= columns; ++column)
-    {
-      double y = 0.;
-      for(std::size_t k = 0; k < width; ++k)
-        y = (std::max)(y, top[column + k] + margin - outline.low[k]);
-      if(y < best)
-      {
-        best = y;
-        best_column = column;
-      }
-    }
-    if(best + charts[i]->size[1] + margin > side)
+    const double height = charts[i]->size[1];
+    const Outline upright(*charts[i], margin), turned = upright.turned(height);
+    const auto at = lowest_place(upright, top, margin), at_turned = lowest_place(turned, top, margin);
+    const bool is_turned = at_turned.first < at.first;
+    const auto& [y, column] = is_turned ? at_turned : at;
+    if(!(y + height + margin <= side))
       return std::nullopt;
-    result.corners[i] = {{double(best_column + 1) * margin, best}};
-    for(std::size_t k = 0; k < width; ++k)
-      top[best_column + k] = best + outline.high[k];
+    // an outline ends within a column, on the right, or, after half a turn, on the left
+    const double right = double(column + upright.low.size() - 1) * margin;
+    result.places[i] = {{{is_turned ? right - charts[i]->size[0] : double(column + 1) * margin, y}}, is_turned};
+    for(std::size_t k = 0; k < upright.low.size(); ++k)
+      top[column + k] = y + (is_turned ? turned : upright).high[k];
   }
   return result;
 }
 
 } // namespace
+
+UV Packing::operator()(const Chart& chart, const Place& place, Mesh::Vertex_index v) const
+{
+  UV result;
+  for(int i = 0; i < 2; ++i)
+    result[i] = (place.corner[i] + (place.is_turned ? chart.size[i] - chart.uv[v][i] : chart.uv[v][i])) / side;
+  return result;
+}
 
 Packing pack(const Charts& charts)
 {

@@ -14,14 +14,23 @@
 // Charts in a square, none closer to another or to the border than `margin_of_packing` of its side.
 struct Packing
 {
-  std::vector<UV> corners; // the lower left ones
-  double side = 0.;        // of the square
+  struct Place
+  {
+    UV corner = {{0., 0.}}; // the lower left one
+    bool is_turned = false; // by half a turn
+  };
+
+  // Where a vertex of a chart is, in the unit square.
+  UV operator()(const Chart& chart, const Place& place, Mesh::Vertex_index v) const;
+
+  std::vector<Place> places; // of the charts
+  double side = 0.;          // of the square
 };
 
 constexpr double margin_of_packing = 1. / 128.;
 
-// Packs charts that are placed: the highest ones first, each where its top is lowest above what is there already, as its
-// outline and not the box around it allows [Levy, Petitjean, Ray, Maillot: Least squares conformal maps for automatic
+// Packs charts that are placed: the highest ones first, each where its top is lowest above what is there already, upright
+// or upside down, as its outline and not the box around it allows [Levy, Petitjean, Ray, Maillot: Least squares conformal maps for automatic
 // texture atlas generation, 2002]. Of squares found by bisection the least into which all go.
 Packing pack(const Charts& charts);
 

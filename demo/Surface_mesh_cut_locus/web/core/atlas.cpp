@@ -96,7 +96,6 @@ void append_place(const Mesh& mesh, const Chart& chart, Mesh::Vertex_index v, Pl
 void append(const Mesh& mesh, const Charts& charts, Atlas& atlas)
 {
   const Packing packing = pack(charts);
-  const double scale = 2. / packing.side;
   for(std::size_t i = 0; i < charts.size(); ++i)
   {
     const Chart& chart = *charts[i];
@@ -104,8 +103,8 @@ void append(const Mesh& mesh, const Charts& charts, Atlas& atlas)
     for(const Mesh::Vertex_index v : chart.disk.vertices())
     {
       append_place(mesh, chart, v, atlas.places);
-      for(int k = 0; k < 2; ++k)
-        atlas.uv.push_back(static_cast<float>(scale * (packing.corners[i][k] + chart.uv[v][k]) - 1.));
+      for(const double x : packing(chart, packing.places[i], v))
+        atlas.uv.push_back(static_cast<float>(2. * x - 1.));
     }
     for(const Mesh::Face_index f : chart.disk.faces())
     {
