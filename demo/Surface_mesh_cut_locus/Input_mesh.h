@@ -21,6 +21,13 @@ struct Polygon_soup
   std::vector<std::vector<std::size_t>> polygons;
 };
 
+// What outputs take from a file that they keep as it is.
+struct File_content
+{
+  Polygon_soup soup;
+  std::string obj; // the text of an OBJ file
+};
+
 // What has been done to a soup to make a mesh of triangles of it.
 struct Repairs
 {
@@ -52,10 +59,12 @@ struct Input_mesh
   Mesh::Property_map<Mesh::Vertex_index, std::size_t> number =
     mesh.add_property_map<Mesh::Vertex_index, std::size_t>("v:number", 0).first; // in the file
   std::vector<Mesh::Vertex_index> vertex; // one for each number, or null if there is none left
+  std::vector<std::size_t> polygon;       // of the file, of which each face is a part
   std::vector<bool> is_added;             // for each edge of the mesh: whether it is none of the file, as a diagonal is
   std::vector<std::size_t> component;     // of each face, connected by edges
   std::vector<std::size_t> component_size; // number of faces
-  std::size_t largest_component = 0;       // by area
+  std::vector<double> component_area;
+  std::size_t largest_component = 0; // by area
   Repairs repairs;
 };
 
@@ -69,8 +78,10 @@ struct Needs_repair : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-// `format` is empty, or one of `input_formats()` without its dot. Throws `Needs_repair` if it is not allowed, or `std::runtime_error` with the cause if the file has no surface.
-Input_mesh read_mesh(const std::string& filename, Repair repair, const std::string& format = "");
+// `format` is empty, or one of `input_formats()` without its dot; `content` may be null. Throws `Needs_repair` if it is not
+// allowed, or `std::runtime_error` with the cause if the file has no surface.
+Input_mesh read_mesh(const std::string& filename, Repair repair, const std::string& format = "",
+                     File_content* content = nullptr);
 
 // A mesh of the file as it is. `name` is for messages.
 Input_mesh make_mesh(const Polygon_soup& soup, Repair repair, const std::string& name);

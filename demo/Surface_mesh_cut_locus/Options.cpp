@@ -76,7 +76,8 @@ struct File_option
 };
 constexpr File_option file_options[] = {{"edges", &Options::edges, true},     {"cells", &Options::cells, false},
                                         {"surface", &Options::surface, true}, {"uv", &Options::uv, false},
-                                        {"unfold", &Options::unfold, false},  {"report", &Options::report, true}};
+                                        {"seams", &Options::seams, false},    {"unfold", &Options::unfold, false},
+                                        {"report", &Options::report, true}};
 
 // "a, b or c"
 std::string listed(const std::vector<std::string>& words)
@@ -185,6 +186,22 @@ void check_output_path(const std::string& path, const std::string& option)
     throw Usage_error(option + ": cannot write to '" + path + "': " + cause);
 }
 
+std::array<double, 3> to_direction(const std::string& text, const std::string& option)
+{
+  const std::array<double, 3> result = to_point(text, option);
+  if(result == std::array<double, 3>{{0., 0., 0.}})
+    throw Usage_error(option + " takes a direction, not '" + text + "'");
+  return result;
+}
+
+// whether --uv writes a texture and a material: not into a file of its own, nor beside an OBJ file that is kept
+bool has_files_beside_uv(const Options& options)
+{
+  const auto extension = [](const std::string& name) { return std::filesystem::path(name).extension(); };
+  return extension(options.uv) == ".obj" &&
+         (extension(options.mesh) != ".obj" || options.curve != CGAL::Cut_loci::Curve::MESH_EDGES);
+}
+
 // No output may replace what is read, nor another output.
 void check_overwriting(const po::variables_map& given, const Options& options)
 {
@@ -195,7 +212,7 @@ void check_overwriting(const po::variables_map& given, const Options& options)
   for(const File_option& file : file_options)
     if(!(options.*file.target).empty())
       outputs.emplace_back(options.*file.target, std::string("--") + file.name);
-  if(!options.uv.empty()) // it has two files more
+  if(has_files_beside_uv(options))
     for(const char* extension : {".mtl", ".png"})
     {
       outputs.emplace_back(fs::path(options.uv).replace_extension(extension), "--uv");
@@ -292,8 +309,8 @@ void read_each_source(const po::variables_map& given, Options& options)
     return;
   }
   options.each_source = text("each-source");
-  for(const char* name :
-      {"source", "source-point", "edges", "cells", "surface", "uv", "unfold", "check", "check-completeness", "view"})
+  for(const char* name : {"source", "source-point", "from-view", "edges", "cells", "surface", "uv", "seams", "unfold",
+                          "check", "check-completeness", "view"})
     if(given.count(name) && !given[name].defaulted())
       throw Usage_error("--each-source and --" + std::string(name) + " exclude each other");
   if(given.count("part"))
@@ -377,6 +394,10 @@ Options parse_command_line(int argc, char* argv[])
   if(given.count("source-edges"))
     options.source_edges = read_numbers(text("source-edges"), "--source-edges");
   options.source_border = given["source-border"].as<bool>();
+  if(given.count("from-view"))
+    options.from_view = to_direction(text("from-view"), "--from-view");
+  if(options.from_view && (number_of_source_points(options) > 0 || has_curves(options)))
+    throw Usage_error("--from-view chooses the source: give no other one");
   if(number_of_source_points(options) > 1 || has_curves(options))
   {
     if(given.count("unfold"))
@@ -397,7 +418,7 @@ Options parse_command_line(int argc, char* argv[])
     options.kept = text("keep") == "voronoi"  ? Kept_part::VORONOI
                    : text("keep") == "medial" ? Kept_part::MEDIAL
                                               : Kept_part::ALL;
-  for(const char* name : {"uv", "check", "check-completeness"})
+  for(const char* name : {"uv", "seams", "check", "check-completeness"})
     if(options.kept != Kept_part::ALL && given.count(name) && !given[name].defaulted())
       throw Usage_error("--" + std::string(name) +
                         " is about all of the cut locus, and not about a part: leave --keep away");
@@ -433,11 +454,7 @@ Options parse_command_line(int argc, char* argv[])
       throw Usage_error("-o: the extension of '" + output + "' must be one of" + output_extensions());
   }
   if(given.count("view"))
-  {
-    options.view = to_point(text("view"), "--view");
-    if(*options.view == std::array<double, 3>{{0., 0., 0.}})
-      throw Usage_error("--view takes a direction, not '" + text("view") + "'");
-  }
+    options.view = to_direction(text("view"), "--view");
   for(const File_option& file : file_options)
     if(given.count(file.name))
     {
@@ -445,14 +462,22 @@ Options parse_command_line(int argc, char* argv[])
       if(!file.may_be_standard_output || text(file.name) != standard_stream)
         check_output_path(text(file.name), std::string("--") + file.name);
     }
-  if(!options.edges.empty() &&
-     (options.curve == CGAL::Cut_loci::Curve::THROUGH_FACES || options.smoothing.value_or(0) > 0))
-    throw Usage_error("--edges writes a curve of edges of the mesh: not with --curve faces or --smooth");
-  if(options.uv.empty() && !given["parameterization"].defaulted())
-    throw Usage_error("--parameterization is for --uv");
+  for(const char* name : {"edges", "seams"})
+    if(given.count(name) &&
+       (options.curve == CGAL::Cut_loci::Curve::THROUGH_FACES || options.smoothing.value_or(0) > 0))
+      throw Usage_error("--" + std::string(name) +
+                        " writes a curve of edges of the mesh: not with --curve faces or --smooth");
+  if(!has_atlas(options) && !given["parameterization"].defaulted())
+    throw Usage_error("--parameterization is for --uv and --seams");
   options.parameterization = text("parameterization");
+  if(given.count("max-stretch"))
+    options.maximum_stretch = to_number(text("max-stretch"), "--max-stretch");
+  if(options.maximum_stretch < 1.)
+    throw Usage_error("--max-stretch takes a number from 1, not '" + text("max-stretch") + "'");
+  if(!has_atlas(options) && given.count("max-stretch"))
+    throw Usage_error("--max-stretch is for --uv and --seams");
   if(!options.curve && !options.smoothing &&
-     (given.count("edges") || (given.count("uv") && options.parameterization != "logmap")))
+     (given.count("edges") || given.count("seams") || (given.count("uv") && options.parameterization != "logmap")))
     options.curve = CGAL::Cut_loci::Curve::MESH_EDGES; // these need them
   read_each_source(given, options);
   if(given.count("threads"))

@@ -29,6 +29,7 @@ struct Options
   Repair repair = Repair::WELD;
   std::vector<std::size_t> sources;
   std::vector<std::array<double, 3>> source_points; // numbered behind the vertices
+  std::optional<std::array<double, 3>> from_view;   // the source of each component is what is nearest in this direction
   std::string each_source;                          // a file of sources, each of which gets a cut locus
   std::size_t part = 1, number_of_parts = 1;        // of that file
   unsigned threads = 1;
@@ -54,7 +55,9 @@ struct Options
   std::string cells; // a file for the surface with the source nearest to each face
   std::string surface;
   std::string uv;
+  std::string seams;
   std::string parameterization;
+  double maximum_stretch = 2.; // of a chart, unless the detail of seams is given
   std::string unfold;
   std::string report;
   Kept_part kept = Kept_part::ALL;
@@ -73,6 +76,12 @@ inline std::size_t number_of_source_points(const Options& options)
 inline bool has_curves(const Options& options)
 {
   return !options.source_edges.empty() || options.source_border;
+}
+
+// whether all components are cut open, and not only that of the source
+inline bool has_atlas(const Options& options)
+{
+  return !options.uv.empty() || !options.seams.empty();
 }
 
 struct Usage_error : std::runtime_error

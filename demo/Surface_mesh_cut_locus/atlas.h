@@ -7,7 +7,8 @@
 #ifndef SURFACE_MESH_CUT_LOCUS_DEMO_ATLAS_H
 #define SURFACE_MESH_CUT_LOCUS_DEMO_ATLAS_H
 
-#include "Mesh.h"
+#include "Input_mesh.h"
+#include "charts.h"
 
 #include <CGAL/Cut_loci/Layout_quality.h>
 
@@ -15,33 +16,47 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-// A surface cut open along its cut locus and flattened.
+// All components of a surface, cut open to disks and laid flat.
 struct Atlas
 {
   std::string parameterization;
-  std::vector<Kernel::Point_3> points;                     // the vertices of the mesh, then those that were added
-  std::vector<std::array<double, 2>> texture_coordinates;  // in the unit square
-  std::vector<std::array<std::size_t, 3>> faces;           // corners in `points`
-  std::vector<std::array<std::size_t, 3>> texture_corners; // in `texture_coordinates`, for the first faces
-
+  Charts charts;             // with `uv` in the unit square
+  bool splits_faces = false; // as seams that are straight do
+  std::size_t seams_in_polygons = 0;
+  double seam_length = 0.;
+  double seam_distance = 0.; // of the seams to the source of the first component
+  double covered = 0.;       // the part of the unit square
+  double stretch = 0.;       // of the chart that has most, see `stretch()`
   CGAL::Cut_loci::Layout_quality quality;
-  double seam_distance = 0.; // of the seams to the source
 };
 
-// Throws `std::runtime_error` if the surface can not be flattened.
-Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, const std::string& parameterization);
+// The stretch of a disk that is as far from an isometry all over as one is in the mean, by the symmetric Dirichlet energy:
+// 2 where all lengths are doubled, or halved.
+double stretch(const CGAL::Cut_loci::Layout_quality& quality);
 
-// The same of several sources: their cells side by side, each cut open to a disk along the cut locus inside of it, and,
-// where this leaves a ring around a source that is a curve, along edges.
-Atlas make_atlas_of_cells(const Mesh& mesh, const Cut_locus& cut_locus, const std::string& parameterization);
+// Packs charts that are flattened. `cut_locus` is that of the first source.
+Atlas make_atlas(const Input_mesh& input, const Cut_locus& cut_locus, Charts charts,
+                 const std::string& parameterization);
 
-// Scales the texture coordinates, mirrors them if they are reversed, and finds the distance of the seams.
-void finish_atlas(const Cut_locus& cut_locus, bool is_reversed, Atlas& atlas);
+// For each corner of each polygon of the file its number in the vertices of all charts, one after the other, or
+// `no_corner`. No face may be split.
+constexpr std::size_t no_corner = std::size_t(-1);
+std::vector<std::vector<std::size_t>> texture_of_polygons(const Atlas& atlas, const Input_mesh& input,
+                                                          const Polygon_soup& soup);
 
-// Writes the OBJ file, and a material and a texture beside it. Throws `std::runtime_error` if that fails.
-void write_atlas(const std::string& filename, const Atlas& atlas);
+// The seams, as vertices of the file. No face may be split.
+std::vector<std::pair<std::size_t, std::size_t>> seams_of_polygons(const Atlas& atlas, const Input_mesh& input,
+                                                                   const Polygon_soup& soup);
+
+// Writes an OBJ file, or glTF in one file (.glb). An OBJ file that is read stays as it is, but for texture coordinates;
+// else there is a texture, in the file, or, with a material, beside it. Throws `std::runtime_error` if that fails.
+void write_atlas(const std::string& filename, const Atlas& atlas, const Input_mesh& input, const File_content& content);
+
+// Writes the seams: as lines (.obj), as pairs of vertices (.json), or as a script for Blender (.py).
+void write_seams(const std::string& filename, const Atlas& atlas, const Input_mesh& input, const Polygon_soup& soup);
 
 // The distance of the source to the cut graph that is short: the shortest system of loops over edges from a vertex, the
 // best of several vertices [Erickson, Whittlesey: Greedy optimal homotopy and homology generators, 2005]. Nothing if

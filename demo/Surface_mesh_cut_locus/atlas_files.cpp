@@ -5,11 +5,14 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "atlas.h"
+#include "gltf_file.h"
+#include "obj_file.h"
 #include "output_file.h"
 #include "picture_files.h"
 
 #include <filesystem>
 #include <ostream>
+#include <sstream>
 #include <string>
 
 namespace {
@@ -34,37 +37,48 @@ picture::Image checker()
   return result;
 }
 
-void write_mesh(std::ostream& os, const Atlas& atlas, const std::string& material)
+bool is_glb(const std::string& filename)
 {
-  os << "mtllib " << material << "\nusemtl checker\n";
-  for(const Kernel::Point_3& p : atlas.points)
-    os << "v " << p << '\n';
-  for(const auto& t : atlas.texture_coordinates)
-    os << "vt " << t[0] << ' ' << t[1] << '\n';
-  for(std::size_t f = 0; f < atlas.faces.size(); ++f)
-  {
-    os << 'f';
-    for(int i = 0; i < 3; ++i)
-    {
-      os << ' ' << atlas.faces[f][i] + 1;
-      if(f < atlas.texture_corners.size())
-        os << '/' << atlas.texture_corners[f][i] + 1;
-    }
-    os << '\n';
-  }
+  return std::filesystem::path(filename).extension() == ".glb";
+}
+
+std::string with_extension(const std::string& filename, const char* extension)
+{
+  return std::filesystem::path(filename).replace_extension(extension).string();
 }
 
 } // namespace
 
 // The mesh last, as it refers to the others.
-void write_atlas(const std::string& filename, const Atlas& atlas)
+void write_atlas(const std::string& filename, const Atlas& atlas, const Input_mesh& input, const File_content& content)
 {
-  const std::filesystem::path path(filename);
-  const std::string base = path.stem().string(), material = base + ".mtl", texture = base + ".png";
-  picture::Rendered_view view;
-  view.surface = checker();
-  write_file((path.parent_path() / texture).string(), [&](std::ostream& os) { picture::write_png(os, {view}); });
-  write_file((path.parent_path() / material).string(), [&](std::ostream& os)
-             { os << "newmtl checker\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " << texture << '\n'; });
-  write_file(filename, [&](std::ostream& os) { write_mesh(os, atlas, material); });
+  const auto write_texture = [](std::ostream& os)
+  {
+    picture::Rendered_view view;
+    view.surface = checker();
+    picture::write_png(os, {view});
+  };
+  if(is_glb(filename))
+  {
+    std::ostringstream texture;
+    write_texture(texture);
+    write_file(filename, [&](std::ostream& os) { write_glb(os, atlas, texture.str()); });
+    return;
+  }
+  if(!content.obj.empty() && !atlas.splits_faces)
+  {
+    write_file(filename, [&](std::ostream& os) { write_kept_obj(os, atlas, input, content); });
+    return;
+  }
+  const std::string texture = with_extension(filename, ".png"), material = with_extension(filename, ".mtl");
+  const auto name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
+  write_file(texture, write_texture);
+  write_file(material, [&](std::ostream& os)
+             { os << "newmtl checker\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " << name(texture) << '\n'; });
+  write_file(filename,
+             [&](std::ostream& os)
+             {
+    os << "mtllib " << name(material) << "\nusemtl checker\n";
+    write_plain_obj(os, atlas, input, content.soup);
+  });
 }

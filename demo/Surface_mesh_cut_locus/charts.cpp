@@ -5,87 +5,85 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "charts.h"
+#include "seams_around_polygons.h"
 
 #include <CGAL/Cut_loci/face_graph/build_face_graph.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/surface/connected_components.h>
-#include <CGAL/Cut_loci/surface/cut_open.h>
+#include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
+#include <CGAL/Cut_loci/face_graph/snapping_of_curves.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/ch_graham_andrew.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <map>
-#include <set>
 #include <utility>
 
 namespace {
 
 namespace loci = CGAL::Cut_loci;
+namespace lib = CGAL::Cut_loci::internal;
 using loci::Index;
+using Vector_2 = Kernel::Vector_2;
 
-// A connected part of a cell. What is left of its seams is opened, or completed, until it is a disk.
-loci::Cut_mesh cut_to_disk(const loci::internal::Mesh_component& part, const Cells& cells)
+struct Box
 {
-  loci::Seams seams(part.mesh.number_of_halfedges(), 0);
-  for(Index h = 0; h < part.mesh.number_of_halfedges(); ++h)
-    if(cells.seams[3 * part.faces[h / 3] + h % 3])
-      loci::add_seam(part.mesh, h, seams);
-  loci::repair_seams(part.mesh, 0, seams);
-  loci::complete_seams(part.mesh, loci::Mesh_connectivity(part.mesh), 0, loci::null_index, seams);
-  return loci::cut_open(part.mesh, seams);
-}
-
-// The mesh without what joins different cells.
-loci::Cut_mesh without_cell_borders(const Cells& cells)
-{
-  loci::Seams borders(cells.mesh.number_of_halfedges(), 0);
-  for(Index h = 0; h < cells.mesh.number_of_halfedges(); ++h)
-    if(!cells.mesh.is_border_edge(h) && cells.source[h / 3] != cells.source[cells.mesh.opposite[h] / 3])
-      borders[h] = 1;
-  return loci::cut_open(cells.mesh, borders);
-}
-
-std::unique_ptr<Chart> chart_of(const loci::Cut_mesh& apart, const loci::internal::Mesh_component& part,
-                                const Cells& cells)
-{
-  const loci::Cut_mesh cut = cut_to_disk(part, cells);
-  auto chart = std::make_unique<Chart>();
-  const auto built = loci::internal::build_face_graph(cut.mesh, chart->disk);
-  for(Index v = 0; v < cut.mesh.number_of_vertices(); ++v)
-  {
-    const auto& p = cut.mesh.points[v];
-    chart->disk.point(built.vertices[v]) = Kernel::Point_3(p[0], p[1], p[2]);
-    chart->vertices.push_back(apart.vertices[part.vertices[cut.vertices[v]]]);
-  }
-  chart->faces = part.faces;
-  return chart;
-}
-
-struct Rows
-{
-  std::map<const Chart*, UV> corners; // the lower left ones
-  double side = 0.;                   // of the square around all
+  UV low, high;
+  double area() const { return (high[0] - low[0]) * (high[1] - low[1]); }
 };
 
-// Charts in rows of at most this width, one above the other.
-Rows rows_of(const std::vector<const Chart*>& charts, double width, double gap)
+// Around points, in a frame whose first axis is this one.
+template <typename Points>
+Box box_of(const Points& points, const Vector_2& axis)
 {
-  Rows rows;
-  double x = 0., y = 0., height = 0.;
-  for(const Chart* chart : charts)
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Box box = {{{infinity, infinity}}, {{-infinity, -infinity}}};
+  for(const auto& p : points)
   {
-    if(x > 0. && x + chart->size[0] > (1. + 1e-9) * width)
+    const UV at = {{p.x() * axis.x() + p.y() * axis.y(), p.y() * axis.x() - p.x() * axis.y()}};
+    for(int i = 0; i < 2; ++i)
     {
-      x = 0.;
-      y += height + gap;
-      height = 0.;
+      box.low[i] = (std::min)(box.low[i], at[i]);
+      box.high[i] = (std::max)(box.high[i], at[i]);
     }
-    rows.corners[chart] = {{x, y}};
-    rows.side = (std::max)({rows.side, x + chart->size[0], y + chart->size[1]});
-    x += chart->size[0] + gap;
-    height = (std::max)(height, chart->size[1]);
   }
-  return rows;
+  return box;
+}
+
+// The first axis of the least box around a chart, which has a side on the convex hull; the box stands upright.
+Vector_2 axis_of_least_box(const Chart& chart)
+{
+  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+  std::vector<Point> points, hull;
+  for(const Mesh::Vertex_index v : chart.disk.vertices())
+    points.emplace_back(chart.uv[v].x(), chart.uv[v].y());
+  CGAL::ch_graham_andrew(points.begin(), points.end(), std::back_inserter(hull));
+  Vector_2 best(1., 0.);
+  double least = box_of(points, best).area();
+  for(std::size_t i = 0; i < hull.size(); ++i)
+  {
+    const Point &p = hull[i], &q = hull[(i + 1) % hull.size()];
+    const double length = std::hypot(q.x() - p.x(), q.y() - p.y());
+    const Vector_2 axis((q.x() - p.x()) / length, (q.y() - p.y()) / length);
+    if(const double area = box_of(hull, axis).area(); area < least)
+    {
+      least = area;
+      best = axis;
+    }
+  }
+  const Box box = box_of(points, best);
+  return box.high[0] - box.low[0] > box.high[1] - box.low[1] ? Vector_2(-best.y(), best.x()) : best;
+}
+
+// For each halfedge of a part of the mesh.
+std::vector<bool> diagonals_of(const lib::Read_triangle_mesh<Mesh>& read, const Mesh& mesh,
+                               const std::vector<Index>& faces, const Diagonals& is_diagonal)
+{
+  std::vector<bool> result(3 * faces.size(), false);
+  for(std::size_t h = 0; h < result.size() && !is_diagonal.empty(); ++h)
+    result[h] = is_diagonal[mesh.edge(read.halfedges[3 * std::size_t(faces[h / 3]) + h % 3])];
+  return result;
 }
 
 } // namespace
@@ -94,81 +92,81 @@ Chart::Chart() : uv(disk.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("
 {
 }
 
-std::vector<std::unique_ptr<Chart>> charts_of(const Cells& cells)
+std::unique_ptr<Chart> make_chart(const Mesh& mesh, const loci::Indexed_triangle_mesh& cut, std::vector<Index> vertices,
+                                  std::vector<Index> faces)
 {
-  const loci::Cut_mesh apart = without_cell_borders(cells);
-  Index number_of_parts = 0;
-  const std::vector<Index> part_of_face = loci::internal::face_components(apart.mesh, number_of_parts);
-  std::set<Index> parts;
-  for(Index f = 0; f < apart.mesh.number_of_faces(); ++f)
-    if(cells.source[f] != CGAL::Cut_loci::no_source)
-      parts.insert(part_of_face[f]);
-  std::vector<std::unique_ptr<Chart>> charts;
-  for(const Index part : parts)
-    charts.push_back(chart_of(apart, loci::internal::extract_component(apart.mesh, part_of_face, part), cells));
-  return charts;
+  auto chart = std::make_unique<Chart>();
+  const auto built = lib::build_face_graph(cut, chart->disk);
+  for(Index v = 0; v < cut.number_of_vertices(); ++v)
+  {
+    const auto& p = cut.points[v];
+    chart->disk.point(built.vertices[v]) =
+      vertices[v] == loci::null_index ? Kernel::Point_3(p[0], p[1], p[2]) : mesh.point(Mesh::Vertex_index(vertices[v]));
+  }
+  chart->vertices = std::move(vertices);
+  chart->faces = std::move(faces);
+  for(const Mesh::Face_index f : chart->disk.faces())
+  {
+    const Mesh::Halfedge_index h = chart->disk.halfedge(f);
+    chart->area +=
+      std::sqrt(CGAL::squared_area(chart->disk.point(chart->disk.source(h)), chart->disk.point(chart->disk.target(h)),
+                                   chart->disk.point(chart->disk.target(chart->disk.next(h)))));
+  }
+  return chart;
+}
+
+std::unique_ptr<Chart> chart_of_source(const Mesh& mesh, const Cut_locus& cut_locus, const Diagonals& is_diagonal)
+{
+  const auto read = lib::read_triangle_mesh(mesh, mesh.points());
+  lib::Curve_on_mesh curve = lib::curve_on_mesh(read, mesh, cut_locus);
+  lib::throw_unless_of_one_source(curve);
+  const auto of_surface = [&](const loci::Cut_mesh& cut, const std::vector<Index>& vertices, std::vector<Index> faces)
+  {
+    std::vector<Index> origin;
+    for(const Index v : cut.vertices)
+      origin.push_back(v < vertices.size() ? Index(read.vertices[vertices[v]]) : loci::null_index);
+    return make_chart(mesh, cut.mesh, std::move(origin), std::move(faces));
+  };
+  if(!curve.is_of_mesh_edges)
+  {
+    lib::Disk_of_curve disk =
+      lib::cut_along(read.mesh, std::move(curve), lib::resolution_of(lib::default_snapping_of_curves));
+    for(Index& f : disk.refined.faces)
+      f = disk.on.component.faces[f];
+    return of_surface(disk.cut, disk.on.component.vertices, std::move(disk.refined.faces));
+  }
+  lib::Curve_on_component on = lib::on_component(read.mesh, std::move(curve));
+  const loci::Indexed_triangle_mesh& part = on.component.mesh;
+  loci::Seams seams = lib::seams_of_mesh_edges(part, lib::manifold_connectivity(part), on.curve);
+  const std::vector<bool> diagonals = diagonals_of(read, mesh, on.component.faces, is_diagonal);
+  lead_around_polygons(part, diagonals, seams);
+  auto chart = of_surface(lib::cut_open_to_disk(part, seams), on.component.vertices, std::move(on.component.faces));
+  for(Index h = 0; h < seams.size(); ++h)
+    chart->seams_in_polygons += diagonals[h] && seams[h] && h < part.opposite[h];
+  return chart;
 }
 
 void place(Chart& chart)
 {
-  double in_plane = 0., on_surface = 0.;
+  double in_plane = 0.;
   for(const Mesh::Face_index f : chart.disk.faces())
   {
     const Mesh::Halfedge_index h = chart.disk.halfedge(f);
-    const std::array<Mesh::Vertex_index, 3> v = {
-      {chart.disk.source(h), chart.disk.target(h), chart.disk.target(chart.disk.next(h))}};
-    in_plane += 0.5 * CGAL::determinant(chart.uv[v[1]] - chart.uv[v[0]], chart.uv[v[2]] - chart.uv[v[0]]);
-    on_surface += std::sqrt(CGAL::squared_area(chart.disk.point(v[0]), chart.disk.point(v[1]), chart.disk.point(v[2])));
+    const Kernel::Point_2& p = chart.uv[chart.disk.source(h)];
+    in_plane +=
+      0.5 * CGAL::determinant(chart.uv[chart.disk.target(h)] - p, chart.uv[chart.disk.target(chart.disk.next(h))] - p);
   }
-  chart.area = on_surface;
-  const double scale = std::sqrt(on_surface / std::abs(in_plane));
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  UV low = {{infinity, infinity}}, high = {{-infinity, -infinity}};
+  const double scale = in_plane == 0. ? 1. : std::sqrt(chart.area / std::abs(in_plane));
   for(const Mesh::Vertex_index v : chart.disk.vertices())
-  {
     chart.uv[v] = {in_plane < 0. ? -scale * chart.uv[v].x() : scale * chart.uv[v].x(), scale * chart.uv[v].y()};
-    for(int i = 0; i < 2; ++i)
-    {
-      low[i] = (std::min)(low[i], chart.uv[v][i]);
-      high[i] = (std::max)(high[i], chart.uv[v][i]);
-    }
-  }
+  const Vector_2 axis = axis_of_least_box(chart);
+  const Box box = box_of(std::vector<Kernel::Point_2>(chart.uv.begin(), chart.uv.end()), axis);
   for(const Mesh::Vertex_index v : chart.disk.vertices())
-    chart.uv[v] = {chart.uv[v].x() - low[0], chart.uv[v].y() - low[1]};
-  chart.size = {{high[0] - low[0], high[1] - low[1]}};
-}
-
-std::vector<UV> corners_of(const std::vector<std::unique_ptr<Chart>>& charts)
-{
-  if(charts.empty())
-    return {};
-  double area = 0., widest = 0.;
-  for(const auto& chart : charts)
   {
-    area += chart->size[0] * chart->size[1];
-    widest = (std::max)(widest, chart->size[0]);
+    const Kernel::Point_2 p = chart.uv[v];
+    chart.uv[v] = {p.x() * axis.x() + p.y() * axis.y() - box.low[0], p.y() * axis.x() - p.x() * axis.y() - box.low[1]};
   }
-  std::vector<const Chart*> order;
-  for(const auto& chart : charts)
-    order.push_back(chart.get());
-  std::stable_sort(order.begin(), order.end(), [](const Chart* a, const Chart* b) { return a->size[1] > b->size[1]; });
-  const double gap = 0.02 * std::sqrt(area), most = 2. * (std::max)(widest, std::sqrt(area));
-  Rows best = rows_of(order, widest, gap);
-  // as wide as the first charts together
-  double width = order.front()->size[0];
-  for(std::size_t i = 1; i < order.size() && width < most; ++i)
-  {
-    width += gap + order[i]->size[0];
-    if(width < widest)
-      continue;
-    Rows rows = rows_of(order, width, gap);
-    if(rows.side < best.side)
-      best = std::move(rows);
-  }
-  std::vector<UV> result;
-  for(const auto& chart : charts)
-    result.push_back(best.corners.at(chart.get()));
-  return result;
+  chart.size = {{box.high[0] - box.low[0], box.high[1] - box.low[1]}};
 }
 
 void add_part(const loci::Layout_quality& quality, double part, loci::Layout_quality& sum)

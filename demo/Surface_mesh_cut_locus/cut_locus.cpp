@@ -12,6 +12,7 @@
 #include "atlas.h"
 #include "cells.h"
 #include "check.h"
+#include "component_charts.h"
 #include "each_source.h"
 #include "log_map.h"
 #include "output.h"
@@ -73,85 +74,104 @@ Completeness check_completeness(const Options& options, const Input_mesh& input,
           share_near(input.mesh, cut_locus, full->cut_locus())};
 }
 
-// whether the result is right, as far as it is checked
-bool run(const Options& options)
+// What is computed beside the cut locus, as far as it is asked for.
+struct Results
 {
-  const Thread_limit limit(options.threads);
-  Progress progress(options.is_quiet);
-  const Input_mesh input =
-    progress.run("read", [&]() { return read_mesh(options.mesh, options.repair, options.input_format); });
-  const Mesh& mesh = input.mesh;
-  if(!options.is_quiet && !input.repairs.is_empty())
-    std::cerr << "repaired: " << description(input.repairs) << std::endl;
-  const bool is_each_source = !options.each_source.empty(); // then stages are those of many sources at once
-  const std::unique_ptr<Cut_locus_solver> solver =
-    make_solver(options.solver, options.method, mesh, is_each_source ? nullptr : &progress, options.threads > 1);
-  if(is_each_source)
-    return compute_each_source(options, input, *solver, progress);
-  const std::vector<std::vector<Mesh::Edge_index>> source_curves = set_source(options, input, *solver);
-  const Curve curve = curve_of(options);
-  const Cut_locus cut_locus = apply_thresholds(options, *solver);
+  std::vector<std::vector<Mesh::Edge_index>> source_curves;
   std::optional<Cells> cells;
+  std::optional<Atlas> atlas;
+  std::optional<Unfolding> unfolding;
+  std::optional<Check> checked;
+};
+
+void write_files(const Options& options, const Input_mesh& input, const Cut_locus& cut_locus, const Results& results)
+{
+  write_outputs(options.outputs, cut_locus, input, results.source_curves, results.cells, options.view);
+  if(!options.cells.empty())
+    write_cells(options.cells, *results.cells);
+  if(!options.surface.empty())
+    write_surface(options, input, cut_locus);
+  if(!options.edges.empty())
+    write_edges(options.edges, cut_locus, input);
+}
+
+void write_summaries(const Options& options, const Options& filled_in, const Input_mesh& input,
+                     const Cut_locus& cut_locus, const Results& results)
+{
+  if(input.component_size.size() > 1 && !has_atlas(options))
+    std::cerr << component_note(options, input, cut_locus) << std::endl;
+  std::cerr << moved_source_points(options, input.mesh, cut_locus)
+            << summary(filled_in, curve_of(options), input.mesh, cut_locus) << std::endl;
+  if(!options.surface.empty() && !cause_of_no_log_map(options).empty())
+    std::cerr << "note: --surface has no log_map: " << cause_of_no_log_map(options) << std::endl;
+  if(results.atlas)
+    std::cerr << summary(*results.atlas, input) << std::endl;
+  if(results.unfolding)
+    std::cerr << summary(*results.unfolding) << std::endl;
+}
+
+// whether the result is right, as far as it is checked
+bool run(const Options& given)
+{
+  const Thread_limit limit(given.threads);
+  Progress progress(given.is_quiet);
+  File_content content;
+  const Input_mesh input = progress.run("read",
+                                        [&]() {
+    return read_mesh(given.mesh, given.repair, given.input_format, has_atlas(given) ? &content : nullptr);
+  });
+  const Mesh& mesh = input.mesh;
+  if(!given.is_quiet && !input.repairs.is_empty())
+    std::cerr << "repaired: " << description(input.repairs) << std::endl;
+  const bool is_each_source = !given.each_source.empty(); // then stages are those of many sources at once
+  const std::unique_ptr<Cut_locus_solver> solver =
+    make_solver(given.solver, given.method, mesh, is_each_source ? nullptr : &progress, given.threads > 1);
+  if(is_each_source)
+    return compute_each_source(given, input, *solver, progress);
+  const std::vector<Options> of_components =
+    has_atlas(given) ? options_of_components(given, input) : std::vector<Options>{given};
+  const Options& options = of_components.front(); // all but the atlas is about one component
+  Results results;
+  results.source_curves = set_source(options, input, *solver);
+  const Cut_locus cut_locus = apply_thresholds(options, *solver);
   const bool has_picture = std::any_of(options.outputs.begin(), options.outputs.end(), is_picture_name);
   if(!options.cells.empty() || (has_picture && cut_locus.number_of_sources() > 1))
-    progress.run("cells", [&]() { cells = make_cells(mesh, voronoi_diagram(options, *solver)); });
-  progress.run("write",
-               [&]()
-               {
-    write_outputs(options.outputs, cut_locus, input, source_curves, cells, options.view);
-    if(!options.cells.empty())
-      write_cells(options.cells, *cells);
-    if(!options.surface.empty())
-      write_surface(options, input, cut_locus);
-    if(!options.edges.empty())
-      write_edges(options.edges, cut_locus, input);
-  });
-  std::optional<Atlas> atlas;
-  if(!options.uv.empty())
+    progress.run("cells", [&]() { results.cells = make_cells(mesh, voronoi_diagram(options, *solver)); });
+  progress.run("write", [&]() { write_files(options, input, cut_locus, results); });
+  if(has_atlas(options))
     progress.run("flatten",
                  [&]()
                  {
-      atlas = cut_locus.number_of_sources() > 1 || !source_curves.empty()
-                ? make_atlas_of_cells(mesh, cut_locus, options.parameterization)
-                : make_atlas(mesh, cut_locus, options.parameterization);
-      write_atlas(options.uv, *atlas);
+      results.atlas = make_atlas(input, cut_locus, charts_of_components(of_components, input, *solver, cut_locus),
+                                 options.parameterization);
+      if(!options.uv.empty())
+        write_atlas(options.uv, *results.atlas, input, content);
+      if(!options.seams.empty())
+        write_seams(options.seams, *results.atlas, input, content.soup);
     });
-  std::optional<Unfolding> unfolding;
   if(!options.unfold.empty())
     progress.run("unfold",
                  [&]()
                  {
-      unfolding = unfolded(mesh, cut_locus);
-      write_unfolding(options.unfold, *unfolding);
+      results.unfolding = unfolded(mesh, cut_locus);
+      write_unfolding(options.unfold, *results.unfolding);
     });
-  std::optional<Check> checked;
   if(options.check)
     progress.run("check",
                  [&]()
                  {
-      checked = check(mesh, cut_locus, source_curves);
+      results.checked = check(mesh, cut_locus, results.source_curves);
       if(options.check_completeness)
-        checked->completeness = check_completeness(options, input, cut_locus);
+        results.checked->completeness = check_completeness(options, input, cut_locus);
     });
+  const Options filled_in = fill_in_defaults(options, *solver);
   if(!options.report.empty())
-    write_report(fill_in_defaults(options, *solver), curve, input, cut_locus, atlas, checked, progress);
-  const bool is_right = !checked || checked->topology_fault.empty();
+    write_report(filled_in, curve_of(options), input, cut_locus, results.atlas, results.checked, progress);
   if(!options.is_quiet)
-  {
-    if(input.component_size.size() > 1)
-      std::cerr << component_note(options, input, cut_locus) << std::endl;
-    std::cerr << moved_source_points(options, mesh, cut_locus)
-              << summary(fill_in_defaults(options, *solver), curve, mesh, cut_locus) << std::endl;
-    if(!options.surface.empty() && !cause_of_no_log_map(options).empty())
-      std::cerr << "note: --surface has no log_map: " << cause_of_no_log_map(options) << std::endl;
-    if(atlas)
-      std::cerr << summary(*atlas) << std::endl;
-    if(unfolding)
-      std::cerr << summary(*unfolding) << std::endl;
-  }
-  if(checked)
-    std::cerr << summary(*checked) << std::endl;
-  return is_right;
+    write_summaries(options, filled_in, input, cut_locus, results);
+  if(results.checked)
+    std::cerr << summary(*results.checked) << std::endl;
+  return !results.checked || results.checked->topology_fault.empty();
 }
 
 int fail(const std::string& cause, int status)

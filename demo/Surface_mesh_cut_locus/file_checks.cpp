@@ -282,8 +282,9 @@ std::string without_attributes(std::string text)
 std::string plain_obj(std::string text)
 {
   std::replace(text.begin(), text.end(), '\t', ' ');
-  for(std::size_t i = text.find("\\\n"); i != std::string::npos; i = text.find("\\\n", i))
-    text.replace(i, 2, "  ");
+  for(const std::string end : {"\\\n", "\\\r\n"}) // the line goes on
+    for(std::size_t i = text.find(end); i != std::string::npos; i = text.find(end, i))
+      text.replace(i, end.size(), end.size(), ' ');
   std::string plain;
   plain.reserve(text.size());
   for(std::size_t start = 0, end = 0; start < text.size(); start = end)

@@ -11,8 +11,6 @@
 #include <CGAL/Cut_loci/flatten_disk.h>
 #include <CGAL/Cut_loci/logarithmic_chart.h>
 #include <CGAL/Cut_loci/surface/location_in_part.h>
-#include <CGAL/cut_along_cut_locus.h>
-#include <CGAL/refine_along_cut_locus.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
@@ -28,7 +26,7 @@ namespace {
 namespace SMP = CGAL::Surface_mesh_parameterization;
 using Point_2 = Kernel::Point_2;
 
-SMP::Error_code parameterize(Mesh& disk, const std::string& name, Flat_disk::UV_map uv)
+SMP::Error_code parameterize(Mesh& disk, const std::string& name, Chart::UV_map uv)
 {
   const Mesh::Halfedge_index border = CGAL::Polygon_mesh_processing::longest_border(disk).first;
   if(name == "convex")
@@ -36,7 +34,7 @@ SMP::Error_code parameterize(Mesh& disk, const std::string& name, Flat_disk::UV_
   return SMP::parameterize(disk, SMP::LSCM_parameterizer_3<Mesh>(), border, uv); // arap starts from it, too
 }
 
-bool make_rigid(const Mesh& disk, Flat_disk::UV_map uv)
+bool make_rigid(const Mesh& disk, Chart::UV_map uv)
 {
   constexpr double tolerance = 1e-6; // as CGAL's
   Points_3 points;
@@ -61,45 +59,23 @@ bool make_rigid(const Mesh& disk, Flat_disk::UV_map uv)
 }
 
 // Where the source is on the disk.
-Location source_on(const Flat_disk& disk, const Mesh& mesh, const Cut_locus& cut_locus)
+Location source_on(const Chart& chart, const Mesh& mesh, const Cut_locus& cut_locus)
 {
   namespace lib = CGAL::Cut_loci::internal;
-  std::vector<CGAL::Cut_loci::Index> origin;
-  for(const Mesh::Face_index f : disk.mesh.faces())
-    origin.push_back(disk.face_origin[f].idx());
   const Location& source = cut_locus.source().location;
   const CGAL::Cut_loci::Indexed_location at{source.first.idx(), source.second};
-  const auto on_disk = lib::location_in_part(lib::read_triangle_mesh(mesh, mesh.points()).mesh,
-                                             lib::read_triangle_mesh(disk.mesh, disk.mesh.points()).mesh, origin, at);
+  const auto on_disk =
+    lib::location_in_part(lib::read_triangle_mesh(mesh, mesh.points()).mesh,
+                          lib::read_triangle_mesh(chart.disk, chart.disk.points()).mesh, chart.faces, at);
   return {Mesh::Face_index(on_disk.face), on_disk.coordinates};
 }
 
 } // namespace
 
-Flat_disk::Flat_disk()
-  : origin(mesh.add_property_map<Mesh::Vertex_index, Mesh::Vertex_index>("v:origin").first),
-    face_origin(mesh.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:origin").first),
-    uv(mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv", Point_2(0., 0.)).first)
+void flatten(Chart& chart, const std::string& parameterization)
 {
-}
-
-void cut_open(const Mesh& mesh, const Cut_locus& cut_locus, Flat_disk& disk)
-{
-  const auto maps = CGAL::parameters::vertex_to_vertex_map(disk.origin).face_to_face_map(disk.face_origin);
-  const auto& graph = cut_locus.graph();
-  bool is_of_mesh_edges = true;
-  for(auto v : CGAL::make_range(vertices(graph)))
-    is_of_mesh_edges = is_of_mesh_edges && graph[v].mesh_vertex != Mesh::null_vertex();
-  for(auto e : CGAL::make_range(edges(graph)))
-    is_of_mesh_edges = is_of_mesh_edges && graph[e].mesh_halfedge != Mesh::null_halfedge();
-  if(is_of_mesh_edges)
-    CGAL::cut_along_cut_locus(mesh, cut_locus, disk.mesh, maps);
-  else
-    CGAL::cut_along_curve(mesh, cut_locus, disk.mesh, maps);
-}
-
-void flatten(Mesh& disk, Flat_disk::UV_map uv, const std::string& parameterization)
-{
+  Mesh& disk = chart.disk;
+  const Chart::UV_map uv = chart.uv;
   if(parameterization == "injective")
   {
     CGAL::Cut_loci::flatten_disk(disk, uv);
@@ -117,10 +93,10 @@ void flatten(Mesh& disk, Flat_disk::UV_map uv, const std::string& parameterizati
       throw std::runtime_error("the surface can not be flattened: the solver fails");
 }
 
-void flatten(const Mesh& mesh, const Cut_locus& cut_locus, Flat_disk& disk, const std::string& parameterization)
+void flatten(const Mesh& mesh, const Cut_locus& cut_locus, Chart& chart, const std::string& parameterization)
 {
   if(parameterization == "logmap")
-    CGAL::Cut_loci::logarithmic_chart(disk.mesh, source_on(disk, mesh, cut_locus), disk.uv);
+    CGAL::Cut_loci::logarithmic_chart(chart.disk, source_on(chart, mesh, cut_locus), chart.uv);
   else
-    flatten(disk.mesh, disk.uv, parameterization);
+    flatten(chart, parameterization);
 }

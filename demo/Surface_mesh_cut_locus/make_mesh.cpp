@@ -40,6 +40,8 @@ using Polygons = std::vector<Polygon>;
 using Vertex_pair = std::pair<std::size_t, std::size_t>;
 // the exact predicates are for polygons that are nearly flat, or nearly of no area
 using Exact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Polygon_numbers = Mesh::Property_map<Mesh::Face_index, std::size_t>;
+constexpr std::size_t no_polygon = std::size_t(-1);
 using Exact_points = Mesh::Property_map<Mesh::Vertex_index, Exact_kernel::Point_3>;
 
 Vertex_pair edge_of(std::size_t a, std::size_t b)
@@ -134,7 +136,28 @@ bool is_simple(Mesh::Face_index f, const Mesh& mesh, const Exact_points& points)
   return CGAL::is_simple_2(corners.begin(), corners.end(), CGAL::Projection_traits_3<Exact_kernel>(normal));
 }
 
-std::size_t triangulate(Mesh& mesh)
+// Gives the triangles inside of the edges of a polygon its number. New faces have none.
+void set_polygon(const std::vector<Mesh::Halfedge_index>& edges, std::size_t number, const Mesh& mesh,
+                 Polygon_numbers polygon)
+{
+  std::vector<Mesh::Face_index> faces;
+  const auto add = [&](Mesh::Halfedge_index h)
+  {
+    polygon[mesh.face(h)] = number;
+    faces.push_back(mesh.face(h));
+  };
+  std::for_each(edges.begin(), edges.end(), add);
+  while(!faces.empty())
+  {
+    const Mesh::Face_index f = faces.back();
+    faces.pop_back();
+    for(const Mesh::Halfedge_index h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+      if(const Mesh::Halfedge_index o = mesh.opposite(h); !mesh.is_border(o) && polygon[mesh.face(o)] == no_polygon)
+        add(o);
+  }
+}
+
+std::size_t triangulate(Mesh& mesh, Polygon_numbers polygon)
 {
   std::vector<Mesh::Face_index> polygons;
   for(Mesh::Face_index f : mesh.faces())
@@ -150,27 +173,39 @@ std::size_t triangulate(Mesh& mesh)
     points[v] = {p.x() * scale, p.y() * scale, p.z() * scale};
   }
   for(Mesh::Face_index f : polygons)
+  {
+    const std::size_t number = polygon[f];
+    const auto around = CGAL::halfedges_around_face(mesh.halfedge(f), mesh);
+    const std::vector<Mesh::Halfedge_index> edges(around.begin(), around.end());
     if(!(is_simple(f, mesh, points) &&
          PMP::triangulate_face(f, mesh, CGAL::parameters::vertex_point_map(points).geom_traits(Exact_kernel()))))
       triangulate_as_fan(f, mesh);
+    set_polygon(edges, number, mesh, polygon);
+  }
   mesh.remove_property_map(points);
   return polygons.size();
 }
 
-// Makes `polygons` those of a mesh, in their order. Vertices that get new ones keep the numbers in `number`. What is a mesh
-// already, as a polygon with two sides, is left as it is.
-void repair_soup(std::vector<std::size_t>& number, Polygons& polygons, Repairs& repairs)
+// Makes `polygons` those of a mesh, in their order. Vertices that get new ones keep the numbers in `number`, and polygons
+// in `polygon`. What is a mesh already, as a polygon with two sides, is left as it is.
+void repair_soup(std::vector<std::size_t>& number, Polygons& polygons, std::vector<std::size_t>& polygon,
+                 Repairs& repairs)
 {
   if(PMP::is_polygon_soup_a_polygon_mesh(polygons))
     return;
   Polygons kept;
   std::set<Polygon> known;
-  for(const Polygon& polygon : polygons)
-    for(const Polygon& part : simple_parts(polygon))
+  std::vector<std::size_t> origin;
+  for(std::size_t f = 0; f < polygons.size(); ++f)
+    for(const Polygon& part : simple_parts(polygons[f]))
       if(known.insert(sorted_sides(part)).second)
+      {
         kept.push_back(part);
+        origin.push_back(f);
+      }
   repairs.removed_faces = polygons.size() - (std::min)(polygons.size(), kept.size());
   polygons = std::move(kept);
+  polygon = std::move(origin);
   if(PMP::is_polygon_soup_a_polygon_mesh(polygons))
     return;
   const std::size_t vertices = number.size();
@@ -223,7 +258,8 @@ void find_components(Input_mesh& input)
 {
   auto component = input.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 0).first;
   input.component_size.resize(PMP::connected_components(input.mesh, component));
-  std::vector<double> area(input.component_size.size(), 0.);
+  std::vector<double>& area = input.component_area;
+  area.assign(input.component_size.size(), 0.);
   for(Mesh::Face_index f : input.mesh.faces())
   {
     input.component.push_back(component[f]);
@@ -276,6 +312,8 @@ Input_mesh mesh_as_it_is(const Polygon_soup& soup, std::string& fault)
   if(fault.empty() && !has_manifold_vertices(input.mesh))
     fault = "there is a vertex that is not manifold: its faces form several fans";
   input.is_added.assign(input.mesh.number_of_edges(), false);
+  input.polygon.resize(soup.polygons.size());
+  std::iota(input.polygon.begin(), input.polygon.end(), std::size_t(0));
   return input;
 }
 
@@ -303,9 +341,16 @@ Input_mesh repaired_mesh(const Polygon_soup& soup, const Weld& welded)
 
   std::vector<std::size_t> number(soup.points.size());
   std::iota(number.begin(), number.end(), std::size_t(0));
-  repair_soup(number, polygons, input.repairs);
+  std::vector<std::size_t> polygon(polygons.size());
+  std::iota(polygon.begin(), polygon.end(), std::size_t(0));
+  repair_soup(number, polygons, polygon, input.repairs);
   add_polygons(soup.points, number, polygons, input);
-  input.repairs.triangulated_faces = triangulate(input.mesh);
+  Polygon_numbers of_face = input.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:polygon", no_polygon).first;
+  for(const Mesh::Face_index f : input.mesh.faces())
+    of_face[f] = polygon[f];
+  input.repairs.triangulated_faces = triangulate(input.mesh, of_face);
+  input.polygon.assign(of_face.begin(), of_face.end());
+  input.mesh.remove_property_map(of_face);
   for(std::size_t v = 0; v < first.size(); ++v)
     input.vertex[v] = input.vertex[first[v]];
   input.is_added.assign(input.mesh.number_of_edges(), false);

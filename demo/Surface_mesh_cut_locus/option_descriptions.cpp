@@ -80,6 +80,9 @@ po::options_description sources()
       "edges that are connected are one source");
   add("source-border", po::bool_switch(),
       "each border loop: of a flat mesh, its medial axis. Points, curves and the border may be mixed");
+  add("from-view", text("X,Y,Z"),
+      "the vertex that is nearest to somebody who looks from this direction: the cut locus, and so seams, are behind. "
+      "With --uv and --seams that of each component");
   add("each-source", text("FILE"),
       "a cut locus for each source of a file, one on a line: a vertex, or x,y,z. The file of -o must end in .jsonl: it "
       "gets a line of JSON for each, with the injectivity radius, other figures and the polylines; --report gets a "
@@ -123,7 +126,7 @@ po::options_description shown()
   add(
     "curve", text("edges|faces"),
     "the curve that all outputs are about is made of segments through the faces of the mesh, or of its edges (default: "
-    "faces; edges with --edges, --uv and --smooth 0)");
+    "faces; edges with --edges, --seams, --uv and --smooth 0)");
   add("min-branch-width", text("W"),
       "the two shortest paths to a branch must be as far apart as this somewhere, in units of the diagonal of the "
       "bounding box, at most 1, with the methods direction and polyhedral (default: with direction what the mesh "
@@ -180,8 +183,20 @@ po::options_description output()
       "write the mesh with the distance, the number of the nearest source, that in the file, and the logarithmic map "
       "of each "
       "vertex");
-  add("uv", text("FILE.obj"),
-      "cut the surface open along the cut locus and flatten it: the mesh with texture coordinates, and a texture");
+  add("uv", text("FILE.obj|.glb"),
+      "cut all components open along their cut loci and flatten them, into the unit square: the mesh with texture "
+      "coordinates. An OBJ file stays as it is, but for these: polygons, groups, normals and materials; others get a "
+      "texture. A component without a source among those given gets the vertex farthest from its center. Seams follow "
+      "edges of the file's polygons; with --curve faces they are straight, and faces are split");
+  add("seams", text("FILE.obj|.json|.py"),
+      "write these seams on the vertices of the file: as lines, as a list of pairs counted from 0, or as a script that "
+      "marks them in Blender");
+  add(
+    "max-stretch", text("S"),
+    "a component is cut along finer branches as long as a chart of it is stretched more than this, in the mean; with "
+    "the "
+    "method direction, --parameterization injective, and no --min-branch-width, -gap or -curvature (default: 2, where "
+    "lengths are doubled or halved)");
   add("parameterization", text("injective|arap|lscm|convex|logmap")->default_value("injective"),
       "how --uv flattens:\n"
       "  injective: as isometrically as may be without flipped or overlapping triangles\n"
@@ -283,6 +298,7 @@ The options that most runs need; cut_locus --help-all lists all of them.
   -o FILE                  write the cut locus: .png, .svg, .vtp, .ply, .json, .obj, .polylines.txt
   --cells FILE.ply         write which source is the nearest
   --uv FILE.obj            cut the surface open along the cut locus and flatten it
+  --seams FILE.py          write where it is cut, for Blender
   --report FILE.json       write figures and times
   --check                  check the result
 
@@ -298,7 +314,7 @@ Examples:
   cut_locus plate.stl --source-border -o axis.svg --view 0,0,1
                            the medial axis of a plate
   cut_locus bunny.obj --uv bunny_uv.obj
-                           an atlas of one piece without overlaps
+                           the file with texture coordinates: a piece for each component
   zcat bunny.ply.gz | cut_locus - -o - --output-format json
                            from one program to the next
   cut_locus part.stl --check --report part.json

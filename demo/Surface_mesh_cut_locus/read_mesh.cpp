@@ -26,6 +26,7 @@
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace {
 
@@ -199,13 +200,18 @@ Polygon_soup read_polygon_soup(const Mesh_file& file)
 
 } // namespace
 
-Input_mesh read_mesh(const std::string& filename, Repair repair, const std::string& format)
+Input_mesh read_mesh(const std::string& filename, Repair repair, const std::string& format, File_content* content)
 {
   std::optional<Mesh_file> file = load_file(filename, format);
   const std::string name = file->name;
-  const Polygon_soup soup = is_scene_format(file->extension) ? read_scene(*file)
-                            : file->extension == ".vtp"      ? read_VTP(*file)
-                                                             : read_polygon_soup(*file);
+  Polygon_soup soup = is_scene_format(file->extension) ? read_scene(*file)
+                      : file->extension == ".vtp"      ? read_VTP(*file)
+                                                       : read_polygon_soup(*file);
+  if(content != nullptr && file->extension == ".obj")
+    content->obj = std::move(file->text);
   file.reset(); // its text is not needed any more
-  return make_mesh(soup, repair, name);
+  Input_mesh result = make_mesh(soup, repair, name);
+  if(content != nullptr)
+    content->soup = std::move(soup);
+  return result;
 }

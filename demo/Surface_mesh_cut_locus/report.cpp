@@ -5,6 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "report.h"
+#include "packing.h"
 #include "output_file.h"
 #include "report_json.h"
 
@@ -91,11 +92,26 @@ void add_check(Json& report, const Check& check)
 
 void add_atlas(Json& report, const Atlas& atlas, const std::optional<double>& short_cut_graph_distance)
 {
+  Json& seams = report["seams"];
+  seams["length"] = atlas.seam_length;
+  seams["distance"] = atlas.seam_distance;
+  seams["edges_not_in_file"] = atlas.seams_in_polygons;
+  seams["charts"] = atlas.charts.size();
   const CGAL::Cut_loci::Layout_quality& quality = atlas.quality;
   const auto figure = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
   Json& uv = report["uv"];
   uv["parameterization"] = atlas.parameterization;
-  uv["faces"] = atlas.texture_corners.size();
+  std::size_t faces = 0;
+  double area = 0.;
+  for(const auto& chart : atlas.charts)
+  {
+    faces += chart->faces.size();
+    area += chart->area;
+  }
+  seams["area"] = area;
+  uv["faces"] = faces;
+  uv["covered"] = atlas.covered;
+  uv["stretch"] = figure(atlas.stretch);
   uv["flipped_faces"] = quality.flipped_faces;
   uv["injective"] = quality.is_injective;
   uv["overlapping_faces"] = quality.overlapping_faces;
@@ -257,9 +273,32 @@ std::string summary(const Options& options, CGAL::Cut_loci::Curve curve, const M
   return text.str();
 }
 
-std::string summary(const Atlas& atlas)
+namespace {
+
+// what an artist should know about the seams
+std::string notes_on_seams(const Atlas& atlas, const Input_mesh& input)
+{
+  std::string result;
+  if(atlas.splits_faces)
+    result += "\nnote: seams are straight: faces are split, and those of the file are not kept";
+  if(atlas.seams_in_polygons > 0)
+    result += "\nnote: " + std::to_string(atlas.seams_in_polygons) +
+              " edges of seams are diagonals of polygons: no way around leaves a disk";
+  const auto flat =
+    std::count_if(input.component_area.begin(), input.component_area.end(), [](double area) { return !(area > 0.); });
+  if(flat > 0)
+    result += "\nnote: " + std::to_string(flat) + " components without area are left out";
+  return result;
+}
+
+} // namespace
+
+std::string summary(const Atlas& atlas, const Input_mesh& input)
 {
   std::ostringstream text;
+  text << std::setprecision(3) << "seams: length " << atlas.seam_length << ", charts: " << atlas.charts.size();
+  text << ", which cover " << 100. * atlas.covered << " % of the unit square, at least " << 100. * margin_of_packing
+       << " % of its side apart\n";
   const CGAL::Cut_loci::Layout_quality& quality = atlas.quality;
   text << std::setprecision(4) << "atlas: ";
   if(quality.is_injective)
@@ -267,10 +306,11 @@ std::string summary(const Atlas& atlas)
   else
     text << quality.flipped_faces << " faces flipped, " << quality.overlapping_faces << " overlap, which is "
          << 100. * quality.overlap << " % of what is covered";
-  text << "; distortion of areas " << quality.area_distortion << ", of angles " << quality.angle_distortion;
+  text << "; distortion of areas " << quality.area_distortion << ", of angles " << quality.angle_distortion
+       << ", largest stretch of a chart " << atlas.stretch;
   if(quality.faces_without_shape > 0)
     text << "; " << quality.faces_without_shape << " faces are too thin to have a shape";
   if(!quality.is_injective && atlas.parameterization != "injective")
     text << "; --parameterization injective avoids that where numbers are fine enough";
-  return text.str();
+  return text.str() + notes_on_seams(atlas, input);
 }

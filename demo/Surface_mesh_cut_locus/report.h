@@ -24,6 +24,6 @@ void write_report(const Options& options, CGAL::Cut_loci::Curve curve, const Inp
 
 // One line for people; `options` have all defaults filled in.
 std::string summary(const Options& options, CGAL::Cut_loci::Curve curve, const Mesh& mesh, const Cut_locus& cut_locus);
-std::string summary(const Atlas& atlas);
+std::string summary(const Atlas& atlas, const Input_mesh& input);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_REPORT_H

@@ -25,22 +25,70 @@ Kernel::Point_3 to_point(const std::array<double, 3>& p)
   return Kernel::Point_3(p[0], p[1], p[2]);
 }
 
-// Of the component of the other sources, if there are any, or of the largest one.
-Edges border_of_component(const Options& options, const Input_mesh& input, const Edges& curves)
+constexpr std::size_t no_component = std::size_t(-1);
+
+// at a halfedge to a vertex, or at one of an edge; vertices without a face have none
+std::size_t component_at(const Input_mesh& input, Mesh::Halfedge_index h)
 {
   const Mesh& mesh = input.mesh;
-  const auto component_at = [&](Mesh::Halfedge_index h)
-  { return input.component[mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h)]; };
-  std::size_t component = input.largest_component;
+  return h.is_valid() ? input.component[mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h)] : no_component;
+}
+
+std::size_t component_of_vertex(const Input_mesh& input, std::size_t number, const char* option)
+{
+  const std::size_t component = component_at(input, input.mesh.halfedge(find_vertex(number, input, option)));
+  return component == no_component ? input.largest_component : component; // as a source it will be refused
+}
+
+std::size_t component_of_point(const Input_mesh& input, const std::array<double, 3>& p)
+{
+  return input.component[closest_location(input.mesh, to_point(p)).first];
+}
+
+// That of the first source, or, if there is none, the largest one.
+std::size_t component_of_sources(const Options& options, const Input_mesh& input)
+{
   if(!options.sources.empty())
-    component = component_at(mesh.halfedge(find_vertex(options.sources.front(), input, "--source")));
-  else if(!options.source_points.empty())
-    component = input.component[closest_location(mesh, to_point(options.source_points.front())).first];
-  else if(!curves.empty())
-    component = component_at(mesh.halfedge(curves.front()));
+    return component_of_vertex(input, options.sources.front(), "--source");
+  if(!options.source_points.empty())
+    return component_of_point(input, options.source_points.front());
+  if(!options.source_edges.empty())
+    return component_of_vertex(input, options.source_edges.front().front(), "--source-edges");
+  return input.largest_component;
+}
+
+// The number in the file of the vertex that is nearest from the direction given, or else farthest from the center.
+std::size_t vertex_of_component(const Options& options, const Input_mesh& input, std::size_t component)
+{
+  const Mesh& mesh = input.mesh;
+  std::vector<Mesh::Vertex_index> vertices;
+  Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    if(component_at(input, mesh.halfedge(v)) == component)
+    {
+      vertices.push_back(v);
+      sum = sum + (mesh.point(v) - CGAL::ORIGIN);
+    }
+  const Kernel::Vector_3 center = sum / double(vertices.size());
+  const auto height = [&](Mesh::Vertex_index v)
+  {
+    const Kernel::Vector_3 from_center = mesh.point(v) - CGAL::ORIGIN - center;
+    return options.from_view ? from_center * (to_point(*options.from_view) - CGAL::ORIGIN)
+                             : from_center.squared_length();
+  };
+  return input
+    .number[*std::max_element(vertices.begin(), vertices.end(),
+                              [&](Mesh::Vertex_index a, Mesh::Vertex_index b) { return height(a) < height(b); })];
+}
+
+// Of the component of the other sources, if there are any, or of the largest one.
+Edges border_of_component(const Options& options, const Input_mesh& input)
+{
+  const Mesh& mesh = input.mesh;
+  const std::size_t component = component_of_sources(options, input);
   Edges result;
   for(const Mesh::Edge_index e : mesh.edges())
-    if(mesh.is_border(e) && component_at(mesh.halfedge(e)) == component)
+    if(mesh.is_border(e) && component_at(input, mesh.halfedge(e)) == component)
       result.push_back(e);
   if(result.empty())
     throw Usage_error("--source-border: there is no border, or another component of the mesh has it");
@@ -64,7 +112,7 @@ std::vector<Edges> source_curves(const Options& options, const Input_mesh& input
     }
   if(options.source_border)
   {
-    const std::vector<Mesh::Edge_index> border = border_of_component(options, input, all);
+    const std::vector<Mesh::Edge_index> border = border_of_component(options, input);
     all.insert(all.end(), border.begin(), border.end());
   }
   std::map<Mesh::Vertex_index, Mesh::Vertex_index> parent;
@@ -110,17 +158,46 @@ std::vector<Edges> set_source(const Options& options, const Input_mesh& input, C
     solver.set_sources(sources, parameters);
     return {};
   }
+  if(options.from_view)
+  {
+    solver.set_source(find_vertex(vertex_of_component(options, input, input.largest_component), input), parameters);
+    return {};
+  }
   // the first one in the order of the file
   const auto is_in_component = [&](Mesh::Vertex_index v)
-  {
-    if(v == Mesh::null_vertex())
-      return false;
-    const Mesh::Halfedge_index h = mesh.halfedge(v); // on the border if there is one
-    const Mesh::Face_index f = h.is_valid() ? mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h) : Mesh::null_face();
-    return f != Mesh::null_face() && input.component[f] == input.largest_component;
-  };
+  { return v != Mesh::null_vertex() && component_at(input, mesh.halfedge(v)) == input.largest_component; };
   solver.set_source(*std::find_if(input.vertex.begin(), input.vertex.end(), is_in_component), parameters);
   return {};
+}
+
+std::vector<Options> options_of_components(const Options& options, const Input_mesh& input)
+{
+  const std::size_t main = component_of_sources(options, input);
+  std::vector<Options> of_component(input.component_size.size(), options);
+  for(std::size_t c = 0; c < of_component.size(); ++c)
+  {
+    of_component[c].sources.clear();
+    of_component[c].source_points.clear();
+    if(c != main)
+    {
+      of_component[c].source_edges.clear();
+      of_component[c].source_border = false;
+    }
+  }
+  for(const std::size_t source : options.sources)
+    of_component[component_of_vertex(input, source, "--source")].sources.push_back(source);
+  for(const auto& point : options.source_points)
+    of_component[component_of_point(input, point)].source_points.push_back(point);
+  std::vector<Options> result = {of_component[main]};
+  for(std::size_t c = 0; c < of_component.size(); ++c)
+  {
+    if(c == main || !(input.component_area[c] > 0.))
+      continue;
+    if(number_of_source_points(of_component[c]) == 0)
+      of_component[c].sources = {vertex_of_component(options, input, c)};
+    result.push_back(std::move(of_component[c]));
+  }
+  return result;
 }
 
 std::string moved_source_points(const Options& options, const Mesh& mesh, const Cut_locus& cut_locus)

@@ -18,6 +18,7 @@
 #include <pybind11/stl.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -110,20 +111,19 @@ py::tuple disk_of(const Result& result, const std::optional<std::string>& parame
   std::vector<std::int64_t> corners, vertex, face;
   {
     const py::gil_scoped_release no_gil;
-    Flat_disk disk;
-    cut_open(*result.mesh, result.cut_locus, disk);
+    const std::unique_ptr<Chart> chart = chart_of_source(*result.mesh, result.cut_locus);
     if(parameterization)
-      flatten(*result.mesh, result.cut_locus, disk, *parameterization);
-    for(const Mesh::Vertex_index v : disk.mesh.vertices())
+      flatten(*result.mesh, result.cut_locus, *chart, *parameterization);
+    for(const Mesh::Vertex_index v : chart->disk.vertices())
     {
-      append_point(points, disk.mesh.point(v));
-      plane.insert(plane.end(), {disk.uv[v].x(), disk.uv[v].y()});
-      vertex.push_back(index_or_none(disk.origin[v]));
+      append_point(points, chart->disk.point(v));
+      plane.insert(plane.end(), {chart->uv[v].x(), chart->uv[v].y()});
+      vertex.push_back(chart->vertices[v] == loci::null_index ? -1 : std::int64_t(chart->vertices[v]));
     }
-    for(const Mesh::Face_index f : disk.mesh.faces())
+    for(const Mesh::Face_index f : chart->disk.faces())
     {
-      face.push_back(disk.face_origin[f].idx());
-      append_corners(corners, disk.mesh, f);
+      face.push_back(chart->faces[f]);
+      append_corners(corners, chart->disk, f);
     }
   }
   return py::make_tuple(to_array(std::move(points), 3), to_array(std::move(corners), 3), to_array(std::move(plane), 2),

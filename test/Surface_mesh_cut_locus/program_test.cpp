@@ -35,6 +35,7 @@ TEST_F(Program, Help)
     EXPECT_EQ(outcome->status, 0);
   for(const char* option : {"--source ",
                             "--source-point",
+                            "--from-view",
                             "--sources ",
                             "--source-edges",
                             "--source-border",
@@ -61,6 +62,8 @@ TEST_F(Program, Help)
                             "--surface",
                             "--keep",
                             "--uv",
+                            "--seams",
+                            "--max-stretch",
                             "--parameterization",
                             "--unfold",
                             "--report",

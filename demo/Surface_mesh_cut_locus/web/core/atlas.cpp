@@ -7,11 +7,11 @@
 #include "atlas.h"
 
 #include "../../charts.h"
+#include "../../packing.h"
 #include "report_stage.h"
 
 #include <CGAL/Cut_loci/Default_visitor.h>
 #include <CGAL/Cut_loci/flatten_disk.h>
-#include <CGAL/refine_along_cut_locus.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,6 @@ using CGAL::Cut_loci::Index;
 using CGAL::Cut_loci::Layout_quality;
 using CGAL::Cut_loci::null_index;
 using CGAL::Cut_loci::Stage;
-using Charts = std::vector<std::unique_ptr<Chart>>;
 
 // Tells the page how far the flattening of a chart is, as a part of that of all.
 struct Chart_reporter : public CGAL::Cut_loci::Default_visitor
@@ -34,37 +33,6 @@ struct Chart_reporter : public CGAL::Cut_loci::Default_visitor
 
   double first = 0., part = 1.;
 };
-
-// Of one source a single disk, along the seams that the library cuts.
-Charts chart_of_one_source(const Mesh& mesh, const Cut_locus& cut_locus)
-{
-  Charts result;
-  result.push_back(std::make_unique<Chart>());
-  Chart& chart = *result.front();
-  auto vertex = chart.disk.add_property_map<Mesh::Vertex_index, Mesh::Vertex_index>("v:origin").first;
-  auto face = chart.disk.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:origin").first;
-  CGAL::cut_along_curve(mesh, cut_locus, chart.disk,
-                        CGAL::parameters::vertex_to_vertex_map(vertex).face_to_face_map(face));
-  for(const Mesh::Vertex_index v : chart.disk.vertices())
-    chart.vertices.push_back(vertex[v] == Mesh::null_vertex() ? null_index : static_cast<Index>(vertex[v]));
-  for(const Mesh::Face_index f : chart.disk.faces())
-    chart.faces.push_back(static_cast<Index>(face[f]));
-  return result;
-}
-
-Charts charts_of_cells(const Mesh& mesh, const Cut_locus& cut_locus)
-{
-  const Cells cells = make_cells(mesh, cut_locus);
-  Charts result = charts_of(cells);
-  for(const auto& chart : result)
-  {
-    for(Index& v : chart->vertices)
-      v = cells.vertices[v];
-    for(Index& f : chart->faces)
-      f = cells.faces[f];
-  }
-  return result;
-}
 
 // The part of a chart's area that is moved to other faces.
 double area_change(const Chart& chart)
@@ -127,12 +95,7 @@ void append_place(const Mesh& mesh, const Chart& chart, Mesh::Vertex_index v, Pl
 // Moves and scales the charts, side by side, into the square [-1, 1] x [-1, 1].
 void append(const Mesh& mesh, const Charts& charts, Atlas& atlas)
 {
-  const std::vector<UV> corners = corners_of(charts);
-  UV high = {{0., 0.}};
-  for(std::size_t i = 0; i < charts.size(); ++i)
-    for(std::size_t k = 0; k < 2; ++k)
-      high[k] = (std::max)(high[k], corners[i][k] + charts[i]->size[k]);
-  const double scale = 2. / (std::max)(high[0], high[1]);
+  const Packing packing = pack(charts);
   for(std::size_t i = 0; i < charts.size(); ++i)
   {
     const Chart& chart = *charts[i];
@@ -140,8 +103,8 @@ void append(const Mesh& mesh, const Charts& charts, Atlas& atlas)
     for(const Mesh::Vertex_index v : chart.disk.vertices())
     {
       append_place(mesh, chart, v, atlas.places);
-      for(int k = 0; k < 2; ++k)
-        atlas.uv.push_back(static_cast<float>(scale * (corners[i][k] + chart.uv[v][k] - high[k] / 2.)));
+      for(const double x : packing(chart, packing.places[i], v))
+        atlas.uv.push_back(static_cast<float>(2. * x - 1.));
     }
     for(const Mesh::Face_index f : chart.disk.faces())
     {
@@ -161,7 +124,11 @@ void append(const Mesh& mesh, const Charts& charts, Atlas& atlas)
 Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, bool has_cells)
 {
   report_stage(cutting_stage, true);
-  const Charts charts = has_cells ? charts_of_cells(mesh, cut_locus) : chart_of_one_source(mesh, cut_locus);
+  Charts charts;
+  if(has_cells)
+    charts = charts_of_cells(mesh, cut_locus);
+  else
+    charts.push_back(chart_of_source(mesh, cut_locus));
   report_stage(cutting_stage, false);
   report_stage(static_cast<int>(Stage::FLATTENING), true);
   Atlas atlas;

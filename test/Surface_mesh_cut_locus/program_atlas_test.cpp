@@ -1,0 +1,386 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+// What the program makes of a model of quads in several parts: texture coordinates for all of it, and seams on its edges.
+
+#include "Union_find.h"
+#include "program_fixture.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Json = nlohmann::json;
+using Edge = std::pair<std::size_t, std::size_t>;
+using UV = std::array<double, 2>;
+
+struct Obj
+{
+  std::string other; // all lines but those of texture coordinates and faces
+  std::vector<UV> uv;
+  std::vector<std::vector<std::array<std::string, 3>>> faces; // v, vt, vn as written
+  std::size_t vertices = 0;
+
+  std::size_t vertex(std::size_t f, std::size_t i) const
+  {
+    const int v = std::stoi(faces[f][i][0]);
+    return std::size_t(v > 0 ? v - 1 : int(vertices) + v); // what is negative comes last here
+  }
+  std::size_t texture(std::size_t f, std::size_t i) const { return std::stoul(faces[f][i][1]) - 1; }
+};
+
+Obj parse(const std::string& text)
+{
+  Obj obj;
+  std::istringstream lines(text);
+  for(std::string line, word; std::getline(lines, line);)
+  {
+    std::istringstream words(line);
+    words >> word;
+    if(word == "vt")
+    {
+      obj.uv.emplace_back();
+      words >> obj.uv.back()[0] >> obj.uv.back()[1];
+    }
+    else if(word == "f")
+    {
+      obj.faces.emplace_back();
+      while(words >> word)
+      {
+        obj.faces.back().emplace_back();
+        std::istringstream parts(word);
+        for(std::string& part : obj.faces.back().back())
+          std::getline(parts, part, '/');
+      }
+    }
+    else
+      obj.other += line + "\n";
+    obj.vertices += word == "v" || line.compare(0, 2, "v ") == 0;
+  }
+  return obj;
+}
+
+double distance_to_segment(const UV& p, const UV& a, const UV& b)
+{
+  const double x = b[0] - a[0], y = b[1] - a[1], l = x * x + y * y;
+  const double t = l > 0. ? std::clamp(((p[0] - a[0]) * x + (p[1] - a[1]) * y) / l, 0., 1.) : 0.;
+  return std::hypot(p[0] - a[0] - t * x, p[1] - a[1] - t * y);
+}
+
+class Model : public Program
+{
+protected:
+  // Two rounded boxes of quads, apart from each other; the second one has negative numbers and no texture coordinates.
+  void SetUp() override
+  {
+    Program::SetUp();
+    std::ostringstream os;
+    os.precision(17);
+    os << "# a model\nmtllib model.mtl\nvt 0 0\nvt 1 0\nvn 0 0 1\no first\n";
+    const std::size_t first =
+      add_box(os, 6, 0., [](std::size_t v, std::size_t) { return std::to_string(v + 1) + "/2/1"; });
+    os << "o second\r\n";
+    add_box(os, 4, 5., [](std::size_t v, std::size_t n) { return std::to_string(int(v) - int(n)) + "//1"; });
+    os << "# the end";
+    first_vertices_ = first;
+    write("model.obj", os.str());
+  }
+
+  template <typename Corner>
+  std::size_t add_box(std::ostream& os, int n, double x, const Corner& corner) const
+  {
+    std::map<std::array<int, 3>, std::size_t> number;
+    std::ostringstream faces;
+    std::vector<std::vector<std::size_t>> quads;
+    for(int axis = 0; axis < 3; ++axis)
+      for(int side : {0, n})
+        for(int i = 0; i < n; ++i)
+          for(int j = 0; j < n; ++j)
+          {
+            std::vector<std::size_t> quad;
+            for(const auto& [a, b] : {Edge(0, 0), Edge(1, 0), Edge(1, 1), Edge(0, 1)})
+            {
+              std::array<int, 3> p;
+              p[axis] = side;
+              p[(axis + 1) % 3] = i + int(a);
+              p[(axis + 2) % 3] = j + int(b);
+              const auto inserted = number.insert({p, number.size()});
+              if(inserted.second)
+              {
+                std::array<double, 3> q;
+                for(int k = 0; k < 3; ++k)
+                  q[k] = 2. * p[k] / n - 1.;
+                const double r = std::hypot(q[0], q[1], q[2]);
+                os << "v " << 2. * q[0] / std::sqrt(r) + x << ' ' << q[1] / std::sqrt(r) << ' ' << q[2] / std::sqrt(r)
+                   << '\n';
+              }
+              quad.push_back(inserted.first->second);
+            }
+            if(side == 0)
+              std::reverse(quad.begin(), quad.end());
+            quads.push_back(quad);
+          }
+    for(std::size_t f = 0; f < quads.size(); ++f)
+    {
+      if(f % 20 == 7)
+        os << "g part" << f << "\nusemtl red\ns " << f << '\n';
+      os << 'f';
+      for(const std::size_t v : quads[f])
+        os << ' ' << corner(v, number.size());
+      os << '\n';
+    }
+    return number.size();
+  }
+
+  Json run_model(const std::string& arguments) const
+  {
+    const Outcome outcome =
+      run(quoted(path("model.obj")) + " --quiet --report " + quoted(path("r.json")) + " " + arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.messages;
+    return Json::parse(read_file(path("r.json")));
+  }
+
+  std::size_t first_vertices_ = 0;
+};
+
+// pairs of vertices whose faces have different texture corners there
+std::set<Edge> seams_of(const Obj& obj)
+{
+  std::map<Edge, std::set<Edge>> corners;
+  for(std::size_t f = 0; f < obj.faces.size(); ++f)
+    for(std::size_t i = 0; i < obj.faces[f].size(); ++i)
+    {
+      const std::size_t j = (i + 1) % obj.faces[f].size();
+      corners[std::minmax(obj.vertex(f, i), obj.vertex(f, j))].insert(
+        std::minmax(obj.texture(f, i), obj.texture(f, j)));
+    }
+  std::set<Edge> result;
+  for(const auto& edge : corners)
+    if(edge.second.size() > 1)
+      result.insert(edge.first);
+  return result;
+}
+
+} // namespace
+
+TEST_F(Model, is_kept_but_for_its_texture_coordinates)
+{
+  const Json report = run_model("--uv " + quoted(path("uv.obj")) + " --seams " + quoted(path("seams.json")));
+  const Obj given = parse(read_file(path("model.obj"))), obj = parse(read_file(path("uv.obj")));
+  EXPECT_EQ(given.other, obj.other);
+  EXPECT_FALSE(fs::exists(path("uv.png")) || fs::exists(path("uv.mtl")));
+  ASSERT_EQ(given.faces.size(), obj.faces.size());
+  ASSERT_EQ(report.at("seams").at("charts"), 2);
+  EXPECT_EQ(report.at("seams").at("edges_not_in_file"), 0);
+  for(std::size_t f = 0; f < obj.faces.size(); ++f)
+  {
+    ASSERT_EQ(given.faces[f].size(), obj.faces[f].size());
+    double area = 0.;
+    for(std::size_t i = 0; i < obj.faces[f].size(); ++i)
+    {
+      EXPECT_EQ(given.faces[f][i][0], obj.faces[f][i][0]);
+      EXPECT_EQ(given.faces[f][i][2], obj.faces[f][i][2]);
+      const UV &p = obj.uv.at(obj.texture(f, i)), &q = obj.uv.at(obj.texture(f, (i + 1) % obj.faces[f].size()));
+      area += p[0] * q[1] - p[1] * q[0];
+    }
+    EXPECT_GT(area, 0.) << f;
+  }
+  // each part is one disk, and the seams are those where corners differ
+  std::set<Edge> edges;
+  curve_measures::Union_find parts(obj.uv.size());
+  std::size_t number_of_parts = obj.uv.size();
+  for(std::size_t f = 0; f < obj.faces.size(); ++f)
+    for(std::size_t i = 0; i < obj.faces[f].size(); ++i)
+    {
+      const std::size_t a = obj.texture(f, i), b = obj.texture(f, (i + 1) % obj.faces[f].size());
+      edges.insert(std::minmax(a, b));
+      number_of_parts -= parts.unite(a, b);
+    }
+  EXPECT_EQ(number_of_parts, 2u);
+  EXPECT_EQ(obj.uv.size() + obj.faces.size(), edges.size() + 2);
+  std::set<Edge> seams;
+  for(const Json& pair : Json::parse(read_file(path("seams.json"))))
+    seams.insert(std::minmax(pair[0].get<std::size_t>(), pair[1].get<std::size_t>()));
+  EXPECT_EQ(seams, seams_of(obj));
+  EXPECT_GE(seams.size(), 4u);
+}
+
+// Lines that go on, ends of lines as on Windows, elements that are no faces, and corners without a number after a slash.
+TEST_F(Model, may_be_written_in_any_way)
+{
+  const std::string points = "v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nv 2 0 0\r\nv 2 1 0\r\n# all\r\n";
+  write("model.obj", points + "vt 0 0\r\nf 1/1 2/1 \\\r\n 3/1 4/1\r\nf 2// 5\\\n 6 3\r\nl 1/1 2/1\r\n");
+  EXPECT_EQ(run_model("--uv " + quoted(path("uv.obj"))).at("uv").at("faces"), 4);
+  const std::string text = read_file(path("uv.obj"));
+  std::istringstream lines(text.substr(points.size()));
+  EXPECT_EQ(text.substr(0, points.size()), points);
+  std::string rest;
+  for(std::string line; std::getline(lines, line);)
+    rest += line.compare(0, 2, "vt") == 0 ? "t" : line + "\n";
+  EXPECT_EQ(rest, "ttttttf 1/1 2/2 3/3 4/4\r\nf 2/2 5/5 6/6 3/3\r\nl 1 2\r\n");
+}
+
+// Also with fine seams, and where they divide cells: they go around quads everywhere.
+TEST_F(Model, has_seams_on_its_edges_alone)
+{
+  for(const std::string more :
+      {"--min-branch-width 0.01", "--method polyhedral", "--source 0 --source 50 --source 90",
+       "--source 3 --source 240", "--method laplacian --min-branch-edges 0", "--source 250 --min-branch-width 0.02"})
+  {
+    const Json report = run_model(more + " --uv " + quoted(path("uv.obj")) + " --seams " + quoted(path("seams.obj")));
+    EXPECT_EQ(report.at("seams").at("edges_not_in_file"), 0) << more;
+    EXPECT_EQ(report.at("uv").at("flipped_faces"), 0) << more;
+    EXPECT_EQ(report.at("seams").at("charts"), more.find("--source 50") != std::string::npos ? 4 : 2) << more;
+    const Obj obj = parse(read_file(path("uv.obj")));
+    std::istringstream lines(read_file(path("seams.obj")));
+    std::set<Edge> seams;
+    std::size_t vertices = 0;
+    for(std::string line; std::getline(lines, line);)
+    {
+      std::istringstream words(line);
+      std::string word;
+      std::size_t a = 0, b = 0;
+      words >> word;
+      if(word == "l" && words >> a >> b)
+        seams.insert(std::minmax(a - 1, b - 1));
+      vertices += word == "v";
+    }
+    EXPECT_EQ(vertices, obj.vertices);
+    EXPECT_EQ(seams, seams_of(obj)) << more;
+  }
+}
+
+TEST_F(Model, is_packed_with_a_margin_and_one_density)
+{
+  const Json report = run_model("--source 0 --source 50 --source 90 --uv " + quoted(path("uv.obj")));
+  const Obj obj = parse(read_file(path("uv.obj")));
+  curve_measures::Union_find parts(obj.uv.size());
+  double covered = 0.;
+  for(std::size_t f = 0; f < obj.faces.size(); ++f)
+    for(std::size_t i = 0; i < obj.faces[f].size(); ++i)
+    {
+      const std::size_t a = obj.texture(f, i), b = obj.texture(f, (i + 1) % obj.faces[f].size());
+      parts.unite(a, b);
+      covered += 0.5 * (obj.uv[a][0] * obj.uv[b][1] - obj.uv[a][1] * obj.uv[b][0]);
+    }
+  EXPECT_NEAR(report.at("uv").at("covered").get<double>(), covered, 1e-9);
+  EXPECT_GT(covered, 0.3);
+  constexpr double margin = 1. / 128. - 1e-9;
+  for(std::size_t v = 0; v < obj.uv.size(); ++v)
+  {
+    for(const double x : obj.uv[v])
+      EXPECT_TRUE(x >= margin && x <= 1. - margin) << x;
+    for(std::size_t f = 0; f < obj.faces.size(); ++f)
+      for(std::size_t i = 0; i < obj.faces[f].size(); ++i)
+      {
+        const std::size_t a = obj.texture(f, i), b = obj.texture(f, (i + 1) % obj.faces[f].size());
+        if(parts.find(a) != parts.find(v))
+        {
+          ASSERT_GE(distance_to_segment(obj.uv[v], obj.uv[a], obj.uv[b]), margin);
+        }
+      }
+  }
+}
+
+// What is stretched too much is cut along finer branches, unless the detail is given.
+TEST_F(Model, is_stretched_as_little_as_asked_for)
+{
+  const auto run_with = [&](const std::string& more)
+  {
+    const Json report = run_model("--uv " + quoted(path("uv.obj")) + more);
+    EXPECT_EQ(report.at("uv").at("flipped_faces"), 0);
+    return std::make_pair(report.at("uv").at("stretch").get<double>(), report.at("seams").at("length").get<double>());
+  };
+  const auto usual = run_with(""), coarse = run_with(" --max-stretch 1000"), fine = run_with(" --max-stretch 1.25");
+  EXPECT_LE(usual.first, 2.);
+  EXPECT_GT(coarse.first, 1.5);
+  EXPECT_LE(fine.first, 1.25);
+  EXPECT_GT(fine.second, coarse.second);
+  const std::string width = " --min-branch-width 0.3";
+  EXPECT_EQ(run_with(width + " --max-stretch 1"), run_with(width));
+  expect_failure(run_on_torus("--max-stretch 2"), "--max-stretch is for --uv and --seams");
+  expect_failure(run_on_torus("--max-stretch 0.5 --uv " + quoted(path("uv.obj"))),
+                 "--max-stretch takes a number from 1");
+}
+
+TEST_F(Model, as_glTF)
+{
+  const Json report = run_model("--uv " + quoted(path("uv.glb")));
+  const std::string glb = read_file(path("uv.glb"));
+  const auto number = [&](std::size_t at)
+  {
+    std::uint32_t result = 0;
+    for(int i = 3; i >= 0; --i)
+      result = result << 8 | static_cast<unsigned char>(glb.at(at + std::size_t(i)));
+    return result;
+  };
+  ASSERT_EQ(glb.substr(0, 4), "glTF");
+  EXPECT_EQ(number(4), 2u);
+  EXPECT_EQ(number(8), glb.size());
+  const std::size_t length = number(12), binary = 20 + length;
+  EXPECT_EQ(glb.substr(16, 4) + glb.substr(binary + 4, 4), std::string("JSONBIN\0", 8));
+  EXPECT_EQ(binary + 8 + number(binary), glb.size());
+  const Json file = Json::parse(glb.substr(20, length));
+  const Json &accessors = file.at("accessors"), &views = file.at("bufferViews");
+  EXPECT_EQ(accessors[2].at("count"), 3 * report.at("uv").at("faces").get<std::size_t>());
+  const auto part = [&](std::size_t i) { return binary + 8 + views[i].at("byteOffset").get<std::size_t>(); };
+  for(std::size_t i = 0; i < accessors[2].at("count"); ++i)
+    ASSERT_LT(number(part(2) + 4 * i), accessors[1].at("count").get<std::size_t>());
+  for(std::size_t i = 0; i < 2 * accessors[1].at("count").get<std::size_t>(); ++i)
+  {
+    const std::uint32_t bits = number(part(1) + 4 * i);
+    float x = 0.f;
+    std::memcpy(&x, &bits, sizeof x);
+    ASSERT_TRUE(x > 0.f && x < 1.f) << x;
+  }
+  EXPECT_EQ(glb.compare(part(3) + 1, 3, "PNG"), 0);
+}
+
+TEST_F(Model, is_cut_open_behind)
+{
+  const Json report =
+    run_model("--from-view 1,0,0 --uv " + quoted(path("uv.obj")) + " --seams " + quoted(path("s.py")));
+  EXPECT_GT(report.at("source_point")[0].get<double>(), 1.3);
+  const std::string script = read_file(path("s.py"));
+  const std::size_t begin = script.find('[', script.find("SEAMS = "));
+  const Json seams = Json::parse(script.substr(begin, script.find("]]") + 2 - begin));
+  std::istringstream model(read_file(path("model.obj")));
+  std::vector<double> x;
+  for(std::string line; std::getline(model, line);)
+    if(line.compare(0, 2, "v ") == 0)
+      x.push_back(std::stod(line.substr(2)));
+  for(const Json& pair : seams)
+    for(const std::size_t v : pair.get<std::vector<std::size_t>>())
+      EXPECT_LT(x.at(v), v < first_vertices_ ? 0. : 5.);
+  expect_failure(run_on_torus("--from-view 1,0,0 --source 3"), "--from-view chooses the source");
+  expect_failure(run_on_torus("--from-view 0,0,0"), "--from-view takes a direction");
+  expect_failure(run_on_torus("--curve faces --seams " + quoted(path("s.py"))), "--seams writes a curve of edges");
+  expect_failure(run_on_torus("--seams " + quoted(path("s.txt"))), "must be .obj, .json or .py");
+}
+
+TEST_F(Model, straight_seams_split_faces_and_say_so)
+{
+  const Outcome outcome = run(quoted(path("model.obj")) + " --curve faces --uv " + quoted(path("uv.obj")));
+  EXPECT_EQ(outcome.status, 0) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("faces are split"), std::string::npos) << outcome.messages;
+  EXPECT_TRUE(fs::exists(path("uv.png")) && fs::exists(path("uv.mtl")));
+  for(const auto& face : parse(read_file(path("uv.obj"))).faces)
+    EXPECT_EQ(face.size(), 3u);
+}
