@@ -280,6 +280,19 @@ TEST(Default_strength, shows_each_limb_of_a_coarse_mesh)
   }
 }
 
+// Around the antipode, where all paths meet, what is enclosed is large, and branches are short.
+TEST(Default_strength, of_spheres_is_a_point)
+{
+  const std::vector<Mesh_data> spheres = {sphere(16), sphere_of_squares(12), sphere(5), jittered_sphere(16, 0.2, 3)};
+  for(std::size_t i = 0; i < spheres.size(); ++i)
+    for(std::size_t k = 0; k < 5; ++k)
+    {
+      SCOPED_TRACE(std::to_string(i) + ", " + std::to_string(k));
+      const Index v = static_cast<Index>(k * spheres[i].points.size() / 5);
+      EXPECT_EQ(shown(spheres[i], at_vertex(indexed(spheres[i]), v)).length, 0.);
+    }
+}
+
 // The first is up to a hundredth of what it is, and both are those of a piece next to the end.
 TEST(Default_strength, is_told_by_the_edges_at_the_tips)
 {

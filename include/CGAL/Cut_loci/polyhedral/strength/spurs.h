@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/polyhedral/strength/Tree_branches.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -31,16 +32,21 @@ namespace internal {
  *
  * @param edges as in `Tree_branches::edges()`
  * @param height of an edge, of which branches sum it up
- * @param is_exempt tells of an edge that no branch through it is a spur, however low
+ * @param length of an edge
+ * @param least_length of a branch through an edge that is no spur, however low; infinite if there is none
  */
-template <typename Height, typename Is_exempt>
+template <typename Height, typename Length, typename Least_length>
 void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes, Index terminals, double least,
-                  const Height& height, const Is_exempt& is_exempt)
+                  const Height& height, const Length& length, const Least_length& least_length)
 {
-  struct Ways // outward from a node: the two highest
+  struct Way // outward
   {
-    std::array<double, 2> height = {{0., 0.}};
-    std::array<Index, 2> edge = {{null_index, null_index}};
+    double height = 0., length = 0., least_length = (std::numeric_limits<double>::infinity)();
+    Index edge = null_index;
+  };
+  struct Ways // from a node: the two highest
+  {
+    std::array<Way, 2> way;
     bool is_in_core = false;
   };
   std::vector<Ways> ways(number_of_nodes);
@@ -58,20 +64,21 @@ void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes
       at.is_in_core = ways[b.outer].is_in_core = true;
       continue;
     }
-    double way = ways[b.outer].height[0] + height(b.edge);
-    if(way < least && is_exempt(b))
-      way = least;
-    is_high[i] = !(way < least);
-    if(at.edge[1] == null_index || way > at.height[1])
+    Way way = ways[b.outer].way[0];
+    way.edge = b.edge;
+    way.height += height(b.edge);
+    way.length += length(b.edge);
+    if(way.height < least)
     {
-      at.height[1] = way;
-      at.edge[1] = b.edge;
+      way.least_length = (std::min)(way.least_length, least_length(b.edge));
+      if(way.length >= way.least_length)
+        way.height = least;
     }
-    if(at.edge[0] == null_index || at.height[1] > at.height[0])
-    {
-      std::swap(at.height[0], at.height[1]);
-      std::swap(at.edge[0], at.edge[1]);
-    }
+    is_high[i] = !(way.height < least);
+    if(at.way[1].edge == null_index || way.height > at.way[1].height)
+      at.way[1] = way;
+    if(at.way[0].edge == null_index || at.way[1].height > at.way[0].height)
+      std::swap(at.way[0], at.way[1]);
   }
   std::vector<unsigned char> is_gone(number_of_nodes, 0), is_root(number_of_nodes, 1);
   for(const Tree_branches::Edge& b : edges)
@@ -82,8 +89,9 @@ void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes
     const Tree_branches::Edge b = edges[i];
     const Ways& at = ways[b.inner];
     const bool continues =
-      !at.is_in_core && (is_root[b.inner] ? at.height[0] >= least && (b.edge == at.edge[0] || b.edge == at.edge[1])
-                                          : b.edge == at.edge[0]);
+      !at.is_in_core &&
+      (is_root[b.inner] ? at.way[0].height >= least && (b.edge == at.way[0].edge || b.edge == at.way[1].edge)
+                        : b.edge == at.way[0].edge);
     if(is_in_core(b) || (!is_gone[b.inner] && (continues || is_high[i])))
       edges[size++] = b;
     else

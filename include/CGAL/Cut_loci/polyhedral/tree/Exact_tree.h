@@ -302,6 +302,21 @@ private:
     return width > 0. ? least.share_of_width(there.length) * width : 0.;
   }
 
+  /// how long a branch through an edge has to be that is low, but encloses enough: behind a corner, or a limb, paths get no
+  /// farther apart than twice the length of the branch that comes from it; what is shorter is a fork at the end of another
+  double least_length(Index e, const Branch_strength& least)
+  {
+    constexpr double infinity = (std::numeric_limits<double>::infinity)();
+    // in the middle of a curve that is nearly a circle, what it encloses is no corner
+    if(!options_.lines.empty() || graph_->edges[e].piece == null_index)
+      return infinity;
+    const Ridges::Enclosed there = enclosed(e);
+    if(!least.is_enough(there.curvature, there.length))
+      return infinity;
+    const double wide = width(e);
+    return wide >= least_width(least, there) ? 0.25 * wide : infinity;
+  }
+
   /// of an edge at a leaf; if it is weak, it falls off, and the bounds know of it
   bool is_strong(Index e, Index leaf, const Branch_strength& least, Width_bounds& bounds)
   {
@@ -337,15 +352,8 @@ private:
       b.edge = edges[b.edge];
     remove_spurs(
       result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, least.spur,
-      [this](Index e) { return height(e); },
-      [&](const Tree_branches::Edge& b)
-      {
-      // in the middle of a curve that is nearly a circle, what it encloses is no corner
-      if(!options_.lines.empty() || graph_->edges[b.edge].piece == null_index)
-        return false;
-      const Ridges::Enclosed there = enclosed(b.edge);
-      return least.is_enough(there.curvature, there.length) && width(b.edge) >= least_width(least, there);
-      });
+      [this](Index e) { return height(e); }, [this](Index e) { return length(e); },
+      [&](Index e) { return least_length(e, least); });
     return result;
   }
 
