@@ -189,7 +189,14 @@ private:
     for(std::size_t i = 0; i < local_changes_.size(); ++i)
     {
       Face_ridges::Change &a = local_changes_[i], &b = local_changes_[i + 1 < local_changes_.size() ? i + 1 : 0];
-      if(a.edge == b.edge || is_same_image(a.after, b.before))
+      if(is_same_image(a.after, b.before))
+        continue;
+      if(a.edge == null_index && b.edge == null_index)
+      {
+        fit_from_corner_to_corner(a, b);
+        continue;
+      }
+      if(a.edge == b.edge)
         continue;
       const Index corner = corner_of_change(a, b);
       if(corner == null_index)
@@ -206,6 +213,19 @@ private:
         places_.insert(places_.begin() + next, Place());
       }
     }
+  }
+
+  /// Between two corners, nothing changes: what leads to both is right.
+  void fit_from_corner_to_corner(Face_ridges::Change& a, Face_ridges::Change& b) const
+  {
+    const Index first = corner_at(a.point), last = corner_at(b.point);
+    const double rounding = geodesic_cover * geodesics_->faces().length(3 * face_ + first);
+    if(first == last)
+      return;
+    if(a.after.distance(b.point) - geodesics_->distance(mesh_->triangles[face_][last]) <= rounding)
+      b.before = a.after;
+    else if(b.before.distance(a.point) - geodesics_->distance(mesh_->triangles[face_][first]) <= rounding)
+      a.after = b.before;
   }
 
   /// The corner from one change to the next at which the labels between them are on one line. A change at a vertex has
