@@ -13,6 +13,7 @@
 #include <CGAL/Cut_loci/geodesics/Isoline_tracing.h>
 #include <CGAL/Cut_loci/geodesics/Straight_walk.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
+#include <CGAL/Cut_loci/face_graph/excluded_faces.h>
 #include <CGAL/Cut_loci/face_graph/read_curves.h>
 #include <CGAL/Cut_loci/face_graph/read_edge_lengths.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
@@ -62,8 +63,8 @@ namespace CGAL {
  * Where distances need not be exact, `set_maximum_relative_error()` bounds their error and makes the growth nearly linear.
  *
  * Faces must have an area: a face whose height is less than about `1e-13` of its longest edge cannot be unfolded in
- * `double`, and is refused. Vertices whose faces form more than one fan are refused as well. In both cases the
- * constructor throws `Cut_loci::Invalid_input` with a message that names the element.
+ * `double`, and is refused. Vertices whose faces form more than one fan are refused as well, unless faces are excluded. In
+ * both cases the constructor throws `Cut_loci::Invalid_input` with a message that names the element.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  *
@@ -122,14 +123,21 @@ public:
    *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a number as value type}
    *     \cgalParamDefault{the distances between the points}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{face_is_excluded_map}
+   *     \cgalParamDescription{the faces that no path may cross. What is left is the surface: the rim of an excluded region
+   *                           becomes border, and two regions that touch at a vertex leave no way between them.}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `bool` as value type}
+   *     \cgalParamDefault{no face is excluded}
+   *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \throws Cut_loci::Invalid_input if `tm` has no faces, a face that is no triangle, a coordinate that is not finite,
-   *         lengths that no triangle has, or a vertex whose faces form more than one fan
+   * \throws Cut_loci::Invalid_input if `tm` has no faces, all are excluded, a face is no triangle, a coordinate is not finite,
+   *         lengths are those of no triangle, or the faces of a vertex form more than one fan, with no face excluded
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Surface_mesh_exact_geodesics(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
-    : mesh_(&tm), read_(read(tm, np)), geodesics_(read_.mesh, &read_.positions)
+    : mesh_(&tm), read_(read(tm, np, copies_)), geodesics_(read_.mesh, &read_.positions)
   {
     // the solver has a copy of all it needs
     read_.mesh = Cut_loci::Indexed_triangle_mesh();
@@ -145,20 +153,18 @@ public:
   /// @{
 
   /// adds a vertex
-  /// \throws Cut_loci::Invalid_input if `v` is null or on no face
+  /// \throws Cut_loci::Invalid_input if `v` is null, on no face, on excluded faces alone, or if excluded regions touch at it
   void add_source(vertex_descriptor v)
   {
     if(v == Graph_traits::null_vertex())
       throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_SOURCE, "the source is the null vertex");
-    const Cut_loci::Index i = index(v);
-    if(i == Cut_loci::null_index)
-      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_SOURCE,
-                                    "the source is an isolated vertex: it is on no face");
+    const Cut_loci::Index i = get(read_.index_of_vertex, v);
+    require_one_fan(v, i);
     sources_.push_back(geodesics_.vertex_location(i));
   }
 
   /// adds a point in a face, on an edge, or at a vertex
-  /// \throws Cut_loci::Invalid_input if the face is null or the coordinates are not barycentric
+  /// \throws Cut_loci::Invalid_input if the face is null or excluded, or the coordinates are not barycentric
   void add_source(const Face_location& location) { sources_.push_back(to_indexed(location)); }
 
   /// adds a connected curve along edges of the mesh, all of whose points are sources
@@ -307,20 +313,16 @@ public:
   template <typename VertexDistanceMap>
   void distances(VertexDistanceMap vdm) const
   {
-    for(Cut_loci::Index i = 0; i < read_.vertices.size(); ++i)
-      put(vdm, read_.vertices[i], read_.unit * computed().distance(i));
-    if(read_.vertices.size() != num_vertices(*mesh_))
-      for(vertex_descriptor v : CGAL::make_range(vertices(*mesh_)))
-        if(index(v) == Cut_loci::null_index)
-          put(vdm, v, infinity());
+    for(vertex_descriptor v : CGAL::make_range(vertices(*mesh_)))
+      put(vdm, v, distance(v));
   }
 
   /// the distance to query location number `i`
   FT query_distance(std::size_t i) const { return read_.unit * computed().query_distance(query(i)); }
 
-  /// the distance to the centroid of `f`
+  /// the distance to the centroid of `f`, infinite if it is excluded
   /// \pre centroids have been asked for
-  FT centroid_distance(face_descriptor f) const { return query_distance(centroid(f)); }
+  FT centroid_distance(face_descriptor f) const { return is_excluded(f) ? infinity() : query_distance(centroid(f)); }
 
   /// @}
 
@@ -469,7 +471,7 @@ public:
   template <typename OutputIterator>
   OutputIterator centroid_shortest_path(face_descriptor f, OutputIterator out) const
   {
-    return query_shortest_path(centroid(f), out);
+    return is_excluded(f) ? out : query_shortest_path(centroid(f), out);
   }
 
   /// @}
@@ -546,17 +548,20 @@ public:
 
 private:
   using Read = Cut_loci::internal::Read_triangle_mesh<TriangleMesh>;
+  using Copies = std::vector<std::pair<Cut_loci::Index, Cut_loci::Index>>;
 
   template <typename NamedParameters>
-  static Read read(const TriangleMesh& tm, const NamedParameters& np)
+  static Read read(const TriangleMesh& tm, const NamedParameters& np, Copies& copies)
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
     namespace internal = Cut_loci::internal;
+    const auto excluded = internal::excluded_faces<TriangleMesh>(np);
     Read result = internal::read_triangle_mesh(
       tm,
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm)),
-      !internal::has_edge_lengths<NamedParameters>());
+      !internal::has_edge_lengths<NamedParameters>(), {}, excluded);
+    copies = internal::split_between_excluded(tm, excluded, result);
     internal::read_edge_lengths(tm, result, get_parameter(np, internal_np::edge_length_map));
     internal::normalize_lengths(result);
     if(internal::needs_mollification(result.mesh))
@@ -655,7 +660,43 @@ private:
     return {{polar[0] * std::cos(polar[1]), polar[0] * std::sin(polar[1])}};
   }
 
-  Cut_loci::Index index(vertex_descriptor v) const { return get(read_.index_of_vertex, v); }
+  // the copies that vertex number `i` has besides itself
+  std::pair<Copies::const_iterator, Copies::const_iterator> copies_of(Cut_loci::Index i) const
+  {
+    return {std::lower_bound(copies_.begin(), copies_.end(), Copies::value_type(i, 0)),
+            std::lower_bound(copies_.begin(), copies_.end(), Copies::value_type(i + 1, 0))};
+  }
+
+  void require_one_fan(vertex_descriptor v, Cut_loci::Index i) const
+  {
+    using Cut_loci::Cause;
+    if(i == Cut_loci::null_index && halfedge(v, *mesh_) == Graph_traits::null_halfedge())
+      throw Cut_loci::Invalid_input(Cause::INVALID_SOURCE, "the source is an isolated vertex: it is on no face");
+    if(i == Cut_loci::null_index)
+      throw Cut_loci::Invalid_input(Cause::INVALID_SOURCE,
+                                    "all faces at the source are excluded: it has to be a vertex "
+                                    "or a point of a face that is not");
+    const auto copies = copies_of(i);
+    if(copies.first != copies.second)
+      throw Cut_loci::Invalid_input(Cause::INVALID_SOURCE,
+                                    "excluded regions touch at the source: the faces left around it form several fans, "
+                                    "and a location in a face of one of them has to say which is meant");
+  }
+
+  // the number of `v`; where excluded regions touch, of the copy that is nearest to the sources
+  Cut_loci::Index index(vertex_descriptor v) const
+  {
+    Cut_loci::Index nearest = get(read_.index_of_vertex, v);
+    if(copies_.empty() || nearest == Cut_loci::null_index)
+      return nearest;
+    const auto copies = copies_of(nearest);
+    for(auto copy = copies.first; copy != copies.second; ++copy)
+      if(computed().distance(copy->second) < computed().distance(nearest))
+        nearest = copy->second;
+    return nearest;
+  }
+
+  bool is_excluded(face_descriptor f) const { return get(read_.index_of_face, f) == Cut_loci::null_index; }
 
   std::size_t centroid(face_descriptor f) const
   {
@@ -669,6 +710,10 @@ private:
   {
     if(location.first == Graph_traits::null_face())
       throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_SOURCE, "a location is in the null face");
+    if(is_excluded(location.first))
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_SOURCE,
+                                    "a location is in an excluded face: on the rim of an excluded region, it has to be "
+                                    "given in the face on the other side");
     Cut_loci::Indexed_location result;
     result.face = get(read_.index_of_face, location.first);
     result.coordinates = location.second;
@@ -690,6 +735,7 @@ private:
   }
 
   const TriangleMesh* mesh_;
+  Copies copies_; // of vertices at which excluded regions touch; before what fills it
   Read read_;
   Cut_loci::internal::Exact_geodesic_propagation geodesics_;
   std::unique_ptr<Cut_loci::internal::Exact_geodesic_propagation> with_curves_; // in place of it, if there are curves

@@ -101,6 +101,13 @@ exact_geodesic_distances(const TriangleMesh& tm, const SourceRange& sources, Ver
  *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a number as value type}
  *     \cgalParamDefault{the distances between the points}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_is_excluded_map}
+ *     \cgalParamDescription{the faces that no path may cross. What is left is the surface: the rim of an excluded region
+ *                           becomes border, and two regions that touch at a vertex leave no way between them.}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `bool` as value type}
+ *     \cgalParamDefault{no face is excluded}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \throws Cut_loci::Invalid_input if the mesh or the source cannot be used

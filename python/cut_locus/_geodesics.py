@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._input import Curves, Numbers, Sources, read_curves, read_mesh, read_sources
+from ._input import Curves, Numbers, Sources, read_curves, read_excluded, read_mesh, read_sources
 
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
@@ -69,10 +69,15 @@ class ExactGeodesics:
         The points.
     faces : (m, 3) whole numbers
         The vertices of each triangle, oriented alike.
+    excluded_faces : (m,) bools or (k,) whole numbers, optional
+        Faces that no path may cross, by a bool for each face or by their numbers. The rim of an excluded region becomes
+        border, and two regions that touch at a vertex leave no way between them. Vertices of excluded faces alone are
+        not reached; sources and targets may not be there.
     """
 
-    def __init__(self, vertices: npt.ArrayLike, faces: npt.ArrayLike) -> None:
-        self._core = _core.Geodesics(read_mesh(vertices, faces))
+    def __init__(self, vertices: npt.ArrayLike, faces: npt.ArrayLike, *,
+                 excluded_faces: Optional[npt.ArrayLike] = None) -> None:
+        self._core = _core.Geodesics(read_mesh(vertices, faces), read_excluded(excluded_faces, len(np.asarray(faces))))
         self._targets: List[Numbers] = []
 
     def compute(self, sources: Optional[Sources] = None, *, source_curves: Optional[Curves] = None,
@@ -195,7 +200,8 @@ class ExactGeodesics:
 
 def exact_geodesic_distances(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Optional[Sources] = None, *,
                              source_curves: Optional[Curves] = None, source_border: bool = False, error: float = 0.,
-                             maximum_distance: float = math.inf) -> Floats:
+                             maximum_distance: float = math.inf,
+                             excluded_faces: Optional[npt.ArrayLike] = None) -> Floats:
     """Computes the exact geodesic distance of each vertex to the nearest of the sources.
 
     Parameters
@@ -212,20 +218,22 @@ def exact_geodesic_distances(vertices: npt.ArrayLike, faces: npt.ArrayLike, sour
         Distances may be too long by this times their length, which takes nearly linear time; 0: exact.
     maximum_distance : float
         What is further away is not reached.
+    excluded_faces
+        As in `ExactGeodesics`: faces that no path may cross.
 
     Returns
     -------
     (n,) float64
         In the unit of the points; inf for vertices that are not reached.
     """
-    geodesics = ExactGeodesics(vertices, faces)
+    geodesics = ExactGeodesics(vertices, faces, excluded_faces=excluded_faces)
     geodesics.compute(sources, source_curves=source_curves, source_border=source_border, error=error,
                       maximum_distance=maximum_distance)
     return geodesics.distance
 
 
 def log_map(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Sources, *,
-            maximum_distance: float = math.inf) -> Floats:
+            maximum_distance: float = math.inf, excluded_faces: Optional[npt.ArrayLike] = None) -> Floats:
     """Computes the logarithmic map: where each vertex is as seen from its source, exact on the polyhedron.
 
     That is the distance times the direction in which the shortest path leaves the source, in the tangent plane there.
@@ -236,7 +244,7 @@ def log_map(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Sources, *,
 
     Parameters
     ----------
-    vertices, faces, sources, maximum_distance
+    vertices, faces, sources, maximum_distance, excluded_faces
         As in `exact_geodesic_distances()`.
 
     Returns
@@ -245,12 +253,13 @@ def log_map(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Sources, *,
         In the unit of the points, counterclockwise seen from outside; zero for sources, nan for vertices that are not
         reached.
     """
-    geodesics = ExactGeodesics(vertices, faces)
+    geodesics = ExactGeodesics(vertices, faces, excluded_faces=excluded_faces)
     geodesics.compute(sources, maximum_distance=maximum_distance, directions=True)
     return geodesics.log_map
 
 
-def exp_map(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, places: npt.ArrayLike) -> Places:
+def exp_map(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, places: npt.ArrayLike, *,
+            excluded_faces: Optional[npt.ArrayLike] = None) -> Places:
     """Computes the exponential map: where straight walks from a source end.
 
     It is the inverse of `log_map()`, with the same axes, where shortest paths do not bend; behind the cut locus it goes
@@ -258,7 +267,7 @@ def exp_map(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, plac
 
     Parameters
     ----------
-    vertices, faces
+    vertices, faces, excluded_faces
         As in `exact_geodesic_distances()`.
     source : int, or (int, (3,) floats)
         A vertex, or a face with barycentric coordinates.
@@ -270,14 +279,15 @@ def exp_map(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, plac
     Places
         The points where the walks end, with the face of each and its barycentric coordinates there.
     """
-    geodesics = ExactGeodesics(vertices, faces)
+    geodesics = ExactGeodesics(vertices, faces, excluded_faces=excluded_faces)
     geodesics.compute(source, maximum_distance=0.)
     return geodesics.exp_map(places)
 
 
 def isolines(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Optional[Sources], levels: npt.ArrayLike, *,
              source_curves: Optional[Curves] = None, source_border: bool = False,
-             maximum_deviation: Optional[float] = None) -> List[Isoline]:
+             maximum_deviation: Optional[float] = None,
+             excluded_faces: Optional[npt.ArrayLike] = None) -> List[Isoline]:
     """Computes isolines of the exact distance, as polylines through the faces.
 
     Their points have the distance of their level exactly, up to rounding; with curves, to 2e-5 of their longest edge.
@@ -285,7 +295,7 @@ def isolines(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Optional[So
 
     Parameters
     ----------
-    vertices, faces, sources, source_curves, source_border
+    vertices, faces, sources, source_curves, source_border, excluded_faces
         As in `exact_geodesic_distances()`.
     levels : (l,) real numbers
         The distances, positive.
@@ -297,19 +307,20 @@ def isolines(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Optional[So
     list of Isoline
         Level by level. On a closed surface, all of them are closed.
     """
-    geodesics = ExactGeodesics(vertices, faces)
+    geodesics = ExactGeodesics(vertices, faces, excluded_faces=excluded_faces)
     geodesics.compute(sources, source_curves=source_curves, source_border=source_border, isolines=True)
     return geodesics.isolines(levels, maximum_deviation=maximum_deviation)
 
 
 def shortest_paths(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Optional[Sources], targets: Sources, *,
                    source_curves: Optional[Curves] = None, source_border: bool = False,
-                   maximum_distance: float = math.inf) -> List[Path]:
+                   maximum_distance: float = math.inf,
+                   excluded_faces: Optional[npt.ArrayLike] = None) -> List[Path]:
     """Computes the shortest path from each target to the nearest of the sources.
 
     Parameters
     ----------
-    vertices, faces, sources, source_curves, source_border, maximum_distance
+    vertices, faces, sources, source_curves, source_border, maximum_distance, excluded_faces
         As in `exact_geodesic_distances()`.
     targets : int, (int, (3,) floats), or a sequence of them
         Where the paths start.
@@ -319,7 +330,7 @@ def shortest_paths(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Optio
     list of Path
         One for each target, from it to its source.
     """
-    geodesics = ExactGeodesics(vertices, faces)
+    geodesics = ExactGeodesics(vertices, faces, excluded_faces=excluded_faces)
     geodesics.compute(sources, source_curves=source_curves, source_border=source_border, targets=targets,
                       maximum_distance=maximum_distance)
     return geodesics.paths()

@@ -98,6 +98,28 @@ def _ends_of_edges(number: int, curve: Any) -> List[Tuple[int, int]]:
                     f"its edges join, and not {curve!r}")
 
 
+def read_excluded(excluded_faces: Optional[npt.ArrayLike], number_of_faces: int) -> List[bool]:
+    """Whether each face is excluded; nothing if none is named."""
+    if excluded_faces is None:
+        return []
+    array = np.asarray(excluded_faces)
+    excluded = np.zeros(number_of_faces, bool)
+    if array.dtype.kind == "b":
+        if array.shape != (number_of_faces,):
+            raise _core.InvalidInput(f"excluded_faces must have one bool for each of the {number_of_faces} faces, and not "
+                                     f"the shape {array.shape}")
+        return list(array.tolist())
+    if array.ndim != 1 or (array.dtype.kind not in "iu" and array.size > 0):
+        raise TypeError("excluded_faces must be the numbers of faces, or one bool for each face, and not "
+                        f"{excluded_faces!r}")
+    outside = array[(array < 0) | (array >= number_of_faces)]
+    if outside.size > 0:
+        raise _core.InvalidInput(f"excluded_faces has the number {outside[0]}, but faces have the numbers 0 to "
+                                 f"{number_of_faces - 1}")
+    excluded[array.astype(np.int64)] = True
+    return list(excluded.tolist())
+
+
 def read_sources(sources: Sources) -> Tuple[List[Numbers], bool]:
     """The numbers of the sources, and whether they are a sequence."""
     source = _numbers_of_one(sources)

@@ -6,6 +6,8 @@
 
 #include "Geodesics.h"
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -14,7 +16,12 @@
 #include <utility>
 #include <variant>
 
-Geodesics::Geodesics(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), geodesics_(*mesh_) {}
+Geodesics::Geodesics(std::shared_ptr<const Mesh> mesh, const std::vector<bool>& excluded)
+  : mesh_(std::move(mesh)),
+    geodesics_(*mesh_, CGAL::parameters::face_is_excluded_map(boost::make_function_property_map<Mesh::Face_index, bool>(
+                         [&](Mesh::Face_index f) { return !excluded.empty() && excluded[f.idx()]; })))
+{
+}
 
 void Geodesics::compute(const Sources& sources, const std::vector<Location>& targets, const Wishes& wishes)
 {

@@ -27,7 +27,8 @@ struct Geodesic_path
 class Geodesics
 {
 public:
-  explicit Geodesics(std::shared_ptr<const Mesh> mesh);
+  // With a flag for each face that no path may cross, or none at all.
+  Geodesics(std::shared_ptr<const Mesh> mesh, const std::vector<bool>& excluded);
 
   struct Sources
   {

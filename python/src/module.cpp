@@ -303,12 +303,13 @@ PYBIND11_MODULE(_core, m)
 
   struct Shared_geodesics
   {
-    explicit Shared_geodesics(const Mesh_handle& mesh) : geodesics(mesh.mesh) {}
+    Shared_geodesics(const Mesh_handle& mesh, const std::vector<bool>& excluded) : geodesics(mesh.mesh, excluded) {}
     Geodesics geodesics;
     Exclusive exclusive;
   };
   py::class_<Shared_geodesics>(m, "Geodesics")
-    .def(py::init<const Mesh_handle&>(), "mesh"_a, py::call_guard<py::gil_scoped_release>())
+    .def(py::init<const Mesh_handle&, const std::vector<bool>&>(), "mesh"_a, "excluded"_a,
+         py::call_guard<py::gil_scoped_release>())
     .def(
       "compute",
       [](Shared_geodesics& s, const std::vector<Source_numbers>& sources, const std::vector<Curve_numbers>& curves,

@@ -71,6 +71,48 @@ def test_several_sources(bumpy):
     assert set(geodesics.nearest_source) == {0, 1, 2}
 
 
+def test_excluded_faces(bumpy):
+    points, faces = bumpy
+    middle = points[faces].mean(axis=1)
+    excluded = (np.abs(middle[:, 2]) < 0.3) & (middle[:, 0] < 0.3)  # a belt with a gate
+    source = int(np.argmax(points[:, 2]))
+    distance = cut_locus.exact_geodesic_distances(points, faces, source, excluded_faces=excluded)
+    left = np.unique(faces[~excluded])
+    number = np.full(len(points), -1)
+    number[left] = np.arange(len(left))
+    expected = cut_locus.exact_geodesic_distances(points[left], number[faces[~excluded]], int(number[source]))
+    assert np.array_equal(distance[left], expected) and np.isinf(np.delete(distance, left)).all()
+    assert np.isfinite(expected).all() and len(left) < len(points)
+    by_number = cut_locus.ExactGeodesics(points, faces, excluded_faces=np.flatnonzero(excluded))
+    by_number.compute(source, directions=True, targets=[int(np.argmin(points[:, 2]))])
+    assert np.array_equal(by_number.distance, distance)
+    path, = by_number.paths()
+    assert not excluded[path.faces].any() and path.points[:, 0].max() > 0.2
+    assert np.array_equal(cut_locus.log_map(points, faces, source, excluded_faces=excluded), by_number.log_map,
+                          equal_nan=True)
+    assert np.array_equal(cut_locus.exact_geodesic_distances(points, faces, source, excluded_faces=[]),
+                          cut_locus.exact_geodesic_distances(points, faces, source))
+    place = [[0.5, 0.]]
+    assert np.array_equal(cut_locus.exp_map(points, faces, source, place, excluded_faces=excluded).points,
+                          by_number.exp_map(place).points)
+    ends = cut_locus.shortest_paths(points, faces, source, int(np.argmin(points[:, 2])), excluded_faces=excluded)
+    assert np.array_equal(ends[0].points, path.points)
+    for line in cut_locus.isolines(points, faces, source, [2.], excluded_faces=excluded):
+        assert not excluded[line.faces].any()
+    inside = np.flatnonzero(excluded)[0]
+    for bad in (int(np.flatnonzero(np.isinf(distance))[0]), (inside, (0.2, 0.3, 0.5))):
+        with pytest.raises(cut_locus.InvalidInput, match="excluded"):
+            by_number.compute(bad)
+    with pytest.raises(cut_locus.InvalidInput, match="in an excluded face"):
+        by_number.compute(source, targets=[(inside, (0.2, 0.3, 0.5))])
+    for bad, message in ((excluded[1:], "one bool for each of the"), ([len(faces)], "numbers 0 to"),
+                         ([-1], "numbers 0 to"), (np.full(len(faces), True), "all faces of the mesh are excluded")):
+        with pytest.raises(cut_locus.InvalidInput, match=message):
+            cut_locus.ExactGeodesics(points, faces, excluded_faces=bad)
+    with pytest.raises(TypeError, match="excluded_faces must be"):
+        cut_locus.ExactGeodesics(points, faces, excluded_faces=[0.5])
+
+
 def test_border_as_source():
     x, y = np.meshgrid(np.linspace(0., 3., 7), np.linspace(0., 2., 5), indexing="ij")
     points = np.stack([x.ravel(), y.ravel(), 0. * x.ravel()], axis=1)

@@ -26,24 +26,26 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-// The number of a halfedge of the mesh, or of its opposite if it is on the border.
+// The number of a halfedge of the mesh, or of its opposite if it has no face or an excluded one.
 template <typename TriangleMesh>
 Index halfedge_of_curve(const TriangleMesh& tm, const Read_triangle_mesh<TriangleMesh>& read,
                         typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h)
 {
   if(h == boost::graph_traits<TriangleMesh>::null_halfedge())
     throw Invalid_input(Cause::INVALID_SOURCE, "one of its edges is null");
-  if(face(h, tm) == boost::graph_traits<TriangleMesh>::null_face())
-    h = opposite(h, tm);
-  const auto f = face(h, tm);
-  if(f != boost::graph_traits<TriangleMesh>::null_face())
+  for(const auto side : {h, opposite(h, tm)})
   {
+    const auto f = face(side, tm);
+    if(f == boost::graph_traits<TriangleMesh>::null_face())
+      continue;
     const std::size_t first = 3 * std::size_t(get(read.index_of_face, f));
     for(std::size_t i = first; i < first + 3 && i < read.halfedges.size(); ++i)
-      if(read.halfedges[i] == h)
+      if(read.halfedges[i] == side)
         return static_cast<Index>(i);
   }
-  throw Invalid_input(Cause::INVALID_SOURCE, "one of its edges is not an edge of a face of the mesh");
+  throw Invalid_input(Cause::INVALID_SOURCE,
+                      "one of its edges is not an edge of a face of the mesh, or all its faces are excluded: "
+                      "leave the edge out");
 }
 
 inline void check_curve(const Indexed_triangle_mesh& mesh, const Indexed_curve& curve)

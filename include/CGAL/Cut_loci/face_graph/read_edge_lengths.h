@@ -38,7 +38,7 @@ constexpr bool has_edge_lengths()
 }
 
 template <typename TriangleMesh>
-void check_triangle_inequality(const Read_triangle_mesh<TriangleMesh>& read, Index f)
+void check_triangle_inequality(const TriangleMesh& tm, const Read_triangle_mesh<TriangleMesh>& read, Index f)
 {
   const Indexed_triangle_mesh& mesh = read.mesh;
   const std::array<double, 3> length = edge_lengths(mesh, f);
@@ -48,7 +48,7 @@ void check_triangle_inequality(const Read_triangle_mesh<TriangleMesh>& read, Ind
     return;
   std::ostringstream text;
   text.precision(17);
-  text << face_name(f) << " (vertices";
+  text << face_name(position_of_face(tm, read, f)) << " (vertices";
   for(Index v : mesh.triangles[f])
     text << ' ' << read.positions[v];
   text << ") has edges of the lengths " << length[0] << ", " << length[1] << " and " << length[2]
@@ -82,7 +82,7 @@ void read_edge_lengths(const TriangleMesh& tm, Read_triangle_mesh<TriangleMesh>&
     mesh.lengths.push_back(length);
   }
   for(Index f = 0; f < mesh.number_of_faces(); ++f)
-    check_triangle_inequality(read, f);
+    check_triangle_inequality(tm, read, f);
 }
 
 inline void refuse_lengths(const std::string& who)

@@ -15,11 +15,13 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -27,8 +29,8 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-// The dense copy of a FaceListGraph, with the way back to its descriptors. Isolated vertices are left out: they have a
-// position in `vertices` but the index `null_index`.
+// The dense copy of a FaceListGraph, with the way back to its descriptors. Excluded faces and vertices without a face are left
+// out: their index is `null_index`.
 template <typename TriangleMesh>
 struct Read_triangle_mesh
 {
@@ -46,8 +48,8 @@ struct Read_triangle_mesh
   std::vector<vertex_descriptor> vertices;    // the vertex of each index
   std::vector<Index> positions;               // its position in the range vertices(mesh), for messages and output
   std::vector<halfedge_descriptor> halfedges; // halfedge `3 * f + i` of the dense mesh
-  Vertex_index_map index_of_vertex;           // dense index, or null_index for isolated vertices
-  Face_index_map index_of_face;
+  Vertex_index_map index_of_vertex;           // dense index, or null_index for vertices without a face
+  Face_index_map index_of_face;               // the same, null_index for excluded faces
 };
 
 inline std::string vertex_name(Index position)
@@ -57,6 +59,15 @@ inline std::string vertex_name(Index position)
 inline std::string face_name(Index position)
 {
   return "face #" + std::to_string(position);
+}
+
+// The position of face number `f` in the range faces(tm), for messages: it takes linear time.
+template <typename TriangleMesh>
+Index position_of_face(const TriangleMesh& tm, const Read_triangle_mesh<TriangleMesh>& read, Index f)
+{
+  const auto range = CGAL::make_range(faces(tm));
+  return static_cast<Index>(
+    std::distance(range.begin(), std::find(range.begin(), range.end(), face(read.halfedges[3 * f], tm))));
 }
 
 // Throws if the face of `h`, number `f`, is no triangle.
@@ -72,9 +83,10 @@ void check_triangle(const TriangleMesh& tm, typename boost::graph_traits<Triangl
                                               "(CGAL::Polygon_mesh_processing::triangulate_faces() makes them so)");
 }
 
-// Numbers the faces and their halfedges; isolated vertices keep the null index, others get zero.
-template <typename TriangleMesh, typename IndexOfHalfedge>
-void number_faces(const TriangleMesh& tm, Read_triangle_mesh<TriangleMesh>& result, IndexOfHalfedge index_of_halfedge)
+// Numbers the faces that are not excluded and their halfedges; vertices without one keep the null index, others get zero.
+template <typename TriangleMesh, typename FaceIsExcludedMap, typename IndexOfHalfedge>
+void number_faces(const TriangleMesh& tm, FaceIsExcludedMap is_excluded, Read_triangle_mesh<TriangleMesh>& result,
+                  IndexOfHalfedge index_of_halfedge)
 {
   bool has_vertices = false;
   for(auto v : CGAL::make_range(vertices(tm)))
@@ -85,11 +97,17 @@ void number_faces(const TriangleMesh& tm, Read_triangle_mesh<TriangleMesh>& resu
   if(!has_vertices)
     throw Invalid_input(Cause::EMPTY_MESH, "the mesh is empty: it has no vertices");
   result.halfedges.reserve(3 * num_faces(tm)); // at least as many as there are: some meshes count removed ones
-  Index nf = 0;
+  Index nf = 0, position = 0;
   for(auto f : CGAL::make_range(faces(tm)))
   {
+    ++position;
+    if(get(is_excluded, f))
+    {
+      put(result.index_of_face, f, null_index);
+      continue;
+    }
     auto h = halfedge(f, tm);
-    check_triangle(tm, h, nf);
+    check_triangle(tm, h, position - 1);
     put(result.index_of_face, f, nf++);
     for(int i = 0; i < 3; ++i, h = next(h, tm))
     {
@@ -99,10 +117,13 @@ void number_faces(const TriangleMesh& tm, Read_triangle_mesh<TriangleMesh>& resu
     }
   }
   if(nf == 0)
-    throw Invalid_input(Cause::EMPTY_MESH, "the mesh has no faces");
+    throw Invalid_input(Cause::EMPTY_MESH,
+                        position == 0
+                          ? "the mesh has no faces"
+                          : "all faces of the mesh are excluded: the face_is_excluded_map must leave at least one");
 }
 
-// Numbers the vertices that are not isolated.
+// Numbers the vertices that have a face.
 template <typename TriangleMesh, typename VertexPointMap>
 void read_points(const TriangleMesh& tm, VertexPointMap vpm, bool needs_points,
                  Read_triangle_mesh<TriangleMesh>& result)
@@ -130,15 +151,18 @@ void read_points(const TriangleMesh& tm, VertexPointMap vpm, bool needs_points,
 }
 
 // This is the one place that touches the mesh: everything after it runs on dense indices.
-template <typename TriangleMesh, typename VertexPointMap>
+template <typename TriangleMesh, typename VertexPointMap,
+          typename FaceIsExcludedMap =
+            Static_boolean_property_map<typename boost::graph_traits<TriangleMesh>::face_descriptor, false>>
 Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, VertexPointMap vpm,
-                                                    bool needs_points = true, const Progress& progress = {})
+                                                    bool needs_points = true, const Progress& progress = {},
+                                                    FaceIsExcludedMap is_excluded = {})
 {
   Read_triangle_mesh<TriangleMesh> result;
   result.index_of_vertex = get(CGAL::dynamic_vertex_property_t<Index>(), tm);
   result.index_of_face = get(CGAL::dynamic_face_property_t<Index>(), tm);
   auto index_of_halfedge = get(CGAL::dynamic_halfedge_property_t<Index>(), tm);
-  number_faces(tm, result, index_of_halfedge);
+  number_faces(tm, is_excluded, result, index_of_halfedge);
   progress(0.4);
   read_points(tm, vpm, needs_points, result);
   progress(0.6);
@@ -149,7 +173,8 @@ Read_triangle_mesh<TriangleMesh> read_triangle_mesh(const TriangleMesh& tm, Vert
   {
     const auto o = opposite(result.halfedges[h], tm);
     result.mesh.triangles[h / 3][h % 3] = get(result.index_of_vertex, target(o, tm));
-    result.mesh.opposite[h] = is_border(o, tm) ? null_index : get(index_of_halfedge, o);
+    result.mesh.opposite[h] =
+      is_border(o, tm) || get(is_excluded, face(o, tm)) ? null_index : get(index_of_halfedge, o);
   }
   return result;
 }

@@ -57,6 +57,7 @@ inline Run_from_curves run_from_curves(const Indexed_triangle_mesh& mesh, const 
 inline std::vector<Indexed_location> locations_of(const std::vector<Indexed_source>& points)
 {
   std::vector<Indexed_location> result;
+  result.reserve(points.size());
   for(const Indexed_source& point : points)
     result.push_back(point.location);
   return result;
