@@ -307,6 +307,30 @@ TEST(Node_distances, Are_exact_in_faces_with_branches_in_two_corners)
   }
 }
 
+// Where all changes of a face are on one of its edges, the other two are between the last one and the first.
+TEST(Node_distances, Are_exact_in_faces_whose_changes_are_all_on_one_edge)
+{
+  for(int length : {5, 6})
+  {
+    std::set<Voxel> ring;
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j <= length; ++j)
+        if(i % 2 == 0 || j == 0 || j == length)
+          ring.insert({{i, j, 0}});
+    for(const std::array<double, 3>& scale : {std::array<double, 3>{{1., 1., 1.}}, {{1., 1.3, 0.7}}})
+    {
+      const Built_mesh<Mesh> built(scaled(with_diagonals_at_random(voxel_surface(ring, 1), 4), scale));
+      CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh);
+      for(const Vertex v : built.vertices)
+      {
+        SCOPED_TRACE(v);
+        solver.set_source(v);
+        EXPECT_LT(curve_measures::node_distance_errors(built.mesh, solver.cut_locus()).max, 1e-5);
+      }
+    }
+  }
+}
+
 TEST(Detour, Vanishes_on_the_cut_locus_and_only_there)
 {
   const Built_mesh<Mesh> built(torus(1., 0.4, 60, 24, 0.2, 3));

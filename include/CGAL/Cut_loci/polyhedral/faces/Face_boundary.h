@@ -36,6 +36,7 @@ public:
     Index crossing = null_index; // of an edge of the face
     Index vertex = null_index;   // a branch ends there
     bool is_weak = true;         // see `Label_jumps::is_weak()`
+    bool is_whole_edge = false;  // nothing changes there: while labels are compared
   };
 
   Face_boundary(const Indexed_triangle_mesh& mesh, const Geodesic_results& geodesics, const Label_changes& changes)
@@ -82,7 +83,7 @@ public:
     {
       const double length = geodesics_->faces().length(h);
       double last = 0.;
-      Path_label label = Vertex_labels(*geodesics_).at_source(h); // of all of an edge without crossings
+      Path_label label = changes_->label_at_begin(h);
       changes_->for_each_crossing(h,
                                   [&](Index c, bool is_reversed)
                                   {
@@ -181,68 +182,79 @@ private:
 
   /*
    * A path that passes several vertices on one line, as along an edge of the mesh, comes from the image of any of them.
-   * At a corner, where the labels of the edges end, it may have been given different ones: they become the same, that
-   * of the edge, or change there.
+   * At a corner, where the labels of the edges end, it may have been given different ones: a branch that starts there
+   * takes those of the edges, or they change there.
    */
   void fit_labels_at_corners()
   {
+    add_whole_edges();
     for(std::size_t i = 0; i < local_changes_.size(); ++i)
     {
       Face_ridges::Change &a = local_changes_[i], &b = local_changes_[i + 1 < local_changes_.size() ? i + 1 : 0];
-      if(is_same_image(a.after, b.before))
+      const Index corner = corner_between(a, b);
+      if(is_same_image(a.after, b.before) || !is_one_path(a.after, b.before, corners_[corner]))
         continue;
-      if(a.edge == null_index && b.edge == null_index)
-      {
-        fit_from_corner_to_corner(a, b);
-        continue;
-      }
-      if(a.edge == b.edge)
-        continue;
-      const Index corner = corner_of_change(a, b);
-      if(corner == null_index)
-        continue;
-      if(is_at_corner(b, corner))
+      if(b.edge == null_index)
         b.before = a.after;
-      else if(is_at_corner(a, corner))
+      else if(a.edge == null_index)
         a.after = b.before;
       else
-      {
-        const auto next = static_cast<std::ptrdiff_t>(i) + 1;
-        local_changes_.insert(local_changes_.begin() + next,
-                              {corners_[corner], null_index, a.after, b.before, true, true});
-        places_.insert(places_.begin() + next, Place());
-      }
+        insert(i + 1, {corners_[corner], null_index, a.after, b.before, true, true}, Place());
     }
+    remove_whole_edges();
   }
 
-  /// Between two corners, nothing changes: what leads to both is right.
-  void fit_from_corner_to_corner(Face_ridges::Change& a, Face_ridges::Change& b) const
+  /// Edges on which nothing changes have labels too: where those before and after them differ, such an edge becomes a change
+  /// from its label to itself.
+  void add_whole_edges()
   {
-    const Index first = corner_at(a.point), last = corner_at(b.point);
-    const double rounding = geodesic_cover * geodesics_->faces().length(3 * face_ + first);
-    if(first == last)
-      return;
-    if(a.after.distance(b.point) - geodesics_->distance(mesh_->triangles[face_][last]) <= rounding)
-      b.before = a.after;
-    else if(b.before.distance(a.point) - geodesics_->distance(mesh_->triangles[face_][first]) <= rounding)
-      a.after = b.before;
-  }
-
-  /// The corner from one change to the next at which the labels between them are on one line. A change at a vertex has
-  /// taken the label of an edge there; an edge of a curve has one label, so that this is right.
-  Index corner_of_change(const Face_ridges::Change& a, const Face_ridges::Change& b) const
-  {
-    const Index first = a.edge == null_index ? corner_at(a.point) : (a.edge + 1) % 3,
-                last = b.edge == null_index ? corner_at(b.point) : b.edge;
-    Index result = null_index;
-    for(Index k = first;; k = (k + 1) % 3)
+    for(std::size_t n = local_changes_.size(), i = n; i-- > 0;)
     {
-      const bool is_fixed = geodesics_->has_lines() && first != last && (is_at_corner(a, k) || is_at_corner(b, k));
-      if(!is_fixed && is_one_path(a.after, b.before, corners_[k]) && (result == null_index || is_at_corner(b, k)))
-        result = k;
-      if(k == last)
-        return result;
+      const Face_ridges::Change &a = local_changes_[i], &b = local_changes_[i + 1 < n ? i + 1 : 0];
+      const Image after = a.after, before = b.before;
+      if(is_same_image(after, before))
+        continue;
+      const Index begin = place(a) + 1;
+      for(Index k = place(b) + (i + 1 < n ? 0 : 6); k-- > begin;)
+        if(k % 2 == 1)
+        {
+          const Index edge = k % 6 / 2, h = 3 * face_ + edge;
+          const Image label = image(h, changes_->label_at_begin(h));
+          insert(i + 1, {corners_[edge], edge, label, label, false, false}, Place());
+          places_[i + 1].is_whole_edge = true;
+        }
     }
+  }
+
+  /// of two neighbors: the one they have in common
+  Index corner_between(const Face_ridges::Change& a, const Face_ridges::Change& b) const
+  {
+    return a.edge == null_index ? corner_at(a.point) : b.edge == null_index ? corner_at(b.point) : b.edge;
+  }
+
+  void remove_whole_edges()
+  {
+    std::size_t number = 0;
+    for(std::size_t i = 0; i < places_.size(); ++i)
+      if(!places_[i].is_whole_edge)
+      {
+        local_changes_[number] = local_changes_[i];
+        places_[number++] = places_[i];
+      }
+    local_changes_.resize(number);
+    places_.resize(number);
+  }
+
+  void insert(std::size_t i, const Face_ridges::Change& change, const Place& place)
+  {
+    local_changes_.insert(local_changes_.begin() + static_cast<std::ptrdiff_t>(i), change);
+    places_.insert(places_.begin() + static_cast<std::ptrdiff_t>(i), place);
+  }
+
+  /// around the face: corners are even, and edges odd
+  Index place(const Face_ridges::Change& c) const
+  {
+    return c.edge == null_index ? 2 * corner_at(c.point) : 2 * c.edge + 1;
   }
 
   Index corner_at(const Plane_point& p) const
@@ -251,11 +263,6 @@ private:
     while(k < 2 && (corners_[k].x != p.x || corners_[k].y != p.y))
       ++k;
     return k;
-  }
-
-  bool is_at_corner(const Face_ridges::Change& c, Index k) const
-  {
-    return c.edge == null_index && corner_at(c.point) == k;
   }
 
   /*

@@ -49,7 +49,11 @@ public:
     const Vertex_labels labels(geodesics);
     std::swap(crossings_, found.crossings);
     std::swap(labels_, found.labels);
-    add_crossings_at_ends(found.ends, labels, progress.part(0., 0.5));
+    for(std::size_t i = 0; i < found.ends.size(); ++i)
+      ends_.push_back(found.ends[i]);
+    std::sort(ends_.begin(), ends_.end(),
+              [](const Edge_ends& a, const Edge_ends& b) { return a.halfedge < b.halfedge; });
+    add_crossings_at_ends(labels, progress.part(0., 0.5));
     sort(progress.part(0.5, 0.8));
     find_changes_at_vertices(labels, progress.part(0.8, 1.));
   }
@@ -75,6 +79,15 @@ public:
         function(c, true);
   }
 
+  /// the label at the begin of a halfedge of a face that is drawn
+  Path_label label_at_begin(Index h) const
+  {
+    const Index first = connectivity_->halfedge_of_edge[connectivity_->edge_of_halfedge[h]];
+    const auto ends = std::lower_bound(ends_.begin(), ends_.end(), first,
+                                       [](const Edge_ends& a, Index halfedge) { return a.halfedge < halfedge; });
+    return first == h ? labels_[ends->first] : labels_[ends->last].opposite(geodesics_->faces().length(h));
+  }
+
   /// whether all that changes in a face, and on its edges, is known
   bool is_drawn(Index f) const { return is_drawn_[f] != 0; }
   /// whether also what is weak is drawn there
@@ -95,6 +108,7 @@ public:
   std::vector<Index> forget_all_but(const std::vector<unsigned char>& is_kept)
   {
     labels_ = Growing_list<Path_label>();
+    ends_ = std::vector<Edge_ends>();
     std::vector<Index> result(crossings_.size(), null_index);
     Growing_list<Edge_crossing> crossings;
     const auto keep = [&](Index c)
@@ -136,13 +150,13 @@ public:
   }
 
 private:
-  void add_crossings_at_ends(const Growing_list<Edge_ends>& ends, const Vertex_labels& labels, const Progress& progress)
+  void add_crossings_at_ends(const Vertex_labels& labels, const Progress& progress)
   {
-    for(std::size_t i = 0; i < ends.size(); ++i)
+    for(std::size_t i = 0; i < ends_.size(); ++i)
     {
-      progress(i, ends.size());
-      const Index h = ends[i].halfedge;
-      const Path_label first = labels_[ends[i].first], last = labels_[ends[i].last];
+      progress(i, ends_.size());
+      const Index h = ends_[i].halfedge;
+      const Path_label first = labels_[ends_[i].first], last = labels_[ends_[i].last];
       add_crossing_at_end(h, 0., labels.at_source(h), first, geodesics_->faces().source(h));
       add_crossing_at_end(h, geodesics_->faces().length(h), last, labels.at_target(h), geodesics_->faces().target(h));
     }
@@ -255,8 +269,9 @@ private:
   Branch_strength least_;
   Growing_list<Edge_crossing> crossings_;
   Growing_list<Path_label> labels_;
-  std::vector<Index> order_; // of the crossings, by edge and position
-  std::vector<Index> first_; // in that order, by edge
+  std::vector<Edge_ends> ends_; // by halfedge, of the edges of all faces that are drawn
+  std::vector<Index> order_;    // of the crossings, by edge and position
+  std::vector<Index> first_;    // in that order, by edge
   std::vector<Vertex_labels::Change> at_vertices_;
   std::vector<unsigned char> is_drawn_; // by face
   std::vector<float> bend_;             // by halfedge
