@@ -126,7 +126,10 @@ private:
         degree[representative(to)] = degree_of_both - (is_way_back ? 2 : 1);
         is_drawn_[e.gap > o.gap || is_way_back ? other : b.edge] = 1;
         if(is_way_back)
+        {
           is_drawn_[b.edge] = 1;
+          merged_[from] = representative(to); // it may be the root
+        }
         else if(e.gap > o.gap)
           other = b.edge;
       }
