@@ -63,8 +63,8 @@ namespace CGAL {
  * Where distances need not be exact, `set_maximum_relative_error()` bounds their error and makes the growth nearly linear.
  *
  * Faces must have an area: a face whose height is less than about `1e-13` of its longest edge cannot be unfolded in
- * `double`, and is refused. Vertices whose faces form more than one fan are refused as well, unless faces are excluded. In
- * both cases the constructor throws `Cut_loci::Invalid_input` with a message that names the element.
+ * `double`, and is refused: the constructor throws `Cut_loci::Invalid_input` with a message that names it. Where the faces at
+ * a vertex form several fans, no path leads from one to the other; the vertex has the distance of the nearest.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  *
@@ -133,7 +133,7 @@ public:
    * \cgalNamedParamsEnd
    *
    * \throws Cut_loci::Invalid_input if `tm` has no faces, all are excluded, a face is no triangle, a coordinate is not finite,
-   *         lengths are those of no triangle, or the faces of a vertex form more than one fan, with no face excluded
+   *         or lengths are those of no triangle
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Surface_mesh_exact_geodesics(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -153,7 +153,7 @@ public:
   /// @{
 
   /// adds a vertex
-  /// \throws Cut_loci::Invalid_input if `v` is null, on no face, on excluded faces alone, or if excluded regions touch at it
+  /// \throws Cut_loci::Invalid_input if `v` is null, on no face, on excluded faces alone, or if its faces form several fans
   void add_source(vertex_descriptor v)
   {
     if(v == Graph_traits::null_vertex())
@@ -492,8 +492,8 @@ public:
    *
    * In each face, an isoline consists of arcs of circles, around the images of the sources and of the vertices at which
    * paths bend. The vertices of the polylines have the distance of their level exactly, up to rounding, and between them
-   * they are chords. From sources that are curves, they have it up to about `1e-6` of the longest edge of the curves, beside
-   * a border of many edges up to `2e-5` of it. The isolines of a level bound what is nearer: each is closed, or leads from
+   * they are chords. From sources that are curves, they have it up to about `2e-7` of the longest edge of the curves, beside
+   * a border of many edges up to `4e-5` of it. The isolines of a level bound what is nearer: each is closed, or leads from
    * border to border, and two meet nowhere but at a vertex that has the level up to rounding. Where the level is exactly that
    * of a vertex, the vertex is not nearer.
    *
@@ -556,12 +556,11 @@ private:
     using parameters::choose_parameter;
     using parameters::get_parameter;
     namespace internal = Cut_loci::internal;
-    const auto excluded = internal::excluded_faces<TriangleMesh>(np);
     Read result = internal::read_triangle_mesh(
       tm,
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm)),
-      !internal::has_edge_lengths<NamedParameters>(), {}, excluded);
-    copies = internal::split_between_excluded(tm, excluded, result);
+      !internal::has_edge_lengths<NamedParameters>(), {}, internal::excluded_faces<TriangleMesh>(np));
+    copies = internal::give_fans_vertices(result);
     internal::read_edge_lengths(tm, result, get_parameter(np, internal_np::edge_length_map));
     internal::normalize_lengths(result);
     if(internal::needs_mollification(result.mesh))
@@ -679,11 +678,11 @@ private:
     const auto copies = copies_of(i);
     if(copies.first != copies.second)
       throw Cut_loci::Invalid_input(Cause::INVALID_SOURCE,
-                                    "excluded regions touch at the source: the faces left around it form several fans, "
-                                    "and a location in a face of one of them has to say which is meant");
+                                    "the faces around the source form several fans, between which no path leads: a "
+                                    "location in a face of one of them has to say which is meant");
   }
 
-  // the number of `v`; where excluded regions touch, of the copy that is nearest to the sources
+  // the number of `v`; where its faces form several fans, of the copy that is nearest to the sources
   Cut_loci::Index index(vertex_descriptor v) const
   {
     Cut_loci::Index nearest = get(read_.index_of_vertex, v);
@@ -735,7 +734,7 @@ private:
   }
 
   const TriangleMesh* mesh_;
-  Copies copies_; // of vertices at which excluded regions touch; before what fills it
+  Copies copies_; // of vertices whose faces form several fans; before what fills it
   Read read_;
   Cut_loci::internal::Exact_geodesic_propagation geodesics_;
   std::unique_ptr<Cut_loci::internal::Exact_geodesic_propagation> with_curves_; // in place of it, if there are curves

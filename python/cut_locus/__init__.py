@@ -9,12 +9,14 @@ first. A computation releases the GIL, so that threads with objects of their own
 """
 
 from ._core import Cause, InvalidInput
-from ._cut_locus import Cells, CutLocus, Result, compute
+from ._cut_locus import Cells, CutLocus, Result, compute, medial_axis, voronoi
 from ._cut_loci import compute_cut_loci
 from ._disk import Disk, cut_open
 from ._geodesics import (ExactGeodesics, Isoline, Path, Places, exact_geodesic_distances, exp_map, isolines, log_map,
                          shortest_paths)
 from ._input import mesh_arrays, weld
+from ._surfaces import (LayoutQuality, Refined, Unfolding, flatten_disk, layout_quality, refine_along_polylines,
+                        source_unfolding)
 
 __version__ = "0.2.0"
 
@@ -26,17 +28,26 @@ __all__ = [
     "ExactGeodesics",
     "InvalidInput",
     "Isoline",
+    "LayoutQuality",
     "Path",
     "Places",
+    "Refined",
     "Result",
+    "Unfolding",
     "compute",
     "compute_cut_loci",
     "cut_open",
     "exact_geodesic_distances",
     "exp_map",
+    "flatten_disk",
     "isolines",
+    "layout_quality",
     "log_map",
+    "medial_axis",
     "mesh_arrays",
+    "refine_along_polylines",
     "shortest_paths",
+    "source_unfolding",
+    "voronoi",
     "weld",
 ]

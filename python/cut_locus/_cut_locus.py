@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple
+from os import PathLike, fspath
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +17,8 @@ Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 Bools = npt.NDArray[np.bool_]
 Progress = Callable[[str, bool], Any]
+
+_EXTENSIONS = (".polylines.txt", ".obj", ".ply", ".vtp")
 
 
 class Cells(NamedTuple):
@@ -286,7 +289,18 @@ class Result:
         """"branches"; "one point", as on a sphere without bumps; or "only a border", as in a flat disk."""
         return self._core.status
 
-    def cut_open(self, *, parameterization: Optional[str] = "arap") -> Disk:
+    def write(self, filename: Union[str, PathLike[str]]) -> None:
+        """Writes the graph to a file in the format that its extension names: .polylines.txt, .obj, .ply or .vtp.
+
+        Raises InvalidInput if it names none of these, and OSError if the file cannot be written.
+        """
+        name = fspath(filename)
+        if not name.endswith(_EXTENSIONS):
+            raise _core.InvalidInput(f"{name} must end with one of {', '.join(_EXTENSIONS)}")
+        if not self._core.write(name):
+            raise OSError(f"cannot write {name}")
+
+    def cut_open(self, *, parameterization: Optional[str] = "injective") -> Disk:
         """Cuts the surface open along the cut locus, to a disk, and flattens it. See `cut_locus.cut_open()`."""
         if self._has_edge_lengths and parameterization is not None:
             raise _core.InvalidInput("surfaces are flattened by their points, and not by edge_lengths: pass "
@@ -303,7 +317,7 @@ class _Saved:
     `cut_open()`, nor cells."""
 
     _TAKE_MESH = {"cut_open": "cut_locus.cut_open() takes one", "cells": "compute it again",
-                  "cell_areas": "compute it again", "geodesic_loop": "compute it again"}
+                  "cell_areas": "compute it again", "geodesic_loop": "compute it again", "write": "compute it again"}
 
     def __init__(self, core: Any) -> None:
         if isinstance(core, _Saved):
@@ -556,3 +570,31 @@ def compute(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Optional[Sour
         filter_policy=filter_policy, minimum_branch_edges=minimum_branch_edges,
         minimum_branch_length=minimum_branch_length, number_of_iterations=number_of_iterations, voronoi=voronoi,
         medial=medial)
+
+
+def voronoi(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Sources, **parameters: Any) -> Result:
+    """Computes the geodesic Voronoi diagram of several points: what of their cut locus is between two of them.
+
+    `Result.cell_area` has the areas of the cells, `Result.cell_neighbors` the dual graph, with `cell_boundary_length`, and
+    `Result.cells()` the surface divided into them.
+
+    Parameters
+    ----------
+    vertices, faces, sources, **parameters
+        As in `compute()`.
+    """
+    return compute(vertices, faces, sources, voronoi=True, **parameters)
+
+
+def medial_axis(vertices: npt.ArrayLike, faces: npt.ArrayLike, source_curves: Optional[Curves] = None,
+                **parameters: Any) -> Result:
+    """Computes the medial axis of a surface with a border, or of what curves bound: their cut locus.
+
+    Parameters
+    ----------
+    vertices, faces, **parameters
+        As in `compute()`.
+    source_curves : sequence of (k,) or (k, 2) whole numbers, optional
+        The curves, as in `CutLocus.set_source()`. Default: the border.
+    """
+    return compute(vertices, faces, source_curves=source_curves, source_border=source_curves is None, **parameters)

@@ -41,7 +41,7 @@ class Disk:
 
 
 def cut_open(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *,
-             parameterization: Optional[str] = "arap", **parameters: Any) -> Disk:
+             parameterization: Optional[str] = "injective", **parameters: Any) -> Disk:
     """Cuts a surface open along the cut locus of a point, to a disk, and flattens it.
 
     The disk has the component of the source alone. By default it asks for the curve of edges of the mesh, so that faces
@@ -52,7 +52,7 @@ def cut_open(vertices: npt.ArrayLike, faces: npt.ArrayLike, source: Sources, *,
     vertices, faces, source, **parameters
         As in `compute()`. There must be one source.
     parameterization : str or None
-        "arap": as rigid as possible; "injective": as isometric as may be without flipped or overlapping faces; "lscm":
+        "injective": as isometric as may be without flipped or overlapping faces; "arap": as rigid as possible; "lscm":
         conformal; "convex": in a circle, which never flips either; "logmap": distances and directions from the source as
         they are, with ``curve="faces"`` by default; None: no `uv`.
 

@@ -290,7 +290,7 @@ def isolines(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Optional[So
              excluded_faces: Optional[npt.ArrayLike] = None) -> List[Isoline]:
     """Computes isolines of the exact distance, as polylines through the faces.
 
-    Their points have the distance of their level exactly, up to rounding; with curves, to 2e-5 of their longest edge.
+    Their points have the distance of their level exactly, up to rounding; with curves, to 4e-5 of their longest edge.
     Between them they are chords of circular arcs.
 
     Parameters

@@ -64,8 +64,13 @@ def mesh_arrays(mesh: Any) -> Tuple[npt.NDArray[Any], npt.NDArray[Any]]:
                     f"faces: {type(mesh).__name__} has none of these pairs")
 
 
+def read_disk(vertices: npt.ArrayLike, faces: npt.ArrayLike) -> _core.Mesh:
+    """A surface that is meant to be cut open where vertices lie at the places of others."""
+    return _core.Mesh(*_arrays(vertices, faces))
+
+
 def read_mesh(vertices: npt.ArrayLike, faces: npt.ArrayLike) -> _core.Mesh:
-    mesh = _core.Mesh(*_arrays(vertices, faces))
+    mesh = read_disk(vertices, faces)
     count = mesh.number_of_weldable_vertices
     if count > 0:
         warnings.warn(f"{count} vertices on borders lie at the places of others: the surface is cut open there. "

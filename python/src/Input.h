@@ -27,6 +27,12 @@ struct Arrays
 // at the first vertex of the face. Throws Invalid_input if they are not those of a mesh.
 std::shared_ptr<const Mesh> make_mesh(const Arrays& arrays);
 
+// Python holds this, as it has no const objects.
+struct Mesh_handle
+{
+  std::shared_ptr<const Mesh> mesh;
+};
+
 // What the program makes of a file: border edges that lie on each other are joined, faces turned so that neighbors agree.
 // `vertex` has the new number of each vertex, or -1 if no face has it. Throws Invalid_input if there is no surface.
 struct Welded

@@ -9,6 +9,7 @@
 
 #include "../../demo/Surface_mesh_cut_locus/flatten.h"
 
+#include <CGAL/Cut_loci/IO/write_cut_locus.h>
 #include <CGAL/Cut_loci/geodesic_loop.h>
 #include <CGAL/Cut_loci/graph/maximal_chains.h>
 #include <CGAL/Cut_loci/voronoi_neighbors.h>
@@ -80,18 +81,6 @@ void append_coordinates_of(std::vector<double>& to, const Cut_locus::Vertex& v)
   to.insert(to.end(), v.location.second.begin(), v.location.second.end());
 }
 
-std::int64_t index_or_none(Mesh::Vertex_index v)
-{
-  return v == Mesh::null_vertex() ? -1 : std::int64_t(v.idx());
-}
-
-void append_corners(std::vector<std::int64_t>& to, const Mesh& mesh, Mesh::Face_index f)
-{
-  const Mesh::Halfedge_index h = mesh.halfedge(f);
-  for(const Mesh::Vertex_index v : {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))})
-    to.push_back(v.idx());
-}
-
 void append_mesh_vertex_of(std::vector<std::int64_t>& to, const Cut_locus::Vertex& v)
 {
   to.push_back(index_or_none(v.mesh_vertex));
@@ -114,17 +103,13 @@ py::tuple disk_of(const Result& result, const std::optional<std::string>& parame
     const std::unique_ptr<Chart> chart = chart_of_source(*result.mesh, result.cut_locus);
     if(parameterization)
       flatten(*result.mesh, result.cut_locus, *chart, *parameterization);
+    append_mesh(chart->disk, points, corners);
     for(const Mesh::Vertex_index v : chart->disk.vertices())
     {
-      append_point(points, chart->disk.point(v));
       plane.insert(plane.end(), {chart->uv[v].x(), chart->uv[v].y()});
       vertex.push_back(chart->vertices[v] == loci::null_index ? -1 : std::int64_t(chart->vertices[v]));
     }
-    for(const Mesh::Face_index f : chart->disk.faces())
-    {
-      face.push_back(chart->faces[f]);
-      append_corners(corners, chart->disk, f);
-    }
+    face.assign(chart->faces.begin(), chart->faces.end());
   }
   return py::make_tuple(to_array(std::move(points), 3), to_array(std::move(corners), 3), to_array(std::move(plane), 2),
                         to_array(std::move(vertex)), to_array(std::move(face)));
@@ -146,16 +131,13 @@ py::tuple cells_of(const Result& result)
                                    .vertex_to_vertex_map(origin)
                                    .face_to_face_map(face_origin),
                                  CGAL::parameters::face_patch_map(cell));
+    append_mesh(refined, points, corners);
     for(const Mesh::Vertex_index v : refined.vertices())
-    {
-      append_point(points, refined.point(v));
       vertex.push_back(index_or_none(origin[v]));
-    }
     for(const Mesh::Face_index f : refined.faces())
     {
       face.push_back(face_origin[f].idx());
       source.push_back(cell[f] == loci::no_source ? -1 : std::int64_t(cell[f]));
-      append_corners(corners, refined, f);
     }
   }
   return py::make_tuple(to_array(std::move(points), 3), to_array(std::move(corners), 3), to_array(std::move(source)),
@@ -288,5 +270,9 @@ void bind_result(py::module_& m)
       append_point(points, p);
     return to_array(std::move(points), 3);
     })
-    .def("cut_open", &disk_of, "parameterization"_a);
+    .def("cut_open", &disk_of, "parameterization"_a)
+    .def(
+      "write",
+      [](const Result& r, const std::string& filename) { return CGAL::IO::write_cut_locus(filename, r.cut_locus); },
+      "filename"_a, py::call_guard<py::gil_scoped_release>());
 }

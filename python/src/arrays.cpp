@@ -153,3 +153,23 @@ std::vector<double> read_rows(const py::array& values, py::ssize_t columns, cons
                                                     std::to_string(columns) + "), and not " + shape_of(values));
   return read_numbers(values, name);
 }
+
+void append_mesh(const Mesh& mesh, std::vector<double>& points, std::vector<std::int64_t>& corners)
+{
+  for(const Mesh::Vertex_index v : mesh.vertices())
+  {
+    const Kernel::Point_3& p = mesh.point(v);
+    points.insert(points.end(), {p.x(), p.y(), p.z()});
+  }
+  for(const Mesh::Face_index f : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    for(const Mesh::Vertex_index v : {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))})
+      corners.push_back(v.idx());
+  }
+}
+
+std::int64_t index_or_none(Mesh::Vertex_index v)
+{
+  return v == Mesh::null_vertex() ? -1 : std::int64_t(v.idx());
+}

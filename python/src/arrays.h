@@ -11,6 +11,7 @@
 
 #include <pybind11/numpy.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -55,5 +56,11 @@ pybind11::array_t<T> to_array(std::vector<T> values, pybind11::ssize_t columns)
   const auto size = static_cast<pybind11::ssize_t>(values.size());
   return to_array(std::move(values), {size / columns, columns});
 }
+
+// Appends the points of all vertices, and the vertices of all faces.
+void append_mesh(const Mesh& mesh, std::vector<double>& points, std::vector<std::int64_t>& corners);
+
+// -1 for the null vertex
+std::int64_t index_or_none(Mesh::Vertex_index v);
 
 #endif // SURFACE_MESH_CUT_LOCUS_PYTHON_ARRAYS_H

@@ -11,6 +11,7 @@
 #include "Result.h"
 #include "arrays.h"
 #include "solvers.h"
+#include "surfaces.h"
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 
@@ -32,11 +33,6 @@ using namespace pybind11::literals;
 namespace loci = CGAL::Cut_loci;
 
 namespace {
-
-struct Mesh_handle
-{
-  std::shared_ptr<const Mesh> mesh;
-};
 
 Mesh_handle read_mesh(const py::array& vertices, const py::array& faces)
 {
@@ -300,6 +296,7 @@ PYBIND11_MODULE(_core, m)
                            { return c.exclusive.run([&] { return c.solver->minimum_branch_curvature(); }); });
 
   bind_result(m);
+  bind_surfaces(m);
 
   struct Shared_geodesics
   {

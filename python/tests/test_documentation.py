@@ -9,6 +9,7 @@ import re
 
 import cut_locus
 import meshes
+import numpy as np
 import pytest
 from cut_locus import _core
 
@@ -18,15 +19,19 @@ DOXYGEN = re.compile(r"^\\code\{\.py\}\n(.*?)^\\endcode", re.MULTILINE | re.DOTA
 TEXTS = {
     "README.md": FENCED,
     "python/README.md": FENCED,
-    "doc/Surface_mesh_cut_locus/Python.txt": DOXYGEN
+    "doc/Surface_mesh_cut_locus/Python.txt": DOXYGEN,
+    "doc/Surface_mesh_cut_locus/Logarithmic_map.txt": DOXYGEN,
+    "doc/Surface_mesh_cut_locus/Isolines.txt": DOXYGEN,
+    "doc/Surface_mesh_cut_locus/Voronoi.txt": DOXYGEN
 }
 
 
 @pytest.mark.parametrize("name", TEXTS)
-def test_code(name):
+def test_code(name, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # it writes files
     parts = TEXTS[name].findall((ROOT / name).read_text())
     assert parts
-    names = dict(zip("VF", meshes.torus(24, 12)))
+    names = {**dict(zip("VF", meshes.torus(24, 12))), "np": np}
     for part in parts:
         exec(part, names)
 
@@ -54,7 +59,8 @@ def test_stubs():
     """The stubs of the C++ part name what it has, and nothing else."""
     stubs = ast.parse((pathlib.Path(cut_locus.__file__).parent / "_core.pyi").read_text())
     classes = {node.name: node for node in stubs.body if isinstance(node, ast.ClassDef) and node.name[0] != "_"}
-    assert set(classes) | {"solver_names", "weld"} == {name for name in vars(_core) if name[0] != "_"}
+    functions = {node.name for node in stubs.body if isinstance(node, ast.FunctionDef)}
+    assert set(classes) | functions | {"solver_names"} == {name for name in vars(_core) if name[0] != "_"}
     for name, node in classes.items():
         functions = {f.name for f in node.body if isinstance(f, ast.FunctionDef)}
         if node.bases:  # enumerations and errors

@@ -400,6 +400,47 @@ std::string message_of(const Function& function)
   return "none";
 }
 
+// Two squares that have one vertex, as the rest between excluded regions, or by themselves.
+TEST(Excluded_faces, a_vertex_of_several_fans_is_the_same_with_and_without_them)
+{
+  Mesh mesh;
+  std::vector<Vertex> v;
+  for(const Point& p : {Point(0., 0., 0.), Point(1., 0., 0.), Point(1., 1., 0.), Point(0., 1., 0.), Point(2., 1., 0.),
+                        Point(2., 2., 0.), Point(1., 2., 0.)})
+    v.push_back(mesh.add_vertex(p));
+  for(const std::array<int, 3>& t : {std::array<int, 3>{{0, 1, 2}}, {{0, 2, 3}}, {{2, 4, 5}}, {{2, 5, 6}}})
+    ASSERT_NE(mesh.add_face(v[t[0]], v[t[1]], v[t[2]]), Mesh::null_face());
+  Excluded excluded = mesh.add_property_map<Face, bool>("f:excluded", false).first;
+  for(std::size_t number_of_excluded : {0, 1})
+  {
+    excluded[Face(1)] = number_of_excluded == 1;
+    Geodesics geodesics(mesh, without(excluded));
+    geodesics.compute(v[1]);
+    EXPECT_NEAR(geodesics.distance(v[2]), 1., 1e-12);
+    EXPECT_EQ(geodesics.distance(v[5]), infinity);
+    EXPECT_NE(message_of([&] { geodesics.compute(v[2]); }).find("the faces around the source form several fans"),
+              std::string::npos);
+    Location at_fan(Face(3), {{0., 0., 0.}});
+    Mesh::Halfedge_index h = mesh.halfedge(Face(3));
+    for(double& coordinate : at_fan.second)
+    {
+      coordinate = mesh.source(h) == v[2] ? 1. : 0.;
+      h = mesh.next(h);
+    }
+    geodesics.compute(at_fan);
+    EXPECT_NEAR(geodesics.distance(v[5]), std::sqrt(2.), 1e-12);
+    EXPECT_EQ(geodesics.distance(v[2]), 0.);
+    EXPECT_EQ(geodesics.distance(v[0]), infinity);
+  }
+  EXPECT_EQ(message_of(
+              [&]
+              {
+    Geodesics all(mesh);
+    all.compute(v[1]);
+  }),
+            "none");
+}
+
 TEST(Excluded_faces, bad_input)
 {
   Mesh mesh = plate<Mesh>(6);
@@ -429,7 +470,7 @@ TEST(Excluded_faces, bad_input)
   const auto message = [&](const auto& source) { return message_of([&] { geodesics.compute(source); }); };
   EXPECT_NE(message(vertex_at(2., 2.)).find("all faces at the source are excluded"), std::string::npos);
   EXPECT_NE(message(isolated).find("isolated vertex"), std::string::npos);
-  EXPECT_NE(message(vertex_at(3., 3.)).find("excluded regions touch at the source"), std::string::npos);
+  EXPECT_NE(message(vertex_at(3., 3.)).find("the faces around the source form several fans"), std::string::npos);
   EXPECT_NE(message(center_location(face_at(2.5, 2.5))).find("in an excluded face"), std::string::npos);
   EXPECT_NE(message_of([&] { geodesics.add_query(center_location(face_at(2.5, 2.5))); }).find("in an excluded face"),
             std::string::npos);

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <random>
 #include <set>
@@ -501,6 +502,28 @@ long characteristic_by_isolines(const Mesh& mesh, const Isolines& lines, const s
       }
     }
   return long(vertices.size()) - long(edges.size()) + faces;
+}
+
+/// the least distance that the fronts know of a point, from two windows of an edge that leave out what is between 0.5 and 0.5 + gap
+double distance_behind_a_gap(double gap, double further)
+{
+  namespace internal = CGAL::Cut_loci::internal;
+  const auto mesh = indexed(Mesh_data{{{{0., 0., 0.}}, {{1., 0., 0.}}, {{0.5, 1., 0.}}}, {{{0, 1, 2}}}});
+  internal::Exact_geodesic_propagation geodesics(mesh);
+  geodesics.run({CGAL::Cut_loci::Indexed_location{0, {{1., 0., 0.}}}}, {});
+  const std::vector<internal::Crossing_window> windows = {{0, 0., 0.5, 0.5, -1., 0.},
+                                                          {0, 0.5 + gap, 1., 0.5, -1., further}};
+  double result = std::numeric_limits<double>::infinity();
+  for(const internal::Geodesic_front& front : internal::Geodesic_fronts(geodesics, windows).in_face(0))
+    if(front.image.y < 0.)
+      result = std::min(result, front.distance({0.5 + gap, 0.5}));
+  return result;
+}
+
+TEST(Isolines, what_windows_know_alike_between_them_is_seen)
+{
+  EXPECT_NEAR(distance_behind_a_gap(1e-4, 0.), 1.5, 1e-8);
+  EXPECT_EQ(distance_behind_a_gap(1e-4, 1e-6), std::numeric_limits<double>::infinity());
 }
 
 TEST(Isolines, bound_what_is_nearer_on_random_surfaces)

@@ -13,7 +13,6 @@
 #include <CGAL/Cut_loci/surface/split_fans.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -35,18 +34,14 @@ auto excluded_faces(const NamedParameters& np)
                                       Static_boolean_property_map<face_descriptor, false>());
 }
 
-// The vertices at which excluded regions touch: the faces left form several fans there, between which no path leads. Each but
+// Where the faces at a vertex form several fans, as where excluded regions touch, no path leads from one to the other. Each but
 // the first fan gets a vertex of its own, behind all others. Returns pairs of a vertex and one of its copies, sorted.
-template <typename TriangleMesh, typename FaceIsExcludedMap>
-std::vector<std::pair<Index, Index>> split_between_excluded(const TriangleMesh& tm, FaceIsExcludedMap is_excluded,
-                                                            Read_triangle_mesh<TriangleMesh>& read)
+template <typename TriangleMesh>
+std::vector<std::pair<Index, Index>> give_fans_vertices(Read_triangle_mesh<TriangleMesh>& read)
 {
   std::vector<std::pair<Index, Index>> copies;
-  const auto range = CGAL::make_range(faces(tm));
-  if(std::none_of(range.begin(), range.end(), [&](auto f) { return get(is_excluded, f); }))
-    return copies; // what has several fans then is refused
-  Mesh_of_fans fans = split_fans(read.mesh);
-  for(Index copy = read.mesh.number_of_vertices(); copy < fans.vertices.size(); ++copy)
+  Mesh_of_fans fans = split_fans(std::move(read.mesh));
+  for(Index copy = static_cast<Index>(read.vertices.size()); copy < fans.vertices.size(); ++copy)
   {
     const Index v = fans.vertices[copy];
     copies.push_back({v, copy});

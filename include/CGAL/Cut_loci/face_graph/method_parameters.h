@@ -90,6 +90,11 @@ template <typename NamedParameters>
 void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
 {
   namespace np = internal_np;
+  static_assert(!is_given<NamedParameters, np::face_is_excluded_map_t>(),
+                "face_is_excluded_map is for exact distances alone: use Surface_mesh_exact_geodesics, or a mesh "
+                "without these faces");
+  static_assert(!is_given<NamedParameters, np::maximum_deviation_t>(),
+                "maximum_deviation is for isolines: use Surface_mesh_exact_geodesics");
   const auto refuse_unless = [&](bool is_right, const std::string& name, const std::string& remedy)
   {
     if(!is_right)

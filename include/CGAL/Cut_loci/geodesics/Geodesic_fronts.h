@@ -125,7 +125,16 @@ public:
       }),
   sources_(faces_.number_of_faces(), [&](const auto& add) { enumerate_sources(add); })
   {
+    double largest = 0.;
+    for(Index v = 0; v < faces_.number_of_vertices(); ++v)
+      if(geodesics_.is_reached(v))
+        largest = (std::max)(largest, geodesics_.distance(v));
+    constexpr double few_roundings = 64. * std::numeric_limits<double>::epsilon();
+    rounding_ = few_roundings * (largest + faces_.mean_edge_length() + geodesics_.line_distance());
   }
+
+  /// what rounding leaves unknown of the distances: of lines, the images are far behind them
+  double rounding() const { return rounding_; }
 
   std::array<Plane_point, 3> corners(Index face) const
   {
@@ -137,8 +146,8 @@ public:
   {
     const std::array<Plane_point, 3> corner = corners(face);
     std::vector<Geodesic_front> result;
-    for(std::size_t i : windows_[face])
-      add_window(all_windows_[i], corner, result);
+    for(const Crossing_window& w : windows_in(face))
+      add_window(w, corner, result);
     Plane_point p;
     for(std::size_t i : sources_[face])
       if(geodesics_.source_in_frame(i, 3 * face, p))
@@ -165,6 +174,34 @@ private:
     }
   }
 
+  // Where a path passes a vertex, windows on both sides of it know the same distance up to the square of what parts them. So
+  // rounding may leave a gap between them, which is as wide as its root: what both know alike, both see.
+  std::vector<Crossing_window> windows_in(Index face) const
+  {
+    std::vector<Crossing_window> result;
+    for(std::size_t i : windows_[face])
+      result.push_back(all_windows_[i]);
+    std::sort(result.begin(), result.end(),
+              [](const Crossing_window& v, const Crossing_window& w)
+              { return v.halfedge != w.halfedge ? v.halfedge < w.halfedge : v.a < w.a; });
+    for(std::size_t i = 0; i + 1 < result.size(); ++i)
+    {
+      Crossing_window &left = result[i], &right = result[i + 1];
+      const double from = left.b, to = right.a;
+      if(left.halfedge == right.halfedge && from < to && is_alike(left, right, from) && is_alike(left, right, to))
+      {
+        left.b = to;
+        right.a = from;
+      }
+    }
+    return result;
+  }
+
+  bool is_alike(const Crossing_window& v, const Crossing_window& w, double x) const
+  {
+    return std::fabs(v.sigma + std::hypot(v.x - x, v.y) - w.sigma - std::hypot(w.x - x, w.y)) <= rounding_;
+  }
+
   void add_window(const Crossing_window& w, const std::array<Plane_point, 3>& corner,
                   std::vector<Geodesic_front>& result) const
   {
@@ -185,6 +222,7 @@ private:
   const Geodesic_faces& faces_;
   const std::vector<Crossing_window>& all_windows_;
   Compressed_rows<std::size_t> windows_, sources_; // by face
+  double rounding_ = 0.;
 };
 
 } // namespace internal

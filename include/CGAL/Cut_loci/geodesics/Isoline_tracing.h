@@ -45,13 +45,6 @@ public:
   Isoline_tracing(const Exact_geodesic_propagation& geodesics, const std::vector<Crossing_window>& windows)
     : geodesics_(geodesics), faces_(geodesics.faces()), fronts_(geodesics, windows)
   {
-    // what rounding leaves unknown of the distances: of lines, the images are far behind them
-    double largest = 0.;
-    for(Index v = 0; v < faces_.number_of_vertices(); ++v)
-      if(geodesics_.is_reached(v))
-        largest = (std::max)(largest, geodesics_.distance(v));
-    constexpr double few_roundings = 64. * std::numeric_limits<double>::epsilon();
-    rounding_ = few_roundings * (largest + faces_.mean_edge_length() + geodesics_.line_distance());
   }
 
   /// the segments deviate from the arcs by `deviation` at most
@@ -176,7 +169,7 @@ private:
   {
     const std::array<Plane_point, 3> corners = fronts_.corners(f);
     const std::vector<Geodesic_front> fronts = fronts_.in_face(f);
-    const Isoline_arcs found(fronts, corners, level_, rounding_);
+    const Isoline_arcs found(fronts, corners, level_, fronts_.rounding());
     for(const Isoline_arc& arc : found.arcs())
     {
       Piece piece{sampled(f, corners, fronts[arc.front], arc, deviation),
@@ -301,7 +294,7 @@ private:
   const Exact_geodesic_propagation& geodesics_;
   const Geodesic_faces& faces_;
   const Geodesic_fronts fronts_;
-  double rounding_ = 0., level_ = 0.;
+  double level_ = 0.;
   std::vector<Piece> pieces_; // crossings first
   std::vector<Nearer> nearer_;
   std::vector<Token> tokens_;

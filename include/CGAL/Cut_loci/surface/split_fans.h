@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -23,9 +24,11 @@ struct Mesh_of_fans
   std::vector<Index> vertices; // for each vertex the one that it was; the first ones are as they were
 };
 
-inline Mesh_of_fans split_fans(const Indexed_triangle_mesh& mesh)
+inline Mesh_of_fans split_fans(Indexed_triangle_mesh whole)
 {
-  Mesh_of_fans result{mesh, std::vector<Index>(mesh.number_of_vertices())};
+  Mesh_of_fans result{std::move(whole), {}};
+  Indexed_triangle_mesh& mesh = result.mesh;
+  result.vertices.resize(mesh.number_of_vertices());
   std::iota(result.vertices.begin(), result.vertices.end(), Index(0));
   std::vector<unsigned char> has_fan(mesh.number_of_vertices(), 0), is_done(mesh.number_of_halfedges(), 0);
   for(Index start = 0; start < mesh.number_of_halfedges(); ++start)
@@ -36,15 +39,15 @@ inline Mesh_of_fans split_fans(const Indexed_triangle_mesh& mesh)
     Index copy = v;
     if(has_fan[v])
     {
-      copy = result.mesh.number_of_vertices();
-      result.mesh.points.push_back(mesh.points[v]);
+      copy = mesh.number_of_vertices();
+      mesh.points.push_back(Indexed_triangle_mesh::Point(mesh.points[v]));
       result.vertices.push_back(v);
     }
     has_fan[v] = 1;
     const auto take = [&](Index h)
     {
       is_done[h] = 1;
-      result.mesh.triangles[h / 3][h % 3] = copy;
+      mesh.triangles[h / 3][h % 3] = copy;
     };
     Index h = start;
     for(; h != null_index && !is_done[h]; h = mesh.opposite[mesh.previous(h)])
