@@ -108,15 +108,13 @@ inline void resolve_overlap(Geodesic_window& left, Geodesic_window& right)
     left.b = left.a;
 }
 
-/// Whether both windows have the same source and touch: a flat vertex between them has parted what belongs together. Ways
-/// around both sides of a vertex may have the same image, but start in other directions.
+/// whether both windows have the same source and touch: a flat vertex between them has parted what belongs together
 inline bool are_mergeable(const Geodesic_window& left, const Geodesic_window& right, double length)
 {
   const double scale = std::fabs(left.x) + std::fabs(left.y) + length;
   return left.sigma == right.sigma && std::fabs(left.x - right.x) <= 1e-12 * scale &&
          std::fabs(left.y - right.y) <= 1e-12 * scale && right.a <= left.b + geodesic_cover * length &&
-         left.a <= right.b + geodesic_cover * length && left.origin == right.origin &&
-         std::fabs(left.turn - right.turn) <= 1e-9;
+         left.a <= right.b + geodesic_cover * length && left.origin == right.origin;
 }
 
 /// what becomes of the errors if `w` is joined to a window with the same image
