@@ -460,8 +460,8 @@ TEST(Exact_tree, pieces_are_drawn_in_their_face)
   // the bisector pass the corner at a distance, outside of the face.
   using CGAL::Cut_loci::internal::Image;
   using CGAL::Cut_loci::internal::Plane_point;
-  const Image source{0.91906073109107966, -1.923670147648382, 0., 0, 0, 0.},
-    vertex{0.71048475685241064, -1.4605702944892047, 0.50790151898448155, 1, 0, 0.};
+  const Image source{0.91906073109107966, -1.923670147648382, 0., 0, 0.},
+    vertex{0.71048475685241064, -1.4605702944892047, 0.50790151898448155, 1, 0.};
   const Plane_point corner{0.057430603479329781, 0.}, apex{0.030278926750715321, 0.063427612463538438},
     end{0.052349884421626434, 0.011386366416637593};
   ASSERT_LT(std::abs(source.distance(corner) - vertex.distance(corner)), 1e-8);

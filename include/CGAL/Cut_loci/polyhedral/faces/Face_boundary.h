@@ -139,13 +139,16 @@ private:
   }
 
   /// the image of a label of `h`
-  Image image(Index h, const Path_label& label) const
+  Image image(Index h, const Path_label& label) const { return image(h, label, 0.5 * geodesics_->faces().length(h)); }
+
+  /// the same, where it is the point `t` of the halfedge to which it is known in which direction its path starts
+  Image image(Index h, const Path_label& label, double t) const
   {
     Plane_point p = to_face(h, label.x, label.y);
     fit_to_source(h, label, p);
-    const Index axis = h % 3 + (label.from_face ? 3 : 0);
-    const double direction = label.turn + label.rate * (label.from_face ? -0.5 : 0.5) * geodesic_pi;
-    return {p.x, p.y, label.sigma, label.origin, static_cast<unsigned char>(axis), direction, label.rate};
+    Image result{p.x, p.y, label.sigma, label.origin, 0., label.rate};
+    result.direction = label.direction(t) - result.direction_to(to_face(h, t, 0.), corners_);
+    return result;
   }
 
   /// The image of one of several sources that is in the face is the source itself, from whichever edge it is seen.
@@ -160,12 +163,11 @@ private:
       p = source;
   }
 
-  /// the same for a label right beside the begin of `h`, which may come from any side
+  /// The same for a label right beside the begin of `h`, which may come from any side. From there itself, it comes to all of `h`.
   Image image_at_vertex(Index h, const Path_label& label) const
   {
-    Image result = image(h, label);
-    result.direction += label.direction(0.) - result.direction_to(corners_[h % 3], corners_);
-    return result;
+    const bool starts_there = std::fabs(label.x) + std::fabs(label.y) <= 1e-9 * geodesics_->faces().length(h);
+    return starts_there ? image(h, label) : image(h, label, 0.);
   }
 
   void add_change_at_vertex(const Vertex_labels::Change& c)

@@ -24,23 +24,23 @@ struct Image
 {
   double x, y, sigma; // `sigma` is the distance of what it is the image of
   Index origin;
-  unsigned char axis; // a normal of an edge of the face: 0 to 2 inward, 3 to 5 outward
-  double direction;   // in which a path along the axis leaves the origin
-  double rate = 1.;   // by which that turns with the path
+  double direction; // in which a path to the center of the face leaves the origin
+  double rate = 1.; // by which that turns with the path
 
   double distance(const Plane_point& p) const
   {
     return sigma + std::sqrt((p.x - x) * (p.x - x) + (p.y - y) * (p.y - y));
   }
 
-  /// the direction in which the path to a point leaves the origin
+  /// The direction in which the path to a point of the face leaves the origin. An image is not inside of the face, unless the
+  /// source is: what it sees of the face is less than half a turn, on either side of the center.
   double direction_to(const Plane_point& p, const std::array<Plane_point, 3>& corners) const
   {
-    const Plane_point &a = corners[axis % 3], &b = corners[(axis + 1) % 3];
-    const double sign = axis < 3 ? 1. : -1., nx = sign * (a.y - b.y), ny = sign * (b.x - a.x);
-    const double dx = p.x - x, dy = p.y - y;
-    const double cross = nx * dy - ny * dx;
-    return direction + rate * std::copysign(upper_angle(nx * dx + ny * dy, std::fabs(cross)), cross);
+    const double ux = (corners[0].x + corners[1].x + corners[2].x) / 3. - x,
+                 uy = (corners[0].y + corners[1].y + corners[2].y) / 3. - y;
+    const double vx = p.x - x, vy = p.y - y;
+    const double cross = ux * vy - uy * vx;
+    return direction + rate * std::copysign(upper_angle(ux * vx + uy * vy, std::fabs(cross)), cross);
   }
 };
 
