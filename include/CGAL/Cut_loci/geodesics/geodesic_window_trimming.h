@@ -108,13 +108,17 @@ inline void resolve_overlap(Geodesic_window& left, Geodesic_window& right)
     left.b = left.a;
 }
 
-/// whether both windows have the same source and touch: a flat vertex between them has parted what belongs together
+/// Whether both windows have the same source and touch: a flat vertex between them has parted what belongs together. Ways
+/// around both sides of a vertex may have the same image, but start in other directions.
+template <int columns>
 inline bool are_mergeable(const Geodesic_window& left, const Geodesic_window& right, double length)
 {
+  constexpr bool has_error_for_turn = columns == 6;
   const double scale = std::fabs(left.x) + std::fabs(left.y) + length;
   return left.sigma == right.sigma && std::fabs(left.x - right.x) <= 1e-12 * scale &&
          std::fabs(left.y - right.y) <= 1e-12 * scale && right.a <= left.b + geodesic_cover * length &&
-         left.a <= right.b + geodesic_cover * length && left.origin == right.origin;
+         left.a <= right.b + geodesic_cover * length && left.origin == right.origin &&
+         (has_error_for_turn || std::fabs(left.turn - right.turn) <= 1e-9);
 }
 
 /// what becomes of the errors if `w` is joined to a window with the same image
@@ -199,7 +203,7 @@ private:
       }
       Geodesic_window top = list_.template get<columns>(top_ - 1);
       const bool in_order = is_in_order(top.a, top.b, w.a, w.b);
-      if((merge || !in_order) && are_mergeable(top, w, length_))
+      if((merge || !in_order) && are_mergeable<columns>(top, w, length_))
       {
         top.a = (std::min)(top.a, w.a);
         top.b = (std::max)(top.b, w.b);

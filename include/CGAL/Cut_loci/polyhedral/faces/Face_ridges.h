@@ -142,12 +142,15 @@ private:
     return true;
   }
 
-  /// adds the meeting of two neighbors, if they meet
-  void find_meeting(Index i, Index j)
+  /// Adds the meeting of two neighbors, if they meet. Where paths bend at a vertex to which several lead, those that pass it
+  /// on its two sides may have the same image, and the shadow between them no width: then the cut locus goes on along it.
+  template <typename Are_one_path>
+  void find_meeting(Index i, Index j, const Are_one_path& are_one_path)
   {
     const Front &first = fronts_[i], &second = fronts_[j];
     const Plane_point &p = nodes[first.node], &q = nodes[second.node];
-    Meeting meeting{infinity, i, j, q, is_same_image(first.before, second.after)};
+    const bool have_same_image = is_same_image(first.before, second.after);
+    Meeting meeting{infinity, i, j, q, have_same_image && are_one_path(first.before, second.after, q, true)};
     std::array<Plane_point, 2> points;
     std::size_t n = 0;
     if(meeting.is_end && entries_ == nullptr)
@@ -159,6 +162,11 @@ private:
     {
       points[0] = between(p, q, first);
       n = is_ahead(first, q);
+    }
+    else if(have_same_image)
+    {
+      points[0] = q;
+      n = squared_distance(p, q) <= tolerance_ * tolerance_;
     }
     else if((entries_ == nullptr && !may_meet(first, second)) || are_of_one_shadow(first, second))
       return;
@@ -231,11 +239,11 @@ private:
   bool join_all(const Are_one_path& are_one_path)
   {
     meetings_.clear();
-    find_all_meetings();
+    find_all_meetings(are_one_path);
     while(size_ > 2)
     {
       if(meetings_.empty() && leave_shadows_away())
-        find_all_meetings();
+        find_all_meetings(are_one_path);
       if(meetings_.empty())
         break;
       std::pop_heap(meetings_.begin(), meetings_.end());
@@ -248,14 +256,14 @@ private:
       {
         connect(m.first, m.second);
         if(size_ > 2)
-          find_meeting(previous, next);
+          find_meeting(previous, next, are_one_path);
         continue;
       }
       const Index joined = join(m, are_one_path);
       if(size_ > 2)
       {
-        find_meeting(previous, joined);
-        find_meeting(joined, next);
+        find_meeting(previous, joined, are_one_path);
+        find_meeting(joined, next, are_one_path);
       }
     }
     if(size_ == 2)
@@ -263,11 +271,12 @@ private:
     return !has_cut_locus_left() && !ridges_cross_(corners_, nodes, ridges);
   }
 
-  void find_all_meetings()
+  template <typename Are_one_path>
+  void find_all_meetings(const Are_one_path& are_one_path)
   {
     Index i = first_;
     for(Index k = 0; k < size_ && size_ > 2; ++k, i = fronts_[i].next)
-      find_meeting(i, fronts_[i].next);
+      find_meeting(i, fronts_[i].next, are_one_path);
   }
 
   template <typename Are_one_path>

@@ -236,7 +236,8 @@ private:
       Path_label& last = pieces_.back().label;
       const double scale = std::fabs(last.x) + std::fabs(last.y) + length_;
       if(last.origin == piece.label.origin && last.from_face == piece.label.from_face &&
-         std::fabs(last.x - piece.label.x) + std::fabs(last.y - piece.label.y) <= 1e-12 * scale)
+         std::fabs(last.x - piece.label.x) + std::fabs(last.y - piece.label.y) <= 1e-12 * scale &&
+         Parting_angle(geodesics_).parting(last, piece.label, piece.begin, 0.).angle < Parting_angle::least_angle)
       {
         pieces_.back().end = piece.end;
         return;
