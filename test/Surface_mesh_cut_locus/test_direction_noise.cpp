@@ -6,8 +6,14 @@
 
 // Noise along the normals moves the cut locus a little; with its defaults the method neither loses it nor adds to it.
 
+#include "built_mesh.h"
 #include "direction_results.h"
 #include "test_meshes.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 #include <algorithm>
 #include <limits>
@@ -158,6 +164,48 @@ double default_width(const Indexed_triangle_mesh& mesh)
 {
   const CGAL::Cut_loci::internal::Exact_tree_solver solver(mesh);
   return solver.default_thresholds().width / solver.connectivity().mean_edge_length;
+}
+
+// Whoever has few faces to spend puts a vertex where the shape is: this is no noise.
+Indexed_triangle_mesh decimated(const Mesh_data& data, std::size_t number_of_faces)
+{
+  using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+  namespace SMS = CGAL::Surface_mesh_simplification;
+  Mesh mesh = Built_mesh<Mesh>(data).mesh;
+  SMS::edge_collapse(mesh, SMS::Count_stop_predicate<Mesh>(number_of_faces * 3 / 2));
+  mesh.collect_garbage();
+  Mesh_data result;
+  for(const auto v : mesh.vertices())
+    result.points.push_back({{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()}});
+  for(const auto f : mesh.faces())
+  {
+    const auto h = mesh.halfedge(f);
+    result.triangles.push_back({{mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))}});
+  }
+  return indexed(result);
+}
+
+TEST(Direction_noise, limbs_of_coarse_bodies)
+{
+  for(double sharpness : {25., 40., 60., 80.})
+  {
+    Mesh_data smooth = sphere_of_squares(40);
+    for(auto& p : smooth.points)
+    {
+      double radius = 1.;
+      for(double x : p)
+        radius += 2. * std::exp(sharpness * (std::abs(x) - 1.));
+      for(double& x : p)
+        x *= radius;
+    }
+    for(std::size_t number_of_faces : {150, 200, 300})
+    {
+      SCOPED_TRACE(std::to_string(number_of_faces) + ", sharpness " + std::to_string(sharpness));
+      const Indexed_triangle_mesh mesh = decimated(smooth, number_of_faces);
+      const Index source = static_cast<Index>(nearest_vertex(mesh.points, {{0.58, 0.58, 0.58}}));
+      EXPECT_EQ(leaves(Solved(mesh, at_vertex(mesh, source)).through_faces()).size(), 6u);
+    }
+  }
 }
 
 // Bumps of six edges are shape, at whatever height; the same roughness from vertex to vertex is noise.

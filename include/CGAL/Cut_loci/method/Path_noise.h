@@ -28,7 +28,7 @@ namespace internal {
  *   L / n ways of n edges one after the other, and the largest of so many is &radic;(2 log(L / n)) standard deviations
  *   larger \cgalCite{cgal:ds-mtqh-01}.
  * - No path turns by more than a right angle at an edge, and what is as wide as a quarter of the way is the shape, as noise
- *   has left it.
+ *   has left it. What encloses almost a full turn, as a limb does, is none either.
  */
 class Path_noise
 {
@@ -48,6 +48,8 @@ public:
   double edge() const { return edge_; }
   double length() const { return length_; }
 
+  // Two paths that come from the base of a limb enclose a full turn but for the angle between them there.
+  static constexpr double of_limb = 7. / 8. * 6.283185307179586;
   static constexpr double sharp = 0.5; // of vertices: a smooth surface with such ones has a dozen edges around it
 
   /// how far it takes paths of that length apart
@@ -61,7 +63,7 @@ public:
   double widest() const { return widest_; }
 
   /// the curvature that they enclose
-  double enclosed(double way) const { return 2.5 * sharp + bends(way, sigma_); }
+  double enclosed(double way) const { return (std::min)(2.5 * sharp + bends(way, sigma_), of_limb); }
 
   /// the part of it that is noise of that standard deviation
   double bends(double way, double s) const

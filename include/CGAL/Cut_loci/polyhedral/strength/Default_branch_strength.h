@@ -170,8 +170,9 @@ private:
   /*
    * The standard deviation of the part of the angle sums around vertices that is noise, from what a vertex tells of its
    * neighbors: their mean follows that of a wave of three edges, which is about the shortest that a mesh resolves, by
-   * J0(2 pi / 3) = .17, and if vertices are displaced independently on a regular mesh, it is -5/21 of the vertex' own.
-   * Medians and cut values are for vertices of features. Deficits above `most` are left out.
+   * J0(2 pi / 3) = .17, and if vertices are displaced independently on a regular mesh, it is -5/21 of the vertex' own. Where
+   * vertices are so sharp that features are no longer than edges, as on coarse meshes, neighbors of the shape have nothing
+   * in common. Medians and cut values are for vertices of features. Deficits above `most` are left out.
    */
   double noise(double most, const Progress& progress = {}) const
   {
@@ -194,11 +195,12 @@ private:
       square += cut(own[i]) * cut(own[i]);
       product += cut(own[i]) * cut(around[i]);
     }
-    constexpr double of_shape = 0.17, of_noise = -5. / 21.;
+    const double deviation = of_median * Curve_turns::median(deviations);
     progress(0.9);
+    constexpr double of_noise = -5. / 21.;
+    const double of_shape = 0.17 * (std::max)(0., 1. - deviation / sharp);
     const double share = square > 0. ? (of_shape - product / square) / (of_shape - of_noise) : 0.;
-    progress(0.95);
-    return std::sqrt((std::max)(0., (std::min)(share, 1.))) * of_median * Curve_turns::median(deviations);
+    return std::sqrt((std::max)(0., (std::min)(share, 1.))) * deviation;
   }
 
   /// the deficits of bent vertices, and the means of those of their neighbors
