@@ -464,6 +464,8 @@ private:
   bool are_apart(Index v, const Geodesic_arrival& first, const Geodesic_arrival& second) const
   {
     constexpr double least = 0.01; // a path that bends by less is longer by a share of the square of that
+    if(first.halfedge == second.halfedge && first.x == second.x && first.y == second.y)
+      return false; // one path that has been found again, as most are
     const double angle = std::fabs(arrival_angle(v, first) - arrival_angle(v, second));
     return angle > least && (faces_.is_border(v) || angle < faces_.total_angle(v) - least);
   }

@@ -146,11 +146,9 @@ public:
         nodes[size++] = nodes[i];
       }
     nodes.resize(size);
-    nodes.shrink_to_fit();
     for(Edge& e : edges)
       for(Index& i : e.nodes)
         i = number[i];
-    edges.shrink_to_fit();
   }
 
   Index number_of_open = 0; ///< crossings at which the graph is not closed

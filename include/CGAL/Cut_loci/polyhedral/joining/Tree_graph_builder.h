@@ -38,10 +38,13 @@ class Tree_graph_builder
 public:
   Tree_graph_builder(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                      const Geodesic_results& geodesics, const Label_changes& changes, const Ridges& ridges,
-                     const Cut_graph& cut, const Progress& progress = {})
+                     const Cut_graph& cut, Tree_graph& graph, const Progress& progress = {})
     : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), changes_(changes), ridges_(ridges), cut_(cut),
-      graph_(ridges, connectivity.number_of_border_loops)
+      graph_(graph)
   {
+    graph_.nodes.clear();
+    graph_.edges.clear();
+    graph_.number_of_open = 0;
     drop_weak_leaves(progress.part(0., 0.2));
     reserve();
     add_loops();
@@ -52,8 +55,6 @@ public:
     drop_open_ends_on_border();
     drop_weak_islands(progress.part(0.9, 1.));
   }
-
-  Tree_graph release() { return std::move(graph_); }
 
 private:
   using Joint = Cut_graph::Joint;
@@ -448,7 +449,7 @@ private:
   const Label_changes& changes_;
   const Ridges& ridges_;
   const Cut_graph& cut_;
-  Tree_graph graph_;
+  Tree_graph& graph_;
   std::vector<unsigned char> is_kept_; // joints
   std::vector<Index> node_of_crossing_, node_of_joint_, node_in_face_, first_of_face_;
 };

@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Label_jumps.h>
+#include <CGAL/Cut_loci/polyhedral/labels/Vertex_labels.h>
 
 #include <algorithm>
 #include <vector>
@@ -37,9 +38,10 @@ public:
 
   Drawn_faces(Exact_geodesic_propagation& geodesics, const Branch_strength& least)
     : is_drawn(geodesics.faces().number_of_halfedges() / 3, 0), bend(geodesics.faces().number_of_halfedges(), 0.f),
-      geodesics_(geodesics), faces_(geodesics.faces()), jumps_(geodesics, least, 1.),
-      weak_jumps_(geodesics, least, Label_jumps::linking_share), is_crossed_(faces_.number_of_halfedges(), 0),
-      is_weak_(faces_.number_of_halfedges(), 0)
+      geodesics_(geodesics), faces_(geodesics.faces()), at_vertices_(geodesics),
+      jumps_(geodesics, at_vertices_, least, 1.),
+      weak_jumps_(geodesics, at_vertices_, least, Label_jumps::linking_share),
+      is_crossed_(faces_.number_of_halfedges(), 0), is_weak_(faces_.number_of_halfedges(), 0)
   {
   }
 
@@ -139,6 +141,7 @@ private:
 
   Exact_geodesic_propagation& geodesics_;
   const Geodesic_faces& faces_;
+  Vertex_labels at_vertices_;
   Label_jumps jumps_, weak_jumps_;
   std::vector<unsigned char> is_crossed_; // by halfedge: whether windows have come to it
   std::vector<unsigned char> is_weak_;    // by that of smaller index: whether a jump is half as large as needed

@@ -157,13 +157,15 @@ private:
       progress(i, ends_.size());
       const Index h = ends_[i].halfedge;
       const Path_label first = labels_[ends_[i].first], last = labels_[ends_[i].last];
-      add_crossing_at_end(h, 0., labels.at_source(h), first, geodesics_->faces().source(h));
-      add_crossing_at_end(h, geodesics_->faces().length(h), last, labels.at_target(h), geodesics_->faces().target(h));
+      add_crossing_at_end(h, 0., labels.at_source(h), first, geodesics_->faces().source(h), labels);
+      add_crossing_at_end(h, geodesics_->faces().length(h), last, labels.at_target(h), geodesics_->faces().target(h),
+                          labels);
     }
   }
 
   /// if the label of an edge is not that of the vertex `v` at which it ends
-  void add_crossing_at_end(Index h, double t, const Path_label& left, const Path_label& right, Index v)
+  void add_crossing_at_end(Index h, double t, const Path_label& left, const Path_label& right, Index v,
+                           const Vertex_labels& labels)
   {
     if(geodesics_->is_on_line(v))
       add_crossing_at_line(h, t, left, right);
@@ -173,10 +175,10 @@ private:
     if(label.origin == geodesics_->origin_of_vertex(v))
       return; // it comes through the vertex
     const Geodesic_arrival& arrival = geodesics_->arrival(v);
-    const double direction = Geodesic_results::direction_at_origin(arrival, geodesics_->end_in_frame(arrival, v));
     const double angle = meeting_angle(left, right, t);
     const Parting_angle::Parting parting =
-      Parting_angle(*geodesics_).parting(arrival.origin, direction, label.origin, label.direction(t), angle);
+      Parting_angle(*geodesics_)
+        .parting(arrival.origin, labels.direction_at_origin(v), label.origin, label.direction(t), angle);
     if(geodesics_->is_seam(arrival.origin, label.origin, angle))
       return;
     const double sigma = (std::max)(geodesics_->sigma_of_origin(arrival.origin), label.sigma);

@@ -10,11 +10,11 @@
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Path_label.h>
+#include <CGAL/Cut_loci/polyhedral/labels/Vertex_labels.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Cut_loci {
@@ -28,9 +28,10 @@ class Label_jumps
 {
 public:
   /// @param share of these angles
-  Label_jumps(const Geodesic_results& geodesics, const Branch_strength& least, double share)
-    : geodesics_(geodesics), parting_angle_(geodesics), least_(least), share_(share), steep_(share * steep),
-      directions_(geodesics.faces().number_of_vertices(), {-1., 0.})
+  Label_jumps(const Geodesic_results& geodesics, const Vertex_labels& at_vertices, const Branch_strength& least,
+              double share)
+    : geodesics_(geodesics), at_vertices_(at_vertices), parting_angle_(geodesics), least_(least), share_(share),
+      steep_(share * steep)
   {
   }
 
@@ -125,16 +126,12 @@ private:
     const double d = geodesics_.distance(v);
     if(d == 0. || !geodesics_.is_reached(v))
       return d != 0.;
-    const Geodesic_arrival& arrival = geodesics_.arrival(v);
-    Known_direction& known = directions_[v];
-    if(known.distance != d)
-      known = {d, Geodesic_results::direction_at_origin(arrival, geodesics_.end_in_frame(arrival, v))};
-    const Index origin = static_cast<Index>(w.origin);
-    const double direction = label(w).direction(t);
+    const Index origin = static_cast<Index>(w.origin), known_origin = geodesics_.arrival(v).origin;
+    const double direction = label(w).direction(t), known = at_vertices_.direction_at_origin(v);
     // At which angle the two meet is not known here. From a curve, where it would count, they do if they are not the same.
     const bool is_same =
-      geodesics_.is_line(origin) && origin == arrival.origin && std::fabs(direction - known.direction) < least_meeting;
-    return part_enough(origin, direction, arrival.origin, known.direction, is_same ? 0. : geodesic_pi);
+      geodesics_.is_line(origin) && origin == known_origin && std::fabs(direction - known) < least_meeting;
+    return part_enough(origin, direction, known_origin, known, is_same ? 0. : geodesic_pi);
   }
 
   static Path_label label(const Geodesic_window& w)
@@ -174,15 +171,10 @@ private:
   }
 
   const Geodesic_results& geodesics_;
+  const Vertex_labels& at_vertices_;
   Parting_angle parting_angle_;
   Branch_strength least_;
   double share_, steep_;
-  /// of the path to each vertex, as it was when it had this distance
-  struct Known_direction
-  {
-    double distance, direction;
-  };
-  mutable std::vector<Known_direction> directions_;
   // of the halfedge in work
   Index a_ = 0, b_ = 0;
   double length_ = 0., distance_ = 0., least_angle_ = 0.; // the last for paths that part at the source

@@ -26,7 +26,13 @@ namespace internal {
 class Vertex_labels
 {
 public:
-  explicit Vertex_labels(const Geodesic_results& geodesics) : geodesics_(geodesics), faces_(geodesics.faces()) {}
+  explicit Vertex_labels(const Geodesic_results& geodesics)
+    : geodesics_(geodesics), faces_(geodesics.faces()), arrivals_(faces_.number_of_vertices(), {-1., 0., -1.})
+  {
+  }
+
+  /// the direction in which the path to a vertex leaves its origin
+  double direction_at_origin(Index v) const { return arrival(v).direction; }
 
   /// the label of the begin of `h`, a halfedge that leaves a vertex that has been reached
   Path_label at_source(Index h) const { return at_direction(faces_.source(h), faces_.angle_around_source(h)); }
@@ -72,12 +78,34 @@ public:
 private:
   static constexpr double margin = 1e-9; // of angles, as for the paths that go on at a bend
 
+  /// of the path to a vertex, as it was when it had this distance: all edges there ask for it
+  struct Arrival
+  {
+    double distance, direction, angle; // the last is negative as long as nobody has asked for it
+  };
+  Arrival& arrival(Index v) const
+  {
+    Arrival& result = arrivals_[v];
+    const double d = geodesics_.distance(v);
+    const Geodesic_arrival& path = geodesics_.arrival(v);
+    if(result.distance != d)
+      result = {d, Geodesic_results::direction_at_origin(path, geodesics_.end_in_frame(path, v)), -1.};
+    return result;
+  }
+
+  /// as `Geodesic_results::arrival_angle()`
+  double arrival_angle(Index v) const
+  {
+    double& angle = arrival(v).angle;
+    return angle < 0. ? angle = geodesics_.arrival_angle(v) : angle;
+  }
+
   /// calls `function(h, angle)` for the halfedges that leave `v`, counterclockwise from its first, with their angles from the
   /// path to `v`, counterclockwise
   template <typename Function>
   void for_each_halfedge(Index v, const Function& function) const
   {
-    const double path = geodesics_.arrival_angle(v), full = faces_.is_border(v) ? 0. : faces_.total_angle(v);
+    const double path = arrival_angle(v), full = faces_.is_border(v) ? 0. : faces_.total_angle(v);
     const Index first = faces_.first_halfedge(v);
     double around = 0.;
     Index h = first;
@@ -207,7 +235,7 @@ private:
   {
     if(geodesics_.distance(v) == 0.)
       return at_source_vertex(v, direction);
-    double angle = direction - geodesics_.arrival_angle(v);
+    double angle = direction - arrival_angle(v);
     if(faces_.is_border(v))
       return at_angle(v, angle);
     const double full = faces_.total_angle(v);
@@ -234,17 +262,16 @@ private:
   /// the path to `v` and its neighbors
   Path_label straight(Index v, double angle) const
   {
-    const Geodesic_arrival& arrival = geodesics_.arrival(v);
-    const Plane_point end = geodesics_.end_in_frame(arrival, v);
-    const double r = geodesics_.distance(v) - arrival.sigma;
-    Path_label label{r * std::cos(angle), -r * std::sin(angle), arrival.sigma, 0.,
-                     arrival.origin,      angle < 0.,           arrival.rate};
-    label.turn = Geodesic_results::direction_at_origin(arrival, end) - label.direction(0.);
+    const Geodesic_arrival& path = geodesics_.arrival(v);
+    const double r = geodesics_.distance(v) - path.sigma;
+    Path_label label{r * std::cos(angle), -r * std::sin(angle), path.sigma, 0., path.origin, angle < 0., path.rate};
+    label.turn = arrival(v).direction - label.direction(0.);
     return label;
   }
 
   const Geodesic_results& geodesics_;
   const Geodesic_faces& faces_;
+  mutable std::vector<Arrival> arrivals_; // by vertex
 };
 
 } // namespace internal

@@ -96,7 +96,8 @@ public:
     least_ = start_;
     refuse_error_without_strength(least_);
     sources_ = points;
-    tree_.reset();
+    if(divided_ != nullptr)
+      tree_.reset(); // it is on that
     divided_.reset();
     other_.reset();
     curves_ = curves;
@@ -413,16 +414,15 @@ private:
     if(number > 0 && has_curves())
       divided_.reset(new Divided_surface(mesh_, sources_, curves_, Progress(), number + 1));
     if(divided_ != nullptr)
-      tree_.reset(
-        new Exact_tree(divided_->surface(), divided_->connectivity, divided_->geodesics, divided_->vertices()));
-    else
-      tree_.reset(new Exact_tree(mesh_, connectivity_, geodesics_, source_vertices()));
+      tree_.reset(new Exact_tree(divided_->surface(), divided_->connectivity, divided_->geodesics));
+    else if(!tree_)
+      tree_.reset(new Exact_tree(mesh_, connectivity_, geodesics_));
     tree_->report_to(progress_);
     if(has_curves())
       tree_->add_lines(divided_->with_curves->lines(), divided_->with_curves->owners());
     // Windows may be merged where what is between them is half of what the weakest branch needs.
     tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(surface_->extent));
-    tree_->propagate(locations(number), least_,
+    tree_->propagate(locations(number), divided_ != nullptr ? divided_->vertices() : source_vertices(), least_,
                      [this](std::vector<Indexed_location>& sources)
                      {
       if(!distance_.empty())

@@ -50,10 +50,10 @@ namespace internal {
 class Exact_tree
 {
 public:
-  /// @param source_vertices those at, or right beside, several sources; of one it may be empty
   Exact_tree(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-             Exact_geodesic_propagation& geodesics, const std::vector<Index>& source_vertices = {})
-    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), source_vertices_(source_vertices)
+             Exact_geodesic_propagation& geodesics)
+    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics),
+      graph_(ridges_, connectivity.number_of_border_loops)
   {
   }
 
@@ -80,14 +80,18 @@ public:
   const Mesh_connectivity& connectivity() const { return connectivity_; }
   const Exact_geodesic_propagation& geodesics() const { return geodesics_; }
 
-  /// computes the distances, and where the cut locus crosses the edges of the mesh
+  /// computes the distances, and where the cut locus crosses the edges of the mesh: of a further source in the memory of
+  /// the one before
   ///
+  /// @param source_vertices those at, or right beside, several sources; of one it may be empty
   /// @param least what is weaker may be left out
   /// @param move may move the sources by a little once the distances are known, if something is left out; returns whether
   template <typename Move>
-  void propagate(const std::vector<Indexed_location>& sources, const Branch_strength& least, const Move& move)
+  void propagate(const std::vector<Indexed_location>& sources, const std::vector<Index>& source_vertices,
+                 const Branch_strength& least, const Move& move)
   {
     least_ = least;
+    source_vertices_ = source_vertices;
     sources_ = sources;
     find_drawn_faces();
     if(!least.is_none() && move(sources_))
@@ -143,13 +147,13 @@ public:
   void join()
   {
     const Cut_graph cut(mesh_, connectivity_, geodesics_, changes_, ridges_, source_vertices_, progress_.part(0., 0.5));
-    Tree_graph_builder builder(mesh_, connectivity_, geodesics_, changes_, ridges_, cut, progress_.part(0.5, 0.9));
-    graph_.reset(new Tree_graph(builder.release()));
+    const Tree_graph_builder builder(mesh_, connectivity_, geodesics_, changes_, ridges_, cut, graph_,
+                                     progress_.part(0.5, 0.9));
     kept_for_.reset();
     changes_.forget_crossings();
     if(!least_.is_none())
     {
-      graph_->drop_weak_branches(least_, progress_.part(0.9, 1.));
+      graph_.drop_weak_branches(least_, progress_.part(0.9, 1.));
       keep_what_is_left();
     }
   }
@@ -159,19 +163,19 @@ public:
   {
     kept_for_.reset();
     if(vertex != null_index)
-      graph_->remove_branch_to(vertex);
+      graph_.remove_branch_to(vertex);
   }
 
   void prepare_widths()
   {
-    width_.assign(graph_->edges.size(), -1.f);
+    width_.assign(graph_.edges.size(), -1.f);
     measure_.reset(new Digon_width(mesh_, geodesics_));
     shots_.reset(new Shot_width(mesh_, geodesics_));
   }
 
-  const Tree_graph& graph() const { return *graph_; }
+  const Tree_graph& graph() const { return graph_; }
   /// whether the labels decided on everything
-  bool is_sure() const { return graph_->is_sure(); }
+  bool is_sure() const { return graph_.is_sure(); }
   /// whether pieces are somewhere in their face, as labels did not fit each other
   bool has_doubtful_faces() const { return ridges_.number_of_doubtful() > 0; }
   /// a node of those that have been kept at last, or null if there is none
@@ -195,9 +199,9 @@ public:
   /// too narrow, the length of the way from one to the other
   double width(Index edge)
   {
-    const Tree_graph::Edge& e = graph_->edges[edge];
+    const Tree_graph::Edge& e = graph_.edges[edge];
     if(e.is_between_sources())
-      return 2. * (std::max)(graph_->nodes[e.nodes[0]].distance, graph_->nodes[e.nodes[1]].distance);
+      return 2. * (std::max)(graph_.nodes[e.nodes[0]].distance, graph_.nodes[e.nodes[1]].distance);
     float& result = width_[edge];
     if(result < 0.f)
     {
@@ -224,13 +228,13 @@ public:
     const auto measure = [this](Index e) { return static_cast<float>(width(e)); };
     // some faces: in each it crosses, a branch has about as many pieces as there are on average
     const std::size_t most = 1 + 16 * edges.size() / (std::max)(ridges_.number_of_faces(), Index(1));
-    shown_width_.assign(graph_->edges.size(), 0.f);
-    shown_curvature_.assign(graph_->edges.size(), 0.f);
+    shown_width_.assign(graph_.edges.size(), 0.f);
+    shown_curvature_.assign(graph_.edges.size(), 0.f);
     for(const Tree_branches::Edge& b : edges)
       shown_curvature_[b.edge] = static_cast<float>(curvature(b.edge));
     const auto length_of = [this](Index e) { return length(e); };
-    Branch_widths<decltype(measure), decltype(length_of)>(edges, static_cast<Index>(graph_->nodes.size()), most,
-                                                          measure, length_of, shown_width_, progress);
+    Branch_widths<decltype(measure), decltype(length_of)>(edges, static_cast<Index>(graph_.nodes.size()), most, measure,
+                                                          length_of, shown_width_, progress);
   }
   float shown_width(Index edge) const { return shown_width_[edge]; }
   float shown_curvature(Index edge) const { return shown_curvature_[edge]; }
@@ -240,7 +244,7 @@ public:
   double least_distance() const
   {
     double result = (std::numeric_limits<double>::infinity)();
-    for(const Tree_graph::Edge& e : graph_->edges)
+    for(const Tree_graph::Edge& e : graph_.edges)
     {
       if(e.is_virtual)
         continue;
@@ -250,8 +254,8 @@ public:
         continue;
       }
       for(Index i : e.nodes)
-        if(graph_->nodes[i].face != null_index)
-          result = (std::min)(result, graph_->nodes[i].distance);
+        if(graph_.nodes[i].face != null_index)
+          result = (std::min)(result, graph_.nodes[i].distance);
       const Image &a = ridges_.piece(e.piece).images[0], &b = ridges_.piece(e.piece).images[1];
       const auto side = [&](const Plane_point& p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); };
       if(side(ridges_.piece_end(e.piece, 0)) * side(ridges_.piece_end(e.piece, 1)) < 0.)
@@ -265,7 +269,7 @@ public:
   {
     std::vector<Index> result;
     for(const Tree_branches::Edge& b : edges)
-      if(graph_->edges[b.edge].piece == null_index && !graph_->edges[b.edge].is_virtual)
+      if(graph_.edges[b.edge].piece == null_index && !graph_.edges[b.edge].is_virtual)
         result.push_back(b.edge);
     std::sort(result.begin(), result.end());
     return result;
@@ -277,7 +281,7 @@ public:
     std::vector<Index> result;
     for(const Tree_branches::Edge& b : edges)
     {
-      const Tree_graph::Edge& e = graph_->edges[b.edge];
+      const Tree_graph::Edge& e = graph_.edges[b.edge];
       if(!e.is_virtual && (e.piece == null_index || !ridges_.piece(e.piece).is_bisector))
         result.push_back(e.face);
     }
@@ -288,7 +292,7 @@ public:
 private:
   Ridges::Enclosed enclosed(Index e) const
   {
-    const Tree_graph::Edge& edge = graph_->edges[e];
+    const Tree_graph::Edge& edge = graph_.edges[e];
     constexpr double whole = (std::numeric_limits<double>::infinity)();
     if(edge.piece == null_index || edge.is_between_sources())
       return {0., whole};
@@ -308,7 +312,7 @@ private:
   {
     constexpr double infinity = (std::numeric_limits<double>::infinity)();
     // in the middle of a curve that is nearly a circle, what it encloses is no corner
-    if(!options_.lines.empty() || graph_->edges[e].piece == null_index)
+    if(!options_.lines.empty() || graph_.edges[e].piece == null_index)
       return infinity;
     const Ridges::Enclosed there = enclosed(e);
     if(!least.is_enough(there.curvature, there.length))
@@ -321,7 +325,7 @@ private:
   bool is_strong(Index e, Index leaf, const Branch_strength& least, Width_bounds& bounds)
   {
     double most = (std::numeric_limits<double>::infinity)();
-    if(graph_->edges[e].piece != null_index && (least.is_none() || is_a_branch(e, least)))
+    if(graph_.edges[e].piece != null_index && (least.is_none() || is_a_branch(e, least)))
     {
       const double needed = least_width(least, enclosed(e));
       if(!mesh_.is_intrinsic && !geodesics_.is_approximate()) // else widths are no separations of known paths
@@ -339,19 +343,19 @@ private:
 
   std::vector<Tree_branches::Edge> find_kept(const Branch_strength& least, const Progress& progress)
   {
-    Width_bounds bounds(*graph_, ridges_, geodesics_);
-    const std::vector<Index> edges = graph_->strong_branches(
+    Width_bounds bounds(graph_, ridges_, geodesics_);
+    const std::vector<Index> edges = graph_.strong_branches(
       [&](Index e, Index leaf) { return is_strong(e, leaf, least, bounds); }, progress.part(0., 0.6));
     const Tree_branches branches(
-      static_cast<Index>(graph_->nodes.size()), static_cast<Index>(edges.size()),
-      [&](Index i) { return graph_->edges[edges[i]].nodes; }, [&](Index i) { return graph_->edges[edges[i]].gap; },
+      static_cast<Index>(graph_.nodes.size()), static_cast<Index>(edges.size()),
+      [&](Index i) { return graph_.edges[edges[i]].nodes; }, [&](Index i) { return graph_.edges[edges[i]].gap; },
       connectivity_.number_of_border_loops, progress.part(0.6, 1.));
     root_ = branches.root();
     std::vector<Tree_branches::Edge> result = branches.edges();
     for(Tree_branches::Edge& b : result)
       b.edge = edges[b.edge];
     remove_spurs(
-      result, static_cast<Index>(graph_->nodes.size()), connectivity_.number_of_border_loops, least.spur,
+      result, static_cast<Index>(graph_.nodes.size()), connectivity_.number_of_border_loops, least.spur,
       [this](Index e) { return height(e); }, [this](Index e) { return length(e); },
       [&](Index e) { return least_length(e, least); });
     return result;
@@ -360,9 +364,9 @@ private:
   /// Of all pieces in the faces that have been drawn, few are on strong branches.
   void keep_what_is_left()
   {
-    graph_->drop_lone_nodes();
+    graph_.drop_lone_nodes();
     std::vector<Index> pieces;
-    for(Tree_graph::Edge& e : graph_->edges)
+    for(Tree_graph::Edge& e : graph_.edges)
       if(e.piece != null_index)
       {
         pieces.push_back(e.piece);
@@ -374,21 +378,21 @@ private:
   /// What is between two sources is on a cycle. On no branch it is more than rounding, so that it holds none.
   bool is_a_branch(Index e, const Branch_strength& least) const
   {
-    const Tree_graph::Edge& edge = graph_->edges[e];
-    return !edge.is_between_sources() && edge.gap >= least.gap && graph_->can_be(e, least);
+    const Tree_graph::Edge& edge = graph_.edges[e];
+    return !edge.is_between_sources() && edge.gap >= least.gap && graph_.can_be(e, least);
   }
 
   /// by how much a way along it is longer than the distance grows there; see `remove_spurs()`
   double height(Index edge) const
   {
-    const auto& [a, b] = graph_->edges[edge].nodes;
-    return (std::max)(0., length(edge) - std::fabs(graph_->nodes[a].distance - graph_->nodes[b].distance));
+    const auto& [a, b] = graph_.edges[edge].nodes;
+    return (std::max)(0., length(edge) - std::fabs(graph_.nodes[a].distance - graph_.nodes[b].distance));
   }
 
   /// nothing is known of what the topology alone has added
   double length(Index edge) const
   {
-    const Index p = graph_->edges[edge].piece;
+    const Index p = graph_.edges[edge].piece;
     if(p == null_index)
       return 0.;
     const Plane_point a = ridges_.piece_end(p, 0), b = ridges_.piece_end(p, 1);
@@ -437,7 +441,7 @@ private:
     };
     for(const Tree_branches::Edge& b : edges)
     {
-      const Tree_graph::Edge& e = graph_->edges[b.edge];
+      const Tree_graph::Edge& e = graph_.edges[b.edge];
       if(e.piece == null_index && e.face != null_index && !changes_.is_drawn_wholly(e.face))
         add(e.face);
     }
@@ -457,23 +461,23 @@ private:
   /// a point of each connected part of the edges that are known, border loops among them
   std::vector<Path_classes::Mark> known_parts(const std::vector<Tree_branches::Edge>& edges) const
   {
-    Union_find parts(graph_->nodes.size());
-    std::vector<Path_classes::Mark> mark(graph_->nodes.size(), Path_classes::Mark{null_index, 0.});
+    Union_find parts(graph_.nodes.size());
+    std::vector<Path_classes::Mark> mark(graph_.nodes.size(), Path_classes::Mark{null_index, 0.});
     for(Index h = 0; h < mesh_.number_of_halfedges(); ++h)
       if(mesh_.is_border_edge(h))
         mark[connectivity_.border_loop[mesh_.source(h)]] = {h, 0.};
     for(const Tree_branches::Edge& b : edges)
     {
-      const Tree_graph::Edge& e = graph_->edges[b.edge];
+      const Tree_graph::Edge& e = graph_.edges[b.edge];
       if(e.piece == null_index && !e.is_virtual)
         continue;
       parts.unite(e.nodes[0], e.nodes[1]);
       for(Index i : e.nodes)
-        if(graph_->nodes[i].crossing != null_index && graph_->nodes[i].t > 0.)
-          mark[i] = {graph_->nodes[i].halfedge, graph_->nodes[i].t};
+        if(graph_.nodes[i].crossing != null_index && graph_.nodes[i].t > 0.)
+          mark[i] = {graph_.nodes[i].halfedge, graph_.nodes[i].t};
     }
     std::vector<Path_classes::Mark> result;
-    std::vector<unsigned char> is_done(graph_->nodes.size(), 0);
+    std::vector<unsigned char> is_done(graph_.nodes.size(), 0);
     for(Index i = 0; i < mark.size(); ++i)
       if(mark[i].halfedge != null_index && !is_done[parts.find(i)])
       {
@@ -504,6 +508,7 @@ private:
     if(least_.is_none())
     {
       is_drawn_.assign(mesh_.number_of_faces(), 1);
+      bend_.clear();
       return;
     }
     Drawn_faces found(geodesics_, least_);
@@ -532,7 +537,7 @@ private:
   std::unique_ptr<Edge_crossings> crossings_;
   Label_changes changes_;
   Ridges ridges_;
-  std::unique_ptr<Tree_graph> graph_;
+  Tree_graph graph_;
   Index root_ = null_index;
   std::vector<float> width_;              // of each edge, negative as long as nobody has asked for it
   std::vector<Tree_branches::Edge> kept_; // what `kept()` has returned at last
