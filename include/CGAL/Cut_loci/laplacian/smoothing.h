@@ -61,11 +61,12 @@ public:
     double rest = parameters.damping;
     for(Index k = 0; k < parameters.number_of_iterations; ++k)
     {
-      progress(double(k) / parameters.number_of_iterations);
+      progress(0.8 * k / parameters.number_of_iterations);
       move([&](const Place& p, double straight)
            { return (1. - rest) * ((p.is_balanced ? p.balance : straight) - p.share); });
       rest *= 0.5;
     }
+    progress(0.8);
     for(Index k = 0; k < parameters.number_of_relaxations; ++k)
       move([](const Place& p, double straight) { return p.is_end ? 0. : 0.5 * (straight - p.share); });
     return joined();
