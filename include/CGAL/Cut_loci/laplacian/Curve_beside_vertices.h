@@ -9,10 +9,10 @@
 
 #include <CGAL/Cut_loci/graph/Curve_network.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/laplacian/Wave_arrival.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
-#include <CGAL/Cut_loci/ways/Way_arrival.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,14 +22,13 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-// A graph of mesh edges, pushed off its vertices to where no way to a vertex arrives.
+// A graph of mesh edges, pushed off its vertices to where no shortest path to a vertex arrives.
 //
-// A way comes to each vertex from one of the sides of the graph there. So the vertex belongs to that side, and the curve
+// A path comes to each vertex from one of the sides of the graph there. So the vertex belongs to that side, and the curve
 // passes it on the others: it crosses the edges at the vertex that are there. What is left is the order of the points in
-// which it crosses edges of the mesh, and wherever these are on their edges, segments between them meet nowhere, and cross
-// no way close to its vertex: the complement of the curve stays what that of the graph is.
+// which it crosses edges of the mesh, and wherever these are on their edges, segments between them meet nowhere: the complement of the curve stays what that of the graph is.
 //
-// Where three branches meet, they do so on the one that the way arrives opposite to. Tips and vertices on the border stay,
+// Where three branches meet, they do so on the one that the path arrives opposite to. Tips and vertices on the border stay,
 // and where more branches meet, or the curve would enter a face at a source.
 class Curve_beside_vertices
 {
@@ -49,7 +48,7 @@ public:
   };
 
   Curve_beside_vertices(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                        const std::vector<Way_arrival>& arrivals, const Indexed_cut_locus& graph,
+                        const std::vector<Wave_arrival>& arrivals, const Indexed_cut_locus& graph,
                         const std::vector<Index>& source_of_face)
     : mesh_(mesh), connectivity_(connectivity), arrivals_(arrivals), graph_(graph), source_of_face_(source_of_face),
       network_(graph)
@@ -68,8 +67,8 @@ public:
   Index edge_of(const Point& p) const { return p.entry == null_index ? null_index : connectivity_.ring_edge(p.entry); }
 
 private:
-  // How the curve passes a node: the entry of the face where the way arrives, if it does not run through its vertex, and
-  // where chains end there, if they do; of three edges, the one that is opposite to the way.
+  // How the curve passes a node: the entry of the face where the path arrives, if it does not run through its vertex, and
+  // where chains end there, if they do; of three edges, the one that is opposite to the path.
   struct Passed
   {
     Index arrival = null_index, end = null_index, opposite = null_index;
@@ -132,11 +131,11 @@ private:
     return result;
   }
 
-  // the entry of the face where the way arrives, or null if the curve has to go through the vertex
+  // the entry of the face where the path arrives, or null if the curve has to go through the vertex
   Index arrival_off_sources(Index node) const
   {
     const Index v = graph_.nodes[node].vertex, h = arrivals_[v].halfedge;
-    if(connectivity_.is_border(v) || h == null_index)
+    if(connectivity_.is_border(v))
       return null_index;
     Index result = connectivity_.ring_begin[v];
     while(connectivity_.ring_halfedge[result] != h)
@@ -144,7 +143,7 @@ private:
     if(source_of_face_.empty())
       return result;
     const std::vector<Index> entries = entries_of_edges(node);
-    Index begin = entries.back(), end = entries.front(); // of the side where the way arrives
+    Index begin = entries.back(), end = entries.front(); // of the side where the path arrives
     for(std::size_t i = 0; i + 1 < entries.size(); ++i)
       if(is_between(result, entries[i], entries[i + 1]))
       {
@@ -215,7 +214,7 @@ private:
       pass(chain, i, end.opposite, entry, walk);
   }
 
-  // Passes a vertex that is entered along one edge and left along another, on the side where no way arrives.
+  // Passes a vertex that is entered along one edge and left along another, on the side where no path arrives.
   void pass(const Curve_network::Chain& chain, std::size_t i, Index in, Index out, Walk& walk)
   {
     const Index node = chain.nodes[i], v = graph_.nodes[node].vertex;
@@ -311,7 +310,7 @@ private:
 
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
-  const std::vector<Way_arrival>& arrivals_;
+  const std::vector<Wave_arrival>& arrivals_;
   const Indexed_cut_locus& graph_;
   const std::vector<Index>& source_of_face_; // the source at a face, or null; empty if they are not known
   Curve_network network_;

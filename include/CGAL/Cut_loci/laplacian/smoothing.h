@@ -10,13 +10,12 @@
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/laplacian/Curve_beside_vertices.h>
+#include <CGAL/Cut_loci/laplacian/Wave_arrival.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
-#include <CGAL/Cut_loci/ways/Way_arrival.h>
-#include <CGAL/Cut_loci/ways/Ways_across_edges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,12 +32,10 @@ class Cut_locus_smoother
 {
 public:
   Cut_locus_smoother(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                     const std::vector<double>& distance, const std::vector<Way_arrival>& arrivals,
-                     const std::vector<unsigned char>& crossed, const Indexed_cut_locus& input,
+                     const std::vector<double>& distance, const Indexed_cut_locus& input,
                      const std::vector<Index>& source_of_face)
-    : mesh_(mesh), connectivity_(connectivity), distance_(distance), arrivals_(arrivals),
-      ways_(mesh, connectivity, arrivals, crossed), input_(input),
-      curve_(mesh, connectivity, arrivals, input, source_of_face)
+    : mesh_(mesh), connectivity_(connectivity), distance_(distance), input_(input), arrivals_(arrivals()),
+      curve_(mesh, connectivity, arrivals_, input, source_of_face)
   {
     for(const Point& p : curve_.points())
       places_.push_back(place_of(p));
@@ -76,12 +73,31 @@ private:
   using Chain = Curve_beside_vertices::Chain;
   using Point = Curve_beside_vertices::Point;
 
+  // at the vertices of the graph, and their neighbors
+  std::vector<Wave_arrival> arrivals() const
+  {
+    const Wave_arrivals arrival(mesh_, connectivity_, distance_);
+    std::vector<Wave_arrival> result(mesh_.number_of_vertices());
+    const auto look_at = [&](Index v)
+    {
+      if(result[v].halfedge == null_index)
+        result[v] = arrival(v);
+    };
+    for(const Indexed_cut_locus::Node& node : input_.nodes)
+    {
+      look_at(node.vertex);
+      for(Index k = connectivity_.ring_begin[node.vertex]; k < connectivity_.ring_begin[node.vertex + 1]; ++k)
+        look_at(connectivity_.ring_vertex[k]);
+    }
+    return result;
+  }
+
   // Where a point is on its edge.
   struct Place
   {
     Index halfedge; // from the vertex next to which it is
     double share = 0., least = 0., most = 0.;
-    double balance = 0.5; // where both ways are equally long
+    double balance = 0.5; // where both paths are equally long
     bool is_balanced = false, is_end = false, is_used = false;
     std::vector<Index> neighbors;
   };
@@ -95,20 +111,18 @@ private:
       return result;
     result.halfedge = connectivity_.ring_halfedge[p.entry];
     result.least = least_share;
-    result.most = (std::max)(least_share, (std::min)(1., ways_.first(result.halfedge)) - least_share);
+    result.most = 1. - least_share;
     set_balance(p, result);
     return result;
   }
 
-  // Where the distance along the way to one end of the edge, and on, is that along the way to the other.
+  // Where the distance along the path to one end of the edge, and on, is that along the path to the other.
   void set_balance(const Point& p, Place& place) const
   {
     const Index v = p.vertex, w = connectivity_.ring_vertex[p.entry];
-    if(arrivals_[v].halfedge == null_index || arrivals_[w].halfedge == null_index)
-      return;
-    const Way_past_vertex from_here(mesh_, connectivity_, arrivals_[v], distance_[v], p.entry);
-    const Way_past_vertex from_there(mesh_, connectivity_, arrivals_[w], distance_[w],
-                                     connectivity_.ring_reverse[p.entry]);
+    const Wave_past_vertex from_here(mesh_, connectivity_, arrivals_[v], distance_[v], p.entry);
+    const Wave_past_vertex from_there(mesh_, connectivity_, arrivals_[w], distance_[w],
+                                      connectivity_.ring_reverse[p.entry]);
     const double length = edge_length(mesh_, place.halfedge);
     const auto difference = [&](double share) { return from_here(share * length) - from_there((1. - share) * length); };
     place.is_balanced = difference(1.) > difference(0.);
@@ -224,9 +238,8 @@ private:
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   const std::vector<double>& distance_;
-  const std::vector<Way_arrival>& arrivals_;
-  Ways_across_edges ways_;
   const Indexed_cut_locus& input_;
+  std::vector<Wave_arrival> arrivals_;
   Curve_beside_vertices curve_;
   std::vector<Place> places_; // of its points
 };
@@ -241,35 +254,31 @@ private:
  * The branches stay as they are and meet as they did. Each edge of the result lies in one face and tells the edge of
  * `cut_locus` that it comes from; no edge has length zero. Distances are interpolated along the edges.
  *
- * No shortest path crosses the cut locus, so it runs between the trees of short ways to the vertices. A vertex of the graph
- * belongs to the side from which its way arrives: the curve is pushed off it to the others, where it crosses the edges at
- * the vertex. These points are nodes, and move along their edges alone: so no order changes, segments between them meet
- * nowhere, and the complement stays an open disk. Nor do nodes move beyond where a way crosses their edge.
+ * No shortest path crosses the cut locus. So a vertex of the graph belongs to the side from which the path to it arrives:
+ * that of the face where the distances of the other corners agree with its own. The curve is pushed off it to the others,
+ * where it crosses the edges at the vertex. These points are nodes, and move along their edges alone: so no order changes,
+ * segments between them meet nowhere, and the complement stays an open disk.
  *
  * The scheme is that of Mancinelli, Livesu and Puppo \cgalCite{cgal:mlp-pccld-21}: nodes move in iterations, and a
  * relaxation comes last. In the paper, the step is the component of the gradient along the normal; but a gradient
  * estimated across the cut locus averages both sides. Here a node moves to where the distances of both ends of its edge,
- * taken straight on along their ways, are equal. So the damping leaves 0.5 of the way at first, and half of that with each
- * iteration, where the paper's takes it. Where the ways do not converge, the node follows its neighbors.
+ * taken straight on along their paths, are equal. So the damping leaves 0.5 of the way at first, and half of that with each
+ * iteration, where the paper's takes it. Where the paths do not converge, the node follows its neighbors.
  *
  * @param distance the distance of each vertex to the source
- * @param arrivals how the ways to the vertices arrive, as `edges_crossed_by_ways()` tells
- * @param crossed what that returns: the edges that ways cross
  * @param cut_locus a graph of mesh edges
  * @param source_of_face the source whose faces each one belongs to, which the curve does not enter, or `null_index`; or
  *        empty
  *
  * The time is linear in the size of the mesh, for tables, and in the size of `cut_locus`, for everything else.
  */
-inline Indexed_cut_locus
-smoothed_cut_locus(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                   const std::vector<double>& distance, const std::vector<Way_arrival>& arrivals,
-                   const std::vector<unsigned char>& crossed, const Indexed_cut_locus& cut_locus,
-                   const Smoothing_parameters& parameters = Smoothing_parameters(),
-                   const internal::Progress& progress = {}, const std::vector<Index>& source_of_face = {})
+inline Indexed_cut_locus smoothed_cut_locus(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                                            const std::vector<double>& distance, const Indexed_cut_locus& cut_locus,
+                                            const Smoothing_parameters& parameters = Smoothing_parameters(),
+                                            const internal::Progress& progress = {},
+                                            const std::vector<Index>& source_of_face = {})
 {
-  return internal::Cut_locus_smoother(mesh, connectivity, distance, arrivals, crossed, cut_locus,
-                                      source_of_face)(parameters, progress);
+  return internal::Cut_locus_smoother(mesh, connectivity, distance, cut_locus, source_of_face)(parameters, progress);
 }
 
 } // namespace Cut_loci
