@@ -26,7 +26,8 @@ namespace internal {
 //
 // A path comes to each vertex from one of the sides of the graph there. So the vertex belongs to that side, and the curve
 // passes it on the others: it crosses the edges at the vertex that are there. What is left is the order of the points in
-// which it crosses edges of the mesh, and wherever these are on their edges, segments between them meet nowhere: the complement of the curve stays what that of the graph is.
+// which it crosses edges of the mesh, and wherever these are on their edges, segments between them meet nowhere: the
+// complement of the curve stays what that of the graph is.
 //
 // Where three branches meet, they do so on the one that the path arrives opposite to. Tips and vertices on the border stay,
 // and where more branches meet, or the curve would enter a face at a source.

@@ -16,6 +16,8 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
+#include <CGAL/Cut_loci/ways/Way_arrival.h>
+#include <CGAL/Cut_loci/ways/Ways_across_edges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,10 +34,11 @@ class Cut_locus_smoother
 {
 public:
   Cut_locus_smoother(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                     const std::vector<double>& distance, const Indexed_cut_locus& input,
+                     const std::vector<double>& distance, const std::vector<Way_arrival>& ways,
+                     const std::vector<unsigned char>& crossed, const Indexed_cut_locus& input,
                      const std::vector<Index>& source_of_face)
-    : mesh_(mesh), connectivity_(connectivity), distance_(distance), input_(input), arrivals_(arrivals()),
-      curve_(mesh, connectivity, arrivals_, input, source_of_face)
+    : mesh_(mesh), connectivity_(connectivity), distance_(distance), ways_(mesh, connectivity, ways, crossed),
+      input_(input), arrivals_(arrivals()), curve_(mesh, connectivity, arrivals_, input, source_of_face)
   {
     for(const Point& p : curve_.points())
       places_.push_back(place_of(p));
@@ -111,7 +114,7 @@ private:
       return result;
     result.halfedge = connectivity_.ring_halfedge[p.entry];
     result.least = least_share;
-    result.most = 1. - least_share;
+    result.most = (std::max)(least_share, (std::min)(1., ways_.first(result.halfedge)) - least_share);
     set_balance(p, result);
     return result;
   }
@@ -238,6 +241,7 @@ private:
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   const std::vector<double>& distance_;
+  Ways_across_edges ways_;
   const Indexed_cut_locus& input_;
   std::vector<Wave_arrival> arrivals_;
   Curve_beside_vertices curve_;
@@ -257,7 +261,8 @@ private:
  * No shortest path crosses the cut locus. So a vertex of the graph belongs to the side from which the path to it arrives:
  * that of the face where the distances of the other corners agree with its own. The curve is pushed off it to the others,
  * where it crosses the edges at the vertex. These points are nodes, and move along their edges alone: so no order changes,
- * segments between them meet nowhere, and the complement stays an open disk.
+ * segments between them meet nowhere, and the complement stays an open disk. Nor do nodes move beyond where a short way to
+ * a vertex crosses their edge: where faces are slim, the distances of their corners tell less than the ways.
  *
  * The scheme is that of Mancinelli, Livesu and Puppo \cgalCite{cgal:mlp-pccld-21}: nodes move in iterations, and a
  * relaxation comes last. In the paper, the step is the component of the gradient along the normal; but a gradient
@@ -266,19 +271,23 @@ private:
  * iteration, where the paper's takes it. Where the paths do not converge, the node follows its neighbors.
  *
  * @param distance the distance of each vertex to the source
+ * @param arrivals how the ways to the vertices arrive, as `edges_crossed_by_ways()` tells
+ * @param crossed what that returns: the edges that ways cross
  * @param cut_locus a graph of mesh edges
  * @param source_of_face the source whose faces each one belongs to, which the curve does not enter, or `null_index`; or
  *        empty
  *
  * The time is linear in the size of the mesh, for tables, and in the size of `cut_locus`, for everything else.
  */
-inline Indexed_cut_locus smoothed_cut_locus(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                                            const std::vector<double>& distance, const Indexed_cut_locus& cut_locus,
-                                            const Smoothing_parameters& parameters = Smoothing_parameters(),
-                                            const internal::Progress& progress = {},
-                                            const std::vector<Index>& source_of_face = {})
+inline Indexed_cut_locus
+smoothed_cut_locus(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                   const std::vector<double>& distance, const std::vector<Way_arrival>& arrivals,
+                   const std::vector<unsigned char>& crossed, const Indexed_cut_locus& cut_locus,
+                   const Smoothing_parameters& parameters = Smoothing_parameters(),
+                   const internal::Progress& progress = {}, const std::vector<Index>& source_of_face = {})
 {
-  return internal::Cut_locus_smoother(mesh, connectivity, distance, cut_locus, source_of_face)(parameters, progress);
+  return internal::Cut_locus_smoother(mesh, connectivity, distance, arrivals, crossed, cut_locus,
+                                      source_of_face)(parameters, progress);
 }
 
 } // namespace Cut_loci
