@@ -210,7 +210,6 @@ int sharp_turns(const Mesh& mesh, const Indexed_cut_locus& graph)
     neighbors[e.source].push_back(e.target);
     neighbors[e.target].push_back(e.source);
   }
-  const double shortest = 0.05 * Mesh_connectivity(mesh).mean_edge_length;
   int result = 0;
   for(Index i = 0; i < graph.nodes.size(); ++i)
     if(neighbors[i].size() == 2)
@@ -218,7 +217,7 @@ int sharp_turns(const Mesh& mesh, const Indexed_cut_locus& graph)
       const Vector p = position(mesh, graph.nodes[i].location);
       const Vector a = p - position(mesh, graph.nodes[neighbors[i][0]].location);
       const Vector b = position(mesh, graph.nodes[neighbors[i][1]].location) - p;
-      result += dot(a, b) < 0. && (std::min)(norm(a), norm(b)) > shortest ? 1 : 0;
+      result += dot(a, b) < 0. ? 1 : 0;
     }
   return result;
 }
