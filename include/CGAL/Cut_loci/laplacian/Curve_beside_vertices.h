@@ -9,7 +9,7 @@
 
 #include <CGAL/Cut_loci/graph/Curve_network.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/laplacian/Wave_arrival.h>
+#include <CGAL/Cut_loci/laplacian/Wave_arrivals.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
@@ -49,7 +49,7 @@ public:
   };
 
   Curve_beside_vertices(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                        const std::vector<Wave_arrival>& arrivals, const Indexed_cut_locus& graph,
+                        const Wave_arrivals& arrivals, const Indexed_cut_locus& graph,
                         const std::vector<Index>& source_of_face)
     : mesh_(mesh), connectivity_(connectivity), arrivals_(arrivals), graph_(graph), source_of_face_(source_of_face),
       network_(graph)
@@ -311,7 +311,7 @@ private:
 
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
-  const std::vector<Wave_arrival>& arrivals_;
+  const Wave_arrivals& arrivals_;
   const Indexed_cut_locus& graph_;
   const std::vector<Index>& source_of_face_; // the source at a face, or null; empty if they are not known
   Curve_network network_;

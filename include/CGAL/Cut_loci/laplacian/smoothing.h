@@ -10,7 +10,7 @@
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/laplacian/Curve_beside_vertices.h>
-#include <CGAL/Cut_loci/laplacian/Wave_arrival.h>
+#include <CGAL/Cut_loci/laplacian/Wave_arrivals.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -38,7 +38,8 @@ public:
                      const std::vector<unsigned char>& crossed, const Indexed_cut_locus& input,
                      const std::vector<Index>& source_of_face)
     : mesh_(mesh), connectivity_(connectivity), distance_(distance), ways_(mesh, connectivity, ways, crossed),
-      input_(input), arrivals_(arrivals()), curve_(mesh, connectivity, arrivals_, input, source_of_face)
+      input_(input), arrivals_(mesh, connectivity, distance, ways, input),
+      curve_(mesh, connectivity, arrivals_, input, source_of_face)
   {
     for(const Point& p : curve_.points())
       places_.push_back(place_of(p));
@@ -75,25 +76,6 @@ public:
 private:
   using Chain = Curve_beside_vertices::Chain;
   using Point = Curve_beside_vertices::Point;
-
-  // at the vertices of the graph, and their neighbors
-  std::vector<Wave_arrival> arrivals() const
-  {
-    const Wave_arrivals arrival(mesh_, connectivity_, distance_);
-    std::vector<Wave_arrival> result(mesh_.number_of_vertices());
-    const auto look_at = [&](Index v)
-    {
-      if(result[v].halfedge == null_index)
-        result[v] = arrival(v);
-    };
-    for(const Indexed_cut_locus::Node& node : input_.nodes)
-    {
-      look_at(node.vertex);
-      for(Index k = connectivity_.ring_begin[node.vertex]; k < connectivity_.ring_begin[node.vertex + 1]; ++k)
-        look_at(connectivity_.ring_vertex[k]);
-    }
-    return result;
-  }
 
   // Where a point is on its edge.
   struct Place
@@ -243,7 +225,7 @@ private:
   const std::vector<double>& distance_;
   Ways_across_edges ways_;
   const Indexed_cut_locus& input_;
-  std::vector<Wave_arrival> arrivals_;
+  Wave_arrivals arrivals_;
   Curve_beside_vertices curve_;
   std::vector<Place> places_; // of its points
 };
@@ -258,8 +240,8 @@ private:
  * The branches stay as they are and meet as they did. Each edge of the result lies in one face and tells the edge of
  * `cut_locus` that it comes from; no edge has length zero. Distances are interpolated along the edges.
  *
- * No shortest path crosses the cut locus. So a vertex of the graph belongs to the side from which the path to it arrives:
- * that of the face where the distances of the other corners agree with its own. The curve is pushed off it to the others,
+ * No shortest path crosses the cut locus. So a vertex of the graph belongs to the side from which the path to it arrives,
+ * as its way or the distances next to it tell, whichever agrees better with its own. The curve is pushed off it to the others,
  * where it crosses the edges at the vertex. These points are nodes, and move along their edges alone: so no order changes,
  * segments between them meet nowhere, and the complement stays an open disk. Nor do nodes move beyond where a short way to
  * a vertex crosses their edge: where faces are slim, the distances of their corners tell less than the ways.

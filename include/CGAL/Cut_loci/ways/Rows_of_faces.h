@@ -163,8 +163,10 @@ public:
       result.halfedge = mesh_.previous(r.entry);
       along = rows_[r.left].position - r.position;
     }
-    const Index from = start_of_straight_piece(row, distance_[mesh_.source(result.halfedge)]);
+    const double distance = distance_[mesh_.source(result.halfedge)];
+    const Index from = start_of_straight_piece(row, distance);
     const Planar_vector back = rows_[from].position - r.position;
+    result.error = std::abs(rows_[from].length + norm(back) - distance);
     result.angle = (std::max)(0., std::atan2(cross(along, back), dot(along, back)));
     result.straight = norm(back);
     return result;
