@@ -11,7 +11,7 @@
 
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/Local_geodesics.h>
+#include <CGAL/Cut_loci/surface/common_faces.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
@@ -45,8 +45,7 @@ class Curve_topology
 
 public:
   Curve_topology(const Mesh& mesh, const Graph& graph)
-    : mesh_(mesh), connectivity_(mesh), graph_(graph), geodesics_(mesh, connectivity_),
-      nodes_(graph.nodes.size() + connectivity_.number_of_border_loops)
+    : mesh_(mesh), connectivity_(mesh), graph_(graph), nodes_(graph.nodes.size() + connectivity_.number_of_border_loops)
   {
     number_border();
     for(const Graph::Node& node : graph.nodes)
@@ -124,11 +123,12 @@ private:
   {
     const Index i = graph_.edges[e].source, j = graph_.edges[e].target;
     Index face = null;
-    geodesics_.for_each_common_face(location_[i], location_[j], [&](Index f) { face = f; });
+    CGAL::Cut_loci::internal::for_each_common_face(mesh_, connectivity_, location_[i], location_[j],
+                                                   [&](Index f) { face = f; });
     if(face == null)
       return; // its ends are joined by no segment: they stay apart
-    const auto a = geodesics_.in_face(location_[i], face).coordinates,
-               b = geodesics_.in_face(location_[j], face).coordinates;
+    const auto a = CGAL::Cut_loci::internal::in_face(mesh_, location_[i], face).coordinates,
+               b = CGAL::Cut_loci::internal::in_face(mesh_, location_[j], face).coordinates;
     if(is_along_border(a, b, face))
       return;
     const auto difference = [](double x, double y) { return std::abs(x - y) < 1e-15; };
@@ -225,7 +225,7 @@ private:
   {
     const auto planar = [&](Index node) -> Planar
     {
-      const auto c = geodesics_.in_face(location_[node], face).coordinates;
+      const auto c = CGAL::Cut_loci::internal::in_face(mesh_, location_[node], face).coordinates;
       return {{c[0], c[1]}};
     };
     const auto &d = graph_.edges[arcs_[i]], &e = graph_.edges[arcs_[j]];
@@ -240,7 +240,6 @@ private:
   const Mesh& mesh_;
   const CGAL::Cut_loci::Mesh_connectivity connectivity_;
   const Graph& graph_;
-  const CGAL::Cut_loci::Local_geodesics geodesics_;
   Union_find nodes_; // of the graph, and the border loops
   std::map<Index, double> border_position_;
   std::vector<Location> location_;

@@ -18,6 +18,7 @@
 
 #include <functional>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -32,23 +33,8 @@ using namespace CGAL::Cut_loci::internal;
 using CGAL::Cut_loci::Indexed_cut_locus;
 using CGAL::Cut_loci::Indexed_location;
 using CGAL::Cut_loci::Indexed_source;
-using CGAL::Cut_loci::Local_geodesics;
 using CGAL::Cut_loci::Mesh_connectivity;
 using CGAL::Cut_loci::null_index;
-using CGAL::Cut_loci::straightest_geodesic;
-
-Indexed_location random_location(const Mesh& mesh, std::mt19937& random)
-{
-  std::uniform_real_distribution<double> uniform(0., 1.);
-  const double a = uniform(random), b = uniform(random) * (1. - a);
-  Indexed_location x{static_cast<Index>(uniform(random) * mesh.number_of_faces()), {{a, b, 1. - a - b}}};
-  const int kind = static_cast<int>(uniform(random) * 4.);
-  if(kind == 0)
-    x.coordinates = {{a, 1. - a, 0.}};
-  else if(kind == 1)
-    x.coordinates = {{0., 1., 0.}};
-  return x;
-}
 
 void expect_valid(const Mesh& mesh, const Indexed_location& x)
 {
@@ -62,131 +48,6 @@ void expect_valid(const Mesh& mesh, const Indexed_location& x)
   ASSERT_NEAR(sum, 1., 1e-12);
 }
 
-// ---- straightest geodesics
-
-TEST(Straightest_geodesic, is_a_line_in_the_plane)
-{
-  const Mesh mesh = indexed(grid(12, 12));
-  const Mesh_connectivity connectivity(mesh);
-  std::mt19937 random(2);
-  std::uniform_real_distribution<double> uniform(-1., 1.);
-  int inside = 0;
-  for(int k = 0; k < 2000; ++k)
-  {
-    const Indexed_location a = random_location(mesh, random);
-    const Vector p = position(mesh, a);
-    const double angle = pi * uniform(random), length = 3.;
-    const Vector d = {{std::cos(angle), std::sin(angle), 0.}};
-    const Vector q = p + length * d;
-    const Indexed_location b = straightest_geodesic(mesh, connectivity, a, 7. * d, length);
-    expect_valid(mesh, b);
-    const Vector r = position(mesh, b);
-    const bool is_inside = q[0] > 0. && q[0] < 11. && q[1] > 0. && q[1] < 11.;
-    if(is_inside)
-    {
-      ++inside;
-      ASSERT_LE(norm(r - q), 1e-4);
-    }
-    else // it stops where it meets the border
-    {
-      ASSERT_LE(norm(cross(r - p, d)), 1e-4);
-      ASSERT_LE((std::min)({r[0], r[1], 11. - r[0], 11. - r[1]}), 1e-5);
-    }
-  }
-  EXPECT_GT(inside, 500);
-  // through vertices, along edges, and not at all
-  const Indexed_location origin = {0, {{1., 0., 0.}}};
-  const Indexed_location corner = straightest_geodesic(mesh, connectivity, origin, {{1., 1., 0.}}, 5. * std::sqrt(2.));
-  EXPECT_LE(norm(position(mesh, corner) - Vector{{5., 5., 0.}}), 1e-5);
-  const Indexed_location out = straightest_geodesic(mesh, connectivity, origin, {{-1., 0.5, 0.}}, 1.);
-  EXPECT_LE(norm(position(mesh, out)), 1e-9);
-  const Indexed_location still = straightest_geodesic(mesh, connectivity, {3, {{0.2, 0.3, 0.5}}}, {{0., 0., 0.}}, 1.);
-  EXPECT_LE(norm(position(mesh, still) - position(mesh, {3, {{0.2, 0.3, 0.5}}})), 1e-12);
-}
-
-TEST(Straightest_geodesic, follows_the_unfolding_of_a_cube)
-{
-  // a cube of side 2 whose faces are grids
-  Mesh mesh = indexed(star_shape(6,
-                                 [](const Mesh::Point& p) {
-    return 1. / (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
-  }));
-  const Mesh_connectivity connectivity(mesh);
-  // from the top down the side x = 1, around the bottom and up again: eight to come home
-  int tried = 0;
-  for(double y : {0.123, -0.4567})
-    for(Index f = 0; f < mesh.number_of_faces(); f += 7)
-    {
-      const Indexed_location a = {f, {{0.3, 0.45, 0.25}}};
-      const Vector p = position(mesh, a);
-      if(p[2] < 1. - 1e-9)
-        continue;
-      ++tried;
-      const Indexed_location b = straightest_geodesic(mesh, connectivity, a, {{1., 0., 0.}}, 8.);
-      EXPECT_LE(norm(position(mesh, b) - p), 1e-4);
-      const double to_side = 1. - p[0];
-      const double way = (to_side + 0.5) * std::hypot(1., y);
-      const Indexed_location c = straightest_geodesic(mesh, connectivity, a, {{1., y, 0.}}, way);
-      const Vector expected = {{1., p[1] + y * (to_side + 0.5), 0.5}};
-      EXPECT_TRUE(std::abs(expected[1]) >= 1. || norm(position(mesh, c) - expected) <= 1e-4);
-    }
-  EXPECT_GE(tried, 10);
-}
-
-TEST(Straightest_geodesic, converges_to_great_circles)
-{
-  double previous = 1.;
-  for(Index n : {8, 16, 32})
-  {
-    const Mesh mesh = indexed(sphere_of_squares(n));
-    const Mesh_connectivity connectivity(mesh);
-    double largest = 0.;
-    for(Index f = 0; f < mesh.number_of_faces(); f += mesh.number_of_faces() / 40)
-    {
-      const Indexed_location a = {f, {{0.5, 0.2, 0.3}}};
-      const Vector p = position(mesh, a);
-      Vector d;
-      ASSERT_TRUE(unit(tangential(Vector{{0.3, -0.5, 0.7}}, p), d));
-      const Indexed_location b = straightest_geodesic(mesh, connectivity, a, d, 1.);
-      Vector q, u;
-      ASSERT_TRUE(unit(position(mesh, b), q) && unit(p, u));
-      largest = (std::max)(largest, norm(q - (std::cos(1.) * u + std::sin(1.) * d)));
-    }
-    EXPECT_LE(largest, 0.7 * previous);
-    previous = largest;
-  }
-  EXPECT_LE(previous, 0.02);
-}
-
-TEST(Straightest_geodesic, survives_needles_and_bumps)
-{
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> uniform(-1., 1.);
-  for(const Mesh& mesh : {indexed(needles(10)), indexed(hilly_sphere(10))})
-  {
-    const Mesh_connectivity connectivity(mesh);
-    for(int k = 0; k < 2000; ++k)
-    {
-      const Indexed_location a = random_location(mesh, random);
-      const Vector d = {{uniform(random), uniform(random), uniform(random)}};
-      const Indexed_location b = straightest_geodesic(mesh, connectivity, a, d, 0.7);
-      expect_valid(mesh, b);
-      ASSERT_LE(norm(position(mesh, b) - position(mesh, a)), 0.7 + 1e-3);
-    }
-  }
-}
-
-// ---- geodesic segments
-
-double length(const Mesh& mesh, const std::vector<Indexed_location>& path)
-{
-  double result = 0.;
-  for(std::size_t i = 1; i < path.size(); ++i)
-    result += norm(position(mesh, path[i]) - position(mesh, path[i - 1]));
-  return result;
-}
-
-// whether some face holds all vertices with a coordinate in `a` or `b`
 bool share_a_face(const Mesh& mesh, const Mesh_connectivity& connectivity, const Indexed_location& a,
                   const Indexed_location& b)
 {
@@ -206,114 +67,6 @@ bool share_a_face(const Mesh& mesh, const Mesh_connectivity& connectivity, const
       }
   return false;
 }
-
-void expect_path(const Mesh& mesh, const Mesh_connectivity& connectivity, const std::vector<Indexed_location>& path)
-{
-  for(std::size_t i = 0; i < path.size(); ++i)
-  {
-    expect_valid(mesh, path[i]);
-    if(i == 0)
-      continue;
-    ASSERT_TRUE(share_a_face(mesh, connectivity, path[i - 1], path[i]));
-    ASSERT_GT(norm(position(mesh, path[i]) - position(mesh, path[i - 1])), 0.);
-  }
-}
-
-std::vector<Indexed_location> segment(Local_geodesics& geodesics, Indexed_location a, const Indexed_location& b)
-{
-  std::vector<Indexed_location> path(1, a);
-  EXPECT_TRUE(geodesics.append_segment(a, b, path));
-  return path;
-}
-
-TEST(Local_geodesics, are_straight_lines_in_the_plane)
-{
-  std::mt19937 random(4);
-  for(const Mesh& mesh : {indexed(grid(9, 9)), []
-                          {
-    Mesh m = indexed(grid(9, 9));
-    for(auto& p : m.points)
-      p[1] *= 0.01;
-    return m;
-                          }()})
-  {
-    const Mesh_connectivity connectivity(mesh);
-    Local_geodesics geodesics(mesh, connectivity);
-    for(int k = 0; k < 2000; ++k)
-    {
-      const Indexed_location a = random_location(mesh, random), b = random_location(mesh, random);
-      const std::vector<Indexed_location> path = segment(geodesics, a, b);
-      const double distance = norm(position(mesh, b) - position(mesh, a));
-      if(distance == 0.)
-      {
-        ASSERT_EQ(path.size(), 1u);
-        continue;
-      }
-      expect_path(mesh, connectivity, path);
-      ASSERT_NEAR(length(mesh, path), distance, 1e-4);
-      ASSERT_EQ(path.back().face, b.face);
-    }
-  }
-}
-
-TEST(Local_geodesics, are_shortest_between_near_points)
-{
-  std::mt19937 random(5);
-  for(const Mesh& mesh : {indexed(sphere_of_squares(8)), indexed(hilly_sphere(8)), indexed(needles(6)),
-                          indexed(torus_with_shifted_rows(20, 9))})
-  {
-    const Mesh_connectivity connectivity(mesh);
-    Local_geodesics geodesics(mesh, connectivity);
-    for(int k = 0; k < 6; ++k)
-    {
-      const Indexed_location a = random_location(mesh, random);
-      Mesh refined = mesh;
-      Index source = vertex_of(mesh, a);
-      if(source == null_index)
-      {
-        refined = insert_vertex(mesh, a);
-        source = mesh.number_of_vertices();
-      }
-      Indexed_source s;
-      s.vertex = source;
-      CGAL::Shortest_path_geodesic_solver solver;
-      solver.set_mesh(refined);
-      std::vector<double> exact;
-      solver.compute_distances(s, exact);
-      int near = 0;
-      for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-      {
-        Indexed_location b = location_of_vertex(connectivity, v);
-        const std::vector<Indexed_location> path = segment(geodesics, a, b);
-        if(v == source)
-          continue;
-        expect_path(mesh, connectivity, path);
-        const double l = length(mesh, path);
-        ASSERT_GE(l, exact[v] * (1. - 1e-4));
-        if(connectivity.mean_edge_length * 2.5 < exact[v])
-          continue;
-        // Where a hill lies between, a local minimum may be on its other side.
-        near += std::abs(l - exact[v]) <= 1e-4 * l ? 1 : -4;
-      }
-      EXPECT_GE(near, 0);
-    }
-  }
-}
-
-TEST(Local_geodesics, joins_within_a_face_and_not_to_other_components)
-{
-  const Mesh mesh = indexed(disjoint_union(grid(3, 3), grid(3, 3), {{0., 0., 0.}}));
-  const Mesh_connectivity connectivity(mesh);
-  Local_geodesics geodesics(mesh, connectivity);
-  std::vector<Indexed_location> path;
-  EXPECT_TRUE(geodesics.append_segment({0, {{0.2, 0.3, 0.5}}}, {0, {{0.5, 0.3, 0.2}}}, path));
-  EXPECT_EQ(path.size(), 1u);
-  EXPECT_TRUE(geodesics.append_segment({0, {{0.2, 0.3, 0.5}}}, {0, {{0.2, 0.3, 0.5}}}, path));
-  EXPECT_EQ(path.size(), 1u);
-  EXPECT_FALSE(geodesics.append_segment({0, {{0.2, 0.3, 0.5}}}, {mesh.number_of_faces() - 1, {{1., 0., 0.}}}, path));
-}
-
-// ---- smoothing
 
 struct Smoothed
 {
@@ -346,17 +99,10 @@ Smoothed smoothed(const Mesh& mesh, Index source_vertex, double angle, Index ite
   return result;
 }
 
-// The branches as pairs of ends, where the ends that are mesh-edge nodes are told by `origin`: each branch is a set of
-// origins, and its ends are the branches that meet there.
-std::multiset<std::set<Index>> junctions(const Indexed_cut_locus& graph)
+// The branch of each edge, between leaves and branch points, named by the smallest of `names` of the origins of its edges.
+std::vector<Index> branches(const Indexed_cut_locus& graph, const std::vector<Index>& names)
 {
-  std::vector<std::vector<Index>> incident(graph.nodes.size());
-  for(Index e = 0; e < graph.edges.size(); ++e)
-  {
-    incident[graph.edges[e].source].push_back(e);
-    incident[graph.edges[e].target].push_back(e);
-  }
-  // branches, each named by the smallest origin
+  const auto incident = incident_edges(graph);
   std::vector<Index> branch(graph.edges.size(), null_index);
   for(Index e = 0; e < graph.edges.size(); ++e)
   {
@@ -364,26 +110,33 @@ std::multiset<std::set<Index>> junctions(const Indexed_cut_locus& graph)
       continue;
     std::vector<Index> members(1, e);
     branch[e] = 0;
-    Index name = graph.edges[e].origin;
+    Index name = names[graph.edges[e].origin];
     for(std::size_t i = 0; i < members.size(); ++i)
       for(Index node : {graph.edges[members[i]].source, graph.edges[members[i]].target})
-        if(incident[node].size() == 2)
+        if(incident.size(node) == 2)
           for(Index other : incident[node])
             if(branch[other] == null_index)
             {
               branch[other] = 0;
               members.push_back(other);
-              name = (std::min)(name, graph.edges[other].origin);
+              name = (std::min)(name, names[graph.edges[other].origin]);
             }
     for(Index m : members)
       branch[m] = name;
   }
+  return branch;
+}
+
+// which branches meet at leaves and branch points
+std::multiset<std::set<Index>> junctions(const Indexed_cut_locus& graph, const std::vector<Index>& branch)
+{
+  const auto incident = incident_edges(graph);
   std::multiset<std::set<Index>> result;
-  for(const std::vector<Index>& edges : incident)
-    if(edges.size() != 2)
+  for(Index node = 0; node < graph.nodes.size(); ++node)
+    if(incident.size(node) != 2)
     {
       std::set<Index> names;
-      for(Index e : edges)
+      for(Index e : incident[node])
         names.insert(branch[e]);
       result.insert(names);
     }
@@ -447,6 +200,8 @@ void expect_sound(const Mesh& mesh, const Smoothed& s)
   EXPECT_EQ(reached, s.after.nodes.size());
 }
 
+// The nodes where the curve turns back by more than a right angle, but for pieces shorter than a twentieth of an edge: beside
+// a vertex that is on the cut locus, the curve has to pass it on one side.
 int sharp_turns(const Mesh& mesh, const Indexed_cut_locus& graph)
 {
   std::vector<std::vector<Index>> neighbors(graph.nodes.size());
@@ -608,7 +363,10 @@ TEST(Smoothing, keeps_the_topology_of_any_input)
         expect_sound(mesh, s);
         if(::testing::Test::HasFatalFailure())
           return;
-        EXPECT_EQ(junctions(s.before), junctions(s.after));
+        std::vector<Index> names(s.before.edges.size());
+        std::iota(names.begin(), names.end(), Index(0));
+        names = branches(s.before, names);
+        EXPECT_EQ(junctions(s.before, names), junctions(s.after, branches(s.after, names)));
         EXPECT_EQ(crossings(mesh, s.after), 0);
       }
 }

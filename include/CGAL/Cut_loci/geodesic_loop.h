@@ -12,7 +12,7 @@
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/face_graph/snapping_of_curves.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
-#include <CGAL/Cut_loci/surface/Local_geodesics.h>
+#include <CGAL/Cut_loci/surface/common_faces.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/location_in_part.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
@@ -55,12 +55,11 @@ Index nearest_node(const Indexed_triangle_mesh& mesh, const Cut_locus<TriangleMe
     std::sqrt(CGAL::to_double((nearest.point - p) * (nearest.point - p)) / CGAL::to_double((q - p) * (q - p)));
   const Indexed_location &a = curve.nodes[edge.source].location, &b = curve.nodes[edge.target].location;
   const Mesh_connectivity connectivity(mesh);
-  const Local_geodesics faces(mesh, connectivity);
   Indexed_location between;
-  faces.for_each_common_face(a, b,
-                             [&](Index face)
-                             {
-    const Indexed_location from = faces.in_face(a, face), to = faces.in_face(b, face);
+  for_each_common_face(mesh, connectivity, a, b,
+                       [&](Index face)
+                       {
+    const Indexed_location from = in_face(mesh, a, face), to = in_face(mesh, b, face);
     between.face = face;
     for(std::size_t i = 0; i < 3; ++i)
       between.coordinates[i] = (1. - share) * from.coordinates[i] + share * to.coordinates[i];

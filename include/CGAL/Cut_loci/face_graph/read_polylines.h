@@ -13,7 +13,7 @@
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/internal/Union_find.h>
-#include <CGAL/Cut_loci/surface/Local_geodesics.h>
+#include <CGAL/Cut_loci/surface/common_faces.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -81,7 +81,6 @@ Indexed_polylines read_polylines(const TriangleMesh& tm, const Read_triangle_mes
 inline void check_segments(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                            const Indexed_polylines& polylines)
 {
-  const Local_geodesics geodesics(mesh, connectivity);
   for(std::size_t k = 0; k + 1 < polylines.first.size(); ++k)
   {
     const std::size_t first = polylines.first[k], last = polylines.first[k + 1];
@@ -91,8 +90,8 @@ inline void check_segments(const Indexed_triangle_mesh& mesh, const Mesh_connect
     for(std::size_t i = first; i + 1 < last; ++i)
     {
       bool is_in_face = false;
-      geodesics.for_each_common_face(polylines.graph.nodes[i].location, polylines.graph.nodes[i + 1].location,
-                                     [&](Index) { is_in_face = true; });
+      for_each_common_face(mesh, connectivity, polylines.graph.nodes[i].location, polylines.graph.nodes[i + 1].location,
+                           [&](Index) { is_in_face = true; });
       if(!is_in_face)
         throw Invalid_input(Cause::INVALID_SOURCE,
                             name + ": points " + std::to_string(i - first) + " and " + std::to_string(i + 1 - first) +

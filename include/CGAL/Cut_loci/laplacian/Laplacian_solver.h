@@ -124,7 +124,7 @@ public:
   void grow_tree()
   {
     crossed_ = edges_crossed_by_ways(mesh_, connectivity_, distance_, roots_, progress_.part(0., 0.5),
-                                     nearest_source_.empty() ? &nearest_source_ : nullptr);
+                                     nearest_source_.empty() ? &nearest_source_ : nullptr, &arrivals_);
     spanning_tree_ = region_growing_tree(connectivity_, laplacian_, choose_root(), roots_.elements(), crossed_,
                                          progress_.part(0.5, 0.75));
     tree_ = spanning_tree_;
@@ -164,7 +164,8 @@ public:
     for(Index& owner : owners)
       if(owner != null_index && owner >= roots_.points().size())
         owner = null_index;
-    return smoothed_cut_locus(mesh_, connectivity_, distance_, cut_locus, parameters, progress_, owners);
+    return smoothed_cut_locus(mesh_, connectivity_, distance_, arrivals_, crossed_, cut_locus, parameters, progress_,
+                              owners);
   }
 
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
@@ -399,6 +400,7 @@ private:
   std::vector<float> slope_error_;
   float laplacian_noise_ = 0.f;
   std::vector<unsigned char> crossed_; // edges, by short ways to vertices
+  std::vector<Way_arrival> arrivals_;  // of short ways, at vertices
   Spanning_tree spanning_tree_;
   Spanning_tree tree_; // the same, thinned
   Branch_filter filter_;

@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
+#include <CGAL/Cut_loci/ways/Way_arrival.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,8 @@ class Rows_of_faces
 {
 public:
   // A row of faces, by its last one, and the corner of that opposite to the edge across which it is entered. Or a face at
-  // a source, behind which are three triples of points, for each halfedge: what stands for the source, and the ends.
+  // a source, behind which are three triples of points, for each halfedge: what stands for the source, and the ends, which
+  // tell the halfedge as `before`.
   struct Row
   {
     Planar_vector position = {{0., 0.}};
@@ -86,6 +88,7 @@ public:
         end.length += norm(end.position - from.position);
         end.previous = first;
         end.source = source;
+        end.before = h;
         add(end);
       }
     }
@@ -143,7 +146,46 @@ public:
     return (std::max)(0., (std::min)(1., share)) * edge_length(mesh_, r.entry);
   }
 
+  // how the way of a row arrives at its corner, or at an end of a halfedge at a source
+  Way_arrival arrival(Index row) const
+  {
+    const Row& r = rows_[row];
+    Way_arrival result;
+    Planar_vector along; // the halfedge that leaves the corner
+    if(is_root(row))
+    {
+      const bool is_at_end = row == r.previous + 2;
+      result.halfedge = is_at_end ? mesh_.next(r.before) : r.before;
+      along = is_at_end ? apex(mesh_, r.before) - r.position : Planar_vector{{1., 0.}};
+    }
+    else
+    {
+      result.halfedge = mesh_.previous(r.entry);
+      along = rows_[r.left].position - r.position;
+    }
+    const double distance = distance_[mesh_.source(result.halfedge)];
+    const Index from = start_of_straight_piece(row, distance);
+    const Planar_vector back = rows_[from].position - r.position;
+    result.error = std::abs(rows_[from].length + norm(back) - distance);
+    result.angle = (std::max)(0., std::atan2(cross(along, back), dot(along, back)));
+    result.straight = norm(back);
+    return result;
+  }
+
 private:
+  // A way may bend around corners only because its row has no other faces. So what it bends around last, or comes from, is
+  // that from which it would be as long as the given distance says, laid out straight.
+  Index start_of_straight_piece(Index row, double distance) const
+  {
+    Index result = rows_[row].previous;
+    const auto difference = [&](Index from)
+    { return std::abs(rows_[from].length + norm(rows_[row].position - rows_[from].position) - distance); };
+    for(Index from = result; from != null_index; from = rows_[from].previous)
+      if(difference(from) < difference(result))
+        result = from;
+    return result;
+  }
+
   // A point in the frame of a halfedge of its face, or what stands for the part of a curve that is seen across it: a point
   // so far away that what comes from it is a line, with the distances of both ends, or the corner behind if both ways come
   // from that.
@@ -165,7 +207,7 @@ private:
       result.length = behind;
       return result;
     }
-    const double radius = 1e4 * length, slope = (std::max)(-1., (std::min)(1., (b - a) / length));
+    const double radius = 1e6 * length, slope = (std::max)(-1., (std::min)(1., (b - a) / length));
     result.position = {{-radius * slope, radius * std::sqrt(1. - slope * slope)}};
     result.length = a - radius;
     return result;

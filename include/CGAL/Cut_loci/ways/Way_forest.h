@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/ways/Rows_of_faces.h>
 #include <CGAL/Cut_loci/ways/Source_roots.h>
+#include <CGAL/Cut_loci/ways/Way_arrival.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
@@ -99,7 +100,8 @@ public:
         if(entrance.halfedge != null_index)
           break;
         entrance = {rows_[row].entry, rows_.entrance(row)};
-        result.is_crossed[connectivity_.edge_of_halfedge[entrance.halfedge]] = 1;
+        const Index edge = connectivity_.edge_of_halfedge[entrance.halfedge];
+        result.is_crossed[edge] = connectivity_.halfedge_of_edge[edge] == entrance.halfedge ? 1 : 2;
       }
     return result;
   }
@@ -110,6 +112,14 @@ public:
     std::vector<Index> result;
     for(Index row : way_)
       result.push_back(row != null_index ? rows_[row].source : null_index);
+    return result;
+  }
+
+  std::vector<Way_arrival> arrivals() const
+  {
+    std::vector<Way_arrival> result;
+    for(Index row : way_)
+      result.push_back(row != null_index ? rows_.arrival(row) : Way_arrival());
     return result;
   }
 
@@ -320,19 +330,24 @@ private:
  *
  * @param nearest_sources if not null, becomes the number of the source from which the way to each vertex comes, or
  *        `null_index`; empty if there is one source
+ * @param arrivals if not null, becomes how the way to each vertex arrives
  *
- * @return 1 for each edge of `connectivity` that is crossed, 0 for the others
+ * @return for each edge of `connectivity`, 1 if it is crossed into the face of its `halfedge_of_edge`, 2 if into the other
+ *         one, 0 if it is not
  */
 inline std::vector<unsigned char> edges_crossed_by_ways(const Indexed_triangle_mesh& mesh,
                                                         const Mesh_connectivity& connectivity,
                                                         const std::vector<double>& distance, const Source_roots& roots,
                                                         const internal::Progress& progress = {},
-                                                        std::vector<Index>* nearest_sources = nullptr)
+                                                        std::vector<Index>* nearest_sources = nullptr,
+                                                        std::vector<Way_arrival>* arrivals = nullptr)
 {
   internal::Way_forest forest(mesh, connectivity, roots, distance);
   forest.grow(progress);
   if(nearest_sources != nullptr)
     *nearest_sources = roots.number_of_sources() > 1 ? forest.nearest_sources() : std::vector<Index>();
+  if(arrivals != nullptr)
+    *arrivals = forest.arrivals();
   return forest.ways([](Index) { return true; }).is_crossed;
 }
 
