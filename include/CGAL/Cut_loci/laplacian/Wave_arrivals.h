@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <tuple>
 #include <vector>
@@ -126,6 +127,8 @@ private:
     Way_arrival& best = arrivals_[v];
     if(best.halfedge == null_index)
       best.error = (std::numeric_limits<double>::infinity)();
+    else if(best.length <= distance_[v])
+      best.error = 0.;
     for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
       if(const Index h = connectivity_.ring_halfedge[k]; mesh_.source(h) == v)
         look_at(h, best);
@@ -142,7 +145,7 @@ private:
     {
       const double straight = norm(from), error = std::abs(before + straight - given);
       if(error + 1e-9 * given < best.error) // more than rounding
-        best = {h, std::atan2(from[1], from[0]), straight, error};
+        best = {h, std::atan2(from[1], from[0]), straight, given, error};
     };
     if(is_right_known)
       offer(right, of_right);
@@ -166,6 +169,40 @@ private:
   std::vector<Way_arrival> arrivals_;
   std::vector<Index> side_;
 };
+
+// By how much given distances disagree with what their neighbors say of them, at half of the vertices of a graph at least.
+inline double disagreement(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                           const std::vector<double>& distance, const Indexed_cut_locus& graph)
+{
+  const std::vector<Way_arrival> no_ways(mesh.number_of_vertices());
+  const Wave_arrivals arrivals(mesh, connectivity, distance, no_ways, graph);
+  std::vector<double> errors;
+  for(const Indexed_cut_locus::Node& node : graph.nodes)
+    errors.push_back(arrivals[node.vertex].error);
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  return *middle;
+}
+
+// The distances by which a curve is placed. No distance is longer than a way; but what is shorter may be so as the solver
+// smoothes the distances, at the cut locus most of all. Then these do not agree with each other there, and the lengths of the
+// ways do: heat's disagree by twice as much at least, exact ones by half as much, if ways are longer as they bend.
+inline std::vector<double> distances_or_lengths(const Indexed_triangle_mesh& mesh,
+                                                const Mesh_connectivity& connectivity,
+                                                const std::vector<double>& distance,
+                                                const std::vector<Way_arrival>& ways, const Indexed_cut_locus& graph)
+{
+  std::vector<double> lengths = distance, shortest = distance;
+  for(Index v = 0; v < ways.size(); ++v)
+    if(ways[v].halfedge != null_index)
+    {
+      lengths[v] = ways[v].length;
+      shortest[v] = (std::min)(lengths[v], distance[v]);
+    }
+  return disagreement(mesh, connectivity, shortest, graph) <= disagreement(mesh, connectivity, lengths, graph)
+           ? shortest
+           : lengths;
+}
 
 } // namespace internal
 } // namespace Cut_loci

@@ -166,6 +166,7 @@ public:
     const double distance = distance_[mesh_.source(result.halfedge)];
     const Index from = start_of_straight_piece(row, distance);
     const Planar_vector back = rows_[from].position - r.position;
+    result.length = r.length + r.late;
     result.error = std::abs(rows_[from].length + norm(back) - distance);
     result.angle = (std::max)(0., std::atan2(cross(along, back), dot(along, back)));
     result.straight = norm(back);

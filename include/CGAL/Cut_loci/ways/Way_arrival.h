@@ -23,6 +23,7 @@ struct Way_arrival
   Index halfedge = null_index; ///< leaves the vertex, in the face through which the way comes; null if there is none
   double angle = 0.;           ///< from there counterclockwise to the way
   double straight = 0.;        ///< length of the last straight piece
+  double length = 0.;          ///< of the whole way
   double error = 0.;           ///< by which the way is longer or shorter than given
 };
 
