@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/laplacian/smoothing.h>
 #include <CGAL/Cut_loci/surface/insert_vertex.h>
 #include <CGAL/Graph_geodesic_solver.h>
+#include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
 
@@ -200,8 +201,7 @@ void expect_sound(const Mesh& mesh, const Smoothed& s)
   EXPECT_EQ(reached, s.after.nodes.size());
 }
 
-// The nodes where the curve turns back by more than a right angle, but for pieces shorter than a twentieth of an edge: beside
-// a vertex that is on the cut locus, the curve has to pass it on one side.
+// the nodes where the curve turns back by more than a right angle
 int sharp_turns(const Mesh& mesh, const Indexed_cut_locus& graph)
 {
   std::vector<std::vector<Index>> neighbors(graph.nodes.size());
@@ -325,6 +325,20 @@ TEST(Smoothing, comes_closer_to_the_closed_form)
     EXPECT_LE(after, before / 3.);
     EXPECT_LE(after, 0.8 * previous);
     previous = after;
+  }
+}
+
+// Distances of heat are smoothed, most of all at the cut locus, and those of the graph are too long: both are off by more than the
+// lengths of ways, which place the curve.
+TEST(Smoothing, comes_closer_than_given_distances)
+{
+  const Mesh mesh = irregular_torus(120, 48);
+  const double h = Mesh_connectivity(mesh).mean_edge_length;
+  for(const Smoothed& s : {smoothed<CGAL::Graph_geodesic_solver>(mesh, 24, 0.7),
+                           smoothed<CGAL::Heat_method_geodesic_solver<>>(mesh, 24, 0.7)})
+  {
+    expect_sound(mesh, s);
+    EXPECT_LT(mean_error_on_torus(mesh, s.after), 0.1 * h);
   }
 }
 
