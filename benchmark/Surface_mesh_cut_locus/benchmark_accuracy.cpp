@@ -52,7 +52,7 @@ void run(const std::string& solver_name, const Solver& solver, const Case& test,
   CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(
     mesh, params::geodesic_solver(solver).cut_locus_method(CGAL::Cut_loci::Method::LAPLACIAN));
   cut_loci.set_source(source);
-  const double angle = t.angle.value_or(cut_loci.gradient_angle_threshold());
+  const double angle = t.angle.value_or(cut_loci.default_gradient_angle_threshold());
   const double laplacian = t.laplacian.value_or(-1e300);
   const Polylines truth = test.truth(h / 5.);
   for(unsigned int iterations : t.smoothing)

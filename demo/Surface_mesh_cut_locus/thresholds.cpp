@@ -60,7 +60,7 @@ Options fill_in_defaults(Options options, const Cut_locus_solver& solver)
   const bool is_laplacian = options.method == Method::LAPLACIAN;
   if(is_laplacian)
   {
-    fill_in(options.angle, solver.gradient_angle_threshold());
+    fill_in(options.angle, solver.default_gradient_angle_threshold());
     fill_in(options.grow, false);
     fill_in(options.smoothing, curve_parameters(options).iterations);
   }
@@ -92,7 +92,7 @@ Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solve
       options, solver,
       part.minimum_branch_edges(options.minimum_branch_edges.value_or(0)).cut_locus_curve(curve.curve));
   return solver.cut_locus(
-    part.gradient_angle_threshold(options.angle.value_or(solver.gradient_angle_threshold()))
+    part.gradient_angle_threshold(options.angle.value_or(solver.default_gradient_angle_threshold()))
       .laplacian_threshold(options.laplacian.value_or(-std::numeric_limits<double>::infinity()))
       .filter_policy(options.grow.value_or(false) ? Filter_policy::GROWING : Filter_policy::PRUNING)
       .minimum_branch_edges(options.minimum_branch_edges.value_or(solver.default_minimum_branch_edges()))

@@ -41,7 +41,7 @@ int main(int argc, char* argv[])
 
   CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Method::LAPLACIAN));
   solver.set_source(*mesh.vertices().begin());
-  for(const double angle : {0.1, 0.4, solver.gradient_angle_threshold(), 1.5}) // radians
+  for(const double angle : {0.1, 0.4, solver.default_gradient_angle_threshold(), 1.5}) // radians
     describe("shortest paths meet at " + std::to_string(angle) + " or more",
              solver.cut_locus(params::gradient_angle_threshold(angle)));
   describe("the Laplacian is at most -0.5, for edges of the length 1",

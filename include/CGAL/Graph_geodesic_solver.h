@@ -39,6 +39,9 @@ namespace CGAL {
 class Graph_geodesic_solver
 {
 public:
+  /// paths in the graph are longer than those on the surface
+  static bool is_approximate() { return true; }
+
   void set_mesh(const Cut_loci::Indexed_triangle_mesh& mesh)
   {
     mesh_ = &mesh;

@@ -40,9 +40,8 @@ template <typename Mode = Heat_method_3::Intrinsic_Delaunay>
 class Heat_method_geodesic_solver
 {
 public:
-  /// the default of the parameter `gradient_angle_threshold`, in radians: lower than with exact distances, since the
-  /// heat method smooths the cut locus and narrows the angles there
-  static double gradient_angle_threshold() { return 0.4; }
+  /// heat smooths distances, most of all at the cut locus
+  static bool is_approximate() { return true; }
 
   void set_mesh(const Cut_loci::Indexed_triangle_mesh& mesh)
   {

@@ -418,7 +418,7 @@ public:
    *     \cgalParamDescription{the angle at which shortest paths must meet, in radians in [0, pi]; a larger one
    *                           removes weaker branches}
    *     \cgalParamType{`double`}
-   *     \cgalParamDefault{`default_gradient_angle_threshold()`, unless the geodesic solver asks for another one}
+   *     \cgalParamDefault{`default_gradient_angle_threshold()`}
    *     \cgalParamExtra{for `Cut_loci::Method::LAPLACIAN` only}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{laplacian_threshold}
@@ -514,9 +514,10 @@ public:
     {
       Cut_loci::Smoothing_parameters smoothing;
       smoothing.number_of_iterations = static_cast<Index>(curve.iterations);
-      found = component_->laplacian->filter(
-        read_branch_thresholds(np, source_angle_threshold_, default_minimum_branch_edges(), component_->diagonal),
-        smoothing, read_kept_parts(np));
+      found =
+        component_->laplacian->filter(read_branch_thresholds(np, default_gradient_angle_threshold(),
+                                                             default_minimum_branch_edges(), component_->diagonal),
+                                      smoothing, read_kept_parts(np));
     }
     else
     {
@@ -538,8 +539,6 @@ public:
   {
     return Cut_loci::internal::Laplacian_method::default_gradient_angle_threshold();
   }
-  /// the default of `gradient_angle_threshold` for the current source: the geodesic solver may ask for one of its own
-  double gradient_angle_threshold() const { return source_angle_threshold_; }
   /// the default of `minimum_branch_width` for the current source, if it has one: for paths as long as the surface. On noisy
   /// meshes shorter ones need less by default, while a number that is given is for all.
   double minimum_branch_width() const
@@ -657,9 +656,6 @@ private:
     source_result_.reset();
     method_ = method;
     constexpr bool runs_solver = !Cut_loci::internal::is_given<NamedParameters, internal_np::vertex_distance_map_t>();
-    source_angle_threshold_ = runs_solver && solver_.gradient_angle_threshold() > 0.
-                                ? solver_.gradient_angle_threshold()
-                                : default_gradient_angle_threshold();
     Component& component = component_at(
       (*component_of_face_)[points.empty() ? curves.front().halfedges.front() / 3 : points.front().location.face],
       method);
@@ -741,7 +737,8 @@ private:
     std::vector<double> distance;
     std::vector<Index> nearest;
     compute_distances(component, distance, nearest, map);
-    solver.set_distance(points_, curves_, std::move(distance), std::move(nearest));
+    constexpr bool is_map = !std::is_same<VertexDistanceMap, internal_np::Param_not_found>::value;
+    solver.set_distance(points_, curves_, std::move(distance), std::move(nearest), !is_map && solver_.is_approximate());
   }
 
   // The package's own solver also finds the directions.
@@ -833,7 +830,6 @@ private:
   std::vector<Cut_loci::Indexed_source> points_; // in their component, and
   std::vector<Cut_loci::Indexed_curve> curves_;
   double maximum_relative_error_ = 0.; // of their distances
-  double source_angle_threshold_ = default_gradient_angle_threshold();
   std::shared_ptr<const Cut_loci::internal::Source_result> source_result_;
 };
 

@@ -287,7 +287,7 @@ PYBIND11_MODULE(_core, m)
     // they wait for what runs, as it may change them
     .def_property_readonly("method", [](Computation& c) { return c.exclusive.run([&] { return c.solver->method(); }); })
     .def_property_readonly("gradient_angle_threshold", [](Computation& c)
-                           { return c.exclusive.run([&] { return c.solver->gradient_angle_threshold(); }); })
+                           { return c.exclusive.run([&] { return c.solver->default_gradient_angle_threshold(); }); })
     .def_property_readonly("minimum_branch_width", [](Computation& c)
                            { return c.exclusive.run([&] { return c.solver->minimum_branch_width(); }); })
     .def_property_readonly("minimum_branch_gap", [](Computation& c)

@@ -115,7 +115,7 @@ Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t, Curve curve
 Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& t, std::size_t iterations)
 {
   return solver.cut_locus(
-    np::gradient_angle_threshold(t.gradient_angle_threshold.value_or(solver.gradient_angle_threshold()))
+    np::gradient_angle_threshold(t.gradient_angle_threshold.value_or(solver.default_gradient_angle_threshold()))
       .laplacian_threshold(t.laplacian_threshold.value_or(-std::numeric_limits<double>::infinity()))
       .filter_policy(t.filter_policy.value_or(Filter_policy::PRUNING))
       .minimum_branch_edges(t.minimum_branch_edges.value_or(static_cast<long>(Solver::default_minimum_branch_edges())))

@@ -198,8 +198,8 @@ def test_own_distances_to_curves(curve):
         result = cut_locus.compute(points, faces, source_curves=[first, last], distances=distances, curve=curve)
         assert result.method == "laplacian" and np.array_equal(result.vertex_distance, distances)
         assert result.cycles == 1 and np.all(result.edge_sources == [0, 1])
-        # edges have the length 1
-        assert np.median(result.points[:, 2]) == middle and np.all(np.abs(result.points[:, 2] - middle) <= 1.)
+        # edges have the length 1; through faces, nodes keep off vertices by a few millionths of that
+        assert abs(np.median(result.points[:, 2]) - middle) <= 1e-5 and np.all(np.abs(result.points[:, 2] - middle) <= 1.)
         assert np.all(result.nearest_source[height < middle] == 0) and np.all(result.nearest_source[height > middle] == 1)
 
 

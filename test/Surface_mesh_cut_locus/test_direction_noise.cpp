@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <limits>
 #include <random>
+#include <set>
 
 namespace test_direction_noise {
 
@@ -205,6 +206,32 @@ TEST(Direction_noise, limbs_of_coarse_bodies)
       const Index source = static_cast<Index>(nearest_vertex(mesh.points, {{0.58, 0.58, 0.58}}));
       EXPECT_EQ(leaves(Solved(mesh, at_vertex(mesh, source)).through_faces()).size(), 6u);
     }
+  }
+}
+
+// What is around almost a full turn is a limb, and steps of voxels do not make it one that noise explains.
+TEST(Direction_noise, limbs_of_voxels)
+{
+  for(int radius : {2, 4})
+  {
+    SCOPED_TRACE(radius);
+    std::set<Voxel> voxels;
+    for(int x = -12; x < 12; ++x)
+      for(int y = -12; y < 12; ++y)
+        for(int z = -12; z < 40; ++z)
+        {
+          const double square = (x + 0.5) * (x + 0.5) + (y + 0.5) * (y + 0.5);
+          if(square + (z + 0.5) * (z + 0.5) < 144. || (z > 0 && square < radius * radius))
+            voxels.insert({{x, y, z}});
+        }
+    const Indexed_triangle_mesh mesh = indexed(voxel_surface(voxels, 1));
+    const Index source = static_cast<Index>(nearest_vertex(mesh.points, {{9., 3., -8.}}));
+    const auto curve = Solved(mesh, at_vertex(mesh, source)).through_faces();
+    double top = 0.;
+    for(const Vector& p : nodes(mesh, curve))
+      top = (std::max)(top, p[2]);
+    EXPECT_GT(top, 39.);
+    EXPECT_LE(leaves(curve).size(), 6u);
   }
 }
 

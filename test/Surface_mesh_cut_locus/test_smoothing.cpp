@@ -85,7 +85,8 @@ Smoothed smoothed(const Mesh& mesh, Index source_vertex, double angle, Index ite
   solver.set_mesh(mesh);
   std::vector<double> distance;
   solver.compute_distances(source, distance);
-  component.set_distance({source}, distance);
+  component.set_distance({source}, distance, {},
+                         CGAL::Cut_loci::internal::Geodesic_solver_handle(solver).is_approximate());
   component.compute_strengths();
   component.grow_tree();
   component.close_cycles();

@@ -66,8 +66,9 @@ public:
                          const std::vector<CGAL::Cut_loci::Indexed_curve>& curves, std::vector<double>& distances);
 
   /*!
-   * returns the default of the parameter `gradient_angle_threshold` of `CGAL::Surface_mesh_cut_locus::cut_locus()` for
-   * distances of this solver, in radians. This function is optional.
+   * returns whether lengths of short ways through the faces are closer to the distances on the surface than what this
+   * solver computes. Then the latter only lead to the ways, and the lengths take their place. This function is
+   * optional: without it, the distances are taken as they are.
    */
-  static double gradient_angle_threshold();
+  static bool is_approximate();
 };

@@ -205,7 +205,7 @@ void Session::read_source(const Cut_locus& cut_locus)
                     cut_locus.distance(farthest),
                     double(cut_locus.number_of_border_loops()),
                     double(cut_locus.genus()),
-                    solver_->gradient_angle_threshold(),
+                    solver_->default_gradient_angle_threshold(),
                     default_width(),
                     double(cut_locus.number_of_sources())};
   for(std::size_t i = 0; i < points_.size(); ++i)

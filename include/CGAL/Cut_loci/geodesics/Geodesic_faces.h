@@ -144,13 +144,9 @@ public:
   /// the angle of `h` in the unrolled tangent plane of its source, counterclockwise from the first halfedge
   double angle_around_source(Index h) const
   {
-    const Index first = first_[source(h)];
     double sum = 0.;
-    while(h != first)
-    {
-      h = previous_around_source(h);
-      sum += angle(h);
-    }
+    for(Index g = first_[source(h)]; g != h; g = next_around_source(g))
+      sum += angle(g);
     return sum;
   }
 

@@ -54,21 +54,21 @@ public:
   void report_to(const Progress& progress) override { progress_ = progress; }
 
   void set_distance(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
-                    std::vector<double> distance, std::vector<Index> nearest) override
+                    std::vector<double> distance, std::vector<Index> nearest, bool is_approximate) override
   {
     pieces_.clear();
     beside_.reset();
     number_of_sources_ = points.size() + curves.size();
     if(curves.empty())
     {
-      whole_->set_distance(points, std::move(distance), std::move(nearest));
+      whole_->set_distance(points, std::move(distance), std::move(nearest), is_approximate);
       return;
     }
     beside_.reset(new Mesh_beside_curves(mesh_, static_cast<Index>(points.size()), curves));
     beside_->check_gaps(Laplacian_solver::remedy());
     points_ = points;
+    is_approximate_ = is_approximate;
     distance_ = beside_->distances(distance);
-    farthest_ = static_cast<Index>(std::max_element(distance_.begin(), distance_.end()) - distance_.begin());
   }
 
   void compute_strengths() override
@@ -80,6 +80,8 @@ public:
       progress_ = all.part(0.7, 1.);
     }
     for_each_solver([](Laplacian_solver& solver) { solver.compute_strengths(); });
+    if(has_curves())
+      collect_distances();
   }
   void grow_tree() override
   {
@@ -134,8 +136,8 @@ private:
     std::unique_ptr<Laplacian_solver> solver;
 
     Piece(const Mesh_beside_curves& beside, const std::vector<Index>& piece_of_face, Index id,
-          const std::vector<Indexed_source>& points, const std::vector<double>& distance, Laplacian_operator type,
-          const Progress& progress)
+          const std::vector<Indexed_source>& points, const std::vector<double>& distance, bool is_approximate,
+          Laplacian_operator type, const Progress& progress)
       : part(extract_component(beside.mesh(), piece_of_face, id)),
         solver(new Laplacian_solver(part.mesh, type, {}, progress))
     {
@@ -155,7 +157,7 @@ private:
         distance_here.push_back(distance[v]);
       solver->set_distance(Source_roots(part.mesh, solver->connectivity(), points_here,
                                         Source_parts(part.mesh, std::move(source_of_halfedge)), names),
-                           std::move(distance_here));
+                           std::move(distance_here), {}, is_approximate);
     }
 
     // in the mesh of which this is a component
@@ -184,9 +186,18 @@ private:
     Index n = 0;
     const std::vector<Index> piece_of_face = face_components(beside_->mesh(), n);
     for(Index i = 0; i < n; ++i)
-      pieces_.emplace_back(new Piece(*beside_, piece_of_face, i, points_, distance_, type_,
+      pieces_.emplace_back(new Piece(*beside_, piece_of_face, i, points_, distance_, is_approximate_, type_,
                                      progress.part(double(i) / double(n), double(i + 1) / double(n))));
+  }
+
+  // on both sides of the curves they are equal
+  void collect_distances()
+  {
     distance_.resize(mesh_.number_of_vertices());
+    for(const auto& piece : pieces_)
+      for(Index v = 0; v < piece->part.vertices.size(); ++v)
+        distance_[beside_->vertex(piece->part.vertices[v])] = piece->solver->distance()[v];
+    farthest_ = static_cast<Index>(std::max_element(distance_.begin(), distance_.end()) - distance_.begin());
   }
 
   template <typename Function>
@@ -239,6 +250,7 @@ private:
   std::vector<std::unique_ptr<Piece>> pieces_; // of that
   std::vector<Indexed_source> points_;
   std::vector<double> distance_; // if there are curves; until there are pieces, on the mesh that is cut open
+  bool is_approximate_ = false;
   Index farthest_ = null_index;
   std::size_t number_of_sources_ = 0;
   Progress progress_;

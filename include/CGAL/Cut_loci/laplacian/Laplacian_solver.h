@@ -67,8 +67,10 @@ public:
   void report_to(const Progress& progress) { progress_ = progress; }
 
   // once per source, in three parts; `nearest` are the nearest sources of the vertices, if they are known
-  void set_distance(const Source_roots& roots, std::vector<double> distance, std::vector<Index> nearest = {})
+  void set_distance(const Source_roots& roots, std::vector<double> distance, std::vector<Index> nearest = {},
+                    bool is_approximate = false)
   {
+    is_approximate_ = is_approximate;
     roots_ = roots;
     nearest_source_ = std::move(nearest);
     if(const Index i = roots_.first_without_face(); i != null_index)
@@ -81,16 +83,17 @@ public:
     for(Index v = 0; v < distance_.size(); ++v)
       if(roots_.parts().is_at_source(v))
         is_source_[v] = 1;
-    find_farthest();
   }
   void set_distance(const std::vector<Indexed_source>& points, std::vector<double> distance,
-                    std::vector<Index> nearest = {})
+                    std::vector<Index> nearest = {}, bool is_approximate = false)
   {
-    set_distance(Source_roots(mesh_, connectivity_, points), std::move(distance), std::move(nearest));
+    set_distance(Source_roots(mesh_, connectivity_, points), std::move(distance), std::move(nearest), is_approximate);
   }
 
   void compute_strengths()
   {
+    grow_forest(progress_.part(0., 0.3));
+    find_farthest();
     const Eigen::Map<const Eigen::VectorXd> d(distance_.data(), static_cast<Eigen::Index>(distance_.size()));
     Eigen::VectorXd gradient = operators_.gradient * d;
     for(Index v : vertices_that_see_a_source())
@@ -123,12 +126,10 @@ public:
 
   void grow_tree()
   {
-    crossed_ = edges_crossed_by_ways(mesh_, connectivity_, distance_, roots_, progress_.part(0., 0.5),
-                                     nearest_source_.empty() ? &nearest_source_ : nullptr, &arrivals_);
     spanning_tree_ = region_growing_tree(connectivity_, laplacian_, choose_root(), roots_.elements(), crossed_,
-                                         progress_.part(0.5, 0.75));
+                                         progress_.part(0., 0.5));
     tree_ = spanning_tree_;
-    thin(tree_, connectivity_, laplacian_, 2, progress_.part(0.75, 1.));
+    thin(tree_, connectivity_, laplacian_, 2, progress_.part(0.5, 1.));
   }
 
   // What the homology demands is found once per source, whatever the thresholds.
@@ -200,6 +201,17 @@ public:
   }
 
 private:
+  // The ways on the surface to which the distances lead. Those of heat are smoothed, at the cut locus most of all, and those on
+  // a graph are longer: there, the lengths of the ways tell more, and take their place.
+  void grow_forest(const Progress& progress)
+  {
+    crossed_ = edges_crossed_by_ways(mesh_, connectivity_, distance_, roots_, progress,
+                                     nearest_source_.empty() ? &nearest_source_ : nullptr, &arrivals_);
+    for(Index v = 0; v < arrivals_.size() && is_approximate_; ++v)
+      if(arrivals_[v].halfedge != null_index && !is_source_[v])
+        distance_[v] = arrivals_[v].length;
+  }
+
   // A source is not it even if all distances are equal, unless all vertices are sources.
   void find_farthest()
   {
@@ -395,6 +407,7 @@ private:
   Source_roots roots_;
   std::vector<unsigned char> is_source_; // vertices
   std::vector<double> distance_;
+  bool is_approximate_ = false;
   Index farthest_ = null_index;
   std::vector<float> angle_, laplacian_;
   std::vector<float> slope_error_;

@@ -170,45 +170,6 @@ private:
   std::vector<Index> side_;
 };
 
-// By how much given distances disagree with what their neighbors say of them, at half of the vertices of a graph at least.
-inline double disagreement(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                           const std::vector<double>& distance, const Indexed_cut_locus& graph)
-{
-  const std::vector<Way_arrival> no_ways(mesh.number_of_vertices());
-  const Wave_arrivals arrivals(mesh, connectivity, distance, no_ways, graph);
-  std::vector<double> errors;
-  for(const Indexed_cut_locus::Node& node : graph.nodes)
-    errors.push_back(arrivals[node.vertex].error);
-  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-  std::nth_element(errors.begin(), middle, errors.end());
-  return *middle;
-}
-
-// The distances by which a curve is placed. No distance is longer than a way: those that nowhere are by more than a curve shows may
-// be exact, and stay. Others are wrong; what is shorter may be so, too, as the solver smoothes the distances, at the cut locus
-// most of all. Then these do not agree with each other there, and the lengths of the ways do: heat's disagree by twice as much at
-// least.
-inline std::vector<double> distances_or_lengths(const Indexed_triangle_mesh& mesh,
-                                                const Mesh_connectivity& connectivity,
-                                                const std::vector<double>& distance,
-                                                const std::vector<Way_arrival>& ways, const Indexed_cut_locus& graph)
-{
-  std::vector<double> lengths = distance, shortest = distance;
-  double longer = 0.;
-  for(Index v = 0; v < ways.size(); ++v)
-    if(ways[v].halfedge != null_index)
-    {
-      lengths[v] = ways[v].length;
-      shortest[v] = (std::min)(lengths[v], distance[v]);
-      longer = (std::max)(longer, distance[v] - lengths[v]);
-    }
-  if(longer <= 0.01 * connectivity.mean_edge_length)
-    return distance;
-  return disagreement(mesh, connectivity, shortest, graph) <= disagreement(mesh, connectivity, lengths, graph)
-           ? shortest
-           : lengths;
-}
-
 } // namespace internal
 } // namespace Cut_loci
 } // namespace CGAL

@@ -38,8 +38,8 @@ public:
                      const std::vector<unsigned char>& crossed, const Indexed_cut_locus& input,
                      const std::vector<Index>& source_of_face)
     : mesh_(mesh), connectivity_(connectivity), distance_(distance), ways_(mesh, connectivity, ways, crossed),
-      input_(input), placing_(distances_or_lengths(mesh, connectivity, distance, ways, input)),
-      arrivals_(mesh, connectivity, placing_, ways, input), curve_(mesh, connectivity, arrivals_, input, source_of_face)
+      input_(input), arrivals_(mesh, connectivity, distance, ways, input),
+      curve_(mesh, connectivity, arrivals_, input, source_of_face)
   {
     for(const Point& p : curve_.points())
       places_.push_back(place_of(p));
@@ -105,8 +105,8 @@ private:
   void set_balance(const Point& p, Place& place) const
   {
     const Index v = p.vertex, w = connectivity_.ring_vertex[p.entry];
-    const Wave_past_vertex from_here(mesh_, connectivity_, arrivals_[v], placing_[v], p.entry);
-    const Wave_past_vertex from_there(mesh_, connectivity_, arrivals_[w], placing_[w],
+    const Wave_past_vertex from_here(mesh_, connectivity_, arrivals_[v], distance_[v], p.entry);
+    const Wave_past_vertex from_there(mesh_, connectivity_, arrivals_[w], distance_[w],
                                       connectivity_.ring_reverse[p.entry]);
     const double length = edge_length(mesh_, place.halfedge);
     const auto difference = [&](double share) { return from_here(share * length) - from_there((1. - share) * length); };
@@ -225,7 +225,6 @@ private:
   const std::vector<double>& distance_;
   Ways_across_edges ways_;
   const Indexed_cut_locus& input_;
-  std::vector<double> placing_; // distances by which points are placed
   Wave_arrivals arrivals_;
   Curve_beside_vertices curve_;
   std::vector<Place> places_; // of its points
@@ -250,7 +249,7 @@ private:
  * The scheme is that of Mancinelli, Livesu and Puppo \cgalCite{cgal:mlp-pccld-21}: nodes move in iterations, and a
  * relaxation comes last. In the paper, the step is the component of the gradient along the normal; but a gradient
  * estimated across the cut locus averages both sides. Here a node moves to where the distances of both ends of its edge,
- * taken straight on along their paths, are equal. Of given distances that are smoothed, as those of heat, the lengths of ways stand in. So the damping leaves 0.5 of the way at first, and half of that with each
+ * taken straight on along their paths, are equal. So the damping leaves 0.5 of the way at first, and half of that with each
  * iteration, where the paper's takes it. Where the paths do not converge, the node follows its neighbors.
  *
  * @param distance the distance of each vertex to the source

@@ -31,26 +31,25 @@ public:
 
   template <typename Solver>
   explicit Geodesic_solver_handle(const Solver& solver)
-    : model_(new Model<Solver>(solver)), gradient_angle_threshold_(own_threshold<Solver>(0)),
-      method_(own_method<Solver>(0))
+    : model_(new Model<Solver>(solver)), method_(own_method<Solver>(0)), is_approximate_(own_approximation<Solver>(0))
   {
   }
 
   Geodesic_solver_handle(Geodesic_solver_handle&&) = default;
   Geodesic_solver_handle& operator=(Geodesic_solver_handle&&) = default;
   Geodesic_solver_handle(const Geodesic_solver_handle& other)
-    : model_(other.model_ ? other.model_->copy() : nullptr), mesh_(other.mesh_),
-      gradient_angle_threshold_(other.gradient_angle_threshold_), method_(other.method_)
+    : model_(other.model_ ? other.model_->copy() : nullptr), mesh_(other.mesh_), method_(other.method_),
+      is_approximate_(other.is_approximate_)
   {
   }
 
   bool empty() const { return !model_; }
 
-  // the default that the solver asks for, or 0
-  double gradient_angle_threshold() const { return gradient_angle_threshold_; }
-
   // the method for distances of this solver
   Method cut_locus_method() const { return method_; }
+
+  // whether the solver says that its distances are
+  bool is_approximate() const { return is_approximate_; }
 
   // a solver of the same kind for another mesh, which must stay where it is; the progress is that of distances
   Geodesic_solver_handle bound_to(const Indexed_triangle_mesh& mesh, const Progress& progress) const
@@ -198,17 +197,6 @@ private:
   }
 
   template <typename Solver>
-  static auto own_threshold(int) -> decltype(double(Solver::gradient_angle_threshold())) // if it has that
-  {
-    return Solver::gradient_angle_threshold();
-  }
-  template <typename Solver>
-  static double own_threshold(long)
-  {
-    return 0.;
-  }
-
-  template <typename Solver>
   static auto own_method(int) -> decltype(Method(Solver::cut_locus_method())) // if it has that
   {
     return Solver::cut_locus_method();
@@ -218,6 +206,17 @@ private:
   {
     return Method::LAPLACIAN;
   } // takes any distances
+
+  template <typename Solver>
+  static auto own_approximation(int) -> decltype(bool(Solver::is_approximate())) // if it has that
+  {
+    return Solver::is_approximate();
+  }
+  template <typename Solver>
+  static bool own_approximation(long)
+  {
+    return false;
+  }
 
   template <typename Solver>
   static auto set_own_error(Solver& solver, double error, int)
@@ -256,8 +255,8 @@ private:
 
   std::unique_ptr<Concept> model_;
   const Indexed_triangle_mesh* mesh_ = nullptr; // if it is bound to one
-  double gradient_angle_threshold_ = 0.;
   Method method_ = Method::LAPLACIAN;
+  bool is_approximate_ = false;
 };
 
 } // namespace internal

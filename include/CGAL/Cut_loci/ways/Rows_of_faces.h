@@ -175,15 +175,20 @@ public:
 
 private:
   // A way may bend around corners only because its row has no other faces. So what it bends around last, or comes from, is
-  // that from which it would be as long as the given distance says, laid out straight.
+  // that from which it would be as long as the given distance says, laid out straight; the farthest of those that agree but
+  // for rounding, as what the way just touches is no bend.
   Index start_of_straight_piece(Index row, double distance) const
   {
     Index result = rows_[row].previous;
     const auto difference = [&](Index from)
     { return std::abs(rows_[from].length + norm(rows_[row].position - rows_[from].position) - distance); };
+    double least = difference(result);
     for(Index from = result; from != null_index; from = rows_[from].previous)
-      if(difference(from) < difference(result))
+      if(const double d = difference(from); d <= least + 1e-9 * distance)
+      {
         result = from;
+        least = (std::min)(least, d);
+      }
     return result;
   }
 
