@@ -492,8 +492,9 @@ public:
    *
    * In each face, an isoline consists of arcs of circles, around the images of the sources and of the vertices at which
    * paths bend. The vertices of the polylines have the distance of their level exactly, up to rounding, and between them
-   * they are chords. From sources that are curves, they have it up to about `2e-7` of the longest edge of the curves, beside
-   * a border of many edges up to `4e-5` of it. The isolines of a level bound what is nearer: each is closed, or leads from
+   * they are chords. From sources that are curves, they have it up to about `2e-7` of the longest edge of the curves, whose
+   * waves are circles around points that are far away, and up to `4e-5` of it beside a few vertices, as rounding at that
+   * distance leaves gaps between windows that are as wide as its root. The isolines of a level bound what is nearer: each is closed, or leads from
    * border to border, and two meet nowhere but at a vertex that has the level up to rounding. Where the level is exactly that
    * of a vertex, the vertex is not nearer.
    *
