@@ -108,7 +108,7 @@ void compare(const std::string& file, int trials, int cgal_trials)
   const Times directed = time_ours(mesh, source, true, false, trials, distances, windows);
   const Times centroids = time_ours(mesh, source, false, true, trials, distances, windows);
   std::printf("%s: %zu faces, %.2f M windows\n", file.c_str(), std::size_t(num_faces(mesh)), windows * 1e-6);
-  std::printf("  mesh to distances                 %8.4f s (of it reading the mesh %.4f; one more source %.4f)\n",
+  std::printf("  mesh to distances                 %8.5f s (of it reading the mesh %.5f; one more source %.5f)\n",
               plain.total, plain.read, plain.again);
   std::printf("  mesh to distances and directions  %8.4f s\n", directed.total);
   std::printf("  ... and to centroids              %8.4f s\n", centroids.total);

@@ -6,11 +6,9 @@
 
 #include "flatten.h"
 #include "arap.h"
+#include "logarithmic_layout.h"
 
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/flatten_disk.h>
-#include <CGAL/Cut_loci/logarithmic_chart.h>
-#include <CGAL/Cut_loci/surface/location_in_part.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
@@ -58,18 +56,6 @@ bool make_rigid(const Mesh& disk, Chart::UV_map uv)
   return true;
 }
 
-// Where the source is on the disk.
-Location source_on(const Chart& chart, const Mesh& mesh, const Cut_locus& cut_locus)
-{
-  namespace lib = CGAL::Cut_loci::internal;
-  const Location& source = cut_locus.source().location;
-  const CGAL::Cut_loci::Indexed_location at{source.first.idx(), source.second};
-  const auto on_disk =
-    lib::location_in_part(lib::read_triangle_mesh(mesh, mesh.points()).mesh,
-                          lib::read_triangle_mesh(chart.disk, chart.disk.points()).mesh, chart.faces, at);
-  return {Mesh::Face_index(on_disk.face), on_disk.coordinates};
-}
-
 } // namespace
 
 void flatten(Chart& chart, const std::string& parameterization)
@@ -96,7 +82,7 @@ void flatten(Chart& chart, const std::string& parameterization)
 void flatten(const Mesh& mesh, const Cut_locus& cut_locus, Chart& chart, const std::string& parameterization)
 {
   if(parameterization == "logmap")
-    CGAL::Cut_loci::logarithmic_chart(chart.disk, source_on(chart, mesh, cut_locus), chart.uv);
+    lay_out_by_logarithmic_map(mesh, cut_locus, chart);
   else
     flatten(chart, parameterization);
 }

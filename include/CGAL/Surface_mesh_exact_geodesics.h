@@ -492,10 +492,10 @@ public:
    *
    * In each face, an isoline consists of arcs of circles, around the images of the sources and of the vertices at which
    * paths bend. The vertices of the polylines have the distance of their level exactly, up to rounding, and between them
-   * they are chords. From sources that are curves, they have it up to about `2e-7` of the longest edge of the curves, beside
-   * a border of many edges up to `4e-5` of it. The isolines of a level bound what is nearer: each is closed, or leads from
-   * border to border, and two meet nowhere but at a vertex that has the level up to rounding. Where the level is exactly that
-   * of a vertex, the vertex is not nearer.
+   * they are chords. From curves, whose waves are circles around far points, they have it up to about `2e-7` of the longest
+   * edge, and, beside a few vertices, where rounding leaves gaps between windows, `4e-5` of it. The isolines of a level bound
+   * what is nearer: each is closed, or leads from border to border, and two meet nowhere but at a vertex that has the level
+   * up to rounding. Where the level is exactly that of a vertex, the vertex is not nearer.
    *
    * For each level, time is linear in the number of faces, and at worst cubic in the number of windows of a face that the
    * isoline crosses.

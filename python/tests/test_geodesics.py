@@ -1,5 +1,6 @@
 """Exact geodesic distances, paths, and the logarithmic map."""
 
+import itertools
 import math
 
 import cut_locus
@@ -292,6 +293,11 @@ def test_isolines(bumpy):
         located = np.einsum("ij,ijk->ik", line.barycentric, points[faces[line.faces]])
         assert located == pytest.approx(line.points, abs=1e-12)
     assert max(len(line.points) for line in cut_locus.isolines(points, faces, 3, 1.)) > 50
+    # what is beyond the largest level is not computed, and changes nothing
+    geodesics.compute(3, isolines=True)
+    for line, other in itertools.zip_longest(lines, geodesics.isolines(levels, maximum_deviation=1e-3)):
+        assert line.level == other.level and line.points == pytest.approx(other.points, abs=1e-9)
+    assert cut_locus.isolines(points, faces, 3, []) == []
 
 
 def test_isolines_of_plane():
@@ -313,6 +319,9 @@ def test_isolines_are_refused(bumpy):
     for levels, deviation, text in (([0.], None, "no isoline"), ([np.nan], None, "no isoline"), ([1.], 0., "positive")):
         with pytest.raises(cut_locus.InvalidInput, match=text):
             geodesics.isolines(levels, maximum_deviation=deviation)
+    for level in (0., -1., np.nan, np.inf):
+        with pytest.raises(cut_locus.InvalidInput, match="no isoline"):
+            cut_locus.isolines(*bumpy, 0, [1., level])
     with pytest.raises(cut_locus.InvalidInput, match="need exact distances"):
         geodesics.compute(0, isolines=True, error=0.1)
 

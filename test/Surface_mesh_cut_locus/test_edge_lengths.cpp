@@ -14,6 +14,7 @@
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_exact_geodesics.h>
 #include <CGAL/compute_cut_locus.h>
 #include <CGAL/exact_geodesic_distances.h>
 
@@ -337,6 +338,37 @@ TEST(Edge_lengths, distances_on_a_flat_torus_are_those_to_the_nearest_image)
       const auto images = distances_to_images({{s * a[0] + t * b[0], s * a[1] + t * b[1]}}, {{0., 0.}}, a, b);
       EXPECT_NEAR(found[i * 7 + j], images[0], 1e-12);
     }
+}
+
+TEST(Edge_lengths, the_logarithmic_map_of_a_flat_torus_is_the_nearest_image)
+{
+  const std::array<double, 2> a = {{1., 0.2}}, b = {{-0.3, 0.7}};
+  const std::size_t n = 7; // odd: no vertex has two nearest images
+  const Flat_surface torus = flat_torus(a, b, n);
+  CGAL::Surface_mesh_exact_geodesics<Mesh> geodesics(torus.mesh, params::edge_length_map(torus.lengths));
+  geodesics.set_directions(true);
+  geodesics.compute(Vertex(0));
+  const auto image = [&](std::size_t v)
+  {
+    std::array<double, 2> nearest = {{10., 10.}};
+    for(int i = -2; i <= 2; ++i)
+      for(int j = -2; j <= 2; ++j)
+      {
+        const double s = double(v / n) / double(n) + i, t = double(v % n) / double(n) + j;
+        const std::array<double, 2> p = {{s * a[0] + t * b[0], s * a[1] + t * b[1]}};
+        if(std::hypot(p[0], p[1]) < std::hypot(nearest[0], nearest[1]))
+          nearest = p;
+      }
+    return nearest;
+  };
+  const std::array<double, 2> axis = image(torus.mesh.target(geodesics.source_halfedge()));
+  const double length = std::hypot(axis[0], axis[1]);
+  for(std::size_t v = 0; v < n * n; ++v)
+  {
+    const std::array<double, 2> p = image(v), found = geodesics.logarithmic_map(Vertex(Mesh::size_type(v)));
+    EXPECT_NEAR(found[0], (axis[0] * p[0] + axis[1] * p[1]) / length, 1e-12);
+    EXPECT_NEAR(found[1], (axis[0] * p[1] - axis[1] * p[0]) / length, 1e-12);
+  }
 }
 
 // Each side of the unit square is folded at its midpoint and its halves glued: by Alexandrov's theorem the surface of a

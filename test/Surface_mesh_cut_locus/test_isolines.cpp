@@ -164,6 +164,25 @@ void expect_connected(const Mesh& mesh, const Isolines& lines)
     }
 }
 
+/// what is farther than a level has no part in its isolines
+void expect_same_within(const Mesh& mesh, Geodesics& geodesics, const Isolines& lines,
+                        const std::vector<double>& levels, double deviation)
+{
+  for(const double level : levels)
+  {
+    geodesics.set_maximum_distance(level);
+    geodesics.compute();
+    double expected = 0., found = 0.;
+    for(const Isoline& line : lines)
+      expected += line.level == level ? length(mesh, line) : 0.;
+    for(const Isoline& line : isolines(geodesics, {level}, deviation))
+      found += length(mesh, line);
+    EXPECT_NEAR(found, expected, deviation) << "level " << level; // the arcs may be divided elsewhere
+  }
+  geodesics.set_maximum_distance(std::numeric_limits<double>::infinity());
+  geodesics.compute();
+}
+
 // ---- closed forms
 
 TEST(Isolines, of_a_plane_are_circles)
@@ -185,6 +204,7 @@ TEST(Isolines, of_a_plane_are_circles)
     const Isolines lines = isolines(geodesics, levels, deviation);
     expect_right_places(mesh, geodesics, lines, 1e-9);
     expect_connected(mesh, lines);
+    expect_same_within(mesh, geodesics, lines, levels, deviation);
     for(std::size_t k = 0; k < 3; ++k)
     {
       ASSERT_EQ(std::count_if(lines.begin(), lines.end(), [&](const Isoline& l) { return l.level == levels[k]; }), 1);

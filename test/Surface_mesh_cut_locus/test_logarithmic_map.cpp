@@ -196,6 +196,37 @@ TEST(Logarithmic_map, is_a_cone_laid_flat)
   expect_cone(saddle);
 }
 
+/// a prism without its ends on `n` sides of the length 1, an odd number, so that no vertex is opposite to another one
+TEST(Logarithmic_map, is_a_cylinder_unrolled)
+{
+  const std::size_t n = 11, rows = 9;
+  Mesh_data prism;
+  for(std::size_t k = 0; k < rows; ++k)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double a = 2. * pi * double(i) / double(n), radius = 0.5 / std::sin(pi / double(n));
+      prism.points.push_back({{radius * std::cos(a), radius * std::sin(a), 0.7 * double(k)}});
+      const std::size_t v = k * n + i, next = k * n + (i + 1) % n;
+      if(k + 1 < rows)
+        prism.triangles.insert(prism.triangles.end(), {{{v, next, next + n}}, {{v, next + n, v + n}}});
+    }
+  const Built built(prism);
+  Geodesics geodesics(built.mesh);
+  geodesics.set_directions(true);
+  for(std::size_t source = n; source < (rows - 1) * n; ++source)
+  {
+    geodesics.compute(built.vertices[source]);
+    const auto unrolled = [&](std::size_t v)
+    {
+      const double around = double(v % n) - double(source % n);
+      return Place{{around - double(n) * std::round(around / double(n)), 0.7 * (double(v / n) - double(source / n))}};
+    };
+    const Place axis = unrolled(built.index(built.mesh.target(geodesics.source_halfedge())));
+    for(std::size_t v = 0; v < prism.points.size(); ++v)
+      expect_near(geodesics.logarithmic_map(built.vertices[v]), seen_from({{0., 0.}}, axis, unrolled(v)), 1e-12);
+  }
+}
+
 // ---- the exponential map
 
 /// whether the path meets a vertex on its way, where it may bend

@@ -223,17 +223,20 @@ void Session::compute_gradient()
   gradient = fields().gradient(exact_distance_);
 }
 
-void Session::cut_open(Curve_index index, const Thresholds& thresholds)
+void Session::cut_open(Curve_index index, const Thresholds& thresholds, bool by_logarithmic_map)
 {
-  compute_curve(index, thresholds);
   const bool has_cells = !curves_.empty() || points_.size() > 1;
+  if(has_cells && by_logarithmic_map)
+    throw std::runtime_error("the logarithmic map is that of one point");
+  compute_curve(index, thresholds);
+  const Layout layout = by_logarithmic_map ? Layout::LOGARITHMIC : has_cells ? Layout::CELLS : Layout::INJECTIVE;
   if(thresholds.keeps == Kept_part::ALL)
   {
-    atlas = make_atlas(*mesh_, *results_[index], has_cells);
+    atlas = make_atlas(*mesh_, *results_[index], layout);
     return;
   }
   // what is not shown is needed as well, to have disks
-  atlas = make_atlas(*mesh_, part_of_cut_locus(index, thresholds, Kept_part::ALL), has_cells);
+  atlas = make_atlas(*mesh_, part_of_cut_locus(index, thresholds, Kept_part::ALL), layout);
 }
 
 void Session::divide_into_cells(Curve_index index, const Thresholds& thresholds)

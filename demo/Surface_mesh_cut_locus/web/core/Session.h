@@ -48,7 +48,7 @@ public:
   void compute_laplacian();
   void compute_gradient();
   // Along one of the curves; if the border is a source, only the one through the faces is there.
-  void cut_open(Curve_index index, const Thresholds& thresholds);
+  void cut_open(Curve_index index, const Thresholds& thresholds, bool by_logarithmic_map);
   // The surface in the cells of several sources, apart where one of the curves runs.
   void divide_into_cells(Curve_index index, const Thresholds& thresholds);
   void find_paths(const Location& end);

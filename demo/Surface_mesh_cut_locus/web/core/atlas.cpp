@@ -7,6 +7,7 @@
 #include "atlas.h"
 
 #include "../../charts.h"
+#include "../../logarithmic_layout.h"
 #include "../../packing.h"
 #include "report_stage.h"
 
@@ -54,19 +55,12 @@ double area_change(const Chart& chart)
   return result;
 }
 
-std::vector<double> flatten(const Charts& charts)
+// Places the charts, which are flat and of this quality, and tells the numbers of all.
+std::vector<double> numbers_of(const Charts& charts, const std::vector<Layout_quality>& qualities)
 {
-  double faces = 0., area = 0., change = 0.;
-  for(const auto& chart : charts)
-    faces += static_cast<double>(chart->faces.size());
-  std::vector<Layout_quality> qualities;
-  Chart_reporter reporter;
+  double area = 0., change = 0.;
   for(const auto& chart : charts)
   {
-    reporter.part = static_cast<double>(chart->faces.size()) / faces;
-    qualities.push_back(
-      CGAL::Cut_loci::flatten_disk(chart->disk, chart->uv, CGAL::parameters::visitor(std::ref(reporter))));
-    reporter.first += reporter.part;
     place(*chart);
     area += chart->area;
   }
@@ -79,6 +73,23 @@ std::vector<double> flatten(const Charts& charts)
   }
   return {double(all.flipped_faces), double(all.overlapping_faces), all.overlap, change,
           double(all.is_injective),  double(charts.size())};
+}
+
+std::vector<Layout_quality> flatten(const Charts& charts)
+{
+  double faces = 0.;
+  for(const auto& chart : charts)
+    faces += static_cast<double>(chart->faces.size());
+  std::vector<Layout_quality> qualities;
+  Chart_reporter reporter;
+  for(const auto& chart : charts)
+  {
+    reporter.part = static_cast<double>(chart->faces.size()) / faces;
+    qualities.push_back(
+      CGAL::Cut_loci::flatten_disk(chart->disk, chart->uv, CGAL::parameters::visitor(std::ref(reporter))));
+    reporter.first += reporter.part;
+  }
+  return qualities;
 }
 
 // Where a vertex of a chart is on the mesh. One that was added is in the face of which the faces at it are parts.
@@ -121,18 +132,26 @@ void append(const Mesh& mesh, const Charts& charts, Atlas& atlas)
 
 } // namespace
 
-Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, bool has_cells)
+Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, Layout layout)
 {
   report_stage(cutting_stage, true);
   Charts charts;
-  if(has_cells)
+  if(layout == Layout::CELLS)
     charts = charts_of_cells(mesh, cut_locus);
   else
     charts.push_back(chart_of_source(mesh, cut_locus));
   report_stage(cutting_stage, false);
   report_stage(static_cast<int>(Stage::FLATTENING), true);
+  std::vector<Layout_quality> qualities;
+  if(layout == Layout::LOGARITHMIC)
+  {
+    lay_out_by_logarithmic_map(mesh, cut_locus, *charts.front());
+    qualities.push_back(CGAL::Cut_loci::layout_quality(charts.front()->disk, charts.front()->uv));
+  }
+  else
+    qualities = flatten(charts);
   Atlas atlas;
-  atlas.numbers = flatten(charts);
+  atlas.numbers = numbers_of(charts, qualities);
   append(mesh, charts, atlas);
   report_stage(static_cast<int>(Stage::FLATTENING), false);
   return atlas;

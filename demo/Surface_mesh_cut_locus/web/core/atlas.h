@@ -25,8 +25,11 @@ struct Atlas
   std::vector<double> numbers;
 };
 
-// Cuts along a cut locus, and lays the disk flat injectively; if `has_cells`, as with several sources and with curves, the
-// cells, side by side. Faces through which the cut locus runs are split. Tells the page how far it is.
-Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, bool has_cells);
+// Injectively, of one source or the cells of several and of curves side by side, or by distances and directions from one
+// source that is a point.
+enum class Layout { INJECTIVE, CELLS, LOGARITHMIC };
+
+// Cuts along a cut locus, and lays it flat. Faces through which the cut locus runs are split. Tells the page how far it is.
+Atlas make_atlas(const Mesh& mesh, const Cut_locus& cut_locus, Layout layout);
 
 #endif // SURFACE_MESH_CUT_LOCUS_WEB_ATLAS_H

@@ -284,9 +284,9 @@ EMSCRIPTEN_KEEPALIVE int compute_curve(int index)
   return run([&] { session.compute_curve(static_cast<Session::Curve_index>(index), thresholds); });
 }
 
-EMSCRIPTEN_KEEPALIVE int cut_open(int index)
+EMSCRIPTEN_KEEPALIVE int cut_open(int index, int by_logarithmic_map)
 {
-  return run([&] { session.cut_open(static_cast<Session::Curve_index>(index), thresholds); });
+  return run([&] { session.cut_open(static_cast<Session::Curve_index>(index), thresholds, by_logarithmic_map != 0); });
 }
 
 EMSCRIPTEN_KEEPALIVE int divide_into_cells(int index)

@@ -5,7 +5,7 @@ import { samples, sampleSizes } from './samples.js';
 import { Slider, thresholds } from './sliders.js';
 import { methods } from './state.js';
 import { recall, remember } from './memory.js';
-import { count, doubts, milliseconds, number, numberRows, summary } from './words.js';
+import { count, doubts, isOnePoint, milliseconds, number, numberRows, summary } from './words.js';
 
 const element = (id) => document.getElementById(id);
 
@@ -83,6 +83,7 @@ export class Panel {
     for (const name of Object.keys(app.state.look))
       element(`look-${name}`).addEventListener('input', ({ target }) => app.appearance.setLook(name, valueOf(target)));
     element('cut').addEventListener('click', () => app.sheet.toggle());
+    element('parameterization').addEventListener('change', ({ target }) => app.sheet.setParameterization(target.value));
     element('fit').addEventListener('click', () => app.appearance.fit());
     element('view').addEventListener('change', ({ target }) => {
       if (target.value) app.appearance.look(target.value);
@@ -152,6 +153,7 @@ export class Panel {
     element('policy').value = state.parameters.policy;
     element('keep').value = state.parameters.keep;
     element('border').value = state.border;
+    element('parameterization').value = state.parameterization;
     element('policy-field').hidden = state.method !== 'laplacian';
     for (const [name, slider] of Object.entries(this.sliders)) {
       slider.set(state.parameters[name]);
@@ -284,6 +286,7 @@ export class Panel {
     const { times, state } = result;
     element('result').hidden = false;
     element('keep-field').hidden = result.source.total < 2;
+    element('parameterization').disabled = !isOnePoint(result.source);
     element('border-field').hidden = result.source.borderLoops === 0;
     element('look-color').querySelector('[value=cells]').disabled = result.source.total < 2;
     const concerns = doubts(result);

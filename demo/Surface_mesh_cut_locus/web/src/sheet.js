@@ -4,7 +4,7 @@ import { seamsOf } from './atlas.js';
 import { colorsOfSheets } from './cell_colors.js';
 import { Canceled } from './engine.js';
 import { sheetsOf } from './sheets.js';
-import { describeAtlas } from './words.js';
+import { describeAtlas, isOnePoint } from './words.js';
 
 const restMilliseconds = 300; // a slider that has not moved for so long is at rest
 
@@ -39,17 +39,29 @@ export class Sheet {
     this.cutTimer = setTimeout(() => this.app.attempt('Cutting the surface open…', () => this.cut()), restMilliseconds);
   }
 
-  // The curve that is shown: through the faces, which are split for that, unless only the one of mesh edges is.
+  // The logarithmic map is that of one point.
+  get parameterization() {
+    return this.app.source && isOnePoint(this.app.source) ? this.app.state.parameterization : 'injective';
+  }
+
+  setParameterization(name) {
+    this.app.state.parameterization = name;
+    if (!this.app.state.isCut) return;
+    this.app.attempt('Cutting the surface open…', () => (this.app.isSolved ? this.cut() : this.app.solveNow()));
+  }
+
+  // The curve that is shown: through the faces, which are split for that, unless only the one of mesh edges is. Where shortest
+  // paths cross the seams, directions would be those of others.
   get seam() {
     const { state } = this.app;
-    const isOfEdges = state.show.edgeCurve && !state.show.faceCurve;
+    const isOfEdges = state.show.edgeCurve && !state.show.faceCurve && this.parameterization === 'injective';
     const index = isOfEdges ? 0 : 1;
     return { index, name: curveNames[index] };
   }
 
   // what the sheet depends on
   get step() {
-    return JSON.stringify([this.app.step, this.seam.index]);
+    return JSON.stringify([this.app.step, this.seam.index, this.parameterization]);
   }
 
   // Along the curve that is shown, for the thresholds as they are.
@@ -77,18 +89,18 @@ export class Sheet {
 
   async compute() {
     const { name, index } = this.seam;
-    const { step } = this;
-    const { curve, ...atlas } = await this.app.engine.run('cut', { parameters: this.app.parameters, curve: index });
+    const { step, parameterization } = this;
+    const { curve, ...atlas } = await this.app.engine.run('cut', { parameters: this.app.parameters, curve: index, parameterization });
     this.app.curves[name] = curve;
-    atlas.step = step;
+    Object.assign(atlas, { step, parameterization });
     const { mesh, state, source } = this.app;
     atlas.sheets = sheetsOf(atlas, mesh, state.border === 'only' ? [] : state.sources, source.nearest);
     this.computed = atlas;
     return atlas;
   }
 
-  quality({ numbers, triangles }) {
-    return describeAtlas(numbers, triangles.length / 3);
+  quality({ numbers, triangles, parameterization }) {
+    return describeAtlas(numbers, triangles.length / 3, parameterization);
   }
 
   async current() {

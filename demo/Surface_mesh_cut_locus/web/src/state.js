@@ -1,6 +1,7 @@
 // All that a link restores: the sample, the sources, the method with its thresholds, what is shown and how, and the view.
 
 export const methods = ['direction', 'polyhedral', 'laplacian'];
+export const parameterizations = ['injective', 'logmap']; // as in the program
 export const keptParts = ['all', 'voronoi', 'medial']; // in the order of `Kept_part` in core/solvers.h
 
 export function defaultState() {
@@ -45,6 +46,7 @@ export function defaultState() {
       theme: 'auto',
     },
     isCut: false,
+    parameterization: 'injective', // how it is laid flat: or 'logmap', by distances and directions from one point
     isEmbedded: false, // the picture alone, for the frame of another page
     view: null,
   };
@@ -75,6 +77,7 @@ export function toHash(state) {
   if (differing.length > 0) items.set('show', differing.map((name) => (state.show[name] ? '' : '-') + name).join());
   for (const [name, value] of Object.entries(state.look)) if (value !== standard.look[name]) items.set(name, value);
   if (state.isCut) items.set('cut', '1');
+  if (state.parameterization !== standard.parameterization) items.set('parameterization', state.parameterization);
   if (state.isEmbedded) items.set('embed', '1');
   if (state.view) items.set('view', state.view.map((x) => round(x, 4)).join());
   return `#${items.toString().replace(/%2C/g, ',')}`;
@@ -151,6 +154,7 @@ const readers = {
   up: look('up', ['auto', 'y', 'z']),
   theme: look('theme', ['auto', 'light', 'dark']),
   cut: oneOf(['0', '1'], (state, text) => { state.isCut = text === '1'; }),
+  parameterization: oneOf(parameterizations, (state, text) => { state.parameterization = text; }),
   embed: oneOf(['', '0', '1'], (state, text) => { state.isEmbedded = text !== '0'; }),
   view: given((text) => {
     const numbers = numbersIn(text);

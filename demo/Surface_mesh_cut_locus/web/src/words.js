@@ -63,7 +63,7 @@ export function doubts({ curve, lacksEdgeCurve, source, faceCount, state, defaul
 }
 
 // Only one point has an injectivity radius.
-const isOnePoint = (source) => !source.hasBorder && source.total === 1;
+export const isOnePoint = (source) => !source.hasBorder && source.total === 1;
 
 // One sentence on what there is.
 export function summary({ curve, source, edgeLength }) {
@@ -99,13 +99,14 @@ export function numberRows({ curve, source, edgeLength, state, defaults }) {
 }
 
 // What the user should know of the quality of an atlas.
-export function describeAtlas([flipped, overlapping, overlap, change, isInjective, sheets], faceCount) {
+export function describeAtlas([flipped, overlapping, overlap, change, isInjective, sheets], faceCount, parameterization = 'injective') {
   const parts = [];
   const share = overlap > 0 ? `, on ${number(100 * overlap, 2)}\u00a0% of it` : '';
   if (overlapping > 0) parts.push(`${count(overlapping)} of ${count(faceCount)} faces lie over others${share}`);
   if (flipped > 0) parts.push(`${count(flipped)} of ${count(faceCount)} faces are turned over`);
   parts.push(`areas change by ${number(100 * change, 2)}\u00a0%`);
   const text = `${parts.join('; ')}.`;
+  if (parameterization === 'logmap') return { isInjective: Boolean(isInjective), text: `Distances from the source are true; ${text}` };
   if (!isInjective) return { isInjective: false, text: `Not one to one: ${text} A source elsewhere may give a better sheet.` };
   const what = sheets > 1 ? `${count(sheets)} sheets, one for each cell: none overlaps` : 'The sheet does not overlap';
   return { isInjective: true, text: `${what}; ${text}` };

@@ -165,9 +165,9 @@ const commands = {
     return result;
   },
 
-  cut(module, { parameters, curve }) {
+  cut(module, { parameters, curve, parameterization }) {
     setThresholds(module, parameters);
-    check(module, module._cut_open(curve));
+    check(module, module._cut_open(curve, parameterization === 'logmap' ? 1 : 0));
     return { ...arraysOf(module, arrays.atlas), curve: arraysOf(module, arrays[curveNames[curve]]) };
   },
 

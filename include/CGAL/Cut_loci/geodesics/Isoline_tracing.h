@@ -93,7 +93,7 @@ private:
 
   bool is_nearer(Index v) const { return geodesics_.distance(v) < level_; }
 
-  /// distances change by no more than the way
+  /// distances change by no more than the way; those of vertices behind the maximum distance are infinite
   bool may_meet(Index f) const
   {
     double least = (std::numeric_limits<double>::infinity)(), largest = 0., longest = 0.;
@@ -103,7 +103,7 @@ private:
       largest = (std::max)(largest, geodesics_.distance(faces_.source(h)));
       longest = (std::max)(longest, faces_.length(h));
     }
-    return least - longest < level_ && level_ <= (std::max)(largest, least + longest);
+    return (least - longest < level_ || std::isinf(least)) && level_ <= (std::max)(largest, least + longest);
   }
 
   void add_nearer(Index f)

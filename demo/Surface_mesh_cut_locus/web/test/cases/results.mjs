@@ -283,6 +283,57 @@ export const tests = {
     assert.deepEqual([await page.inputValue('#solver'), (await d.result()).sources], ['graph', 3]);
   },
 
+  async 'a sheet by the logarithmic map has true distances, and tells what that costs'(d) {
+    const { page } = d;
+    const sheet = () => d.app(({ app }) => {
+      const { uv, parents, weights, triangles, numbers, sheets: [{ place }] } = app.atlas;
+      const ratios = [];
+      for (let v = 0; v < uv.length / 2; ++v)
+        for (let k = 3 * v; k < 3 * v + 3; ++k)
+          if (weights[k] === 1 && app.distance[parents[k]] > 0.05 * app.source.farthestDistance)
+            ratios.push(Math.hypot(uv[2 * v] - place[0], uv[2 * v + 1] - place[1]) / app.distance[parents[k]]);
+      const areas = [];
+      for (let i = 0; i < triangles.length; i += 3) {
+        const [a, b, c] = triangles.subarray(i, i + 3);
+        areas.push((uv[2 * b] - uv[2 * a]) * (uv[2 * c + 1] - uv[2 * a + 1]) - (uv[2 * b + 1] - uv[2 * a + 1]) * (uv[2 * c] - uv[2 * a]));
+      }
+      const rounding = 1e-7; // of the sheet, in single precision
+      const below = (area) => areas.filter((x) => x < area).length;
+      return { least: Math.min(...ratios), most: Math.max(...ratios), flipped: numbers[0], turned: below(-rounding), notUpright: below(rounding) };
+    });
+    const faces = [];
+    for (const sample of ['capsule', 'torus']) {
+      await d.open(`#sample=${sample}&faces=5000&cut=1&parameterization=logmap`);
+      const { least, most, flipped, turned, notUpright } = await sheet();
+      assert.ok(least > 0.9999 * most, `${sample}: ${least} to ${most}`); // single precision
+      assert.match(await page.innerText('#cut-info'), /Distances from the source are true;.* areas change by/);
+      assert.ok(turned <= flipped && flipped <= notUpright, `${sample}: ${turned} <= ${flipped} <= ${notUpright}`);
+      faces.push([sample, turned, flipped, notUpright].join(' '));
+      await d.picture(`logmap_${sample}.png`);
+    }
+    // beside it, what does not overlap has other distances
+    await page.selectOption('#parameterization', 'injective');
+    await d.settle();
+    assert.match(await page.innerText('#cut-info'), /does not overlap/);
+    const { least, most } = await sheet();
+    assert.ok(least < 0.9 * most, `${least} to ${most}`);
+    await page.selectOption('#parameterization', 'logmap');
+    await d.settle();
+    assert.match(await d.hash(), /parameterization=logmap/);
+    // seams of mesh edges alone would be crossed by shortest paths
+    await page.check('#show-edgeCurve');
+    await page.uncheck('#show-faceCurve');
+    await d.settle();
+    const { least: nearest, most: farthest } = await sheet();
+    assert.ok(nearest > 0.9999 * farthest, `${nearest} to ${farthest}`);
+    // several points have no such map
+    await d.open(`#sample=torus&faces=5000&cut=1&parameterization=logmap&source=${threePoints}`);
+    assert.ok(await page.isDisabled('#parameterization'));
+    assert.match(await page.innerText('#cut-info'), /3 sheets, one for each cell/);
+    await d.noMessage();
+    return faces.join(', ');
+  },
+
   async 'of several sources, any distances have a Voronoi diagram, what is inside its cells, and a sheet for each'(d) {
     const { page } = d;
     for (const solver of ['exact', 'heat']) {

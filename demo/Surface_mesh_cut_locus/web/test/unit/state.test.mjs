@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { defaultState, fromHash, toHash } from '../../src/state.js';
+import { defaultState, fromHash, parameterizations, toHash } from '../../src/state.js';
 
 // the same numbers in each run
 function generator(seed) {
@@ -37,6 +37,7 @@ function anyState({ next, pick }) {
   for (const name of ['wireframe', 'occlusion', 'axes']) look[name] = pick([true, false]);
   look.transparency = pick([0, 0.3, 0.9]);
   state.isCut = pick([true, false]);
+  state.parameterization = pick(parameterizations);
   state.isEmbedded = pick([true, false]);
   if (next() < 0.5) state.view = [0, 1, 2, 3, 4, 5].map(() => number(next, -3, 3));
   return state;
