@@ -55,7 +55,7 @@ export class CurveLines {
     this.hasCasing = hasCasing;
     this.color = new THREE.Color();
     this.isEmpty = true;
-    this.given = { segments: [], places: null, distances: null };
+    this.given = { segments: new Float32Array(0), places: null, distances: null };
     this.reach = null; // of a wave: all is shown
     this.visible = true;
     this.showsHidden = false;

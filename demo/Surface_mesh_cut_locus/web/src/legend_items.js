@@ -18,7 +18,7 @@ function sourceLabel({ points, total }, atlas) {
 const cellStops = (count) => Array.from({ length: Math.min(count, 12) }, (_, i) => cssColor(cellColor(i)))
   .flatMap((color) => [color, color, color, color]);
 
-export function legendItems({ state, source, curve, curves, defaults, viewer, path, atlas, appearance, hasWave }) {
+export function legendItems({ state, source, curve, curves, viewer, path, atlas, appearance, hasWave }) {
   const { gradient, hasDisk, laplacian, laplacianScale } = appearance;
   if (!source || !curve) return [];
   const { show, look } = state;
@@ -28,7 +28,7 @@ export function legendItems({ state, source, curve, curves, defaults, viewer, pa
   if (source.points.length > 0)
     items.push({ kind: 'dot', color: colors.source, rim: colors.casing, label: sourceLabel(source, atlas) });
   if (source.hasBorder) items.push({ kind: 'line', color: colors.source, label: 'the border, as a source' });
-  const scale = branchScale(state, defaults);
+  const scale = branchScale(state);
   const hasEdgeCurve = show.edgeCurve && hasCurve && Boolean(curves.edgeCurve);
   const colored = show.width && hasCurve && (show.faceCurve || hasEdgeCurve);
   if (colored)

@@ -16,10 +16,10 @@ function repeated(pattern, count) {
   return new THREE.BufferAttribute(result, pattern.length / size);
 }
 
-function indices(triangles, count) {
-  const result = new Uint32Array(triangles.length * count);
+function indices(pattern, count) {
+  const result = new Uint32Array(pattern.length * count);
   for (let i = 0; i < count; ++i)
-    for (let k = 0; k < triangles.length; ++k) result[triangles.length * i + k] = size * i + triangles[k];
+    for (let k = 0; k < pattern.length; ++k) result[pattern.length * i + k] = size * i + pattern[k];
   return new THREE.BufferAttribute(result, 1);
 }
 

@@ -7,7 +7,8 @@ export const viewAngle = 35; // degrees
 export class Placement {
   // `overlays` are the elements that lie above the picture.
   constructor(viewer, overlays) {
-    Object.assign(this, { viewer, overlays });
+    this.viewer = viewer;
+    this.overlays = overlays;
   }
 
   // what lies above a pane, in pixels from its upper left corner

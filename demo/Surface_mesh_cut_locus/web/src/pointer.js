@@ -10,7 +10,10 @@ const grabPixels = { mouse: 10, pen: 14, touch: 22 }; // a source that is as nea
 
 export class Pointer {
   constructor(viewer, { onPick, onHover, onFollow }) {
-    Object.assign(this, { viewer, onPick, onHover, onFollow });
+    this.viewer = viewer;
+    this.onPick = onPick;
+    this.onHover = onHover;
+    this.onFollow = onFollow;
     this.ray = new THREE.Raycaster();
     this.ray.firstHitOnly = true;
     this.watch(viewer.model, (x, y) => this.onModel(x, y));
@@ -51,6 +54,7 @@ export class Pointer {
     });
   }
 
+  /** @returns {any} */
   cast(pane, object, x, y) {
     const { viewer } = this;
     const { width, height } = viewer.boxOf(pane);

@@ -141,12 +141,13 @@ export class Surface {
       mesh({ side: THREE.FrontSide, ...blended }, 2),
     ];
     this.object = new THREE.Group();
-    this.object.add(this.opaque, ...this.layers);
+    this.meshes = [this.opaque, ...this.layers];
+    this.object.add(...this.meshes);
     this.setOpacity(1);
   }
 
   setGeometry(geometry) {
-    for (const mesh of this.object.children) mesh.geometry = geometry;
+    for (const mesh of this.meshes) mesh.geometry = geometry;
   }
 
   setOpacity(opacity) {

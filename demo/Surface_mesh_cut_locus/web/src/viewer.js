@@ -20,9 +20,9 @@ const coarseness = 1 / 2; // of the pixels along each axis, where drawing takes 
 const modelRadius = 1.02; // the mesh fills the unit ball
 
 export class Viewer {
-  constructor(canvas, views, { onPick, onHover, onFollow, onChange, onLost, overlays = [] }) {
+  constructor(canvas, views, { onPick, onHover, onFollow, onLost, overlays = [] }) {
     this.canvas = canvas;
-    this.onChange = onChange;
+    this.onMove = () => {}; // what is told when the model's camera has moved
     this.placement = new Placement(this, overlays);
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.pixelRatio = Math.min(window.devicePixelRatio, 2);
@@ -44,6 +44,8 @@ export class Viewer {
     this.plane.controls.mouseButtons.LEFT = THREE.MOUSE.PAN;
     this.plane.controls.touches.ONE = THREE.TOUCH.PAN;
     this.camera = this.model.camera;
+    this.axesCamera = new THREE.OrthographicCamera(-1.6, 1.6, 1.6, -1.6, 0, 4);
+    this.axesCamera.position.set(0, 0, 2);
 
     this.surface = new Surface();
     this.pickable = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
@@ -116,7 +118,6 @@ export class Viewer {
     controls.zoomToCursor = true;
     controls.enableDamping = false;
     controls.addEventListener('change', () => this.moved(pane));
-    controls.addEventListener('end', () => this.onChange());
     return controls;
   }
 
@@ -166,6 +167,7 @@ export class Viewer {
     pane.layer.hasOcclusion = false;
     this.lastMove = performance.now();
     this.invalidateCurves();
+    if (pane === this.model) this.onMove();
   }
 
   // A new frame is needed. Only `invalidateCurves` keeps the picture of the surface.
@@ -254,8 +256,6 @@ export class Viewer {
     const { renderer } = this;
     this.helper.quaternion.copy(this.camera.quaternion).invert();
     this.helper.updateMatrixWorld();
-    this.axesCamera ||= Object.assign(new THREE.OrthographicCamera(-1.6, 1.6, 1.6, -1.6, 0, 4));
-    this.axesCamera.position.set(0, 0, 2);
     renderer.clearDepth();
     renderer.setViewport(box.left + box.width - side - 6, box.bottom + 4, side, side);
     renderer.render(this.helper, this.axesCamera);
@@ -497,6 +497,7 @@ export class Viewer {
     geometry.setIndex(this.pickable.geometry.index);
     geometry.setAttribute('position', this.pickable.geometry.getAttribute('position'));
     geometry.setAttribute('normal', this.pickable.geometry.getAttribute('normal'));
+    /** @type {any} */
     this.cut = null;
     this.exactCells = null;
     this.setHasAtlas(false);

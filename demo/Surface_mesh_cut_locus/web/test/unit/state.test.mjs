@@ -1,17 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { defaultState, fromHash, toHash } from '../../src/state.js';
-
-// the same numbers in each run
-function generator(seed) {
-  let x = seed;
-  const next = () => {
-    x = (Math.imul(x, 1664525) + 1013904223) >>> 0;
-    return x / 2 ** 32;
-  };
-  const pick = (list) => list[Math.floor(next() * list.length)];
-  return { next, pick };
-}
+import { generator } from './random.mjs';
 
 const number = (next, low, high) => Number((low + next() * (high - low)).toPrecision(4));
 
