@@ -29,7 +29,8 @@ await cp(join(root, 'LICENSE'), join(output, 'LICENSE.txt'));
 
 const [, version] = (await readFile(join(root, 'CMakeLists.txt'), 'utf8')).match(/project\(Surface_mesh_cut_locus VERSION ([\d.]+)/);
 const page = await readFile(join(source, 'index.html'), 'utf8');
-await writeFile(join(output, 'index.html'), page.replace('%VERSION%', version));
+const figure = await readFile(join(source, 'figure.svg'), 'utf8');
+await writeFile(join(output, 'index.html'), page.replace('%VERSION%', version).replace('%FIGURE%', () => figure));
 
 // of the packages that are really in the bundles
 const packages = new Set(results.flatMap(({ metafile }) => Object.keys(metafile.inputs))

@@ -44,6 +44,10 @@ export class Appearance {
     viewer.setUp(look.up === 'auto' ? (this.app.mesh ? this.app.mesh.up : 'z') : look.up);
     viewer.setTransparency(look.transparency);
     viewer.setUniforms({ isFlat: look.shading === 'flat' });
+    viewer.setProjection(look.projection);
+    viewer.setClip(look.clip, look.clipAt);
+    viewer.setLineWidth(look.lineWidth);
+    viewer.setMap(look.map);
     viewer.setOcclusion(look.occlusion);
     viewer.hasAxes = look.axes;
     viewer.showWireframe(look.wireframe);

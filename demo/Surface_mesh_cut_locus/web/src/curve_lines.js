@@ -42,16 +42,18 @@ function countUpTo(sorted, value) {
 }
 
 export class CurveLines {
-  constructor(width, order, { hasCasing = true, isReused = false } = {}) {
+  constructor(baseWidth, order, { hasCasing = true, isReused = false } = {}) {
     this.isReused = isReused; // its buffers are: it changes all the time
+    this.baseWidth = baseWidth;
     const geometry = new THREE.BufferGeometry();
-    this.visibleLines = lines(geometry, order, { linewidth: width });
+    this.visibleLines = lines(geometry, order, {});
     // below all of the curve
-    this.casing = lines(geometry, order - 0.5, { linewidth: width + 2.2, depthWrite: false });
+    this.casing = lines(geometry, order - 0.5, { depthWrite: false });
     // With the same offset, exactly what the surface hides. It is opaque: the ends of segments cover each other.
-    this.hiddenLines = lines(geometry, order, { linewidth: 0.75 * width, depthFunc: THREE.GreaterDepth, depthWrite: false });
+    this.hiddenLines = lines(geometry, order, { depthFunc: THREE.GreaterDepth, depthWrite: false });
     this.hiddenLines.renderOrder = -2;
     this.objects = [this.hiddenLines, this.casing, this.visibleLines];
+    this.setWidth(1);
     this.hasCasing = hasCasing;
     this.color = new THREE.Color();
     this.isEmpty = true;
@@ -118,6 +120,18 @@ export class CurveLines {
     if (!this.visibleLines.material.vertexColors) this.visibleLines.material.color.copy(this.color);
     this.casing.material.color.set(casing);
     this.setTransparency(this.transparency || 0);
+  }
+
+  // times what it is at first
+  setWidth(factor) {
+    const width = factor * this.baseWidth;
+    this.visibleLines.material.linewidth = width;
+    this.casing.material.linewidth = width + 2.2;
+    this.hiddenLines.material.linewidth = 0.75 * width;
+  }
+
+  get materials() {
+    return this.objects.map(({ material }) => material);
   }
 
   get hiddenStyle() {

@@ -100,9 +100,24 @@ export class Panel {
     element('wave-front').addEventListener('input', ({ target }) => app.wave.moveTo(target.value / target.max));
     element('intro-close').addEventListener('click', () => this.closeIntro());
     element('help-button').addEventListener('click', () => element('help').showModal());
+    this.connectFullScreen();
     this.connectExport(app);
     app.store.subscribe((state) => this.setState(state));
     this.setState(app.state);
+  }
+
+  // Where the browser has it: on phones some have not, and frames may be without.
+  connectFullScreen() {
+    const button = element('full-screen');
+    button.hidden = !document.fullscreenEnabled;
+    button.addEventListener('click', async () => {
+      try {
+        await (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen());
+      } catch {
+        this.showMessage('This browser does not show the page on the full screen.', { isPlain: true });
+      }
+    });
+    document.addEventListener('fullscreenchange', () => button.setAttribute('aria-pressed', String(Boolean(document.fullscreenElement))));
   }
 
   connectExport(app) {
@@ -151,6 +166,7 @@ export class Panel {
     element('policy').value = state.parameters.policy;
     element('keep').value = state.parameters.keep;
     element('border').value = state.border;
+    element('clip-field').hidden = state.look.clip === 'no';
     element('policy-field').hidden = state.method !== 'laplacian';
     for (const [name, slider] of Object.entries(this.sliders)) {
       if (slider.value !== state.parameters[name]) slider.set(state.parameters[name]);

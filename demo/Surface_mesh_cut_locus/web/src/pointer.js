@@ -2,6 +2,7 @@
 // values. A source that is pressed follows the pointer until it is released, as all sources do while a key is held.
 import * as THREE from 'three';
 import { coordinatesInFace } from './atlas.js';
+import { halfHeightAt } from './markers.js';
 import { Press } from './press.js';
 
 const restMilliseconds = 50;
@@ -63,6 +64,7 @@ export class Pointer {
     pane.camera.updateMatrixWorld();
     viewer.prepareToPick(object);
     this.ray.setFromCamera(new THREE.Vector2(2 * x / width - 1, 1 - 2 * y / height), pane.camera);
+    pane.clipping.limit(this.ray);
     const [hit] = this.ray.intersectObject(object, false);
     return hit || null;
   }
@@ -177,8 +179,7 @@ export class Pointer {
     coordinates.forEach((b, k) =>
       place.addScaledVector(new THREE.Vector3().fromArray(viewer.positions, 3 * viewer.triangles[3 * face + k]), b));
     const { height } = viewer.boxOf(viewer.model);
-    const pixel = 2 * place.distanceTo(viewer.camera.position) / height
-      * Math.tan(THREE.MathUtils.degToRad(viewer.camera.fov / 2));
+    const pixel = 2 / height * halfHeightAt(place, viewer.camera);
     return { face, coordinates, place: place.toArray(), pixel };
   }
 

@@ -47,6 +47,7 @@ export class SurfaceLayer {
     this.target = makeTarget(samples);
     this.interval = 0; // milliseconds: stale pictures are drawn again after as many
     this.isCoarse = false;
+    this.planes = []; // that clip the scene
     this.material = new THREE.ShaderMaterial({
       vertexShader: copyVertexShader,
       fragmentShader: copyFragmentShader,
@@ -74,6 +75,11 @@ export class SurfaceLayer {
     if (this.pass) this.pass.setSize(Math.ceil(width / 2), Math.ceil(height / 2));
     this.isValid = false;
     this.hasOcclusion = false;
+  }
+
+  setCamera(camera) {
+    this.camera = camera;
+    this.renew();
   }
 
   setCoarse(isCoarse) {
@@ -133,6 +139,7 @@ export class SurfaceLayer {
       this.pass.output = GTAOPass.OUTPUT.Off;
       this.pass.normalMaterial.side = THREE.DoubleSide; // surfaces with a border have two sides
     }
+    this.pass.normalMaterial.clippingPlanes = this.planes;
     this.pass.render(this.renderer, null, null, 0, false); // into a target of its own
     this.material.uniforms.occlusion.value = this.pass.gtaoMap;
     this.hasOcclusion = true;

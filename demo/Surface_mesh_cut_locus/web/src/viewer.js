@@ -4,10 +4,12 @@ import * as THREE from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { ViewHelper } from 'three/examples/jsm/helpers/ViewHelper.js';
 import { valuesAt } from './atlas.js';
+import { Clipping } from './clipping.js';
 import { CurveLines } from './curve_lines.js';
 import { DepthProbe } from './depth_probe.js';
 import { makeMarker, setMarkerColors, setNumber, sizeMarker } from './markers.js';
 import { acceleratedRaycast, MeshBVH } from 'three-mesh-bvh';
+import { freeCorner } from './free_area.js';
 import { Placement, viewAngle } from './placement.js';
 import { Pointer } from './pointer.js';
 import { Surface } from './surface.js';
@@ -19,6 +21,10 @@ const previewFading = 0.4; // into the background
 const coarseness = 1 / 2; // of the pixels along each axis, where drawing takes long, while a source moves
 const modelRadius = 1.02; // the mesh fills the unit ball
 
+function setSides(camera, half, aspect) {
+  Object.assign(camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
+}
+
 export class Viewer {
   constructor(canvas, views, { onPick, onHover, onFollow, onLost, overlays = [] }) {
     this.canvas = canvas;
@@ -28,6 +34,7 @@ export class Viewer {
     this.pixelRatio = Math.min(window.devicePixelRatio, 2);
     this.renderer.setPixelRatio(this.pixelRatio);
     this.renderer.autoClear = false;
+    this.renderer.localClippingEnabled = true;
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     THREE.ColorManagement.enabled = false;
     this.probe = new DepthProbe(this.renderer);
@@ -38,12 +45,14 @@ export class Viewer {
     this.isDirty = false;
     this.afterDraw = new Set(); // what lies above the picture, and moves with it
 
-    this.model = this.makePane(views.model, new THREE.PerspectiveCamera(viewAngle, 1, 0.01, 100));
+    this.cameras = { perspective: new THREE.PerspectiveCamera(viewAngle, 1, 0.01, 100), orthographic: new THREE.OrthographicCamera() };
+    this.model = this.makePane(views.model, this.cameras.perspective);
     this.plane = this.makePane(views.atlas, new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10));
     this.plane.controls.enableRotate = false;
     this.plane.controls.mouseButtons.LEFT = THREE.MOUSE.PAN;
     this.plane.controls.touches.ONE = THREE.TOUCH.PAN;
     this.camera = this.model.camera;
+    this.clipping = this.model.clipping;
     this.axesCamera = new THREE.OrthographicCamera(-1.6, 1.6, 1.6, -1.6, 0, 4);
     this.axesCamera.position.set(0, 0, 2);
 
@@ -106,7 +115,7 @@ export class Viewer {
 
   makePane(element, camera) {
     const surfaces = new THREE.Scene(), lines = new THREE.Scene();
-    const pane = { element, camera, surfaces, lines, shift: [0, 0], part: 1, layer: new SurfaceLayer(this.renderer, surfaces, camera) };
+    const pane = { element, camera, surfaces, lines, shift: [0, 0], part: 1, clipping: new Clipping(), layer: new SurfaceLayer(this.renderer, surfaces, camera) };
     if (camera.isOrthographicCamera) {
       camera.position.set(0, 0, 5);
       pane.controls = this.listen(new OrbitControls(camera, element), pane);
@@ -117,7 +126,10 @@ export class Viewer {
   listen(controls, pane) {
     controls.zoomToCursor = true;
     controls.enableDamping = false;
-    controls.addEventListener('change', () => this.moved(pane));
+    controls.addEventListener('change', () => {
+      if (pane === this.model) this.takeZoom();
+      this.moved(pane);
+    });
     return controls;
   }
 
@@ -133,6 +145,52 @@ export class Viewer {
     this.model.controls = this.controls;
     this.helper = new ViewHelper(this.camera, this.model.element);
     this.helper.setLabels('x', 'y', 'z');
+  }
+
+  // What a camera without perspective sees is as large as how far it is away from what is looked at: there is no other zoom.
+  takeZoom() {
+    const { camera } = this;
+    if (camera.zoom === 1) return;
+    const { target } = this.controls;
+    camera.position.sub(target).divideScalar(camera.zoom).add(target);
+    camera.zoom = 1;
+  }
+
+  // `perspective` or `orthographic`
+  setProjection(name) {
+    const camera = this.cameras[name];
+    if (camera === this.camera) return;
+    camera.position.copy(this.camera.position);
+    this.camera = camera;
+    this.model.camera = camera;
+    this.model.layer.setCamera(camera);
+    this.makeControls();
+    this.controls.update();
+    this.invalidate();
+  }
+
+  // as `Clipping.set()`
+  setClip(name, share) {
+    const { geometry } = this.pickable;
+    const isOther = this.clipping.set(name, share, geometry.boundingBox || new THREE.Box3());
+    const { planes } = this.clipping;
+    const materials = [...this.surface.materials, this.wireframe.material, this.arrows.material,
+      ...this.curves.flatMap((curve) => curve.materials)];
+    if (isOther) for (const material of materials) material.clippingPlanes = planes;
+    this.model.layer.planes = planes;
+    this.model.layer.hasOcclusion = false;
+    this.invalidate();
+  }
+
+  setLineWidth(factor) {
+    for (const curve of [...this.curves, this.atlasSeams]) curve.setWidth(factor);
+    this.invalidateCurves();
+  }
+
+  // the scale of colors of distances
+  setMap(name) {
+    const changes = [this.surface, this.atlas].map((surface) => surface.setMap(name));
+    if (changes.some(Boolean)) this.invalidateValues();
   }
 
   setUp(up) {
@@ -217,7 +275,7 @@ export class Viewer {
   }
 
   // `isTransparent`: without a background, for pictures.
-  draw(isAtRest = true, { isTransparent = false, hasAxes = this.hasAxes } = {}) {
+  draw(isAtRest = true, { isTransparent = false, hasAxes = this.hasAxes, overlays = null } = {}) {
     const { renderer } = this;
     renderer.setClearColor(isTransparent ? 0x000000 : this.colors ? this.colors.back : 0xffffff, isTransparent ? 0 : 1);
     renderer.setScissorTest(false);
@@ -228,7 +286,7 @@ export class Viewer {
     if (this.hasAtlas) this.drawPane(this.plane, 0);
     if (hasAxes) {
       renderer.setViewport(0, 0, this.size.width, this.size.height);
-      this.drawAxes();
+      this.drawAxes(overlays || this.placement.overlaysOf(this.model));
     }
     for (const action of this.afterDraw) action();
   }
@@ -249,15 +307,17 @@ export class Viewer {
     this.invalidateCurves();
   }
 
-  // in the lower right corner of the model's part
-  drawAxes() {
+  // In the first corner of the model's part, from the lower right one, that nothing covers; if all are covered, nowhere.
+  drawAxes(overlays) {
     const box = this.boxOf(this.model);
-    const side = Math.min(92, box.width / 4);
+    const side = Math.min(92, box.width / 4, box.height / 5);
+    const corner = freeCorner(box, side, overlays);
+    if (!corner) return;
     const { renderer } = this;
     this.helper.quaternion.copy(this.camera.quaternion).invert();
     this.helper.updateMatrixWorld();
     renderer.clearDepth();
-    renderer.setViewport(box.left + box.width - side - 6, box.bottom + 4, side, side);
+    renderer.setViewport(box.left + corner[0], box.bottom + box.height - corner[1] - side, side, side);
     renderer.render(this.helper, this.axesCamera);
   }
 
@@ -290,20 +350,26 @@ export class Viewer {
 
   // The view has the same angle along the shorter side of the window, whichever that is.
   // What is looked at is in the middle of the part of the pane that is free.
-  setAspect({ camera, shift, part }, aspect) {
+  setAspect(pane, aspect) {
+    const { camera, shift } = pane;
+    if (pane === this.model) this.setFrustum(camera, Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(aspect, 1), aspect);
+    else setSides(camera, 1.06 / pane.part * Math.max(1, 1 / aspect), aspect);
+    camera.setViewOffset(aspect, 1, -shift[0] * aspect, shift[1], aspect, 1);
+  }
+
+  // `half` is half of the height of what is seen, at distance 1. As near to the mesh as can be: depths are the more accurate.
+  setFrustum(camera, half, aspect) {
+    const depth = camera.position.dot(this.eye); // of the middle of the mesh
     if (camera.isPerspectiveCamera) {
-      const half = Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(aspect, 1);
       camera.fov = 2 * THREE.MathUtils.radToDeg(Math.atan(half));
       camera.aspect = aspect;
-      // as near to the mesh as can be: depths are the more accurate
-      const distance = camera.position.length();
-      camera.near = Math.max(distance - modelRadius, 0.004);
-      camera.far = Math.max(distance + modelRadius, 0.1);
+      camera.near = Math.max(depth - modelRadius, 0.004);
+      camera.far = Math.max(depth + modelRadius, 0.1);
     } else {
-      const half = 1.06 / part * Math.max(1, 1 / aspect);
-      Object.assign(camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
+      setSides(camera, half * camera.position.distanceTo(this.controls.target), aspect);
+      camera.near = depth - modelRadius;
+      camera.far = depth + modelRadius;
     }
-    camera.setViewOffset(aspect, 1, -shift[0] * aspect, shift[1], aspect, 1);
   }
 
   get eye() {
@@ -312,7 +378,10 @@ export class Viewer {
 
   setMarkerSizes({ camera }, height) {
     const { children } = camera === this.camera ? this.markers : this.sheetMarkers;
-    for (const marker of children) sizeMarker(marker, camera, height);
+    for (const marker of /** @type {any[]} */ (children)) {
+      marker.visible = marker.isSet && (camera !== this.camera || this.clipping.keeps(marker.position));
+      sizeMarker(marker, camera, height);
+    }
   }
 
   resize() {
@@ -462,6 +531,7 @@ export class Viewer {
     this.pickable.geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
     this.pickable.geometry.computeVertexNormals();
     this.pickable.geometry.computeBoundingSphere();
+    this.pickable.geometry.computeBoundingBox();
     this.hidePreview();
     this.distance = null;
     this.laplacian = null;
@@ -657,7 +727,8 @@ export class Viewer {
   }
 
   setMarker(marker, point) {
-    marker.visible = point !== null;
+    marker.isSet = point !== null;
+    marker.visible = marker.isSet;
     if (point) marker.position.fromArray(point);
     this.invalidateCurves();
   }

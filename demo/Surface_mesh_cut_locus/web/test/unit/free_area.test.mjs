@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { bestArea, freeAreas } from '../../src/free_area.js';
+import { bestArea, freeAreas, freeCorner } from '../../src/free_area.js';
 import { generator } from './random.mjs';
 
 const view = { width: 800, height: 600 };
@@ -27,4 +27,13 @@ test('the middle of the best area is told from that of the view', () => {
   const { width, height, shift } = bestArea(view, [{ left: 600, top: 0, right: 800, bottom: 600 }], (size) => size.width * size.height);
   assert.deepEqual([width, height], [592, 600]);
   assert.ok(Math.abs(shift[0] - (296 / 800 - 0.5)) < 1e-12 && shift[1] === 0);
+});
+
+test('a square takes the first corner that is free, or none', () => {
+  const box = (left, top, right, bottom) => ({ left, top, right, bottom });
+  assert.deepEqual(freeCorner(view, 90, []), [705, 505]);
+  assert.deepEqual(freeCorner(view, 90, [box(600, 500, 800, 600)]), [5, 505]);
+  assert.deepEqual(freeCorner(view, 90, [box(0, 550, 800, 600)]), [705, 5]);
+  assert.deepEqual(freeCorner(view, 90, [box(0, 550, 800, 600), box(790, 0, 800, 20)]), [5, 5]);
+  assert.equal(freeCorner(view, 90, [box(0, 300, 800, 600), box(0, 0, 800, 20)]), null);
 });
