@@ -44,6 +44,7 @@ function countUpTo(sorted, value) {
 export class CurveLines {
   constructor(baseWidth, order, { hasCasing = true, isReused = false } = {}) {
     this.isReused = isReused; // its buffers are: it changes all the time
+    this.isInstanced = false;
     this.baseWidth = baseWidth;
     const geometry = new THREE.BufferGeometry();
     this.visibleLines = lines(geometry, order, {});
@@ -81,7 +82,7 @@ export class CurveLines {
     }
     this.visibleLines.geometry.dispose();
     this.hasEnds = hasEnds;
-    const geometry = lineGeometry(segments, places && colorsAt(places), { hasRoom: this.isReused, hasEnds });
+    const geometry = lineGeometry(segments, places && colorsAt(places), { isInstanced: this.isInstanced, hasRoom: this.isReused, hasEnds });
     const hasColors = Boolean(places);
     const { material } = this.visibleLines;
     if (material.vertexColors !== hasColors) {
@@ -120,6 +121,15 @@ export class CurveLines {
     if (!this.visibleLines.material.vertexColors) this.visibleLines.material.color.copy(this.color);
     this.casing.material.color.set(casing);
     this.setTransparency(this.transparency || 0);
+  }
+
+  // As a graphics card draws it best, or as a processor does.
+  setInstanced(isInstanced) {
+    if (this.isInstanced === isInstanced) return;
+    this.isInstanced = isInstanced;
+    this.hasEnds = null; // no buffer is reused
+    const { segments, places, distances } = this.given;
+    this.set(segments, places, distances);
   }
 
   // times what it is at first

@@ -3,10 +3,12 @@
 import * as THREE from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { ViewHelper } from 'three/examples/jsm/helpers/ViewHelper.js';
+import { arrowsAlong } from './arrows.js';
 import { valuesAt } from './atlas.js';
 import { Clipping } from './clipping.js';
 import { CurveLines } from './curve_lines.js';
 import { DepthProbe } from './depth_probe.js';
+import { hasCard } from './line_geometry.js';
 import { makeMarker, setMarkerColors, setNumber, sizeMarker } from './markers.js';
 import { acceleratedRaycast, MeshBVH } from 'three-mesh-bvh';
 import { freeCorner } from './free_area.js';
@@ -91,6 +93,7 @@ export class Viewer {
     this.sheetMarkers = new THREE.Group(); // the sources, where they are on their sheets
     this.plane.lines.add(...this.atlasSeams.objects, this.sheetMarkers);
 
+    this.setInstanced(hasCard(this.renderer.getContext()));
     this.makeControls();
     this.pointer = new Pointer(this, { onPick, onHover, onFollow });
     this.watchContext(onLost);
@@ -180,6 +183,12 @@ export class Viewer {
     this.model.layer.planes = planes;
     this.model.layer.hasOcclusion = false;
     this.invalidate();
+  }
+
+  // how lines are drawn
+  setInstanced(isInstanced) {
+    for (const curve of [...this.curves, this.atlasSeams]) curve.setInstanced(isInstanced);
+    this.invalidateCurves();
   }
 
   setLineWidth(factor) {
@@ -774,27 +783,13 @@ export class Viewer {
     this.setMarker(this.endMarker, end);
   }
 
-  // Arrows at some of the vertices, evenly taken, along vectors of length 1 where the distance is smooth.
+  // Arrows along vectors of length 1 where the distance is smooth.
   setArrows(gradient, length) {
-    const count = this.positions.length / 3;
-    const step = Math.max(1, Math.ceil(count / 6000));
-    const lines = [];
-    const normal = this.pickable.geometry.getAttribute('normal').array;
-    for (let v = 0; v < count; v += step) {
-      const at = [0, 1, 2].map((k) => this.positions[3 * v + k] + 0.15 * length * normal[3 * v + k]);
-      const along = [0, 1, 2].map((k) => length * gradient[3 * v + k]);
-      const across = [0, 1, 2].map((k) => {
-        const i = (k + 1) % 3, j = (k + 2) % 3;
-        return normal[3 * v + i] * along[j] - normal[3 * v + j] * along[i];
-      });
-      const tip = at.map((x, k) => x + along[k]);
-      lines.push(...at, ...tip);
-      for (const side of [-1, 1])
-        lines.push(...tip, ...tip.map((x, k) => x - 0.3 * along[k] + side * 0.15 * across[k]));
-    }
+    const normals = this.pickable.geometry.getAttribute('normal').array;
+    const lines = arrowsAlong(gradient, this.positions, normals, length);
     this.arrows.geometry.dispose();
     this.arrows.geometry = new THREE.BufferGeometry();
-    this.arrows.geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(lines), 3));
+    this.arrows.geometry.setAttribute('position', new THREE.BufferAttribute(lines, 3));
     this.invalidateCurves();
   }
 }

@@ -284,6 +284,37 @@ export const tests = {
     await d.page.selectOption('#look-theme', 'auto');
   },
 
+  async 'lines of a graphics card are those of a processor'(d) {
+    const { page } = d;
+    const compared = async () => {
+      const pictures = [];
+      for (const isInstanced of [false, true]) {
+        await d.app(({ viewer }, value) => viewer.setInstanced(value), isInstanced);
+        assert.equal(await d.app(({ viewer }) => Boolean(viewer.faceCurve.visibleLines.geometry.isInstancedBufferGeometry)), isInstanced);
+        pictures.push(await d.shot(`instanced_${isInstanced}.png`));
+      }
+      assert.ok(pictures[0].equals(pictures[1]));
+      return pictures[0];
+    };
+    await d.open('#sample=torus&faces=5000');
+    const whole = await compared();
+    await page.fill('#wave-front', '600');
+    assert.ok(!whole.equals(await compared()), 'a part is shown');
+    await page.fill('#wave-front', '1000');
+    await page.check('#show-width');
+    assert.ok(!whole.equals(await compared()), 'colors are seen');
+    // other segments in the same buffers, as those of previews, and more than there is room for
+    assert.deepEqual(await d.app(({ viewer }) => {
+      const counts = [];
+      for (const curve of [viewer.previewCurve, viewer.faceCurve])
+        for (const count of [4, 3, 8, 50]) {
+          curve.set(new Float32Array(6 * count));
+          counts.push(curve.visibleLines.geometry.instanceCount);
+        }
+      return counts;
+    }), [4, 3, 8, 50, 4, 3, 8, 50]);
+  },
+
   async 'a plane cuts away a part of the mesh, of the curve and of what a click finds'(d) {
     const { page } = d;
     await d.open('#sample=torus&faces=5000');
