@@ -70,15 +70,7 @@ public:
     for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
       if(mesh.is_border_edge(h) && !parts_.is_on_source(h) && parts_.is_at_source(mesh.source(h)) &&
          parts_.is_at_source(mesh.target(h)))
-      {
-        const auto [a, b] = std::minmax({source_at(mesh.source(h)), source_at(mesh.target(h))});
-        const std::string first = std::to_string(a);
-        throw Invalid_input(
-          Cause::NO_FACE_AT_SOURCE,
-          "on the border, " +
-            (a == b ? "two ends of source " + first : "sources " + first + " and " + std::to_string(b)) +
-            " are one edge apart, which no curve of mesh edges crosses: refine the mesh there; or " + remedy);
-      }
+        throw_gap(std::minmax({source_at(mesh.source(h)), source_at(mesh.target(h))}), remedy);
   }
 
   /// a curve becomes one of the mesh that is not cut
@@ -91,6 +83,15 @@ public:
 
 private:
   Index source_at(Index v) const { return parts_.source(parts_.part(v)); }
+
+  [[noreturn]] static void throw_gap(const std::pair<Index, Index>& sources, const std::string& remedy)
+  {
+    const std::string first = std::to_string(sources.first), second = std::to_string(sources.second);
+    throw Invalid_input(
+      Cause::NO_FACE_AT_SOURCE,
+      "on the border, " + (first == second ? "two ends of source " + first : "sources " + first + " and " + second) +
+        " are one edge apart, which no curve of mesh edges crosses: refine the mesh there; or " + remedy);
+  }
 
   static Cut_mesh cut(const Indexed_triangle_mesh& whole, const std::vector<Indexed_curve>& curves)
   {
