@@ -18,6 +18,7 @@
 struct Polygon_soup
 {
   std::vector<Kernel::Point_3> points;
+  std::vector<Kernel::Vector_3> normals; // at the points, if a scene has them
   std::vector<std::vector<std::size_t>> polygons;
 };
 

@@ -139,6 +139,23 @@ std::vector<std::vector<std::size_t>> texture_of_polygons(const Atlas& atlas, co
   return result;
 }
 
+std::vector<std::size_t> normals_of_charts(const Atlas& atlas, const Input_mesh& input, const Polygon_soup& soup,
+                                           const Corner_normals& normals)
+{
+  std::vector<std::size_t> result;
+  if(normals.numbers.empty())
+    return result;
+  for_each_corner(atlas, input.mesh,
+                  [&](const Chart&, Mesh::Halfedge_index, Mesh::Halfedge_index in_mesh, std::size_t)
+                  {
+    const std::size_t f = input.polygon[input.mesh.face(in_mesh)], at = key(input, input.mesh.target(in_mesh));
+    const auto corner = std::find_if(soup.polygons[f].begin(), soup.polygons[f].end(),
+                                     [&](std::size_t number) { return key(input, number) == at; });
+    result.push_back(normals.numbers[f].at(std::size_t(corner - soup.polygons[f].begin())));
+  });
+  return result;
+}
+
 std::vector<std::pair<std::size_t, std::size_t>> seams_of_polygons(const Atlas& atlas, const Input_mesh& input,
                                                                    const Polygon_soup& soup)
 {

@@ -41,6 +41,17 @@ double stretch(const CGAL::Cut_loci::Layout_quality& quality);
 Atlas make_atlas(const Input_mesh& input, const Cut_locus& cut_locus, Charts charts,
                  const std::string& parameterization);
 
+// Normals, and the number of the one at each corner of each polygon of a file; none unless all corners have one.
+struct Corner_normals
+{
+  std::vector<Kernel::Vector_3> normals;
+  std::vector<std::vector<std::size_t>> numbers;
+};
+
+// The number of the normal at each corner of the faces of all charts, in their order, if there are any. No face may be split.
+std::vector<std::size_t> normals_of_charts(const Atlas& atlas, const Input_mesh& input, const Polygon_soup& soup,
+                                           const Corner_normals& normals);
+
 // For each corner of each polygon of the file its number in the vertices of all charts, one after the other, or
 // `no_corner`. No face may be split.
 constexpr std::size_t no_corner = std::size_t(-1);

@@ -62,7 +62,7 @@ void write_atlas(const std::string& filename, const Atlas& atlas, const Input_me
   {
     std::ostringstream texture;
     write_texture(texture);
-    write_file(filename, [&](std::ostream& os) { write_glb(os, atlas, texture.str()); });
+    write_file(filename, [&](std::ostream& os) { write_glb(os, atlas, input, content, texture.str()); });
     return;
   }
   if(!content.obj.empty() && !atlas.splits_faces)

@@ -15,6 +15,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 using UV = std::array<double, 2>;
@@ -34,6 +35,7 @@ struct Chart
   std::vector<CGAL::Cut_loci::Index> faces;    // of the surface, of which they are parts
   UV size = {{0., 0.}};                        // the disk is between zero and it when it is placed
   double area = 0.;                            // on the surface
+  std::optional<double> finer_width;           // of branches, if it is cut along finer ones than the cut locus has
   std::size_t seams_in_polygons = 0;           // diagonals that no way around a polygon takes the place of
 };
 

@@ -74,6 +74,7 @@ Charts charts_of_component(Options options, const Input_mesh& input, const Cut_l
     {
       least = stretch;
       best = std::move(charts);
+      best.front()->finer_width = width;
     }
   }
   return best;

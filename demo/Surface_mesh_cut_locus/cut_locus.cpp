@@ -24,6 +24,8 @@
 #include "thresholds.h"
 #include "unfolding.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
@@ -33,6 +35,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -174,9 +177,22 @@ bool run(const Options& given)
   return !results.checked || results.checked->topology_fault.empty();
 }
 
+// The library names its parameters as in C++.
+std::string as_options(std::string message)
+{
+  const std::pair<const char*, const char*> words[] = {
+    {"cut_locus_method(Cut_loci::Method::DIRECTION)", "--method direction"},
+    {"cut_locus_method(Cut_loci::Method::LAPLACIAN)", "--method laplacian"},
+    {"cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)", "--curve faces"},
+    {"cut_locus_curve(Cut_loci::Curve::MESH_EDGES)", "--curve edges"}};
+  for(const auto& [parameter, option] : words)
+    boost::replace_all(message, parameter, option);
+  return message;
+}
+
 int fail(const std::string& cause, int status)
 {
-  std::cerr << "cut_locus: " << cause << std::endl;
+  std::cerr << "cut_locus: " << as_options(cause) << std::endl;
   return status;
 }
 

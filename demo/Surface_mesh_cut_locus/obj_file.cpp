@@ -9,6 +9,7 @@
 #include "obj_file.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <ostream>
 #include <sstream>
@@ -82,6 +83,41 @@ std::string_view next_line(std::string_view& text)
 }
 
 } // namespace
+
+Corner_normals normals_of_file(const File_content& content)
+{
+  Corner_normals result{content.soup.normals, {}};
+  if(content.obj.empty())
+    result.numbers = content.soup.polygons;
+  std::string_view text = content.obj;
+  while(!text.empty())
+  {
+    const std::string_view line = next_line(text), word = keyword(line);
+    if(word != "vn" && word != "f")
+      continue;
+    std::string words(line);
+    std::replace(words.begin(), words.end(), '\\', ' ');
+    std::istringstream rest(words);
+    std::string item;
+    rest >> item;
+    if(double x, y, z; word == "vn" && rest >> x >> y >> z)
+      result.normals.emplace_back(x, y, z);
+    if(word == "f")
+      result.numbers.emplace_back();
+    while(word == "f" && rest >> item)
+    {
+      const std::size_t slash = item.rfind('/');
+      const bool has_normal = slash != std::string::npos && slash > item.find('/');
+      const long number = has_normal ? std::strtol(item.c_str() + slash + 1, nullptr, 10) : 0;
+      result.numbers.back().push_back(std::size_t(number < 0 ? long(result.normals.size()) + number : number - 1));
+    }
+  }
+  const auto is_there = [&](std::size_t i) { return i < result.normals.size(); };
+  for(const auto& corners : result.numbers)
+    if(!std::all_of(corners.begin(), corners.end(), is_there))
+      return {};
+  return result;
+}
 
 void write_plain_obj(std::ostream& os, const Atlas& atlas, const Input_mesh& input, const Polygon_soup& soup)
 {

@@ -17,4 +17,7 @@ void write_plain_obj(std::ostream& os, const Atlas& atlas, const Input_mesh& inp
 // The text of the OBJ file that was read, with other texture coordinates: all else is that of the file.
 void write_kept_obj(std::ostream& os, const Atlas& atlas, const Input_mesh& input, const File_content& content);
 
+// Those of a file.
+Corner_normals normals_of_file(const File_content& content);
+
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_OBJ_FILE_H

@@ -279,6 +279,13 @@ namespace {
 std::string notes_on_seams(const Atlas& atlas, const Input_mesh& input)
 {
   std::string result;
+  if(const std::optional<double> width = atlas.charts.front()->finer_width)
+  {
+    std::ostringstream text;
+    text << std::setprecision(9) << "\nnote: seams follow finer branches than the curve of the other outputs: with "
+         << "--min-branch-width " << *width << " it has them, too";
+    result += text.str();
+  }
   if(atlas.splits_faces)
     result += "\nnote: seams are straight: faces are split, and those of the file are not kept";
   if(atlas.seams_in_polygons > 0)

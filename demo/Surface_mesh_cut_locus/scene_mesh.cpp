@@ -35,18 +35,25 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 // What a scene yields, as it goes from one process to another: polygons are the number of their corners, and these.
 struct Arrays
 {
-  std::vector<double> coordinates;
+  std::vector<double> coordinates, normals;
   std::vector<std::size_t> polygons;
 };
 
 void add_mesh(const aiMesh& mesh, const Matrix& place, Arrays& arrays)
 {
   const std::size_t first = arrays.coordinates.size() / 3;
+  const auto turned = aiMatrix3x3t<double>(Matrix(place).Inverse().Transpose());
   for(unsigned v = 0; v < mesh.mNumVertices; ++v)
   {
     const aiVector3D& p = mesh.mVertices[v];
     const aiVector3t<double> q = place * aiVector3t<double>(p.x, p.y, p.z);
     arrays.coordinates.insert(arrays.coordinates.end(), {q.x, q.y, q.z});
+    if(mesh.HasNormals())
+    {
+      const aiVector3D& m = mesh.mNormals[v];
+      const aiVector3t<double> n = turned * aiVector3t<double>(m.x, m.y, m.z);
+      arrays.normals.insert(arrays.normals.end(), {n.x, n.y, n.z});
+    }
   }
   const bool is_mirrored = place.Determinant() < 0.;
   for(unsigned f = 0; f < mesh.mNumFaces; ++f)
@@ -115,7 +122,8 @@ bool import_scene(const Mesh_file& file, std::FILE* out)
     return false;
   Arrays arrays;
   add_scene(*scene, arrays);
-  return write(arrays.coordinates, out) && write(arrays.polygons, out) && std::fflush(out) == 0;
+  return write(arrays.coordinates, out) && write(arrays.normals, out) && write(arrays.polygons, out) &&
+         std::fflush(out) == 0;
 }
 
 } // namespace
@@ -133,7 +141,8 @@ Polygon_soup read_scene(const Mesh_file& file)
     ;
   Arrays arrays;
   std::rewind(result.get());
-  if(status != 0 || !read(arrays.coordinates, result.get()) || !read(arrays.polygons, result.get()))
+  if(status != 0 || !read(arrays.coordinates, result.get()) || !read(arrays.normals, result.get()) ||
+     !read(arrays.polygons, result.get()))
     refuse_file(file.name, "it is damaged, not of the format " + file.extension.substr(1) +
                              ", or has parts in other files that are not there");
   if(arrays.polygons.empty())
@@ -142,6 +151,9 @@ Polygon_soup read_scene(const Mesh_file& file)
   Polygon_soup soup;
   for(std::size_t i = 0; i < arrays.coordinates.size(); i += 3)
     soup.points.emplace_back(arrays.coordinates[i], arrays.coordinates[i + 1], arrays.coordinates[i + 2]);
+  if(arrays.normals.size() == arrays.coordinates.size()) // all parts have them
+    for(std::size_t i = 0; i < arrays.normals.size(); i += 3)
+      soup.normals.emplace_back(arrays.normals[i], arrays.normals[i + 1], arrays.normals[i + 2]);
   for(auto n = arrays.polygons.cbegin(); n != arrays.polygons.cend(); n += static_cast<std::ptrdiff_t>(*n + 1))
     soup.polygons.emplace_back(n + 1, n + 1 + static_cast<std::ptrdiff_t>(*n));
   return soup;

@@ -57,8 +57,8 @@ std::size_t component_of_sources(const Options& options, const Input_mesh& input
   return input.largest_component;
 }
 
-// The number in the file of the vertex that is nearest from the direction given, or else farthest from the center.
-std::size_t vertex_of_component(const Options& options, const Input_mesh& input, std::size_t component)
+// The vertex that is nearest from the direction given, or else farthest from the center.
+Mesh::Vertex_index vertex_of_component(const Options& options, const Input_mesh& input, std::size_t component)
 {
   const Mesh& mesh = input.mesh;
   std::vector<Mesh::Vertex_index> vertices;
@@ -76,9 +76,23 @@ std::size_t vertex_of_component(const Options& options, const Input_mesh& input,
     return options.from_view ? from_center * (to_point(*options.from_view) - CGAL::ORIGIN)
                              : from_center.squared_length();
   };
-  return input
-    .number[*std::max_element(vertices.begin(), vertices.end(),
-                              [&](Mesh::Vertex_index a, Mesh::Vertex_index b) { return height(a) < height(b); })];
+  return *std::max_element(vertices.begin(), vertices.end(),
+                           [&](Mesh::Vertex_index a, Mesh::Vertex_index b) { return height(a) < height(b); });
+}
+
+// For a component without a source: a vertex, or the middle of a face there if the file has one vertex for several components.
+void choose_source(Options& options, const Input_mesh& input, std::size_t component)
+{
+  const Mesh::Vertex_index v = vertex_of_component(options, input, component);
+  options.sources = {input.number[v]};
+  if(component_of_vertex(input, input.number[v], "--source") == component)
+    return;
+  const Mesh& mesh = input.mesh;
+  const Mesh::Halfedge_index h = mesh.is_border(mesh.halfedge(v)) ? mesh.opposite(mesh.halfedge(v)) : mesh.halfedge(v);
+  const Kernel::Point_3 p =
+    CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))));
+  options.sources.clear();
+  options.source_points = {{{p.x(), p.y(), p.z()}}};
 }
 
 // Of the component of the other sources, if there are any, or of the largest one.
@@ -160,7 +174,7 @@ std::vector<Edges> set_source(const Options& options, const Input_mesh& input, C
   }
   if(options.from_view)
   {
-    solver.set_source(find_vertex(vertex_of_component(options, input, input.largest_component), input), parameters);
+    solver.set_source(vertex_of_component(options, input, input.largest_component), parameters);
     return {};
   }
   // the first one in the order of the file
@@ -194,7 +208,7 @@ std::vector<Options> options_of_components(const Options& options, const Input_m
     if(c == main || !(input.component_area[c] > 0.))
       continue;
     if(number_of_source_points(of_component[c]) == 0)
-      of_component[c].sources = {vertex_of_component(options, input, c)};
+      choose_source(of_component[c], input, c);
     result.push_back(std::move(of_component[c]));
   }
   return result;

@@ -119,6 +119,8 @@ def test_edges_of_the_mesh_beside_the_border():
     ({"source_curves": [[]]}, "source curve 0: it has no edges"),
     ({"source_curves": [[0, 9], [9, 18]]}, "sources 0 and 1 have a vertex in common: together, they are one source"),
     ({"source_curves": [[[0, 9], [40, 49]]]}, "source curve 0: it is not connected"),
+    ({"source_curves": [[0, 9], [18, 27]], "curve": "edges"}, r"sources 0 and 1 are one edge apart.*ask for curve=\"faces\""),
+    ({"source_curves": [[9, 10, 19, 18]], "curve": "edges"}, "two ends of source 0 are one edge apart"),
     ({"source": 9, "source_curves": [[0, 9]]}, "sources 0 and 1 have a point in common"),
     ({"source_border": True, "minimum_branch_edges": 2}, "minimum_branch_edges is for a cut locus made of edges"),
     ({"source_border": True, "maximum_relative_error": 0.01}, "curves need exact distances"),

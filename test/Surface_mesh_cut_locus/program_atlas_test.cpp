@@ -93,11 +93,11 @@ protected:
     Program::SetUp();
     std::ostringstream os;
     os.precision(17);
-    os << "# a model\nmtllib model.mtl\nvt 0 0\nvt 1 0\nvn 0 0 1\no first\n";
+    os << "# a model\nmtllib model.mtl\nvt 0 0\nvt 1 0\nvn 0 0 1\nvn 2 0 0\no first\n";
     const std::size_t first =
       add_box(os, 6, 0., [](std::size_t v, std::size_t) { return std::to_string(v + 1) + "/2/1"; });
     os << "o second\r\n";
-    add_box(os, 4, 5., [](std::size_t v, std::size_t n) { return std::to_string(int(v) - int(n)) + "//1"; });
+    add_box(os, 4, 5., [](std::size_t v, std::size_t n) { return std::to_string(int(v) - int(n)) + "//2"; });
     os << "# the end";
     first_vertices_ = first;
     write("model.obj", os.str());
@@ -313,11 +313,41 @@ TEST_F(Model, is_stretched_as_little_as_asked_for)
   EXPECT_GT(coarse.first, 1.5);
   EXPECT_LE(fine.first, 1.25);
   EXPECT_GT(fine.second, coarse.second);
+  // it says so, and how the curve of the other outputs becomes the same
+  const auto noted = [&](const std::string& more)
+  {
+    const std::string text = run(quoted(path("model.obj")) + " --uv " + quoted(path("uv.obj")) + more).messages;
+    const std::string words = "note: seams follow finer branches than the curve of the other outputs: with ";
+    const std::size_t begin = text.find(words);
+    return begin == std::string::npos
+             ? ""
+             : text.substr(begin + words.size(), text.find(" it", begin + words.size()) - begin - words.size());
+  };
+  EXPECT_EQ(noted(" --max-stretch 1000"), "");
+  const std::string option = noted(" --max-stretch 1.25");
+  ASSERT_EQ(option.compare(0, 19, "--min-branch-width "), 0) << option;
+  EXPECT_EQ(noted(" " + option), "");
   const std::string width = " --min-branch-width 0.3";
   EXPECT_EQ(run_with(width + " --max-stretch 1"), run_with(width));
   expect_failure(run_on_torus("--max-stretch 2"), "--max-stretch is for --uv and --seams");
   expect_failure(run_on_torus("--max-stretch 0.5 --uv " + quoted(path("uv.obj"))),
                  "--max-stretch takes a number from 1");
+}
+
+// The vertex that is farthest from the middle of one component is one of the other, too.
+TEST_F(Program, Components_that_share_a_vertex_of_the_file_are_all_cut_open)
+{
+  write("two.obj", "v 0 0 0\nv 20 0 0\nv 0 20 0\nv 0 0 20\nv -9 0 0\nv -9 1 0\nv -9 0 1\n"
+                   "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 1 5 6\nf 1 6 7\nf 1 7 5\nf 5 7 6\n");
+  const Outcome outcome = run(quoted(path("two.obj")) + " --uv " + quoted(path("uv.obj")));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.messages.find("charts: 2,"), std::string::npos) << outcome.messages;
+  EXPECT_EQ(outcome.messages.find("faces are split"), std::string::npos) << outcome.messages;
+  const Obj obj = parse(read_file(path("uv.obj")));
+  ASSERT_EQ(obj.faces.size(), 8u);
+  for(std::size_t f = 0; f < obj.faces.size(); ++f)
+    for(std::size_t i = 0; i < 3; ++i)
+      EXPECT_LT(obj.texture(f, i), obj.uv.size());
 }
 
 TEST_F(Model, as_glTF)
@@ -343,14 +373,32 @@ TEST_F(Model, as_glTF)
   const auto part = [&](std::size_t i) { return binary + 8 + views[i].at("byteOffset").get<std::size_t>(); };
   for(std::size_t i = 0; i < accessors[2].at("count"); ++i)
     ASSERT_LT(number(part(2) + 4 * i), accessors[1].at("count").get<std::size_t>());
-  for(std::size_t i = 0; i < 2 * accessors[1].at("count").get<std::size_t>(); ++i)
+  const auto real = [&](std::size_t view, std::size_t i)
   {
-    const std::uint32_t bits = number(part(1) + 4 * i);
+    const std::uint32_t bits = number(part(view) + 4 * i);
     float x = 0.f;
     std::memcpy(&x, &bits, sizeof x);
-    ASSERT_TRUE(x > 0.f && x < 1.f) << x;
-  }
-  EXPECT_EQ(glb.compare(part(3) + 1, 3, "PNG"), 0);
+    return x;
+  };
+  const std::size_t vertices = accessors[1].at("count");
+  for(std::size_t i = 0; i < 2 * vertices; ++i)
+    ASSERT_TRUE(real(1, i) > 0.f && real(1, i) < 1.f) << real(1, i);
+  // each box has a normal of its own
+  ASSERT_EQ(file.at("meshes")[0].at("primitives")[0].at("attributes").at("NORMAL"), 3);
+  ASSERT_EQ(accessors[3].at("count"), vertices);
+  for(std::size_t i = 0; i < 3 * vertices; ++i)
+    ASSERT_EQ(real(3, i), (real(0, i - i % 3) > 2.5f ? i % 3 == 0 : i % 3 == 2) ? 1.f : 0.f);
+  EXPECT_EQ(glb.compare(part(4) + 1, 3, "PNG"), 0);
+
+  // a normal is missing: there are none, and one without a direction is that of the face
+  std::string model = read_file(path("model.obj"));
+  const std::size_t at = model.find("vn 2 0 0");
+  write("zero.obj", model.replace(at, 8, "vn 0 0 0"));
+  EXPECT_EQ(run(quoted(path("zero.obj")) + " --quiet --uv " + quoted(path("zero.glb"))).status, 0);
+  EXPECT_NE(read_file(path("zero.glb")).find("NORMAL"), std::string::npos);
+  write("less.obj", model.replace(at, 9, ""));
+  EXPECT_EQ(run(quoted(path("less.obj")) + " --quiet --uv " + quoted(path("less.glb"))).status, 0);
+  EXPECT_EQ(read_file(path("less.glb")).find("NORMAL"), std::string::npos);
 }
 
 TEST_F(Model, is_cut_open_behind)

@@ -889,6 +889,11 @@ TEST_F(Program, Curves_as_sources)
   expect_failure(run_on_torus("--source-border --min-branch-edges 3"), "--min-branch-edges is for");
   expect_failure(run_on_torus("--source-border --min-branch-edges 3 --curve faces"), "--min-branch-edges is for");
   expect_failure(run_on_torus("--sources " + quoted(path("nothing.txt"))), "cannot read");
+  write("near.txt", "0 4\n8 12\n");
+  const std::string near =
+    quoted(path("plate.off")) + " --quiet --curve edges --source-edges " + quoted(path("near.txt"));
+  expect_failure(run(near), "sources 0 and 1 are one edge apart, which no curve of mesh edges crosses: refine the mesh "
+                            "there; or ask for --curve faces");
   write("apart.txt", "1 200\n");
   expect_failure(run_on_torus("--quiet --source-edges " + quoted(path("apart.txt"))), "no edge between");
 }

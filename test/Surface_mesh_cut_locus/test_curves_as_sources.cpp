@@ -470,6 +470,36 @@ TEST(Mesh_edges_beside_curves, are_between_two_sides_of_a_rectangle)
   }
 }
 
+TEST(Mesh_edges_beside_curves, name_the_sources_that_are_one_edge_apart)
+{
+  const std::size_t n = 12;
+  const Built built(rectangle(2., n, 0., 1));
+  const auto at = [&](double i, double j) {
+    return nearest_vertex(built.data, {{2. * i / double(n), j / double(n), 0.}});
+  };
+  const Edges left = path(built, {at(3, 0), at(4, 0), at(5, 0)}), right = path(built, {at(6, 0), at(7, 0)});
+  const Edges around = path(built, {at(5, 0), at(5, 1), at(6, 1), at(6, 0)});
+  const Edges elsewhere = path(built, {at(3, 6), at(4, 6)});
+  const std::vector<std::pair<std::vector<Edges>, std::string>> cases = {
+    {{left, right}, "sources 0 and 1 are"},
+    {{elsewhere, left, right}, "sources 1 and 2 are"},
+    {{elsewhere, around}, "two ends of source 1 are"}};
+  for(const Method method : {Method::DIRECTION, Method::POLYHEDRAL, Method::LAPLACIAN})
+    for(const auto& [curves, words] : cases)
+      try
+      {
+        CGAL::compute_cut_locus(
+          built.mesh, Vertices(),
+          params::source_curves(curves).cut_locus_method(method).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+        ADD_FAILURE() << "nothing was thrown, where " << words << " one edge apart";
+      }
+      catch(const Invalid_input& error)
+      {
+        expect_refusal_of_mesh_edges(error, words);
+        EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+      }
+}
+
 curve_measures::Measures measured(const Built& built, const std::vector<Edges>& curves, const Result& result)
 {
   std::vector<double> exact;

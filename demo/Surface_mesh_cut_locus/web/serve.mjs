@@ -34,7 +34,7 @@ export function serve(folder, port = 0) {
   });
   return new Promise((done, failed) => {
     server.on('error', failed);
-    server.listen(port, '127.0.0.1', () => done({ server, address: `http://localhost:${server.address().port}/` }));
+    server.listen(port, '127.0.0.1', () => done({ server, address: `http://localhost:${/** @type {import('node:net').AddressInfo} */ (server.address()).port}/` }));
   });
 }
 

@@ -33,13 +33,11 @@ const faceCurve = 1, edgeCurve = 0;
 const restMilliseconds = 150; // a slider that has not moved for so long is at rest
 const nearPixels = 9; // what a click is as near to is meant
 
-const copy = (value) => JSON.parse(JSON.stringify(value));
-
 export class App {
-  constructor(viewer, panel, state, link) {
+  constructor(viewer, panel, store, link) {
     this.viewer = viewer;
     this.panel = panel;
-    this.state = state;
+    this.store = store;
     this.link = link; // with what is to be said about it
     this.engine = new Engine((stage) => panel.setBusyText(stageTexts[stage]), (stage, share) => panel.setBusyShare(share));
     this.history = new History();
@@ -57,15 +55,18 @@ export class App {
     this.isSolved = false; // the worker has the solver and the sources of the state
     this.solved = null; // what it has been solved for last, of this mesh
     this.commands = 0; // to solve or to open: what one of them has replaced is not taken back
-    this.exactMethod = state.method; // the one that was chosen last
+    this.exactMethod = this.state.method; // the one that was chosen last
     this.defaults = null; // of the thresholds, for these sources
-    this.linkedView = state.view; // until there is a mesh
+    this.linkedView = this.state.view; // until there is a mesh
     this.leastAngle = 0; // branches that need a smaller one are not computed yet
     this.hasWave = false; // on the screen
     this.jobs = 0;
     this.times = {};
-    this.onState = () => {};
     this.appearance.apply();
+  }
+
+  get state() {
+    return this.store.state;
   }
 
   // Runs something that takes time; tells the user what became of it. False if it failed.
@@ -169,9 +170,8 @@ export class App {
     } catch (error) {
       if (error instanceof Canceled || error.fatal) throw error;
       const { solver, method, border, parameters } = defaultState();
-      Object.assign(this.state, { solver, method, border, parameters, sources: [this.firstSource()], isCut: false });
+      this.store.set({ solver, method, border, parameters, sources: [this.firstSource()], isCut: false });
       this.exactMethod = method;
-      this.panel.setState(this.state);
       this.link.add(`What this link asks for cannot be shown: ${explain(error)} The surface is shown as it opens.`);
       await this.solveNow();
     }
@@ -184,8 +184,7 @@ export class App {
   }
 
   takeMesh(names, start, keepsSource) {
-    Object.assign(this.state, names);
-    this.wantedSample = this.state.sample;
+    this.wantedSample = names.sample;
     this.isSolved = false;
     this.solved = null;
     this.start = start;
@@ -193,26 +192,21 @@ export class App {
     const faceCount = triangles.length / 3;
     const isInMesh = (this.state.sources || []).every(({ face }) => face < faceCount);
     if (keepsSource && !isInMesh) this.link.add('The source of this link is not on this surface: another one is shown.');
-    if (!keepsSource || !this.state.sources || !isInMesh) this.state.sources = [this.firstSource()];
-    if (!keepsSource) {
-      // thresholds are those of another mesh
-      this.state.isCut = false;
-      this.state.border = 'no';
-      this.state.parameters = defaultState().parameters;
-      this.state.look.up = 'auto';
-    }
+    const hasSources = keepsSource && this.state.sources && isInMesh;
+    // thresholds are those of another mesh
+    const others = { isCut: false, border: 'no', parameters: defaultState().parameters, look: { up: 'auto' } };
     this.history.clear();
     this.preview.forget();
     this.mesh.edgeLength = numbers[3] * meanEdgeLength(positions, triangles);
-    this.mesh.up = this.state.sample ? 'z' : guessUp(positions, triangles, extensionOf(this.state.file));
+    this.mesh.up = names.sample ? 'z' : guessUp(positions, triangles, extensionOf(names.file));
+    this.curves = {};
+    this.store.set({ ...names, ...(hasSources ? {} : { sources: [this.firstSource()] }), ...(keepsSource ? {} : others) });
     this.sheet.forget();
     this.cellColors.step = null;
-    this.curves = {};
     this.viewer.setMesh(positions, triangles);
     this.readout.setMesh(positions, triangles);
     this.appearance.apply();
     if (!keepsSource) this.viewer.resetView();
-    this.panel.setState(this.state);
     this.panel.setMesh(this.state, this.mesh);
   }
 
@@ -246,16 +240,13 @@ export class App {
 
   // If that fails, or is canceled, all becomes what it was when it was solved last, unless another command has come.
   async change(values, replacesStep = false) {
-    const { state } = this;
-    Object.assign(state, values);
-    this.panel.setState(state);
+    this.store.set(values);
     const solving = this.solve(replacesStep);
     const command = this.commands;
     if (await solving || this.isSolved || command !== this.commands || !this.solved) return;
-    const { exactMethod, ...solved } = copy(this.solved);
-    Object.assign(state, solved);
+    const { exactMethod, ...solved } = this.solved;
+    this.store.set(solved);
     this.exactMethod = exactMethod;
-    this.panel.setState(state);
     this.panel.setBusy(++this.jobs > 0, 'Going back…'); // and the message stays
     await this.solveNow().catch(() => {});
     this.panel.setBusy(--this.jobs > 0);
@@ -276,7 +267,7 @@ export class App {
     const result = await this.engine.run('solve',
       { solver, method, sources: points, border: border !== 'no', parameters: this.parameters, curves: this.wantedCurves() });
     this.isSolved = true;
-    this.solved = copy({ solver, method, sources, border, exactMethod: this.exactMethod });
+    this.solved = { solver, method, sources, border, exactMethod: this.exactMethod };
     this.panel.showReadout(null); // it was that of other sources
     this.distance = result.distance;
     this.appearance.forgetFields();
@@ -377,7 +368,7 @@ export class App {
   // what can be taken back
   get step() {
     const { sources, border, solver, method, parameters } = this.state;
-    return copy({ sources, border, solver, method, parameters });
+    return { sources, border, solver, method, parameters };
   }
 
   remember(replacesLast = false) {
@@ -401,9 +392,8 @@ export class App {
   async restore(step) {
     if (!step) return;
     const now = this.step;
-    Object.assign(this.state, step);
+    this.store.set(step);
     if (step.solver === 'exact') this.exactMethod = step.method;
-    this.panel.setState(this.state);
     this.panel.setHistory(this.history);
     const isSame = ['sources', 'border', 'solver', 'method'].every((name) => JSON.stringify(now[name]) === JSON.stringify(step[name]));
     if (isSame && this.isSolved) await this.updateCurves();
@@ -432,7 +422,7 @@ export class App {
 
   // What takes longer than a frame waits for the slider to rest: smoothing, and more branches than there are.
   setParameter(name, value) {
-    this.state.parameters[name] = value;
+    this.store.set({ parameters: { [name]: value } });
     const { method, parameters } = this.state;
     const smooths = method === 'laplacian' && this.wantedCurves().includes(faceCurve) && parameters.smoothing > 0;
     clearTimeout(this.restTimer);
@@ -537,9 +527,8 @@ export class App {
   resetParameters() {
     const standard = defaultState();
     const { solver, method } = this.state;
-    Object.assign(this.state, { parameters: standard.parameters, solver: standard.solver, method: standard.method });
+    this.store.set({ parameters: standard.parameters, solver: standard.solver, method: standard.method });
     this.exactMethod = standard.method;
-    this.panel.setState(this.state);
     if (solver !== standard.solver || method !== standard.method) return this.solve();
     this.remember();
     return this.updateCurves();
@@ -563,7 +552,6 @@ export class App {
       defaults: this.defaults,
     });
     this.panel.setLegend(this.legendItems());
-    this.onState();
   }
 
   fileName(ending) {

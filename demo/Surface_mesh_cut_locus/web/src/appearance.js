@@ -7,6 +7,7 @@ export class Appearance {
     this.app = app;
     this.forgetFields();
     onPreference(() => this.apply());
+    app.store.subscribe((state, changed) => { if (changed.includes('look')) this.apply(); });
   }
 
   // The Laplacian and the gradient are those of a source.
@@ -16,7 +17,7 @@ export class Appearance {
   }
 
   async setShown(name, value) {
-    this.app.state.show[name] = value;
+    this.app.store.set({ show: { [name]: value } });
     if (name === 'faceCurve' || name === 'edgeCurve') await this.app.updateCurves();
     this.drawCurves();
     if (value && name === 'gradient') await this.app.attempt('Computing…', () => this.showFields());
@@ -26,8 +27,7 @@ export class Appearance {
   }
 
   async setLook(name, value) {
-    this.app.state.look[name] = value;
-    this.apply(name);
+    this.app.store.set({ look: { [name]: value } });
     if (name === 'color') {
       this.updateSurface();
       if (value === 'laplacian' || value === 'cells') await this.app.attempt('Computing…', () => this.showFields());
@@ -36,7 +36,7 @@ export class Appearance {
     this.app.report();
   }
 
-  apply(changed) {
+  apply() {
     const { look } = this.app.state;
     const { viewer } = this.app;
     applyTheme(look.theme);
@@ -44,15 +44,19 @@ export class Appearance {
     viewer.setUp(look.up === 'auto' ? (this.app.mesh ? this.app.mesh.up : 'z') : look.up);
     viewer.setTransparency(look.transparency);
     viewer.setUniforms({ isFlat: look.shading === 'flat' });
+    viewer.setProjection(look.projection);
+    viewer.setClip(look.clip, look.clipAt);
+    viewer.setLineWidth(look.lineWidth);
+    viewer.setMap(look.map);
     viewer.setOcclusion(look.occlusion);
     viewer.hasAxes = look.axes;
-    if (!changed || changed === 'wireframe') viewer.showWireframe(look.wireframe);
+    viewer.showWireframe(look.wireframe);
     if (this.app.curve) this.app.report();
   }
 
   drawCurves() {
     const { show } = this.app.state;
-    const scale = branchScale(this.app.state, this.app.defaults);
+    const scale = branchScale(this.app.state);
     this.app.panel.setScale(scale);
     for (const name of ['edgeCurve', 'faceCurve']) {
       const curve = this.app.curves[name];
@@ -113,11 +117,9 @@ export class Appearance {
     const { curve, source, viewer } = this.app;
     if (!this.app.mesh || !source) return;
     viewer.look(name, curve ? curve.segments : new Float32Array(0), source.points.map((p) => this.app.toView(p)), source.borderLoops === 0);
-    this.app.onState();
   }
 
   fit() {
     this.app.viewer.fit();
-    this.app.onState();
   }
 }

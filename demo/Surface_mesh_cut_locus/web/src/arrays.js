@@ -1,4 +1,5 @@
 // The numbers of the arrays of results, as in core/interface.cpp, and what they hold.
+/** @type {any} */
 export const arrays = {
   positions: [0, 'f32'],
   triangles: [1, 'u32'],

@@ -5,14 +5,16 @@ const least = 0.005, largest = 0.5;
 const width = {
   quantity: 'width',
   label: 'Width of the branches',
-  ends: [`${100 * least}\u00a0%`, `${100 * largest}\u00a0% of the diagonal`],
+  unit: '% of the diagonal',
+  ends: [`${100 * least}`, `${100 * largest}`],
   place: (share) => Math.log(Math.max(share, 1e-9) / least) / Math.log(largest / least),
 };
 
 const angle = (label) => ({
   quantity: 'gap',
   label,
-  ends: ['0', 'π radians'],
+  unit: 'radians',
+  ends: ['0', 'π'],
   place: (radians) => radians / Math.PI,
 });
 

@@ -1,5 +1,5 @@
 // The scales of colors: in the picture a number becomes a place in a texture, in the legend a gradient.
-import { interpolateViridis, schemeSet3 } from 'd3-scale-chromatic';
+import { interpolateCividis, interpolateGreys, interpolateMagma, interpolateViridis, schemeSet3 } from 'd3-scale-chromatic';
 import * as THREE from 'three';
 
 const size = 256;
@@ -10,8 +10,13 @@ function channels(text) {
   return text.match(/[\d.]+/g).slice(0, 3).map((x) => Number(x) / 255);
 }
 
-// From the source, which is bright, to the farthest point. Equal steps look equal.
-export const distanceColor = (t) => channels(interpolateViridis(1 - 0.94 * t));
+// From the source, which is bright, to the farthest point. Equal steps look equal; the ends that are white or black are left out.
+export const distanceColors = {
+  viridis: (t) => channels(interpolateViridis(1 - 0.94 * t)),
+  cividis: (t) => channels(interpolateCividis(1 - 0.94 * t)),
+  magma: (t) => channels(interpolateMagma(0.96 - 0.86 * t)),
+  grays: (t) => channels(interpolateGreys(0.06 + 0.74 * t)),
+};
 
 // from weak to strong branches: yellow, orange, red, violet
 const ramp = [[0.99, 0.83, 0.25], [0.96, 0.55, 0.15], [0.84, 0.19, 0.20], [0.45, 0.06, 0.40]];

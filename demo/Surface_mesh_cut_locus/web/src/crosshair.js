@@ -6,7 +6,9 @@ const nearPixels = 3; // a target that is as near is that of the crosshair itsel
 
 export class Crosshair {
   constructor(viewer, cross, target) {
-    Object.assign(this, { viewer, cross, target });
+    this.viewer = viewer;
+    this.cross = cross;
+    this.target = target;
     const { element } = viewer.model;
     for (const type of ['focus', 'blur', 'pointerdown', 'keydown'])
       element.addEventListener(type, () => this.show(element.matches(':focus-visible')));

@@ -42,20 +42,23 @@ function countUpTo(sorted, value) {
 }
 
 export class CurveLines {
-  constructor(width, order, { hasCasing = true, isReused = false } = {}) {
+  constructor(baseWidth, order, { hasCasing = true, isReused = false } = {}) {
     this.isReused = isReused; // its buffers are: it changes all the time
+    this.isInstanced = false;
+    this.baseWidth = baseWidth;
     const geometry = new THREE.BufferGeometry();
-    this.visibleLines = lines(geometry, order, { linewidth: width });
+    this.visibleLines = lines(geometry, order, {});
     // below all of the curve
-    this.casing = lines(geometry, order - 0.5, { linewidth: width + 2.2, depthWrite: false });
+    this.casing = lines(geometry, order - 0.5, { depthWrite: false });
     // With the same offset, exactly what the surface hides. It is opaque: the ends of segments cover each other.
-    this.hiddenLines = lines(geometry, order, { linewidth: 0.75 * width, depthFunc: THREE.GreaterDepth, depthWrite: false });
+    this.hiddenLines = lines(geometry, order, { depthFunc: THREE.GreaterDepth, depthWrite: false });
     this.hiddenLines.renderOrder = -2;
     this.objects = [this.hiddenLines, this.casing, this.visibleLines];
+    this.setWidth(1);
     this.hasCasing = hasCasing;
     this.color = new THREE.Color();
     this.isEmpty = true;
-    this.given = { segments: [], places: null, distances: null };
+    this.given = { segments: new Float32Array(0), places: null, distances: null };
     this.reach = null; // of a wave: all is shown
     this.visible = true;
     this.showsHidden = false;
@@ -79,7 +82,7 @@ export class CurveLines {
     }
     this.visibleLines.geometry.dispose();
     this.hasEnds = hasEnds;
-    const geometry = lineGeometry(segments, places && colorsAt(places), { hasRoom: this.isReused, hasEnds });
+    const geometry = lineGeometry(segments, places && colorsAt(places), { isInstanced: this.isInstanced, hasRoom: this.isReused, hasEnds });
     const hasColors = Boolean(places);
     const { material } = this.visibleLines;
     if (material.vertexColors !== hasColors) {
@@ -118,6 +121,27 @@ export class CurveLines {
     if (!this.visibleLines.material.vertexColors) this.visibleLines.material.color.copy(this.color);
     this.casing.material.color.set(casing);
     this.setTransparency(this.transparency || 0);
+  }
+
+  // As a graphics card draws it best, or as a processor does.
+  setInstanced(isInstanced) {
+    if (this.isInstanced === isInstanced) return;
+    this.isInstanced = isInstanced;
+    this.hasEnds = null; // no buffer is reused
+    const { segments, places, distances } = this.given;
+    this.set(segments, places, distances);
+  }
+
+  // times what it is at first
+  setWidth(factor) {
+    const width = factor * this.baseWidth;
+    this.visibleLines.material.linewidth = width;
+    this.casing.material.linewidth = width + 2.2;
+    this.hiddenLines.material.linewidth = 0.75 * width;
+  }
+
+  get materials() {
+    return this.objects.map(({ material }) => material);
   }
 
   get hiddenStyle() {

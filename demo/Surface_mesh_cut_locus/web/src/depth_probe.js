@@ -2,10 +2,20 @@
 import * as THREE from 'three';
 
 const shader = {
-  vertexShader: 'void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.); }',
+  vertexShader: `
+#include <clipping_planes_pars_vertex>
+void main() {
+  vec4 mvPosition = modelViewMatrix * vec4(position, 1.);
+  gl_Position = projectionMatrix * mvPosition;
+#include <clipping_planes_vertex>
+}`,
   fragmentShader: `
 #include <packing>
-void main() { gl_FragColor = packDepthToRGBA(gl_FragCoord.z); }`,
+#include <clipping_planes_pars_fragment>
+void main() {
+#include <clipping_planes_fragment>
+  gl_FragColor = packDepthToRGBA(gl_FragCoord.z);
+}`,
 };
 
 export class DepthProbe {
@@ -14,13 +24,15 @@ export class DepthProbe {
     this.target = new THREE.WebGLRenderTarget(1, 1);
     this.scene = new THREE.Scene();
     this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.ShaderMaterial(
-      { ...shader, side: THREE.DoubleSide, blending: THREE.NoBlending }));
+      { ...shader, clipping: true, side: THREE.DoubleSide, blending: THREE.NoBlending }));
     this.mesh.frustumCulled = false;
     this.scene.add(this.mesh);
   }
 
-  look(geometry, camera, width, height) {
+  // `planes` clip it.
+  look(geometry, camera, width, height, planes = []) {
     this.mesh.geometry = geometry;
+    this.mesh.material.clippingPlanes = planes;
     this.target.setSize(width, height);
     camera.updateMatrixWorld();
     const color = this.renderer.getClearColor(new THREE.Color());
@@ -39,7 +51,7 @@ export class DepthProbe {
   // the distance to the camera along its axis, of a depth in [0, 1]
   viewDepth(depth) {
     const { near, far } = this.camera;
-    return near * far / (far - depth * (far - near));
+    return this.camera.isOrthographicCamera ? near + depth * (far - near) : near * far / (far - depth * (far - near));
   }
 
   // Whether the point, in space, is seen: not more than `slack` behind the surface at its pixel, or, for what may lie at the

@@ -2,7 +2,8 @@
 
 export class DragHint {
   constructor(viewer, element) {
-    Object.assign(this, { viewer, element });
+    this.viewer = viewer;
+    this.element = element;
   }
 
   show() {

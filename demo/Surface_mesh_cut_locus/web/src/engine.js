@@ -7,7 +7,9 @@ const startWorker = () => new Worker(new URL('worker.js', import.meta.url));
 
 export class Engine {
   constructor(onStage, onProgress, makeWorker = startWorker) {
-    Object.assign(this, { onStage, onProgress, makeWorker });
+    this.onStage = onStage;
+    this.onProgress = onProgress;
+    this.makeWorker = makeWorker;
     this.pending = new Map();
     this.nextId = 1;
     this.recipe = null; // what the worker has loaded, to load it again
@@ -22,11 +24,12 @@ export class Engine {
       else if (data.stage) this.onStage(data.stage);
       else this.settle(data);
     };
-    worker.onerror = (event) => {
+    const fail = (event) => {
       event.preventDefault();
       this.abandon(Object.assign(new Error(event.message || 'the worker cannot be started'), { cause: 'workerFailed', fatal: true }));
     };
-    worker.onmessageerror = worker.onerror;
+    worker.onerror = fail;
+    worker.onmessageerror = fail;
   }
 
   stop() {

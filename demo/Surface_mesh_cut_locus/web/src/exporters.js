@@ -1,7 +1,6 @@
 // The files that the page itself writes; the curves are written by the library. Positions are those of the file, in
 // single precision or better.
 import * as THREE from 'three';
-import { GLTFExporter } from 'three/examples/jsm/exporters/GLTFExporter.js';
 import { valuesAt } from './atlas.js';
 
 // Where no path leads, as on another part of the mesh: formats and programs that read them do not take what is not finite.
@@ -109,6 +108,7 @@ ${dataArray('offsets', 'UInt32', 1, Array.from({ length: faceCount }, (_, f) => 
 
 // Binary glTF. Its texture coordinates have their origin at the top; the exporter names the distance `_DISTANCE`.
 export async function toGltf(surface) {
+  const { GLTFExporter } = await import('three/examples/jsm/exporters/GLTFExporter.js'); // few need it
   const { triangles, uv, distance } = surface;
   const geometry = new THREE.BufferGeometry();
   const positions = Float32Array.from({ length: 3 * distance.length }, () => 0);

@@ -39,3 +39,13 @@ export function bestArea(view, boxes, scoreOf) {
   }
   return best;
 }
+
+const gap = 5; // pixels
+
+// Of the corners of a view, the place of a square in the first one that no box covers, from the upper left one of the view; null
+// if all are covered.
+export function freeCorner({ width, height }, side, boxes) {
+  const [left, right, top, bottom] = [gap, width - side - gap, gap, height - side - gap];
+  const isFree = ([x, y]) => boxes.every((box) => box.right <= x || box.left >= x + side || box.bottom <= y || box.top >= y + side);
+  return [[right, bottom], [left, bottom], [right, top], [left, top]].find(isFree) || null;
+}

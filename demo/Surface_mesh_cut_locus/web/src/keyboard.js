@@ -1,13 +1,11 @@
 // All that can be done by keys. Letters, digits and signs do so only while one of the views has the focus: spoken words, or
 // keys that are pressed by chance elsewhere, do nothing.
-
-const element = (id) => document.getElementById(id);
+import { element } from './elements.js';
 
 const turn = Math.PI / 24;
 const part = 0.1; // of half of the sheet
 
 export function listenToKeys({ app, viewer, panel, crosshair }) {
-  const { state } = app;
   const isOnSheet = () => document.activeElement === element('atlas-view');
   const isOnView = () => isOnSheet() || document.activeElement === element('model-view');
   const zoom = (factor) => (isOnSheet() ? viewer.movePlane(0, 0, factor) : viewer.zoom(1 / factor));
@@ -26,7 +24,7 @@ export function listenToKeys({ app, viewer, panel, crosshair }) {
     f: () => app.appearance.fit(),
     r: () => app.appearance.fit(),
     v: () => app.appearance.look('best'),
-    m: () => { if (state.solver === 'exact') app.setSolver('exact', panel.nextMethod(state)); },
+    m: () => { if (app.state.solver === 'exact') app.setSolver('exact', panel.nextMethod(app.state)); },
     c: () => app.sheet.toggle(),
     w: () => app.wave.toggle(),
     p: () => app.export('picture', 'png', { ...viewer.size, hasLegend: true }),
@@ -50,7 +48,7 @@ export function listenToKeys({ app, viewer, panel, crosshair }) {
     return true;
   };
 
-  window.addEventListener('keydown', (event) => {
+  window.addEventListener('keydown', (/** @type {any} */ event) => {
     if (element('help').open) return;
     if (!event.target.matches('input[type=number]') && takeBack(event)) return;
     if (event.ctrlKey || event.metaKey || event.altKey) return;

@@ -1,6 +1,6 @@
 // Everything that is on the screen, in the order of its weight, with the colors it has there.
 import { branchScale } from './branch_scale.js';
-import { branchColor, cellColor, cssColor, distanceColor, laplacianColor, stops } from './color_maps.js';
+import { branchColor, cellColor, cssColor, distanceColors, laplacianColor, stops } from './color_maps.js';
 import { number } from './words.js';
 
 function pathLabel({ numbers }) {
@@ -18,7 +18,7 @@ function sourceLabel({ points, total }, atlas) {
 const cellStops = (count) => Array.from({ length: Math.min(count, 12) }, (_, i) => cssColor(cellColor(i)))
   .flatMap((color) => [color, color, color, color]);
 
-export function legendItems({ state, source, curve, curves, defaults, viewer, path, atlas, appearance, hasWave }) {
+export function legendItems({ state, source, curve, curves, viewer, path, atlas, appearance, hasWave }) {
   const { gradient, hasDisk, laplacian, laplacianScale } = appearance;
   if (!source || !curve) return [];
   const { show, look } = state;
@@ -28,11 +28,11 @@ export function legendItems({ state, source, curve, curves, defaults, viewer, pa
   if (source.points.length > 0)
     items.push({ kind: 'dot', color: colors.source, rim: colors.casing, label: sourceLabel(source, atlas) });
   if (source.hasBorder) items.push({ kind: 'line', color: colors.source, label: 'the border, as a source' });
-  const scale = branchScale(state, defaults);
+  const scale = branchScale(state);
   const hasEdgeCurve = show.edgeCurve && hasCurve && Boolean(curves.edgeCurve);
   const colored = show.width && hasCurve && (show.faceCurve || hasEdgeCurve);
   if (colored)
-    items.push({ kind: 'scale', label: `cut locus by ${scale.label.toLowerCase()}:`, ends: scale.ends, stops: stops(branchColor, 4) });
+    items.push({ kind: 'scale', label: `cut locus by ${scale.label.toLowerCase()}, in ${scale.unit}:`, ends: scale.ends, stops: stops(branchColor, 4) });
   if (show.faceCurve && hasCurve && !colored) items.push({ kind: 'line', color: colors.curve, label: 'cut locus' });
   if (hasEdgeCurve && !colored) items.push({ kind: 'line', color: colors.edges, label: 'cut locus along mesh edges' });
   if (show.hidden && hasCurve && (show.faceCurve || hasEdgeCurve))
@@ -46,7 +46,7 @@ export function legendItems({ state, source, curve, curves, defaults, viewer, pa
     items.push({ kind: 'dot', color: colors.nearest, rim: colors.casing, label: 'nearest point of the cut locus' });
   }
   if (look.color === 'distance')
-    items.push({ kind: 'scale', label: 'distance:', ends: ['0', number(source.farthestDistance)], stops: stops(distanceColor) });
+    items.push({ kind: 'scale', label: 'distance:', ends: ['0', number(source.farthestDistance)], stops: stops(distanceColors[look.map]) });
   if (look.color === 'cells' && source.total > 1)
     items.push({ kind: 'scale', label: 'nearest source:', ends: ['1', `${source.total}`], stops: cellStops(source.total) });
   if (look.color === 'laplacian' && laplacian)

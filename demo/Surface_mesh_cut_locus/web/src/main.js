@@ -3,16 +3,18 @@ import { Address } from './address.js';
 import { App } from './app.js';
 import { Crosshair } from './crosshair.js';
 import { DragHint } from './drag_hint.js';
+import { element } from './elements.js';
 import { listenToKeys } from './keyboard.js';
 import { Link } from './link.js';
 import { Panel } from './panel.js';
 import { samples } from './samples.js';
 import { fromHash, toHash } from './state.js';
+import { Store } from './store.js';
 import { Viewer } from './viewer.js';
 
-const element = (id) => document.getElementById(id);
 const isFirstScreen = location.hash.replace(/^#(embed)?/, '') === '';
 const { state, ignored } = fromHash(location.hash);
+const store = new Store(state);
 const link = new Link(ignored);
 const panel = new Panel();
 
@@ -26,7 +28,6 @@ try {
       move: (locate) => app.follower.move(locate),
       end: () => app.follower.end(),
     },
-    onChange: () => saveState(),
     onLost: (isLost) => panel.setLost(isLost),
     overlays: ['tools', 'intro', 'result', 'legend', 'cut-info'].map(element),
   });
@@ -34,7 +35,7 @@ try {
   panel.showMessage('This page needs WebGL 2, which this browser does not offer.');
   throw error;
 }
-const app = new App(viewer, panel, state, link);
+const app = new App(viewer, panel, store, link);
 panel.connect(app);
 panel.setEmbedded(state.isEmbedded);
 
@@ -45,23 +46,23 @@ const address = new Address((hash) => {
 });
 function saveState() {
   if (!app.mesh) return;
-  state.view = viewer.getView();
-  address.set(toHash(state));
-  panel.setLink(toHash({ ...state, isEmbedded: false }));
+  const seen = { ...store.state, view: viewer.getView() };
+  address.set(toHash(seen));
+  panel.setLink(toHash({ ...seen, isEmbedded: false }));
 }
-app.onState = saveState;
+store.subscribe(saveState);
+viewer.onMove = saveState;
 window.addEventListener('pagehide', () => address.flush());
 
 async function start() {
-  if (!state.sample) {
-    if (!await app.openKept()) panel.invite(state.file);
+  const { sample, file, faces } = state;
+  if (!sample) {
+    if (!await app.openKept()) panel.invite(file);
     return;
   }
-  if (!samples.some(({ name }) => name === state.sample)) {
-    link.add(`There is no sample of the name “${state.sample}”.`);
-    state.sample = samples[0].name;
-  }
-  await app.openSample(state.sample, state.faces, true);
+  const isKnown = samples.some(({ name }) => name === sample);
+  if (!isKnown) link.add(`There is no sample of the name “${sample}”.`);
+  await app.openSample(isKnown ? sample : samples[0].name, faces, true);
   if (isFirstScreen && app.isSolved) greet();
 }
 
@@ -106,5 +107,5 @@ stage.addEventListener('drop', async (event) => {
 });
 
 // for tests and for whoever looks at the page from the console
-window.cutLocusPage = { app, viewer, panel, address };
+/** @type {any} */ (window).cutLocusPage = { app, viewer, panel, address };
 start();

@@ -57,13 +57,16 @@ export function setNumber(marker, number) {
 
 const pixels = 5.5; // their radius
 
+// of what the camera sees there
+export function halfHeightAt(place, camera) {
+  return camera.isOrthographicCamera ? (camera.top - camera.bottom) / 2 / camera.zoom
+    : place.distanceTo(camera.position) * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2));
+}
+
 export function sizeMarker(marker, camera, height) {
   const toEye = camera.position.clone().sub(marker.position);
-  const distance = toEye.length();
-  if (camera.isOrthographicCamera) toEye.set(0, 0, 1);
+  if (camera.isOrthographicCamera) camera.getWorldDirection(toEye).negate();
   toEye.normalize();
   for (const part of marker.children) part.position.copy(toEye).multiplyScalar(part.isSprite ? 2.4 : 1);
-  const half = camera.isOrthographicCamera ? (camera.top - camera.bottom) / 2 / camera.zoom
-    : distance * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2));
-  marker.scale.setScalar(2 * pixels / height * half);
+  marker.scale.setScalar(2 * pixels / height * halfHeightAt(marker.position, camera));
 }

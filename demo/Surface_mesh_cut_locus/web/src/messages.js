@@ -15,8 +15,9 @@ const byCause = {
 };
 
 // and what has words alone, as what is wrong with the file
+/** @type {[RegExp, (match: string[]) => string][]} */
 const byWords = [
-  [/have a point in common/, byCause.sameSources],
+  [/have a point in common/, () => byCause.sameSources()],
   [/an edge belongs to more than two faces/,
     () => 'The faces do not form an oriented surface: an edge belongs to more than two faces, or to two of opposite orientation.'],
   [/meets others at a vertex that is not manifold/,

@@ -1,4 +1,5 @@
 // The controls beside the surface, the result on it, and the messages above it.
+import { element } from './elements.js';
 import { kinds } from './exports.js';
 import { fillLegend } from './legend.js';
 import { samples, sampleSizes } from './samples.js';
@@ -6,8 +7,6 @@ import { Slider, thresholds } from './sliders.js';
 import { methods } from './state.js';
 import { recall, remember } from './memory.js';
 import { count, doubts, isOnePoint, milliseconds, number, numberRows, summary } from './words.js';
-
-const element = (id) => document.getElementById(id);
 
 const stageLabels = {
   preprocessing: 'mesh',
@@ -34,7 +33,7 @@ const valueOf = (input) =>
 export class Panel {
   constructor() {
     this.sliders = {};
-    for (const size of sampleSizes) element('faces').append(new Option(`${size / 1000} K faces`, size));
+    for (const size of sampleSizes) element('faces').append(new Option(`${size / 1000} K faces`, String(size)));
     for (const { name, label } of samples) {
       const button = document.createElement('button');
       button.textContent = label;
@@ -51,7 +50,6 @@ export class Panel {
     this.app = app;
     for (const row of thresholds) {
       const slider = new Slider(row, (value) => app.setParameter(row.id, value));
-      slider.methods = row.methods;
       this.sliders[row.id] = slider;
       element(row.isDetail ? 'detail' : 'sliders').append(slider.row);
     }
@@ -103,8 +101,24 @@ export class Panel {
     element('wave-front').addEventListener('input', ({ target }) => app.wave.moveTo(target.value / target.max));
     element('intro-close').addEventListener('click', () => this.closeIntro());
     element('help-button').addEventListener('click', () => element('help').showModal());
+    this.connectFullScreen();
     this.connectExport(app);
+    app.store.subscribe((state) => this.setState(state));
     this.setState(app.state);
+  }
+
+  // Where the browser has it: on phones some have not, and frames may be without.
+  connectFullScreen() {
+    const button = element('full-screen');
+    button.hidden = !document.fullscreenEnabled;
+    button.addEventListener('click', async () => {
+      try {
+        await (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen());
+      } catch {
+        this.showMessage('This browser does not show the page on the full screen.', { isPlain: true });
+      }
+    });
+    document.addEventListener('fullscreenchange', () => button.setAttribute('aria-pressed', String(Boolean(document.fullscreenElement))));
   }
 
   connectExport(app) {
@@ -142,7 +156,7 @@ export class Panel {
   }
 
   get mode() {
-    return document.querySelector('#modes input:checked').value;
+    return /** @type {HTMLInputElement} */ (document.querySelector('#modes input:checked')).value;
   }
 
   setState(state) {
@@ -154,9 +168,10 @@ export class Panel {
     element('keep').value = state.parameters.keep;
     element('border').value = state.border;
     element('parameterization').value = state.parameterization;
+    element('clip-field').hidden = state.look.clip === 'no';
     element('policy-field').hidden = state.method !== 'laplacian';
     for (const [name, slider] of Object.entries(this.sliders)) {
-      slider.set(state.parameters[name]);
+      if (slider.value !== state.parameters[name]) slider.set(state.parameters[name]);
       slider.row.hidden = !slider.methods.includes(state.method);
     }
     for (const [name, value] of Object.entries(state.show)) element(`show-${name}`).checked = value;

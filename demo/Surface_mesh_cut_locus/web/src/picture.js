@@ -24,7 +24,7 @@ export async function takePicture(viewer, { width, height, isTransparent, legend
     // rounding must not change the number of pixels
     Object.assign(viewer.canvas, { width, height });
     for (const pane of panes) pane.shift = [0, 0]; // nothing but the legend lies above it
-    viewer.draw(true, { isTransparent, hasAxes: viewer.hasAxes && !isTransparent });
+    viewer.draw(true, { isTransparent, hasAxes: viewer.hasAxes && !isTransparent, overlays: [] });
     const canvas = Object.assign(document.createElement('canvas'), { width, height });
     const context = canvas.getContext('2d');
     context.drawImage(viewer.canvas, 0, 0);

@@ -7,7 +7,8 @@ export const viewAngle = 35; // degrees
 export class Placement {
   // `overlays` are the elements that lie above the picture.
   constructor(viewer, overlays) {
-    Object.assign(this, { viewer, overlays });
+    this.viewer = viewer;
+    this.overlays = overlays;
   }
 
   // what lies above a pane, in pixels from its upper left corner
@@ -51,7 +52,7 @@ export class Placement {
     const half = Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(view.width / view.height, 1);
     let reach = 0;
     for (let i = 0; i < p.length; i += 3) {
-      const along = p[i] * eye.x + p[i + 1] * eye.y + p[i + 2] * eye.z;
+      const along = camera.isOrthographicCamera ? 0 : p[i] * eye.x + p[i + 1] * eye.y + p[i + 2] * eye.z;
       const across = Math.abs(p[i] * right.x + p[i + 1] * right.y + p[i + 2] * right.z);
       const above = Math.abs(p[i] * high.x + p[i + 1] * high.y + p[i + 2] * high.z);
       reach = Math.max(reach, along + above / (half * height), along + across / (half * width));

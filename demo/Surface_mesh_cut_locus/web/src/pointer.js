@@ -2,6 +2,7 @@
 // values. A source that is pressed follows the pointer until it is released, as all sources do while a key is held.
 import * as THREE from 'three';
 import { coordinatesInFace } from './atlas.js';
+import { halfHeightAt } from './markers.js';
 import { Press } from './press.js';
 
 const restMilliseconds = 50;
@@ -10,7 +11,10 @@ const grabPixels = { mouse: 10, pen: 14, touch: 22 }; // a source that is as nea
 
 export class Pointer {
   constructor(viewer, { onPick, onHover, onFollow }) {
-    Object.assign(this, { viewer, onPick, onHover, onFollow });
+    this.viewer = viewer;
+    this.onPick = onPick;
+    this.onHover = onHover;
+    this.onFollow = onFollow;
     this.ray = new THREE.Raycaster();
     this.ray.firstHitOnly = true;
     this.watch(viewer.model, (x, y) => this.onModel(x, y));
@@ -51,6 +55,7 @@ export class Pointer {
     });
   }
 
+  /** @returns {any} */
   cast(pane, object, x, y) {
     const { viewer } = this;
     const { width, height } = viewer.boxOf(pane);
@@ -59,6 +64,7 @@ export class Pointer {
     pane.camera.updateMatrixWorld();
     viewer.prepareToPick(object);
     this.ray.setFromCamera(new THREE.Vector2(2 * x / width - 1, 1 - 2 * y / height), pane.camera);
+    pane.clipping.limit(this.ray);
     const [hit] = this.ray.intersectObject(object, false);
     return hit || null;
   }
@@ -173,8 +179,7 @@ export class Pointer {
     coordinates.forEach((b, k) =>
       place.addScaledVector(new THREE.Vector3().fromArray(viewer.positions, 3 * viewer.triangles[3 * face + k]), b));
     const { height } = viewer.boxOf(viewer.model);
-    const pixel = 2 * place.distanceTo(viewer.camera.position) / height
-      * Math.tan(THREE.MathUtils.degToRad(viewer.camera.fov / 2));
+    const pixel = 2 / height * halfHeightAt(place, viewer.camera);
     return { face, coordinates, place: place.toArray(), pixel };
   }
 

@@ -15,6 +15,7 @@ const relativeError = 1e-3; // of distances: as the manual has it for a source t
 export class Preview {
   constructor(app) {
     this.app = app;
+    this.engine = null;
     this.forget();
   }
 
@@ -50,7 +51,8 @@ export class Preview {
   async settle(milliseconds) {
     if (this.engine && this.engine.isBusy) this.engine.cancel(false);
     const key = this.wanted;
-    Object.assign(this, { key, faces: 0 });
+    this.key = key;
+    this.faces = 0;
     try {
       const faces = milliseconds > budget && this.app.state.border !== 'only' ? await this.simplify(milliseconds) : 0;
       if (this.key !== key) return;

@@ -4,7 +4,9 @@ import { number } from './words.js';
 
 export class Readout {
   setMesh(positions, triangles) {
-    Object.assign(this, { positions, triangles, start: null });
+    this.positions = positions;
+    this.triangles = triangles;
+    this.start = null;
   }
 
   // the faces of each vertex, when they are first asked for

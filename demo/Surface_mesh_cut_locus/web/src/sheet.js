@@ -23,7 +23,7 @@ export class Sheet {
       this.drop();
       hasChanged = await this.app.attempt('Computing…', () => this.app.appearance.showFields());
     } else {
-      this.app.state.isCut = true;
+      this.app.store.set({ isCut: true });
       hasChanged = await this.app.attempt('Cutting the surface open…', () => (this.app.isSolved ? this.cut() : this.app.solveNow()));
       if (!hasChanged) this.drop();
     }
@@ -45,7 +45,7 @@ export class Sheet {
   }
 
   setParameterization(name) {
-    this.app.state.parameterization = name;
+    this.app.store.set({ parameterization: name });
     if (!this.app.state.isCut) return;
     this.app.attempt('Cutting the surface open…', () => (this.app.isSolved ? this.cut() : this.app.solveNow()));
   }
@@ -120,7 +120,7 @@ export class Sheet {
   }
 
   drop() {
-    this.app.state.isCut = false;
+    this.app.store.set({ isCut: false });
     if (!this.atlas) return;
     this.close();
     this.app.viewer.showUncut();

@@ -5,13 +5,14 @@ const scales = {
   log: { to: Math.exp, from: Math.log },
 };
 
+const digits = 3;
+
 export class Slider {
-  constructor({ id, label, hint, min, max, step, scale = 'linear', initial, automatic, ends, unit = '', digits = 3 },
-    onInput) {
+  constructor({ id, methods, label, hint, min, max, initial, step = 0.001, scale = 'linear', automatic = '', ends = null, unit = '' }, onInput) {
     this.scale = scales[scale];
     this.automaticLabel = automatic;
     this.initial = initial;
-    this.digits = digits;
+    this.methods = methods; // that have it
     this.unit = unit;
     this.onInput = onInput;
     this.row = document.createElement('div');
@@ -24,11 +25,13 @@ export class Slider {
       ${automatic ? `<label class="automatic"><input type="checkbox" id="${id}-auto">${automatic}</label>` : ''}
       ${ends ? `<span class="ends"><small>${ends[0]}</small><small>${ends[1]}</small></span>` : ''}
       <small class="note" id="${id}-note" hidden></small>`;
-    [this.range, this.number] = this.row.querySelectorAll('input');
-    this.automatic = this.row.querySelector('[type=checkbox]');
-    this.note = this.row.querySelector('.note');
+    const [range, number, box] = this.row.querySelectorAll('input');
+    this.range = range;
+    this.number = number;
+    this.automatic = box; // if there is a default
+    this.note = /** @type {HTMLElement} */ (this.row.querySelector('.note'));
     const position = this.scale.from;
-    Object.assign(this.range, { min: position(min), max: position(max), step: scale === 'log' ? 0.001 : step });
+    Object.assign(this.range, { min: position(min), max: position(max), step });
     Object.assign(this.number, { min, max, step: scale === 'log' ? 'any' : step });
     this.clamp = (x) => Math.min(Math.max(x, min), max);
 
@@ -51,11 +54,11 @@ export class Slider {
   }
 
   shown() {
-    return Number(this.scale.to(Number(this.range.value)).toPrecision(this.digits));
+    return Number(this.scale.to(Number(this.range.value)).toPrecision(digits));
   }
 
   input(value, by) {
-    this.value = this.clamp(Number(value.toPrecision(by === this.range ? this.digits : 12)));
+    this.value = this.clamp(Number(value.toPrecision(by === this.range ? digits : 12)));
     if (this.automatic) this.automatic.checked = false;
     this.row.classList.remove('is-automatic');
     if (by !== this.range) this.range.value = this.scale.from(this.value);
@@ -71,7 +74,7 @@ export class Slider {
     if (this.automatic) this.automatic.checked = this.value === null;
     this.row.classList.toggle('is-automatic', this.value === null);
     this.range.value = this.scale.from(this.clamp(shown));
-    this.number.value = Number.isFinite(shown) ? Number(shown.toPrecision(this.digits)) : '';
+    this.number.value = Number.isFinite(shown) ? String(Number(shown.toPrecision(digits))) : '';
     this.tell(this.number.value);
   }
 

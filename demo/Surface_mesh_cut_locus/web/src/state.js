@@ -3,6 +3,9 @@
 export const methods = ['direction', 'polyhedral', 'laplacian'];
 export const parameterizations = ['injective', 'logmap']; // as in the program
 export const keptParts = ['all', 'voronoi', 'medial']; // in the order of `Kept_part` in core/solvers.h
+export const maps = ['viridis', 'cividis', 'magma', 'grays']; // of distances to colors
+// Which part of the mesh a plane takes away: that of larger or of smaller coordinates.
+export const clips = ['no', 'x', '-x', 'y', '-y', 'z', '-z'];
 
 export function defaultState() {
   return {
@@ -42,6 +45,11 @@ export function defaultState() {
       wireframe: false,
       occlusion: true,
       axes: true,
+      projection: 'perspective',
+      lineWidth: 1, // times the usual one
+      map: 'viridis',
+      clip: 'no',
+      clipAt: 0.5, // a share of the way through the mesh
       up: 'auto',
       theme: 'auto',
     },
@@ -151,6 +159,11 @@ const readers = {
   wireframe: flag('wireframe'),
   occlusion: flag('occlusion'),
   axes: flag('axes'),
+  projection: look('projection', ['perspective', 'orthographic']),
+  lineWidth: numberIn(0.5, 3, (state, value) => { state.look.lineWidth = value; }),
+  map: look('map', maps),
+  clip: look('clip', clips),
+  clipAt: numberIn(0, 1, (state, value) => { state.look.clipAt = value; }),
   up: look('up', ['auto', 'y', 'z']),
   theme: look('theme', ['auto', 'light', 'dark']),
   cut: oneOf(['0', '1'], (state, text) => { state.isCut = text === '1'; }),

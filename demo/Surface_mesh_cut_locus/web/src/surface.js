@@ -1,7 +1,7 @@
 // The surface as it is drawn: its colors, lines of equal distance, the injectivity disk and a checker texture are
 // computed for each pixel from attributes of the vertices.
 import * as THREE from 'three';
-import { distanceColor, laplacianColor, makeTexture } from './color_maps.js';
+import { distanceColors, laplacianColor, makeTexture } from './color_maps.js';
 
 const vertexShader = `
 attribute float geodesicDistance;
@@ -14,6 +14,7 @@ varying vec3 vNormal;
 varying vec3 vPlace;
 varying vec2 vUv;
 uniform bool isAtlas;
+#include <clipping_planes_pars_vertex>
 
 void main() {
   vCell = cellColor;
@@ -21,9 +22,10 @@ void main() {
   vLaplacian = distanceLaplacian;
   vNormal = normalMatrix * normal;
   vUv = uv;
-  vec4 place = modelViewMatrix * vec4(isAtlas ? vec3(uv, 0.) : position, 1.);
-  vPlace = place.xyz;
-  gl_Position = projectionMatrix * place;
+  vec4 mvPosition = modelViewMatrix * vec4(isAtlas ? vec3(uv, 0.) : position, 1.);
+  vPlace = mvPosition.xyz;
+  gl_Position = projectionMatrix * mvPosition;
+#include <clipping_planes_vertex>
 }`;
 
 const fragmentShader = `
@@ -50,8 +52,10 @@ uniform float checkers;
 uniform float opacity;
 uniform sampler2D distanceMap;
 uniform sampler2D laplacianMap;
+#include <clipping_planes_pars_fragment>
 
 void main() {
+#include <clipping_planes_fragment>
   vec3 color = plain;
   bool isReached = vDistance >= 0. && (front < 0. || vDistance <= front);
   if(coloring == 1 && isReached)
@@ -92,6 +96,8 @@ void main() {
 
 const colorings = ['plain', 'distance', 'laplacian', 'cells'];
 
+const textures = {}; // of the scales that have been shown
+
 function makeUniforms(isAtlas) {
   return {
     isAtlas: { value: isAtlas },
@@ -109,7 +115,7 @@ function makeUniforms(isAtlas) {
     laplacianScale: { value: 1 },
     checkers: { value: 20 },
     opacity: { value: 1 },
-    distanceMap: { value: makeTexture(distanceColor) },
+    distanceMap: { value: null },
     laplacianMap: { value: makeTexture(laplacianColor) },
   };
 }
@@ -121,6 +127,7 @@ export class Surface {
       vertexShader,
       fragmentShader,
       uniforms: this.uniforms,
+      clipping: true,
       polygonOffset: true,
       polygonOffsetFactor: 1,
       polygonOffsetUnits: 1,
@@ -141,12 +148,23 @@ export class Surface {
       mesh({ side: THREE.FrontSide, ...blended }, 2),
     ];
     this.object = new THREE.Group();
-    this.object.add(this.opaque, ...this.layers);
+    this.meshes = [this.opaque, ...this.layers];
+    this.object.add(...this.meshes);
     this.setOpacity(1);
   }
 
   setGeometry(geometry) {
-    for (const mesh of this.object.children) mesh.geometry = geometry;
+    for (const mesh of this.meshes) mesh.geometry = geometry;
+  }
+
+  // The scale of colors of distances.
+  setMap(name) {
+    textures[name] ||= makeTexture(distanceColors[name]);
+    return this.setUniforms({ distanceMap: textures[name] });
+  }
+
+  get materials() {
+    return this.meshes.map(({ material }) => material);
   }
 
   setOpacity(opacity) {

@@ -39,12 +39,15 @@ function makeTarget(count) {
 
 export class SurfaceLayer {
   constructor(renderer, scene, camera) {
-    Object.assign(this, { renderer, scene, camera });
+    this.renderer = renderer;
+    this.scene = scene;
+    this.camera = camera;
     this.isValid = false;
     this.isStale = false; // only the values at the vertices are other ones
     this.target = makeTarget(samples);
     this.interval = 0; // milliseconds: stale pictures are drawn again after as many
     this.isCoarse = false;
+    this.planes = []; // that clip the scene
     this.material = new THREE.ShaderMaterial({
       vertexShader: copyVertexShader,
       fragmentShader: copyFragmentShader,
@@ -72,6 +75,11 @@ export class SurfaceLayer {
     if (this.pass) this.pass.setSize(Math.ceil(width / 2), Math.ceil(height / 2));
     this.isValid = false;
     this.hasOcclusion = false;
+  }
+
+  setCamera(camera) {
+    this.camera = camera;
+    this.renew();
   }
 
   setCoarse(isCoarse) {
@@ -124,14 +132,15 @@ export class SurfaceLayer {
   // How much light reaches hollows; half of the pixels along each axis do, as it changes slowly.
   computeOcclusion() {
     if (!this.pass) {
-      const size = [Math.ceil(this.target.width / 2), Math.ceil(this.target.height / 2)];
-      this.pass = new GTAOPass(this.scene, this.camera, ...size, undefined,
-        { radius: 0.22, distanceExponent: 1.4, thickness: 1.5, scale: 1.1, samples: 12 },
-        { lumaPhi: 10, depthPhi: 2, normalPhi: 3, radius: 6, rings: 2, samples: 12 });
+      const width = Math.ceil(this.target.width / 2), height = Math.ceil(this.target.height / 2);
+      this.pass = new GTAOPass(this.scene, this.camera, width, height);
+      this.pass.updateGtaoMaterial({ radius: 0.22, distanceExponent: 1.4, thickness: 1.5, scale: 1.1, samples: 12 });
+      this.pass.updatePdMaterial({ lumaPhi: 10, depthPhi: 2, normalPhi: 3, radius: 6, rings: 2, samples: 12 });
       this.pass.output = GTAOPass.OUTPUT.Off;
       this.pass.normalMaterial.side = THREE.DoubleSide; // surfaces with a border have two sides
     }
-    this.pass.render(this.renderer);
+    this.pass.normalMaterial.clippingPlanes = this.planes;
+    this.pass.render(this.renderer, null, null, 0, false); // into a target of its own
     this.material.uniforms.occlusion.value = this.pass.gtaoMap;
     this.hasOcclusion = true;
   }

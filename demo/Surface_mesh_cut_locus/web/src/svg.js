@@ -10,19 +10,25 @@ function document(width, height, body) {
     + `fill="none" stroke-linecap="round" stroke-linejoin="round">\n${body}\n</svg>\n`;
 }
 
+// of segments, those that a plane leaves
+function kept(segments, clipping) {
+  const isKept = (i) => clipping.keeps(new THREE.Vector3().fromArray(segments, i));
+  return segments.filter((_, i) => isKept(i - i % 6) && isKept(i - i % 6 + 3));
+}
+
 // `points` and `lines` are sources, in space.
 export function curveToSvg(viewer, segments, { points, lines }, colors) {
   const { width, height } = viewer.boxOf(viewer.model);
   const { camera, probe } = viewer;
   viewer.setAspect(viewer.model, width / height);
   const scale = Math.min(2, 2048 / Math.max(width, height));
-  probe.look(viewer.pickable.geometry, camera, Math.round(scale * width), Math.round(scale * height));
+  probe.look(viewer.pickable.geometry, camera, Math.round(scale * width), Math.round(scale * height), viewer.clipping.planes);
   const place = (p) => {
     const v = new THREE.Vector3(...p).project(camera);
     return [(v.x + 1) / 2 * width, (1 - v.y) / 2 * height];
   };
   const parts = { hidden: [], seen: [] };
-  for (const chain of chainsOf(segments)) {
+  for (const chain of chainsOf(kept(segments, viewer.clipping))) {
     const isSeen = (i) => probe.sees(new THREE.Vector3(...chain[i - 1]).add(new THREE.Vector3(...chain[i])).multiplyScalar(0.5), 0.01);
     for (let i = 1; i < chain.length;) {
       const seen = isSeen(i);
@@ -31,12 +37,12 @@ export function curveToSvg(viewer, segments, { points, lines }, colors) {
       parts[seen ? 'seen' : 'hidden'].push(path(run));
     }
   }
-  const sources = points.map((point) => {
+  const sources = points.filter((point) => viewer.clipping.keeps(new THREE.Vector3(...point))).map((point) => {
     const [x, y] = place(point);
     return `<circle cx="${round(x)}" cy="${round(y)}" r="5" fill="${colors.source}" stroke="#fff"/>`;
   });
   if (lines.length > 0)
-    sources.unshift(`<path id="border" stroke="${colors.source}" stroke-width="3" d="${chainsOf(lines).map((chain) => path(chain.map(place))).join('')}"/>`);
+    sources.unshift(`<path id="border" stroke="${colors.source}" stroke-width="3" d="${chainsOf(kept(lines, viewer.clipping)).map((chain) => path(chain.map(place))).join('')}"/>`);
   return document(width, height,
     `<path id="hidden" stroke="${colors.hidden}" stroke-width="2" stroke-dasharray="4 5" d="${parts.hidden.join('')}"/>\n`
     + `<path id="seen" stroke="${colors.curve}" stroke-width="3" d="${parts.seen.join('')}"/>\n${sources.join('\n')}`);

@@ -3,11 +3,15 @@
 import * as THREE from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { ViewHelper } from 'three/examples/jsm/helpers/ViewHelper.js';
+import { arrowsAlong } from './arrows.js';
 import { valuesAt } from './atlas.js';
+import { Clipping } from './clipping.js';
 import { CurveLines } from './curve_lines.js';
 import { DepthProbe } from './depth_probe.js';
+import { hasCard } from './line_geometry.js';
 import { makeMarker, setMarkerColors, setNumber, sizeMarker } from './markers.js';
 import { acceleratedRaycast, MeshBVH } from 'three-mesh-bvh';
+import { freeCorner } from './free_area.js';
 import { Placement, viewAngle } from './placement.js';
 import { Pointer } from './pointer.js';
 import { Surface } from './surface.js';
@@ -19,15 +23,20 @@ const previewFading = 0.4; // into the background
 const coarseness = 1 / 2; // of the pixels along each axis, where drawing takes long, while a source moves
 const modelRadius = 1.02; // the mesh fills the unit ball
 
+function setSides(camera, half, aspect) {
+  Object.assign(camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
+}
+
 export class Viewer {
-  constructor(canvas, views, { onPick, onHover, onFollow, onChange, onLost, overlays = [] }) {
+  constructor(canvas, views, { onPick, onHover, onFollow, onLost, overlays = [] }) {
     this.canvas = canvas;
-    this.onChange = onChange;
+    this.onMove = () => {}; // what is told when the model's camera has moved
     this.placement = new Placement(this, overlays);
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.pixelRatio = Math.min(window.devicePixelRatio, 2);
     this.renderer.setPixelRatio(this.pixelRatio);
     this.renderer.autoClear = false;
+    this.renderer.localClippingEnabled = true;
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     THREE.ColorManagement.enabled = false;
     this.probe = new DepthProbe(this.renderer);
@@ -38,12 +47,16 @@ export class Viewer {
     this.isDirty = false;
     this.afterDraw = new Set(); // what lies above the picture, and moves with it
 
-    this.model = this.makePane(views.model, new THREE.PerspectiveCamera(viewAngle, 1, 0.01, 100));
+    this.cameras = { perspective: new THREE.PerspectiveCamera(viewAngle, 1, 0.01, 100), orthographic: new THREE.OrthographicCamera() };
+    this.model = this.makePane(views.model, this.cameras.perspective);
     this.plane = this.makePane(views.atlas, new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10));
     this.plane.controls.enableRotate = false;
     this.plane.controls.mouseButtons.LEFT = THREE.MOUSE.PAN;
     this.plane.controls.touches.ONE = THREE.TOUCH.PAN;
     this.camera = this.model.camera;
+    this.clipping = this.model.clipping;
+    this.axesCamera = new THREE.OrthographicCamera(-1.6, 1.6, 1.6, -1.6, 0, 4);
+    this.axesCamera.position.set(0, 0, 2);
 
     this.surface = new Surface();
     this.pickable = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
@@ -80,6 +93,7 @@ export class Viewer {
     this.sheetMarkers = new THREE.Group(); // the sources, where they are on their sheets
     this.plane.lines.add(...this.atlasSeams.objects, this.sheetMarkers);
 
+    this.setInstanced(hasCard(this.renderer.getContext()));
     this.makeControls();
     this.pointer = new Pointer(this, { onPick, onHover, onFollow });
     this.watchContext(onLost);
@@ -104,7 +118,7 @@ export class Viewer {
 
   makePane(element, camera) {
     const surfaces = new THREE.Scene(), lines = new THREE.Scene();
-    const pane = { element, camera, surfaces, lines, shift: [0, 0], part: 1, layer: new SurfaceLayer(this.renderer, surfaces, camera) };
+    const pane = { element, camera, surfaces, lines, shift: [0, 0], part: 1, clipping: new Clipping(), layer: new SurfaceLayer(this.renderer, surfaces, camera) };
     if (camera.isOrthographicCamera) {
       camera.position.set(0, 0, 5);
       pane.controls = this.listen(new OrbitControls(camera, element), pane);
@@ -115,8 +129,10 @@ export class Viewer {
   listen(controls, pane) {
     controls.zoomToCursor = true;
     controls.enableDamping = false;
-    controls.addEventListener('change', () => this.moved(pane));
-    controls.addEventListener('end', () => this.onChange());
+    controls.addEventListener('change', () => {
+      if (pane === this.model) this.takeZoom();
+      this.moved(pane);
+    });
     return controls;
   }
 
@@ -132,6 +148,58 @@ export class Viewer {
     this.model.controls = this.controls;
     this.helper = new ViewHelper(this.camera, this.model.element);
     this.helper.setLabels('x', 'y', 'z');
+  }
+
+  // What a camera without perspective sees is as large as how far it is away from what is looked at: there is no other zoom.
+  takeZoom() {
+    const { camera } = this;
+    if (camera.zoom === 1) return;
+    const { target } = this.controls;
+    camera.position.sub(target).divideScalar(camera.zoom).add(target);
+    camera.zoom = 1;
+  }
+
+  // `perspective` or `orthographic`
+  setProjection(name) {
+    const camera = this.cameras[name];
+    if (camera === this.camera) return;
+    camera.position.copy(this.camera.position);
+    this.camera = camera;
+    this.model.camera = camera;
+    this.model.layer.setCamera(camera);
+    this.makeControls();
+    this.controls.update();
+    this.invalidate();
+  }
+
+  // as `Clipping.set()`
+  setClip(name, share) {
+    const { geometry } = this.pickable;
+    const isOther = this.clipping.set(name, share, geometry.boundingBox || new THREE.Box3());
+    const { planes } = this.clipping;
+    const materials = [...this.surface.materials, this.wireframe.material, this.arrows.material,
+      ...this.curves.flatMap((curve) => curve.materials)];
+    if (isOther) for (const material of materials) material.clippingPlanes = planes;
+    this.model.layer.planes = planes;
+    this.model.layer.hasOcclusion = false;
+    this.invalidate();
+  }
+
+  // how lines are drawn
+  setInstanced(isInstanced) {
+    for (const curve of [...this.curves, this.atlasSeams]) curve.setInstanced(isInstanced);
+    this.invalidateCurves();
+  }
+
+  setLineWidth(factor) {
+    for (const curve of [...this.curves, this.atlasSeams]) curve.setWidth(factor);
+    this.invalidateCurves();
+  }
+
+  // the scale of colors of distances
+  setMap(name) {
+    const changes = [this.surface, this.atlas].map((surface) => surface.setMap(name));
+    if (changes.some(Boolean)) this.invalidateValues();
   }
 
   setUp(up) {
@@ -166,6 +234,7 @@ export class Viewer {
     pane.layer.hasOcclusion = false;
     this.lastMove = performance.now();
     this.invalidateCurves();
+    if (pane === this.model) this.onMove();
   }
 
   // A new frame is needed. Only `invalidateCurves` keeps the picture of the surface.
@@ -215,7 +284,7 @@ export class Viewer {
   }
 
   // `isTransparent`: without a background, for pictures.
-  draw(isAtRest = true, { isTransparent = false, hasAxes = this.hasAxes } = {}) {
+  draw(isAtRest = true, { isTransparent = false, hasAxes = this.hasAxes, overlays = null } = {}) {
     const { renderer } = this;
     renderer.setClearColor(isTransparent ? 0x000000 : this.colors ? this.colors.back : 0xffffff, isTransparent ? 0 : 1);
     renderer.setScissorTest(false);
@@ -226,7 +295,7 @@ export class Viewer {
     if (this.hasAtlas) this.drawPane(this.plane, 0);
     if (hasAxes) {
       renderer.setViewport(0, 0, this.size.width, this.size.height);
-      this.drawAxes();
+      this.drawAxes(overlays || this.placement.overlaysOf(this.model));
     }
     for (const action of this.afterDraw) action();
   }
@@ -247,17 +316,17 @@ export class Viewer {
     this.invalidateCurves();
   }
 
-  // in the lower right corner of the model's part
-  drawAxes() {
+  // In the first corner of the model's part, from the lower right one, that nothing covers; if all are covered, nowhere.
+  drawAxes(overlays) {
     const box = this.boxOf(this.model);
-    const side = Math.min(92, box.width / 4);
+    const side = Math.min(92, box.width / 4, box.height / 5);
+    const corner = freeCorner(box, side, overlays);
+    if (!corner) return;
     const { renderer } = this;
     this.helper.quaternion.copy(this.camera.quaternion).invert();
     this.helper.updateMatrixWorld();
-    this.axesCamera ||= Object.assign(new THREE.OrthographicCamera(-1.6, 1.6, 1.6, -1.6, 0, 4));
-    this.axesCamera.position.set(0, 0, 2);
     renderer.clearDepth();
-    renderer.setViewport(box.left + box.width - side - 6, box.bottom + 4, side, side);
+    renderer.setViewport(box.left + corner[0], box.bottom + box.height - corner[1] - side, side, side);
     renderer.render(this.helper, this.axesCamera);
   }
 
@@ -290,20 +359,26 @@ export class Viewer {
 
   // The view has the same angle along the shorter side of the window, whichever that is.
   // What is looked at is in the middle of the part of the pane that is free.
-  setAspect({ camera, shift, part }, aspect) {
+  setAspect(pane, aspect) {
+    const { camera, shift } = pane;
+    if (pane === this.model) this.setFrustum(camera, Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(aspect, 1), aspect);
+    else setSides(camera, 1.06 / pane.part * Math.max(1, 1 / aspect), aspect);
+    camera.setViewOffset(aspect, 1, -shift[0] * aspect, shift[1], aspect, 1);
+  }
+
+  // `half` is half of the height of what is seen, at distance 1. As near to the mesh as can be: depths are the more accurate.
+  setFrustum(camera, half, aspect) {
+    const depth = camera.position.dot(this.eye); // of the middle of the mesh
     if (camera.isPerspectiveCamera) {
-      const half = Math.tan(THREE.MathUtils.degToRad(viewAngle / 2)) / Math.min(aspect, 1);
       camera.fov = 2 * THREE.MathUtils.radToDeg(Math.atan(half));
       camera.aspect = aspect;
-      // as near to the mesh as can be: depths are the more accurate
-      const distance = camera.position.length();
-      camera.near = Math.max(distance - modelRadius, 0.004);
-      camera.far = Math.max(distance + modelRadius, 0.1);
+      camera.near = Math.max(depth - modelRadius, 0.004);
+      camera.far = Math.max(depth + modelRadius, 0.1);
     } else {
-      const half = 1.06 / part * Math.max(1, 1 / aspect);
-      Object.assign(camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
+      setSides(camera, half * camera.position.distanceTo(this.controls.target), aspect);
+      camera.near = depth - modelRadius;
+      camera.far = depth + modelRadius;
     }
-    camera.setViewOffset(aspect, 1, -shift[0] * aspect, shift[1], aspect, 1);
   }
 
   get eye() {
@@ -312,7 +387,10 @@ export class Viewer {
 
   setMarkerSizes({ camera }, height) {
     const { children } = camera === this.camera ? this.markers : this.sheetMarkers;
-    for (const marker of children) sizeMarker(marker, camera, height);
+    for (const marker of /** @type {any[]} */ (children)) {
+      marker.visible = marker.isSet && (camera !== this.camera || this.clipping.keeps(marker.position));
+      sizeMarker(marker, camera, height);
+    }
   }
 
   resize() {
@@ -462,6 +540,7 @@ export class Viewer {
     this.pickable.geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
     this.pickable.geometry.computeVertexNormals();
     this.pickable.geometry.computeBoundingSphere();
+    this.pickable.geometry.computeBoundingBox();
     this.hidePreview();
     this.distance = null;
     this.laplacian = null;
@@ -497,6 +576,7 @@ export class Viewer {
     geometry.setIndex(this.pickable.geometry.index);
     geometry.setAttribute('position', this.pickable.geometry.getAttribute('position'));
     geometry.setAttribute('normal', this.pickable.geometry.getAttribute('normal'));
+    /** @type {any} */
     this.cut = null;
     this.exactCells = null;
     this.setHasAtlas(false);
@@ -656,7 +736,8 @@ export class Viewer {
   }
 
   setMarker(marker, point) {
-    marker.visible = point !== null;
+    marker.isSet = point !== null;
+    marker.visible = marker.isSet;
     if (point) marker.position.fromArray(point);
     this.invalidateCurves();
   }
@@ -702,27 +783,13 @@ export class Viewer {
     this.setMarker(this.endMarker, end);
   }
 
-  // Arrows at some of the vertices, evenly taken, along vectors of length 1 where the distance is smooth.
+  // Arrows along vectors of length 1 where the distance is smooth.
   setArrows(gradient, length) {
-    const count = this.positions.length / 3;
-    const step = Math.max(1, Math.ceil(count / 6000));
-    const lines = [];
-    const normal = this.pickable.geometry.getAttribute('normal').array;
-    for (let v = 0; v < count; v += step) {
-      const at = [0, 1, 2].map((k) => this.positions[3 * v + k] + 0.15 * length * normal[3 * v + k]);
-      const along = [0, 1, 2].map((k) => length * gradient[3 * v + k]);
-      const across = [0, 1, 2].map((k) => {
-        const i = (k + 1) % 3, j = (k + 2) % 3;
-        return normal[3 * v + i] * along[j] - normal[3 * v + j] * along[i];
-      });
-      const tip = at.map((x, k) => x + along[k]);
-      lines.push(...at, ...tip);
-      for (const side of [-1, 1])
-        lines.push(...tip, ...tip.map((x, k) => x - 0.3 * along[k] + side * 0.15 * across[k]));
-    }
+    const normals = this.pickable.geometry.getAttribute('normal').array;
+    const lines = arrowsAlong(gradient, this.positions, normals, length);
     this.arrows.geometry.dispose();
     this.arrows.geometry = new THREE.BufferGeometry();
-    this.arrows.geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(lines), 3));
+    this.arrows.geometry.setAttribute('position', new THREE.BufferAttribute(lines, 3));
     this.invalidateCurves();
   }
 }

@@ -6,7 +6,8 @@ const duration = 5000; // milliseconds
 export class Wave {
   // `show` draws it, and tells its state: a share in [0, 1], 1 if there is no wave, and whether it plays.
   constructor(show, nextFrame = (action) => requestAnimationFrame(action)) {
-    Object.assign(this, { show, nextFrame });
+    this.show = show;
+    this.nextFrame = nextFrame;
     this.share = 1;
     this.isPlaying = false;
   }

@@ -3,7 +3,9 @@
 import { arrays, causeNames, curveNames } from './arrays.js';
 import { keptParts } from './state.js';
 
-const base = new URL('.', self.location.href);
+/** @type {any} */
+const scope = self;
+const base = new URL('.', scope.location.href);
 
 const stageNames = ['preprocessing', 'distance', 'strength', 'tree', 'homology', 'filter',
   'flattening', 'cutting'];
@@ -20,7 +22,7 @@ const settings = {
     const name = stageNames[stage];
     if (starts) {
       stageStart = now;
-      self.postMessage({ stage: name });
+      scope.postMessage({ stage: name });
     } else {
       stageTimes[name] = (stageTimes[name] || 0) + now - stageStart;
     }
@@ -29,15 +31,15 @@ const settings = {
     const now = performance.now();
     if (now - lastShare < betweenShares) return;
     lastShare = now;
-    self.postMessage({ stage: stageNames[stage], share });
+    scope.postMessage({ stage: stageNames[stage], share });
   },
 };
 
 // What cannot be loaded is said to each command.
 const ready = (async () => {
   try {
-    importScripts(new URL('cut_locus.js', base).href);
-    return await self.createCutLocus(settings);
+    scope.importScripts(new URL('cut_locus.js', base).href);
+    return await scope.createCutLocus(settings);
   } catch (error) {
     throw Object.assign(new Error(error.message || String(error)), { cause: 'notLoaded', fatal: true });
   }
@@ -205,14 +207,14 @@ function buffersOf(result, buffers = []) {
   return buffers;
 }
 
-self.onmessage = async ({ data }) => {
+scope.onmessage = async ({ data }) => {
   try {
     const module = await ready;
     const result = commands[data.command](module, data);
-    self.postMessage({ id: data.id, result }, buffersOf(result));
+    scope.postMessage({ id: data.id, result }, buffersOf(result));
   } catch (error) {
     // what is not an error of the library leaves the module in an unknown state
     const fatal = error.fatal || error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
-    self.postMessage({ id: data.id, error: error.message || String(error), cause: error.cause, fatal });
+    scope.postMessage({ id: data.id, error: error.message || String(error), cause: error.cause, fatal });
   }
 };

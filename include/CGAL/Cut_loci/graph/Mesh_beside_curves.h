@@ -14,6 +14,7 @@
 #include <CGAL/Cut_loci/surface/Source_parts.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,7 +34,7 @@ class Mesh_beside_curves
 public:
   /// @param first the number of the first curve among the sources
   Mesh_beside_curves(const Indexed_triangle_mesh& whole, Index first, const std::vector<Indexed_curve>& curves)
-    : cut_(cut(whole, curves)), connectivity_(cut_.mesh), number_of_vertices_(whole.number_of_vertices())
+    : cut_(cut(whole, curves)), connectivity_(cut_.mesh)
   {
     std::vector<Index> source(whole.number_of_halfedges(), null_index);
     for(Index i = 0; i < curves.size(); ++i)
@@ -54,8 +55,8 @@ public:
   /// from the distances of the mesh that is not cut; those on sources are 0, whatever a solver says
   std::vector<double> distances(const std::vector<double>& of_whole) const
   {
-    std::vector<double> result(of_whole.begin(), of_whole.begin() + number_of_vertices_);
-    result.resize(cut_.mesh.number_of_vertices(), 0.);
+    std::vector<double> result = of_whole;
+    result.resize(cut_.mesh.number_of_vertices()); // copies of vertices are on sources
     for(Index v = 0; v < result.size(); ++v)
       if(parts_.is_at_source(v))
         result[v] = 0.;
@@ -69,12 +70,7 @@ public:
     for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
       if(mesh.is_border_edge(h) && !parts_.is_on_source(h) && parts_.is_at_source(mesh.source(h)) &&
          parts_.is_at_source(mesh.target(h)))
-        throw Invalid_input(Cause::NO_FACE_AT_SOURCE,
-                            "on the border, sources " + std::to_string(parts_.source(parts_.part(mesh.source(h)))) +
-                              " and " + std::to_string(parts_.source(parts_.part(mesh.target(h)))) +
-                              " are one edge apart, which a curve of mesh edges does not cross: the mesh has to be "
-                              "refined there; or " +
-                              remedy);
+        throw_gap(std::minmax({source_at(mesh.source(h)), source_at(mesh.target(h))}), remedy);
   }
 
   /// a curve becomes one of the mesh that is not cut
@@ -86,6 +82,17 @@ public:
   }
 
 private:
+  Index source_at(Index v) const { return parts_.source(parts_.part(v)); }
+
+  [[noreturn]] static void throw_gap(const std::pair<Index, Index>& sources, const std::string& remedy)
+  {
+    const std::string first = std::to_string(sources.first), second = std::to_string(sources.second);
+    throw Invalid_input(
+      Cause::NO_FACE_AT_SOURCE,
+      "on the border, " + (first == second ? "two ends of source " + first : "sources " + first + " and " + second) +
+        " are one edge apart, which no curve of mesh edges crosses: refine the mesh there; or " + remedy);
+  }
+
   static Cut_mesh cut(const Indexed_triangle_mesh& whole, const std::vector<Indexed_curve>& curves)
   {
     Seams seams(whole.number_of_halfedges(), 0);
@@ -97,7 +104,6 @@ private:
 
   Cut_mesh cut_;
   Mesh_connectivity connectivity_;
-  Index number_of_vertices_; // of the mesh that is not cut
   Source_parts parts_;
 };
 

@@ -30,7 +30,6 @@
 #include <CGAL/Cut_loci/method/distances_from_lines.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/ways/Source_faces.h>
 #include <CGAL/Cut_loci/surface/checked_mesh.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
@@ -73,8 +72,7 @@ public:
     is_approximate_ = is_approximate;
     roots_ = roots;
     nearest_source_ = std::move(nearest);
-    if(const Index i = roots_.first_without_face(); i != null_index)
-      Source_faces::throw_source_without_face(roots_.name(i), remedy());
+    roots_.check_faces(remedy());
     distance_ = std::move(distance);
     is_source_.assign(distance_.size(), 0);
     for(const Indexed_source& source : roots_.points())

@@ -7,14 +7,12 @@
 #ifndef CGAL_CUT_LOCI_WAYS_SOURCE_FACES_H
 #define CGAL_CUT_LOCI_WAYS_SOURCE_FACES_H
 
-#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/Source_parts.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -73,24 +71,6 @@ public:
     return (source_at_vertex_[mesh.source(h)] == owner) != (source_at_vertex_[mesh.target(h)] == owner) ||
            std::find(edges_.begin(), edges_.end(), h) != edges_.end() ||
            std::find(edges_.begin(), edges_.end(), o) != edges_.end();
-  }
-
-  /// the first source that has no face to itself, or null
-  Index first_without_face() const
-  {
-    for(Index i = 0; i < face_.size() && face_.size() > 1; ++i)
-      if(face_[i] == null_index)
-        return i;
-    return null_index;
-  }
-
-  [[noreturn]] static void throw_source_without_face(Index i, const std::string& remedy)
-  {
-    throw Invalid_input(Cause::NO_FACE_AT_SOURCE,
-                        "source " + std::to_string(i) +
-                          " has no face to itself, as other sources lie on the same ones: no curve of mesh edges "
-                          "separates them; " +
-                          remedy);
   }
 
   std::size_t number_of_sources() const { return face_.size(); }

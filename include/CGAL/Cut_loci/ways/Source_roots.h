@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_WAYS_SOURCE_ROOTS_H
 #define CGAL_CUT_LOCI_WAYS_SOURCE_ROOTS_H
 
+#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/ways/Source_faces.h>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -64,7 +66,6 @@ public:
     for(Index part = 0; part < parts.size(); ++part)
       names_.push_back(parts.source(part));
     const internal::Source_faces faces(mesh, connectivity, points, parts);
-    first_without_face_ = faces.first_without_face();
     for(Index f = 0; f < mesh.number_of_faces(); ++f)
       owner_.push_back(faces.owner(f));
     for(Index i = 0; i < number_of_sources(); ++i)
@@ -91,8 +92,17 @@ public:
   const std::vector<Index>& owners() const { return owner_; }
   /// a face that source `i` has to itself
   Index face(Index i) const { return face_[i]; }
-  /// the first source that has none, or `null_index`
-  Index first_without_face() const { return first_without_face_; }
+  /// throws if a source has none
+  void check_faces(const std::string& remedy) const
+  {
+    const auto i = std::find(face_.begin(), face_.end(), null_index);
+    if(i != face_.end())
+      throw Invalid_input(Cause::NO_FACE_AT_SOURCE,
+                          "source " + std::to_string(name(static_cast<Index>(i - face_.begin()))) +
+                            " has no face to itself, as other sources lie on the same ones: no curve of mesh edges "
+                            "separates them; " +
+                            remedy);
+  }
   /// across these halfedges, the faces of each source hang together: as a tree, so that around a vertex one is left
   const std::vector<Index>& crossings() const { return crossings_; }
   /// for each point, what of it is never on the cut locus, as it has all faces there
@@ -144,7 +154,6 @@ private:
   std::vector<Index> owner_; // of each face
   std::vector<Index> face_, crossings_;
   std::vector<Source_element> elements_;
-  Index first_without_face_ = null_index;
 };
 
 namespace internal {

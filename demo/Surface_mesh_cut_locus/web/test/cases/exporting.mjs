@@ -1,6 +1,13 @@
 // What is exported is whole, in all formats, whatever is shown.
 import assert from 'node:assert/strict';
+import { validateBytes } from 'gltf-validator';
 import { curveTopology, readGlb, readObj, readPngSize, surfaceTopology } from '../topology.mjs';
+
+// by the validator of those who make the format
+async function validate(glb) {
+  const { issues } = await validateBytes(new Uint8Array(glb));
+  assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0], JSON.stringify(issues.messages));
+}
 
 export const tests = {
   async 'the curve is exported whole'(d) {
@@ -61,10 +68,12 @@ export const tests = {
     assert.match(ply.subarray(0, 400).toString('latin1'), new RegExp(`element vertex ${vertices}\n`));
     const header = ply.indexOf('end_header\n') + 11;
     assert.equal(ply.length - header, 28 * vertices + 13 * faces);
-    assert.equal((await d.exported('surface', 'glb')).subarray(0, 4).toString(), 'glTF');
+    await validate(await d.exported('surface', 'glb'));
     const cutPly = await d.exported('cut', 'ply');
     assert.match(cutPly.subarray(0, 400).toString('latin1'), new RegExp(`element vertex ${copies}\n[^]*property float s\n`));
-    const { meshes, accessors } = readGlb(await d.exported('cut', 'glb'));
+    const glb = await d.exported('cut', 'glb');
+    await validate(glb);
+    const { meshes, accessors } = readGlb(glb);
     const { attributes, indices } = meshes[0].primitives[0];
     assert.equal(accessors[attributes.POSITION].count, copies);
     assert.equal(accessors[attributes.TEXCOORD_0].count, copies);

@@ -112,6 +112,9 @@ export const tests = {
     await page.click('#help-button');
     assert.ok(await page.evaluate(() => document.getElementById('help').scrollTop === 0
       && document.getElementById('help-title').getBoundingClientRect().top > 0));
+    const figure = await page.locator('#figure svg').boundingBox();
+    assert.ok(figure.width > 300 && figure.height > 90, JSON.stringify(figure));
+    await d.picture('help.png');
     await page.keyboard.press('Escape');
   },
 };

@@ -100,6 +100,43 @@ export const tests = {
     assert.ok(await d.page.locator('#width').isVisible());
   },
 
+  async 'the page fills the screen, and comes back'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000');
+    const isFull = () => page.evaluate(() => document.fullscreenElement === document.documentElement);
+    await page.click('#full-screen');
+    await page.waitForFunction(() => document.fullscreenElement);
+    await page.waitForFunction(() => document.getElementById('full-screen').ariaPressed === 'true');
+    assert.ok(await isFull());
+    await page.focus('#full-screen');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => !document.fullscreenElement && document.getElementById('full-screen').ariaPressed === 'false');
+    await d.resize();
+  },
+
+  async 'on a phone on its side, the legend of all layers leaves the surface its height'(d) {
+    await d.resize(...sizes.landscape);
+    await d.open('#sample=genus-3&faces=5000&color=distance&show=width,disk,edgeCurve,gradient&wireframe=true');
+    const [legend, result, stage] = [await boxOf(d, '#legend'), await boxOf(d, '#result'), await boxOf(d, '#stage')];
+    assert.ok(!overlaps(legend, result) && legend.y + legend.height <= stage.height, JSON.stringify([legend, result]));
+    assert.ok(legend.width < 0.35 * stage.width && result.width < 0.35 * stage.width);
+    assert.ok(await d.page.evaluate(() => document.getElementById('legend').scrollWidth <= document.getElementById('legend').clientWidth));
+    const height = await d.app(({ viewer }) => {
+      viewer.draw();
+      const p = viewer.farthestMarker.position.clone();
+      let low = 1, high = -1;
+      for (let i = 0; i < viewer.positions.length; i += 3) {
+        p.fromArray(viewer.positions, i).project(viewer.camera);
+        low = Math.min(low, p.y);
+        high = Math.max(high, p.y);
+      }
+      return (high - low) / 2;
+    });
+    assert.ok(height > 0.6, `the surface has ${height} of the height`);
+    await d.picture('landscape_layers.png');
+    await d.resize();
+  },
+
   async 'magnified four times, all is there, one below the other'(d) {
     await d.resize(320, 256);
     for (const cut of ['', '&cut=1']) {

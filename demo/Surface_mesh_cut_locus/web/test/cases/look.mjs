@@ -276,12 +276,175 @@ export const tests = {
     const back = async () => (await colorsAt(d, [[20, 300]]))[0];
     assert.ok((await back())[0] > 230);
     await d.page.emulateMedia({ colorScheme: 'dark' });
-    await d.page.waitForTimeout(200);
+    await d.page.waitForFunction(() => document.documentElement.dataset.theme === 'dark');
     assert.ok((await back())[0] < 40);
     await d.page.selectOption('#look-theme', 'light');
     assert.ok((await back())[0] > 230);
     await d.page.emulateMedia({ colorScheme: 'light' });
     await d.page.selectOption('#look-theme', 'auto');
+  },
+
+  async 'lines of a graphics card are those of a processor'(d) {
+    const { page } = d;
+    const compared = async () => {
+      const pictures = [];
+      for (const isInstanced of [false, true]) {
+        await d.app(({ viewer }, value) => viewer.setInstanced(value), isInstanced);
+        assert.equal(await d.app(({ viewer }) => Boolean(viewer.faceCurve.visibleLines.geometry.isInstancedBufferGeometry)), isInstanced);
+        pictures.push(await d.shot(`instanced_${isInstanced}.png`));
+      }
+      assert.ok(pictures[0].equals(pictures[1]));
+      return pictures[0];
+    };
+    await d.open('#sample=torus&faces=5000');
+    const whole = await compared();
+    await page.fill('#wave-front', '600');
+    assert.ok(!whole.equals(await compared()), 'a part is shown');
+    await page.fill('#wave-front', '1000');
+    await page.check('#show-width');
+    assert.ok(!whole.equals(await compared()), 'colors are seen');
+    // other segments in the same buffers, as those of previews, and more than there is room for
+    assert.deepEqual(await d.app(({ viewer }) => {
+      const counts = [];
+      for (const curve of [viewer.previewCurve, viewer.faceCurve])
+        for (const count of [4, 3, 8, 50]) {
+          curve.set(new Float32Array(6 * count));
+          counts.push(curve.visibleLines.geometry.instanceCount);
+        }
+      return counts;
+    }), [4, 3, 8, 50, 4, 3, 8, 50]);
+  },
+
+  async 'a plane cuts away a part of the mesh, of the curve and of what a click finds'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000');
+    await page.selectOption('#view', 'top');
+    const ofSides = () => d.app(({ app, viewer }) => {
+      const { width, height } = viewer.boxOf(viewer.model);
+      const found = { kept: [], away: [] };
+      for (let x = 4; x < width; x += 12)
+        for (let y = 4; y < height; y += 12) {
+          const hit = viewer.pointer.onModel(x, y);
+          if (hit && Math.abs(hit.place[0]) > 0.1) found[hit.place[0] < 0 ? 'kept' : 'away'].push([x, y]);
+        }
+      const seen = app.source.points.map((point) => app.toView(point)[0] < 0);
+      viewer.draw();
+      return { ...found, isSeen: viewer.sourceMarkers[0].visible, isKept: seen[0] };
+    });
+    const before = await ofSides();
+    assert.ok(before.kept.length > 50 && before.away.length > 50 && before.isSeen && !before.isKept);
+    assert.ok(!await page.locator('#look-clipAt').isVisible());
+    await page.selectOption('#look-clip', 'x');
+    const after = await ofSides();
+    assert.deepEqual([after.away.length, after.isSeen], [0, false]);
+    assert.deepEqual(after.kept, before.kept);
+    const back = (await colorsAt(d, [[2, 5]]))[0].join();
+    // the canvas is the stage, which is all of the model's part here
+    const isGone = async (pixels) => (await colorsAt(d, pixels)).filter((color) => color.join() === back).length / pixels.length;
+    const gone = await isGone(before.away);
+    assert.ok(gone > 0.99, `of what is cut away, ${gone} is not drawn`);
+    assert.ok(await isGone(before.kept) < 0.1, 'all is gone');
+    await page.fill('#look-clipAt', '1');
+    assert.equal((await ofSides()).away.length, before.away.length);
+    await page.selectOption('#look-clip', '-x');
+    await page.fill('#look-clipAt', '0.5');
+    assert.equal((await ofSides()).kept.length, 0);
+    assert.match(await d.hash(), /clip=-x/);
+    await d.picture('clipped.png');
+    // the curve that is exported as it is seen is clipped, too
+    const svg = String(await d.exported('faceCurve', 'svg'));
+    await page.selectOption('#look-clip', 'no');
+    assert.ok(svg.length < 0.75 * String(await d.exported('faceCurve', 'svg')).length);
+    await d.noMessage();
+  },
+
+  async 'without perspective, parallel lines stay parallel, and clicks, zoom and fit work'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000');
+    const ratio = () => d.app(({ viewer }) => {
+      viewer.draw();
+      const at = (x, y, z) => viewer.farthestMarker.position.clone().set(x, y, z).project(viewer.camera);
+      const length = (y) => at(0.5, y, 0).distanceTo(at(-0.5, y, 0));
+      return length(-0.6) / length(0.6);
+    });
+    await page.selectOption('#view', 'front');
+    assert.ok(await ratio() > 1.2);
+    await page.selectOption('#look-projection', 'orthographic');
+    assert.ok(Math.abs(await ratio() - 1) < 1e-6);
+    await page.selectOption('#view', 'front');
+    const extent = () => d.app(({ viewer }) => {
+      viewer.draw();
+      const p = viewer.farthestMarker.position.clone();
+      let largest = 0;
+      for (let i = 0; i < viewer.positions.length; i += 3) {
+        p.fromArray(viewer.positions, i).project(viewer.camera);
+        largest = Math.max(largest, Math.abs(p.x), Math.abs(p.y));
+      }
+      return largest;
+    });
+    const whole = await extent();
+    assert.ok(whole < 1 && whole > 0.6, `up to ${whole}`);
+    // what is under the pointer stays there
+    const box = await page.locator('#model-view').boundingBox();
+    const [x, y] = await d.placeOnSurface();
+    const place = await d.app(({ viewer }, [u, v]) => {
+      const { width, height } = viewer.boxOf(viewer.model);
+      return viewer.pointer.onModel(u * width, v * height).place;
+    }, [x, y]);
+    const seen = await d.seenAt(place);
+    assert.ok(Math.hypot(seen[0] - x, seen[1] - y) < 1e-3, 'a click finds another place');
+    await page.mouse.move(box.x + x * box.width, box.y + y * box.height);
+    for (let i = 0; i < 4; ++i) await page.mouse.wheel(0, -120);
+    await page.waitForTimeout(300);
+    const now = await d.seenAt(place);
+    assert.ok(Math.hypot(now[0] - x, now[1] - y) < 0.01, `it moved from ${x}, ${y} to ${now}`);
+    const near = await extent();
+    assert.ok(near > 1.1 * whole, `${near} after ${whole}`);
+    await page.focus('#model-view');
+    await page.keyboard.press('-');
+    assert.ok(await extent() < near);
+    await page.click('#fit');
+    assert.ok(Math.abs(await extent() - whole) < 0.01);
+    const { point } = await d.result();
+    await d.click(x, y);
+    assert.notDeepEqual((await d.result()).point, point);
+    await d.picture('parallel.png');
+    const hash = await d.hash();
+    assert.match(hash, /projection=orthographic/);
+    const view = await d.view();
+    await d.open(hash);
+    (await d.view()).forEach((c, k) => assert.ok(Math.abs(c - view[k]) < 1e-3));
+    await page.selectOption('#look-projection', 'perspective');
+    assert.ok(Math.abs(await ratio() - 1) > 0.01);
+  },
+
+  async 'lines are as wide, and distances as colored, as is chosen'(d) {
+    const { page } = d;
+    await d.open('#sample=torus&faces=5000&color=distance&occlusion=false&show=-isolines');
+    const reds = async () => {
+      const pixels = [];
+      const { width, height } = await d.app(({ viewer }) => viewer.size);
+      for (let x = 0; x < width; x += 3) for (let y = 60; y < height - 60; y += 3) pixels.push([x, y]);
+      const colors = await colorsAt(d, pixels);
+      return colors.filter(([r, g, b]) => r > 150 && g < 60 && b < 70).length;
+    };
+    const usual = await reds();
+    await page.fill('#look-lineWidth', '3');
+    const wide = await reds();
+    assert.ok(wide > 2 * usual && usual > 50, `${usual} and ${wide} red pixels`);
+    const [x, y] = await d.placeOnSurface();
+    const place = await d.app(({ viewer }, [u, v]) => [u * viewer.size.width, v * viewer.size.height], [x, y]);
+    const seen = new Set();
+    for (const map of ['viridis', 'cividis', 'magma', 'grays']) {
+      await page.selectOption('#look-map', map);
+      const ramp = await page.$eval('#legend .bar i', (e) => e.style.background);
+      const [pixel] = await colorsAt(d, [place]);
+      seen.add(ramp);
+      seen.add(pixel.join());
+    }
+    assert.equal(seen.size, 8, [...seen].join('\n'));
+    assert.match(await d.hash(), /lineWidth=3&map=grays/);
+    await d.picture('wide_lines.png');
   },
 
   async 'a frame in which only the curve changes shows the same as a whole one'(d) {

@@ -156,8 +156,8 @@ export const tests = {
       const far = 3 * Math.floor(triangles.length / 6);
       const v = viewer.farthestMarker.position.clone().set(middle(far, 0), middle(far, 1), 0).project(viewer.plane.camera);
       const places = viewer.surface.opaque.geometry.getAttribute('position').array;
-      const at = [0, 1, 2].map((c) => [0, 1, 2].reduce((sum, k) => sum + places[3 * triangles[far + k] + c] / 3, 0));
-      return [at, (v.x + 1) / 2, (1 - v.y) / 2];
+      const place = [0, 1, 2].map((c) => [0, 1, 2].reduce((sum, k) => sum + places[3 * triangles[far + k] + c] / 3, 0));
+      return [place, (v.x + 1) / 2, (1 - v.y) / 2];
     });
     await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
     await d.settle();

@@ -1,17 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { defaultState, fromHash, parameterizations, toHash } from '../../src/state.js';
-
-// the same numbers in each run
-function generator(seed) {
-  let x = seed;
-  const next = () => {
-    x = (Math.imul(x, 1664525) + 1013904223) >>> 0;
-    return x / 2 ** 32;
-  };
-  const pick = (list) => list[Math.floor(next() * list.length)];
-  return { next, pick };
-}
+import { clips, defaultState, fromHash, maps, parameterizations, toHash } from '../../src/state.js';
+import { generator } from './random.mjs';
 
 const number = (next, low, high) => Number((low + next() * (high - low)).toPrecision(4));
 
@@ -34,6 +24,11 @@ function anyState({ next, pick }) {
   for (const name of Object.keys(show)) if (next() < 0.3) show[name] = !show[name];
   look.color = pick(['plain', 'distance', 'cells', 'laplacian']);
   look.up = pick(['auto', 'y', 'z']);
+  look.projection = pick(['perspective', 'orthographic']);
+  look.map = pick(maps);
+  look.clip = pick(clips);
+  look.clipAt = pick([0, 0.37, 1]);
+  look.lineWidth = pick([0.5, 1, 2.4]);
   for (const name of ['wireframe', 'occlusion', 'axes']) look[name] = pick([true, false]);
   look.transparency = pick([0, 0.3, 0.9]);
   state.isCut = pick([true, false]);
@@ -68,6 +63,11 @@ test('what makes no sense in a link is as by default, and named', () => {
     angle: ['9', 'x'],
     view: ['0,0,0,0,0,0', '1,2,3', 'a,b,c,d,e,f'],
     transparency: ['1', '-0.1', 'none'],
+    projection: ['flat'],
+    map: ['toString', 'jet'],
+    clip: ['w', 'constructor'],
+    clipAt: ['2', ''],
+    lineWidth: ['0', '100'],
     color: ['valueOf'],
     cut: ['yes'],
     file: [''],

@@ -293,9 +293,7 @@ private:
   Indexed_cut_locus mesh_edges(const std::vector<Tree_branches::Edge>& kept, const Progress& progress)
   {
     const Source_roots roots(mesh_, connectivity_, sources_);
-    if(roots.first_without_face() != null_index)
-      Source_faces::throw_source_without_face(roots.first_without_face(),
-                                              "ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
+    roots.check_faces("ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)");
     const auto cut_open = [&](const Seams& seams)
     { return distances_cut_open(mesh_, sources_, {}, seams, maximum_relative_error_); };
     return std::move(Mesh_edge_curve(mesh_, connectivity_, divided_.get(), *tree_, kept, roots, distance_, cut_open,

@@ -49,8 +49,7 @@ mesh_edges_between_curves(const Indexed_triangle_mesh& mesh, const std::vector<I
   const std::string remedy = "ask for cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)";
   beside.check_gaps(remedy);
   const Source_roots roots(beside.mesh(), beside.connectivity(), points, beside.parts());
-  if(roots.first_without_face() != null_index)
-    Source_faces::throw_source_without_face(roots.name(roots.first_without_face()), remedy);
+  roots.check_faces(remedy);
   const std::vector<double> distance = beside.distances(distance_on_mesh);
   const auto cut_open = [&](const Seams& seams) { return distances_cut_open(mesh, points, curves, seams, 0.); };
   Indexed_cut_locus result = std::move(
