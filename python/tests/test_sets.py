@@ -203,6 +203,7 @@ def test_own_distances_to_curves(curve):
         # edges have the length 1; through faces, nodes keep off vertices by a few millionths of that
         assert abs(np.median(result.points[:, 2]) - middle) <= 1e-5 and np.all(np.abs(result.points[:, 2] - middle) <= 1.)
         assert np.all(result.nearest_source[height < middle] == 0) and np.all(result.nearest_source[height > middle] == 1)
+        assert abs(np.median(result.distance) - (8. - middle)) <= 1e-5
 
 
 def test_distances_within_an_error():

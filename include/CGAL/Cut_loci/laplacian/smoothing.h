@@ -101,13 +101,20 @@ private:
     return result;
   }
 
+  Wave_past_vertex wave(Index v, Index entry) const
+  {
+    return {mesh_, connectivity_, arrivals_[v], distance_[v], entry};
+  }
+  Wave_past_vertex wave_from_here(const Point& p) const { return wave(p.vertex, p.entry); }
+  Wave_past_vertex wave_from_there(const Point& p) const
+  {
+    return wave(connectivity_.ring_vertex[p.entry], connectivity_.ring_reverse[p.entry]);
+  }
+
   // Where the distance along the path to one end of the edge, and on, is that along the path to the other.
   void set_balance(const Point& p, Place& place) const
   {
-    const Index v = p.vertex, w = connectivity_.ring_vertex[p.entry];
-    const Wave_past_vertex from_here(mesh_, connectivity_, arrivals_[v], distance_[v], p.entry);
-    const Wave_past_vertex from_there(mesh_, connectivity_, arrivals_[w], distance_[w],
-                                      connectivity_.ring_reverse[p.entry]);
+    const Wave_past_vertex from_here = wave_from_here(p), from_there = wave_from_there(p);
     const double length = edge_length(mesh_, place.halfedge);
     const auto difference = [&](double share) { return from_here(share * length) - from_there((1. - share) * length); };
     place.is_balanced = difference(1.) > difference(0.);
@@ -187,9 +194,11 @@ private:
     const Point& p = curve_.points()[i];
     if(p.entry == null_index)
       return {location_of_vertex(connectivity_, p.vertex), p.vertex, distance_[p.vertex]};
-    const double share = places_[i].share;
-    return {location_on(places_[i].halfedge, share), null_index,
-            (1. - share) * distance_[p.vertex] + share * distance_[connectivity_.ring_vertex[p.entry]]};
+    const Index h = places_[i].halfedge;
+    const double share = places_[i].share, length = edge_length(mesh_, h);
+    const double between = (1. - share) * distance_[p.vertex] + share * distance_[connectivity_.ring_vertex[p.entry]];
+    const double ahead = (std::min)(wave_from_here(p)(share * length), wave_from_there(p)((1. - share) * length));
+    return {location_on(h, share), null_index, (std::max)(between, ahead)}; // waves of a user's map may be slower
   }
 
   Indexed_cut_locus joined() const
@@ -238,7 +247,8 @@ private:
  * moves a cut locus from the edges of the mesh onto the smooth curves it stands for, through the faces.
  *
  * The branches stay as they are and meet as they did. Each edge of the result lies in one face and tells the edge of
- * `cut_locus` that it comes from; no edge has length zero. Distances are interpolated along the edges.
+ * `cut_locus` that it comes from; no edge has length zero. Distances are those along the shortest paths to the vertices next to a
+ * node, taken straight on.
  *
  * No shortest path crosses the cut locus. So a vertex of the graph belongs to the side from which the path to it arrives,
  * as its way or the distances next to it tell, whichever agrees better with its own. The curve is pushed off it to the others,
