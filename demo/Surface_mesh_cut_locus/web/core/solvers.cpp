@@ -32,7 +32,7 @@ Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& thresholds
 {
   const auto given = [](double value, double otherwise) { return std::isnan(value) ? otherwise : value; };
   return solver.cut_locus(
-    CGAL::parameters::gradient_angle_threshold(given(thresholds.angle, solver.gradient_angle_threshold()))
+    CGAL::parameters::gradient_angle_threshold(given(thresholds.angle, solver.default_gradient_angle_threshold()))
       .laplacian_threshold(given(thresholds.laplacian, -std::numeric_limits<double>::infinity()))
       .minimum_branch_edges(static_cast<std::size_t>(
         given(thresholds.minimum_edges, static_cast<double>(Solver::default_minimum_branch_edges()))))
