@@ -148,7 +148,7 @@ po::options_description shown()
       "with several sources: only what is between two of them, or only what is inside the cells (default: all)");
   add("angle", text("RAD"),
       "least angle, in radians, above 0 and at most pi, at which shortest paths meet, with the method laplacian "
-      "(default: 0.7; 0.4 with the heat method)");
+      "(default: 0.7)");
   add("laplacian", text("L"),
       "least value of minus the Laplacian of the distance times the mean edge length, with the method laplacian "
       "(default: none)");

@@ -127,7 +127,7 @@ TEST(Branch_tips, are_the_conjugate_points_at_all_resolutions)
   expect_conjugate_points(CGAL::Exact_geodesic_solver(), 3.); // measured: 2.3 at most
 }
 
-// As ways tell the distances: with those of heat themselves there are up to 30 leaves.
+// As ways tell the distances: by those of heat themselves, there are 4 leaves at n = 40.
 TEST(Branch_tips, are_as_many_with_approximate_distances)
 {
   expect_conjugate_points(CGAL::Heat_method_geodesic_solver<>(), 12.); // measured: 10 at most
