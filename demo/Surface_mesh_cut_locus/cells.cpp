@@ -10,7 +10,7 @@
 #include "surface_files.h"
 
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/split_fans.h>
+#include <CGAL/Cut_loci/surface/cut_open.h>
 
 #include <algorithm>
 #include <cmath>
@@ -104,7 +104,7 @@ Cells make_cells(const Mesh& mesh, const Cut_locus& cut_locus)
   constexpr Index resolution = 1 << 12; // a pixel of a face that fills a picture
   const Read read = lib::read_triangle_mesh(mesh, mesh.points());
   const lib::Curve_on_mesh curve = lib::curve_on_mesh(read, mesh, cut_locus);
-  const lib::Mesh_of_fans fans = lib::split_fans(read.mesh); // components may touch in a vertex
+  const CGAL::Cut_loci::Cut_mesh fans = CGAL::Cut_loci::cut_open(read.mesh); // components may touch in a vertex
   Refined_mesh refined = CGAL::Cut_loci::refine_along_curve(fans.mesh, CGAL::Cut_loci::Mesh_connectivity(fans.mesh),
                                                             curve.graph, resolution);
 

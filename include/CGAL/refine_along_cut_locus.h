@@ -15,7 +15,6 @@
 #include <CGAL/Cut_loci/face_graph/snapping_of_curves.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
-#include <CGAL/Cut_loci/surface/split_fans.h>
 #include <CGAL/Cut_locus.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -115,7 +114,7 @@ void refine_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh
   const auto read = internal::read_triangle_mesh(
     tm, choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm)));
   const internal::Curve_on_mesh curve = internal::curve_on_mesh(read, tm, cut_locus);
-  const internal::Mesh_of_fans fans = internal::split_fans(read.mesh); // components may touch in a vertex
+  const Cut_loci::Cut_mesh fans = Cut_loci::cut_open(read.mesh); // components may touch in a vertex
   const Cut_loci::Refined_mesh refined =
     Cut_loci::refine_along_curve(fans.mesh, Cut_loci::Mesh_connectivity(fans.mesh), curve.graph, resolution);
 

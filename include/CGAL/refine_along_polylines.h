@@ -13,7 +13,7 @@
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/face_graph/snapping_of_curves.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/surface/split_fans.h>
+#include <CGAL/Cut_loci/surface/cut_open.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -79,7 +79,7 @@ refine_along_polylines(const TriangleMesh& tm, const PolylineRange& polylines, O
   const auto read = internal::read_triangle_mesh(
     tm, choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm)));
   const internal::Indexed_polylines indexed = internal::read_polylines(tm, read, polylines);
-  const internal::Mesh_of_fans fans = internal::split_fans(read.mesh); // components may touch in a vertex
+  const Cut_loci::Cut_mesh fans = Cut_loci::cut_open(read.mesh); // components may touch in a vertex
   const Cut_loci::Mesh_connectivity connectivity(fans.mesh);
   internal::check_segments(fans.mesh, connectivity, indexed);
   const Cut_loci::Refined_mesh refined =

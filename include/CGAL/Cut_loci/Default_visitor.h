@@ -7,8 +7,7 @@
 #ifndef CGAL_CUT_LOCI_DEFAULT_VISITOR_H
 #define CGAL_CUT_LOCI_DEFAULT_VISITOR_H
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// the stages of the computation
@@ -32,7 +31,6 @@ struct Default_visitor
   void progress(Stage, double) {}
 };
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_DEFAULT_VISITOR_H

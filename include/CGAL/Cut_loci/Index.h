@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
@@ -26,7 +25,6 @@ using Index = std::uint32_t;
 /// the index that refers to nothing, such as the opposite of a border halfedge.
 constexpr Index null_index = (std::numeric_limits<Index>::max)();
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_INDEX_H

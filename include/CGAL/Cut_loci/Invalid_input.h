@@ -10,8 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// what is wrong with an input, for programs: `Invalid_input` says it in words, too
@@ -55,7 +54,6 @@ private:
   Cause cause_;
 };
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_INVALID_INPUT_H

@@ -9,8 +9,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusRef
@@ -41,7 +40,6 @@ struct Layout_quality
   std::size_t faces_without_shape = 0;
 };
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_LAYOUT_QUALITY_H

@@ -7,8 +7,7 @@
 #ifndef CGAL_CUT_LOCI_CUT_LOCUS_METHOD_H
 #define CGAL_CUT_LOCI_CUT_LOCUS_METHOD_H
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// how the cut locus is found
@@ -46,7 +45,6 @@ enum class Curve {
   THROUGH_FACES ///< segments in the faces, between points that shortest paths reach from both sides
 };
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_CUT_LOCUS_METHOD_H

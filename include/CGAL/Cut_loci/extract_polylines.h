@@ -12,8 +12,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusRef
@@ -34,7 +33,6 @@ std::vector<std::vector<Point_3>> extract_polylines(const Cut_locus<TriangleMesh
   return polylines;
 }
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_EXTRACT_POLYLINES_H

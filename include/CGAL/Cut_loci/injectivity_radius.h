@@ -20,8 +20,7 @@
 #include <limits>
 #include <optional>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// is the point of a cut locus that is nearest to the source.
@@ -111,7 +110,6 @@ Injectivity_radius<TriangleMesh, Point_3> injectivity_radius(const Cut_locus<Tri
   return result;
 }
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_INJECTIVITY_RADIUS_H

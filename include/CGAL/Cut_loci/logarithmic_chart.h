@@ -15,8 +15,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusRef
@@ -60,7 +59,6 @@ void logarithmic_chart(const Disk& disk, const Source& source, VertexUVMap uv)
   }
 }
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_LOGARITHMIC_CHART_H

@@ -260,22 +260,6 @@ private:
   const Surface_to_unfold& surface_;
 };
 
-template <typename TriangleMesh, typename Read>
-Indexed_source read_source(const TriangleMesh& tm, const Read& read,
-                           typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, double)
-{
-  return source_at_vertex(tm, read, v);
-}
-
-template <typename TriangleMesh, typename Read, typename FT>
-Indexed_source
-read_source(const TriangleMesh& tm, const Read& read,
-            const std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<FT, 3>>& location,
-            double tolerance)
-{
-  return source_in_face(tm, read, location.first, location.second, tolerance);
-}
-
 } // namespace internal
 
 /*!

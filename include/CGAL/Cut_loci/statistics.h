@@ -22,8 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// whether a cut locus is what one expects
@@ -112,7 +111,6 @@ Cut_locus_statistics compute_statistics(const Cut_locus<TriangleMesh, Point_3>& 
   return result;
 }
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_STATISTICS_H

@@ -13,7 +13,7 @@
 #include <CGAL/Cut_loci/face_graph/snapping_of_curves.h>
 #include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/surface/split_fans.h>
+#include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 #include <CGAL/Cut_locus.h>
 
@@ -29,8 +29,7 @@
 #include <map>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// two sources whose cells of the geodesic Voronoi diagram touch along a curve: an edge of the dual graph.
@@ -88,7 +87,7 @@ std::vector<double> voronoi_cell_areas(const TriangleMesh& tm, const Cut_locus<T
 {
   const auto read = internal::read_triangle_mesh(tm, get_const_property_map(CGAL::vertex_point, tm));
   const internal::Curve_on_mesh curve = internal::curve_on_mesh(read, tm, cut_locus);
-  const internal::Mesh_of_fans fans = internal::split_fans(read.mesh); // components may touch in a vertex
+  const Cut_mesh fans = cut_open(read.mesh); // components may touch in a vertex
   const Refined_mesh refined =
     refine_along_curve(fans.mesh, Mesh_connectivity(fans.mesh), curve.graph, internal::resolution_of(1. / (1 << 20)));
   const std::vector<std::size_t> cells = internal::cells_of_faces(read, fans.vertices, curve, refined, cut_locus);
@@ -105,7 +104,6 @@ std::vector<double> voronoi_cell_areas(const TriangleMesh& tm, const Cut_locus<T
   return result;
 }
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_VORONOI_NEIGHBORS_H

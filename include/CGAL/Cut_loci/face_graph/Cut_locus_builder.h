@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Makes the result, in descriptors of the user's mesh, from that of a component.
 template <typename TriangleMesh, typename VertexPointMap>
@@ -121,8 +119,6 @@ private:
   const Surface_component& component_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_CUT_LOCUS_BUILDER_H

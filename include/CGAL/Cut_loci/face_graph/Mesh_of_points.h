@@ -15,9 +15,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// is a mesh as CGAL's solvers take it. They compute with points, and not with lengths that faces without area have in their
 /// place, so it is the same surface without these faces.
@@ -57,8 +55,6 @@ private:
   Index number_of_vertices_ = 0;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_MESH_OF_POINTS_H

@@ -29,9 +29,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // A component of a mesh with what is computed once for it: it gets the solver of a method with the first source that
 // needs it.
@@ -181,8 +179,6 @@ struct Surface_component
   }
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_SURFACE_COMPONENT_H

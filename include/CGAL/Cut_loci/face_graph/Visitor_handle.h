@@ -15,9 +15,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Holds a visitor of any type, or a reference to one. What a visitor is told within a stage it need not have a function
 // for; `Default_visitor` itself costs nothing there.
@@ -121,8 +119,6 @@ private:
   std::unique_ptr<Concept> model_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_VISITOR_HANDLE_H

@@ -15,9 +15,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 template <typename FaceGraph>
 struct Built_face_graph
@@ -78,8 +76,6 @@ Built_face_graph<FaceGraph> build_face_graph(const Indexed_triangle_mesh& mesh, 
   return result;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_BUILD_FACE_GRAPH_H

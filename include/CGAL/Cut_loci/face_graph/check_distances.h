@@ -17,9 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// Throws if these are not finite distances, one for each vertex of a component of a mesh. `positions` are
 /// those of its vertices in the range of all, for the message, and `who` tells where the distances come from.
@@ -71,8 +69,6 @@ inline void check_is_not_constant(const std::vector<double>& distance, const Ind
                         "distances to the source");
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_CHECK_DISTANCES_H

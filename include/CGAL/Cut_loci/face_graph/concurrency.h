@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // whether the named parameter `concurrency_tag` asks for threads
 template <typename NamedParameters>
@@ -50,8 +48,6 @@ Threads threads_of()
   return Threads();
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_CONCURRENCY_H

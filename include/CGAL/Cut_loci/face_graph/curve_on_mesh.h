@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // A cut locus in the dense indices of a mesh.
 struct Curve_on_mesh
@@ -278,8 +276,6 @@ inline Disk_of_curve cut_along(const Indexed_triangle_mesh& mesh, Curve_on_mesh 
   return result;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_CURVE_ON_MESH_H

@@ -10,7 +10,7 @@
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/split_fans.h>
+#include <CGAL/Cut_loci/surface/cut_open.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // The named parameter `face_is_excluded_map`, or a map that excludes none.
 template <typename TriangleMesh, typename NamedParameters>
@@ -40,7 +38,7 @@ template <typename TriangleMesh>
 std::vector<std::pair<Index, Index>> give_fans_vertices(Read_triangle_mesh<TriangleMesh>& read)
 {
   std::vector<std::pair<Index, Index>> copies;
-  Mesh_of_fans fans = split_fans(std::move(read.mesh));
+  Cut_mesh fans = cut_open(read.mesh);
   for(Index copy = static_cast<Index>(read.vertices.size()); copy < fans.vertices.size(); ++copy)
   {
     const Index v = fans.vertices[copy];
@@ -53,8 +51,6 @@ std::vector<std::pair<Index, Index>> give_fans_vertices(Read_triangle_mesh<Trian
   return copies;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_EXCLUDED_FACES_H

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * tells whether the edge flips of `Heat_method_3::Intrinsic_Delaunay` end.
@@ -109,8 +107,6 @@ private:
   std::vector<Edge> stack_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_INTRINSIC_FLIPS_H

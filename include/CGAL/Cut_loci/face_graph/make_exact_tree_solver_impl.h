@@ -12,9 +12,7 @@
 
 #include <memory>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 CGAL_CUT_LOCI_INLINE std::unique_ptr<Exact_tree_method>
 make_exact_tree_solver(const Indexed_triangle_mesh& mesh, const Threads& threads, const Progress& progress)
@@ -22,8 +20,6 @@ make_exact_tree_solver(const Indexed_triangle_mesh& mesh, const Threads& threads
   return std::unique_ptr<Exact_tree_method>(new Exact_tree_solver(mesh, threads, progress));
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_MAKE_EXACT_TREE_SOLVER_IMPL_H

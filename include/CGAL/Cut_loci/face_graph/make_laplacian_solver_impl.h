@@ -12,9 +12,7 @@
 
 #include <memory>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 CGAL_CUT_LOCI_INLINE std::unique_ptr<Laplacian_method> make_laplacian_solver(const Indexed_triangle_mesh& mesh,
                                                                              Laplacian_operator type,
@@ -24,8 +22,6 @@ CGAL_CUT_LOCI_INLINE std::unique_ptr<Laplacian_method> make_laplacian_solver(con
   return std::unique_ptr<Laplacian_method>(new Laplacian_set_solver(mesh, type, threads, progress));
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_MAKE_LAPLACIAN_SOLVER_IMPL_H

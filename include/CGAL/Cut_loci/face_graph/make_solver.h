@@ -16,9 +16,7 @@
 
 #include <memory>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // The mesh must stay where it is.
 std::unique_ptr<Laplacian_method> make_laplacian_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type,
@@ -26,9 +24,7 @@ std::unique_ptr<Laplacian_method> make_laplacian_solver(const Indexed_triangle_m
 std::unique_ptr<Exact_tree_method> make_exact_tree_solver(const Indexed_triangle_mesh& mesh, const Threads& threads,
                                                           const Progress& progress);
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #ifndef CGAL_CUT_LOCI_SEPARATE_COMPILATION
 #include <CGAL/Cut_loci/face_graph/make_exact_tree_solver_impl.h>

@@ -24,9 +24,7 @@
 #include <optional>
 #include <string>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // The named parameters that depend on the method: which of them it takes, and their values.
 
@@ -275,8 +273,6 @@ Curve_parameters read_curve(const NamedParameters& np)
   return curve_parameters(curve, iterations);
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_METHOD_PARAMETERS_H

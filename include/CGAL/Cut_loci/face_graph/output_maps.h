@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // What tells the elements of the input for those of the output: an output iterator of pairs, a property map of the
 // output's elements, or, if neither is given, nothing.
@@ -124,8 +122,6 @@ void output_cells(const Cells& cells, const Built_face_graph<OutputMesh>& built,
     put(map, face(built.halfedges[3 * f], output), cell[f]);
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_OUTPUT_MAPS_H

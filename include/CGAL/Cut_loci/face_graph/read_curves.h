@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // The number of a halfedge of the mesh, or of its opposite if it has no face or an excluded one.
 template <typename TriangleMesh>
@@ -168,8 +166,6 @@ inline void check_curves(const Indexed_triangle_mesh& mesh, const std::vector<In
   }
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_READ_CURVES_H

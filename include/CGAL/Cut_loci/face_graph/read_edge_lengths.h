@@ -25,9 +25,7 @@
 #include <sstream>
 #include <string>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // The metric of a mesh from the named parameter `edge_length_map`.
 
@@ -94,8 +92,6 @@ inline void refuse_lengths(const std::string& who)
                         "geodesic_solver, vertex_distance_map and cut_locus_method");
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_READ_EDGE_LENGTHS_H

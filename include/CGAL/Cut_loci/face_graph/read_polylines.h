@@ -23,9 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Polylines as a graph: the nodes of each follow each other, and `first` are the numbers of the first ones, and of all.
 struct Indexed_polylines
@@ -128,8 +126,6 @@ inline std::vector<std::vector<Index>> connected_seams(const Refined_mesh& refin
   return result;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_READ_POLYLINES_H

@@ -26,9 +26,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // A halfedge of the dense mesh that leaves vertex `v`.
 template <typename TriangleMesh>
@@ -213,8 +211,6 @@ inline void check_sources(const Indexed_triangle_mesh& mesh, const std::vector<I
   }
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_READ_SOURCE_H

@@ -25,9 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // The dense copy of a FaceListGraph, with the way back to its descriptors. Excluded faces and vertices without a face are left
 // out: their index is `null_index`.
@@ -205,8 +203,6 @@ void normalize_lengths(Read_triangle_mesh<TriangleMesh>& read)
       x = std::ldexp(x, -exponent);
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_READ_TRIANGLE_MESH_H

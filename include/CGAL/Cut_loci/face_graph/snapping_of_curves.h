@@ -12,9 +12,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // The accuracy of a curve through the faces is some hundredths of an edge: a grid of 256 moves it by less.
 constexpr double default_snapping_of_curves = 1. / 256.;
@@ -27,8 +25,6 @@ inline Index resolution_of(double tolerance)
   return static_cast<Index>(std::lround(1. / tolerance));
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_SNAPPING_OF_CURVES_H

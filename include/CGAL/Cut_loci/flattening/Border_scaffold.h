@@ -20,9 +20,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // The plane around a disk whose border does not cross itself, triangulated out to a square frame. As long as none of these
 // triangles is flipped either, the border can not come to cross itself [Jiang, Schaefer, Panozzo, 2017].
@@ -108,8 +106,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FLATTENING_BORDER_SCAFFOLD_H

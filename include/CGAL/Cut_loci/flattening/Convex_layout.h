@@ -20,9 +20,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // A disk in a circle with the edges for springs. Whatever their positive weights, no face is flipped [Tutte 1963,
 // Floater 1997]. They start equal; then each gets stiffer by how much its edge is too long, so that faces far from the
@@ -110,8 +108,6 @@ private:
   std::unique_ptr<Triangle_system<1>> system_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FLATTENING_CONVEX_LAYOUT_H

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // What is to be laid flat: a disk, with the shape that each face should have in the plane.
 struct Disk_shape
@@ -114,8 +112,6 @@ inline Disk_shape disk_shape(const Indexed_triangle_mesh& mesh)
   return disk;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FLATTENING_DISK_SHAPE_H

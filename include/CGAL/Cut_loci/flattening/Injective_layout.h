@@ -23,9 +23,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // A disk in the plane, at first in a circle. Newton steps lower its symmetric Dirichlet energy, and never so far that a
 // face of it, or of the scaffold around it, loses its area: so it stays injective. Both barriers are infinite, and the
@@ -212,8 +210,6 @@ private:
   double stiffness_ = 0.3; // adapts itself
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FLATTENING_INJECTIVE_LAYOUT_H

@@ -19,9 +19,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // An injective layout of low energy. What takes many steps, since it moves far, is done on simplified disks, where steps cost
 // little; the vertices of the disk itself come back into what is nearly their place.
@@ -146,8 +144,6 @@ private:
   Planar_points plane_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FLATTENING_MULTILEVEL_LAYOUT_H

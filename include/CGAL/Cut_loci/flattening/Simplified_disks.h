@@ -22,9 +22,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // A disk with fewer and fewer faces: a vertex moves to a neighbor, and its faces become those of that one. Vertices of the
 // border move along it, and only where it is nearly straight.
@@ -208,8 +206,6 @@ private:
   Mesh::Property_map<Mesh::Vertex_index, Index> original_; // vertices keep other indices than their places do
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FLATTENING_SIMPLIFIED_DISKS_H

@@ -18,9 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 using Planar_point = std::array<double, 2>;
 using Planar_points = std::vector<Planar_point>;
@@ -184,8 +182,6 @@ private:
   double area_ = 0.;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FLATTENING_SYMMETRIC_DIRICHLET_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // A symmetric positive definite system with `dimension` unknowns for each vertex, summed up from matrices of triangles,
 // and its Cholesky factors. Vertices may be held: these have none.
@@ -109,8 +107,6 @@ private:
   Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factors_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FLATTENING_TRIANGLE_SYSTEM_H

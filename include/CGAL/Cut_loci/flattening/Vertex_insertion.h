@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Puts a vertex that a simplified disk does not have back into the plane, with no face flipped. There is such a place: next
 // to the vertex that had taken it over, all of its link is seen.
@@ -171,8 +169,6 @@ private:
   Planar_points kernel_, cut_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FLATTENING_VERTEX_INSERTION_H

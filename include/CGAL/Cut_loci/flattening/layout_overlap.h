@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 using Layout_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
@@ -148,8 +146,6 @@ inline double overlapping_part(const std::vector<Triangle_corners>& faces, const
   return covered == 0 ? 0. : double(std::count(count.begin(), count.end(), 2)) / double(covered);
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_FLATTENING_LAYOUT_OVERLAP_H

@@ -17,9 +17,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // A graph of mesh edges as chains of nodes between its leaves and branch points.
 class Curve_network
@@ -73,8 +71,6 @@ private:
   Compressed_rows<Index> incident_; // the edges at each node
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GRAPH_CURVE_NETWORK_H

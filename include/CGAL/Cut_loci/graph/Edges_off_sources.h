@@ -15,9 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * tells which edges of a graph of mesh edges stay if those at parts of the border that are sources are left out.
@@ -130,8 +128,6 @@ private:
   Index number_at_sources_ = 0;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GRAPH_EDGES_OFF_SOURCES_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * is a mesh cut open along curves that are sources, without anything else, and the parts of its border that these become:
@@ -81,6 +79,9 @@ public:
         node.vertex = cut_.vertices[node.vertex];
   }
 
+protected:
+  Cut_mesh cut_;
+
 private:
   Index source_at(Index v) const { return parts_.source(parts_.part(v)); }
 
@@ -102,13 +103,10 @@ private:
     return cut_open(whole, seams);
   }
 
-  Cut_mesh cut_;
   Mesh_connectivity connectivity_;
   Source_parts parts_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GRAPH_MESH_BESIDE_CURVES_H

@@ -14,9 +14,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * numbers what counts as one node of a graph of mesh edges: each border loop that is not all source, each one that is,
@@ -71,8 +69,6 @@ private:
   std::vector<unsigned char> has_rest_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GRAPH_NODES_WITH_SOURCES_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Which parts of the cut locus of several sources are asked for.
 struct Kept_parts
@@ -45,8 +43,6 @@ inline void remove_other_parts(const Indexed_triangle_mesh& mesh, const Mesh_con
   remove_edges(mesh, connectivity, graph, is_removed);
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GRAPH_KEPT_PARTS_H

@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * adds a node in each part of a mesh in which a curve has no edges: what is left of a cut locus of which all branches are
@@ -84,8 +82,6 @@ bool add_lone_nodes(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& 
   return result;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GRAPH_LONE_NODES_H

@@ -14,9 +14,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 template <typename Graph>
 struct Chain
@@ -83,8 +81,6 @@ std::vector<Chain<Graph>> maximal_chains(const Graph& graph)
   return chains;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GRAPH_MAXIMAL_CHAINS_H

@@ -15,9 +15,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Lists of all lengths in one array: row by row, and in each row in the order in which its entries came.
 template <typename T>
@@ -50,8 +48,6 @@ private:
   std::vector<T> entries_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_INTERNAL_COMPRESSED_ROWS_H

@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Copies of an object, each of them lent to one thread at a time; there are no more than are needed at once.
 template <typename T>
@@ -45,8 +43,6 @@ private:
   std::vector<std::unique_ptr<T>> free_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_INTERNAL_COPY_POOL_H

@@ -11,9 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * is a list that grows without being copied, which would take long at once, and twice the memory.
@@ -51,8 +49,6 @@ private:
   std::size_t size_ = 0;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_INTERNAL_GROWING_LIST_H

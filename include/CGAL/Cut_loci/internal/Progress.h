@@ -12,9 +12,7 @@
 #include <functional>
 #include <utility>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Tells whoever wants to know which share of the work is done. What the receiver throws leaves the work.
 class Progress
@@ -72,8 +70,6 @@ private:
   double first_ = 0., last_ = 1.;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_INTERNAL_PROGRESS_H

@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // A forest that grows link by link, with no more than one source in each tree.
 class Source_forest
@@ -49,8 +47,6 @@ private:
   std::vector<Index> source_; // of each representative
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_INTERNAL_SOURCE_FOREST_H

@@ -11,9 +11,7 @@
 #include <functional>
 #include <utility>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * runs independent tasks: one after another, or in threads, if whoever knows a library for that passes a function that does
@@ -46,8 +44,6 @@ private:
   Run run_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_INTERNAL_THREADS_H

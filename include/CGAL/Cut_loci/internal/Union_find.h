@@ -16,9 +16,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Disjoint sets of the indices from 0 on: those of Boost, with their storage.
 class Union_find
@@ -56,8 +54,6 @@ private:
   std::vector<Index> parent_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_INTERNAL_UNION_FIND_H

@@ -11,9 +11,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // What files tell of each edge: calls `take(name, value_of)` for each array, and `value_of(e)` has the type of its
 // values. So the names are the same in all formats.
@@ -36,8 +34,6 @@ const char* name_of_type(const std::array<const char*, 3>& names)
   return names[std::is_same<T, double>::value ? 0 : std::is_same<T, std::int32_t>::value ? 1 : 2];
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_INTERNAL_EDGE_ARRAYS_H

@@ -15,9 +15,7 @@
 #include <cstring>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // A radix heap: a priority queue for keys that are not negative, each at least the last one taken. The bits of such
 // numbers are ordered as they are. Bucket `i` holds the keys whose highest bit that differs from the last one taken is
@@ -103,8 +101,6 @@ private:
   std::size_t size_ = 0;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_INTERNAL_MONOTONE_QUEUE_H

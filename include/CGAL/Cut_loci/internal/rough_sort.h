@@ -15,9 +15,7 @@
 #include <cstring>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // The indices of `keys`, which are not negative, by increasing key, where keys that differ by less than a quarter may
 // count as equal; those by increasing index, as memory is. One pass: the first bits of such floating point numbers, the
@@ -48,8 +46,6 @@ inline std::vector<Index> roughly_sorted(const std::vector<float>& keys, const P
   return result;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_INTERNAL_ROUGH_SORT_H

@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Symmetric systems of five or six equations, for the fits of quadrics. Eigen's dense decompositions do the same, and take
 // a user's compiler longer than all else that the paper's method includes.
@@ -159,8 +157,6 @@ Small_matrix<n> pseudo_inverse(Small_matrix<n> a, double threshold)
   return result;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_INTERNAL_SMALL_SYSTEMS_H

@@ -18,9 +18,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Sets what the writers need of a stream, and gives it back as it was.
 class Stream_format
@@ -104,8 +102,6 @@ bool write_file(const std::string& filename, const Writer& writer)
   return !os.fail();
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_INTERNAL_STREAM_OUTPUT_H

@@ -14,9 +14,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * calls `consume(compute(i))` for each i below `size`, and `consume` in this order, never twice at once.
@@ -50,8 +48,6 @@ void transform_in_order(std::size_t size, const Compute& compute, const Consume&
     consume(compute(i));
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_INTERNAL_TRANSFORM_IN_ORDER_H

@@ -11,9 +11,7 @@
 
 #include <boost/heap/d_ary_heap.hpp>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // A vertex or face with the key it waits by: the lowest key comes first, ties by index.
 struct Queue_item
@@ -32,8 +30,6 @@ struct Comes_later
 
 using Vertex_queue = boost::heap::d_ary_heap<Queue_item, boost::heap::arity<4>, boost::heap::compare<Comes_later>>;
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_INTERNAL_VERTEX_QUEUE_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Holds a model of GeodesicSolver of any type.
 class Geodesic_solver_handle
@@ -259,8 +257,6 @@ private:
   bool is_approximate_ = false;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_METHOD_GEODESIC_SOLVER_HANDLE_H

@@ -17,9 +17,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // What a method does on one connected component, on dense indices. The mesh is read by the constructor; the functions
 // are called in this order, those of a stage once per source.
@@ -86,8 +84,6 @@ public:
   virtual Indexed_cut_locus filter(const Exact_tree_thresholds& thresholds, Curve curve) = 0;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_METHOD_METHOD_SOLVER_H

@@ -11,9 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * tells what a mesh and its noise do to two shortest paths that part and meet again. Up to where they part they have the
@@ -86,8 +84,6 @@ private:
   double deviations(double n) const { return std::sqrt(2.) + std::sqrt(2. * std::log((std::max)(1., length_ / n))); }
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_METHOD_PATH_NOISE_H

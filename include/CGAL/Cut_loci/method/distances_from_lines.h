@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 struct Distances_from_lines
 {
@@ -50,12 +48,14 @@ inline Distances_from_lines distances_from_lines(const Indexed_triangle_mesh& me
   return distances_of(propagation);
 }
 
-inline std::vector<Indexed_location> locations_of_nodes(const Indexed_cut_locus& curve)
+/// of nodes or sources
+template <typename Place>
+std::vector<Indexed_location> locations_of(const std::vector<Place>& places)
 {
   std::vector<Indexed_location> result;
-  result.reserve(curve.nodes.size());
-  for(const Indexed_cut_locus::Node& node : curve.nodes)
-    result.push_back(node.location);
+  result.reserve(places.size());
+  for(const Place& place : places)
+    result.push_back(place.location);
   return result;
 }
 
@@ -69,10 +69,7 @@ inline void set_distances(const Distances_from_lines& at_nodes, Indexed_cut_locu
 inline void set_distances_from_parts(const Indexed_triangle_mesh& mesh, const std::vector<Indexed_source>& points,
                                      const Source_parts& parts, Indexed_cut_locus& curve)
 {
-  std::vector<Indexed_location> sources;
-  sources.reserve(points.size());
-  for(const Indexed_source& point : points)
-    sources.push_back(point.location);
+  std::vector<Indexed_location> sources = locations_of(points);
   std::vector<Geodesic_line> lines;
   for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
     if(parts.is_on_source(h))
@@ -81,11 +78,9 @@ inline void set_distances_from_parts(const Indexed_triangle_mesh& mesh, const st
       sources.push_back(location_on(h));
       sources.push_back(location_on(h, 1.));
     }
-  set_distances(distances_from_lines(mesh, sources, lines, locations_of_nodes(curve)), curve);
+  set_distances(distances_from_lines(mesh, sources, lines, locations_of(curve.nodes)), curve);
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_METHOD_DISTANCES_FROM_LINES_H

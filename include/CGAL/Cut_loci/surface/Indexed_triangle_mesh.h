@@ -13,8 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
@@ -87,7 +86,6 @@ struct Indexed_curve
   std::vector<Index> halfedges;
 };
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_SURFACE_INDEXED_TRIANGLE_MESH_H

@@ -15,8 +15,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
@@ -176,7 +175,6 @@ private:
   }
 };
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_SURFACE_MESH_CONNECTIVITY_H

@@ -14,8 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusStages
@@ -77,7 +76,6 @@ private:
   std::vector<Index> halfedge_; // of each part
 };
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_SURFACE_SOURCE_PARTS_H

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * is the surface of a mesh without its faces that have no area, and the way back to the mesh.
@@ -442,8 +440,6 @@ private:
   std::vector<unsigned char> is_removed_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_SURFACE_SURFACE_WITHOUT_FLAT_FACES_H

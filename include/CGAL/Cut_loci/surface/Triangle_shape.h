@@ -12,9 +12,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // A triangle of given edge lengths: its area, and at each corner the scalar product of the edges that start there.
 // Edge `i` goes from corner `i` to the next one.
@@ -51,8 +49,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_SURFACE_TRIANGLE_SHAPE_H

@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // thrown with the component's index, for the caller to name the element of the input
 struct Face_without_area
@@ -52,8 +50,6 @@ inline const Indexed_triangle_mesh& checked_mesh(const Indexed_triangle_mesh& me
   return mesh;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_SURFACE_CHECKED_MESH_H

@@ -11,9 +11,7 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Calls `f` with each face that a location is in, which has zeros where it is on an edge or a vertex.
 template <typename Function>
@@ -48,8 +46,6 @@ void for_each_common_face(const Indexed_triangle_mesh& mesh, const Mesh_connecti
   });
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_SURFACE_COMMON_FACES_H

@@ -12,9 +12,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Labels the faces by edge-connected component, in the order of their first faces.
 inline std::vector<Index> face_components(const Indexed_triangle_mesh& mesh, Index& number_of_components,
@@ -97,8 +95,6 @@ inline Mesh_component extract_component(const Indexed_triangle_mesh& mesh, const
   return result;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_SURFACE_CONNECTED_COMPONENTS_H

@@ -55,12 +55,13 @@ struct Cut_mesh
  * \ingroup PkgSurfaceMeshCutLocusStages
  *
  * cuts a mesh open along `seams`. A vertex at which seams meet becomes one vertex for each fan of faces between them,
- * so that the result is manifold whatever the seams. Time is linear in the size of the mesh.
+ * so that the result is manifold whatever the seams; without any, the mesh falls apart where parts of it touch in a vertex
+ * alone. Time is linear in the size of the mesh.
  */
-inline Cut_mesh cut_open(const Indexed_triangle_mesh& mesh, const Seams& seams)
+inline Cut_mesh cut_open(const Indexed_triangle_mesh& mesh, const Seams& seams = {})
 {
   const Index nh = mesh.number_of_halfedges();
-  const auto is_open = [&](Index h) { return seams[h] || mesh.is_border_edge(h); };
+  const auto is_open = [&](Index h) { return (!seams.empty() && seams[h]) || mesh.is_border_edge(h); };
 
   Cut_mesh result;
   result.mesh = mesh;
@@ -99,7 +100,7 @@ inline Cut_mesh cut_open(const Indexed_triangle_mesh& mesh, const Seams& seams)
         break;
     }
   }
-  for(Index h = 0; h < nh; ++h)
+  for(std::size_t h = 0; h < seams.size(); ++h)
     if(seams[h])
       result.mesh.opposite[h] = null_index;
   return result;

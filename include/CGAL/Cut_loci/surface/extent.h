@@ -16,9 +16,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // The size of a surface, in which widths and lengths of branches are given: the diagonal of the bounding box or, of
 // lengths alone, the square root of the area, which on a sphere is nearly the same.
@@ -65,8 +63,6 @@ inline double spread(const Indexed_triangle_mesh& mesh, double extent)
   return extent * std::sqrt((std::max)(0., 12. * (second / area - dot(first, first) / (area * area))));
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_SURFACE_EXTENT_H

@@ -14,9 +14,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Faces laid out in the plane: the halfedge `h` from the origin along the positive x-axis, its face above.
 
@@ -86,8 +84,6 @@ inline Vector position(const Indexed_triangle_mesh& mesh, const Indexed_location
   return c[0] * mesh.points[t[0]] + (c[1] * mesh.points[t[1]] + c[2] * mesh.points[t[2]]);
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_SURFACE_FLAT_TRIANGLES_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // A face at a vertex that has been inserted: the vertex and, as its halfedge 1, a halfedge of the mesh as it was.
 struct Face_at_inserted_vertex
@@ -102,9 +100,7 @@ inline std::vector<Face_at_inserted_vertex> insert_vertex_into(Indexed_triangle_
                                                                const Indexed_location& location)
 {
   const Index v = mesh.number_of_vertices();
-  const Indexed_triangle_mesh::Triangle& t = mesh.triangles[location.face];
-  const std::array<double, 3>& c = location.coordinates;
-  mesh.points.push_back(c[0] * mesh.points[t[0]] + (c[1] * mesh.points[t[1]] + c[2] * mesh.points[t[2]]));
+  mesh.points.push_back(position(mesh, location));
 
   std::vector<Index> replaced;
   const std::vector<Base_of_inserted_vertex> base = bases_of_inserted_vertex(mesh, location, replaced);
@@ -138,8 +134,6 @@ inline Indexed_triangle_mesh insert_vertex(const Indexed_triangle_mesh& mesh, co
   return result;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_SURFACE_INSERT_VERTEX_H

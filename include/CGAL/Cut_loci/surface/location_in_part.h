@@ -18,9 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Barycentric coordinates of a point of a triangle, negative if it is outside; of one without area, those of the nearest
 // point of its edges, and how far away that is, as a negative part of their length.
@@ -90,8 +88,6 @@ inline Indexed_location location_in_part(const Indexed_triangle_mesh& mesh, cons
   return best;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_SURFACE_LOCATION_IN_PART_H

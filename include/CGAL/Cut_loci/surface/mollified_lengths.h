@@ -18,9 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 inline std::array<double, 3> edge_lengths(const Indexed_triangle_mesh& mesh, Index f)
 {
@@ -168,8 +166,6 @@ inline bool needs_mollification(const Indexed_triangle_mesh& mesh)
   return 0 < number_with_area && number_with_area < mesh.number_of_faces();
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_SURFACE_MOLLIFIED_LENGTHS_H

@@ -10,9 +10,7 @@
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // A barycentric coordinate up to this value is taken for zero. A millionth of a face is far below the accuracy of any
 // stage, and far above rounding errors: points that are not the same differ by more than these.
@@ -94,8 +92,6 @@ inline Indexed_location in_face(const Indexed_triangle_mesh& mesh, const Indexed
   return location_on(h);
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_SURFACE_SURFACE_LOCATION_H

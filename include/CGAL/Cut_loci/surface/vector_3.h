@@ -10,9 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 using Vector = std::array<double, 3>;
 
@@ -42,8 +40,6 @@ inline Vector cross(const Vector& a, const Vector& b)
   return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_INTERNAL_VECTOR_3_H

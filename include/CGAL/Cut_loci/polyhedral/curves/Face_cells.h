@@ -23,9 +23,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * divides the faces that a part of a `Tree_graph` runs through into cells, and tells to which of them each face belongs:
@@ -362,8 +360,6 @@ private:
   std::vector<unsigned char> is_done_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_CURVES_FACE_CELLS_H

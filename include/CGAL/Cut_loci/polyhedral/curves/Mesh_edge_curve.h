@@ -35,9 +35,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * is the cut locus made of edges of the mesh.
@@ -241,14 +239,13 @@ private:
     if(divided_ == nullptr)
       return barrier(cells, h, h);
     Candidate best{null_index, null_index, 0.};
-    divided_->for_each_part(h,
-                            [&](Index part)
-                            {
+    for(Index part : divided_->parts(h))
+    {
       const Candidate here = barrier(cells, h, part);
       const bool is_open = best.edge != null_index && best.stands_for == null_index;
       if(best.edge == null_index || (!is_open && (here.stands_for == null_index || here.gap < best.gap)))
         best = here;
-    });
+    }
     return best;
   }
 
@@ -401,8 +398,6 @@ private:
   std::vector<Index> position_; // of vertices of the curve in the graph
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_CURVES_MESH_EDGE_CURVE_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * tells whether polylines in a face cross each other, elsewhere than at common points.
@@ -91,8 +89,6 @@ private:
   double least_ = 0.;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_CURVES_POLYLINE_CROSSINGS_H

@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * turns the edges of an `Exact_tree` that are left into a curve through the faces.
@@ -620,8 +618,6 @@ private:
   bool starts_and_ends_on_edge_ = false;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_CURVES_TREE_CURVE_H

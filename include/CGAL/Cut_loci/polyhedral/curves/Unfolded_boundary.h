@@ -22,9 +22,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// says that the cut locus of this source can not be followed; that of a source close by may be.
 struct Unfolding_failure : Invalid_input
@@ -355,8 +353,6 @@ private:
   std::vector<Index> next_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_CURVES_UNFOLDED_BOUNDARY_H

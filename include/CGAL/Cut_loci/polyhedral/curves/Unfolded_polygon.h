@@ -21,9 +21,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * is the source unfolding of a polyhedron: what is left of it without its cut locus, as a polygon around the source.
@@ -318,8 +316,6 @@ private:
   double axis_ = 0., full_ = 2. * geodesic_pi, seam_ = 0.;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_CURVES_UNFOLDED_POLYGON_H

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * moves nodes of trees in a face to the mean of their neighbors, all but those that are fixed. If these are on the
@@ -63,8 +61,6 @@ inline void move_to_planar_positions(const std::vector<std::array<Index, 2>>& li
   }
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_CURVES_PLANAR_POSITIONS_H

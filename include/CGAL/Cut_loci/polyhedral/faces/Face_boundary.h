@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * reads where the label changes around a face, as `Face_ridges` needs it: as images in the plane of the face, which fit
@@ -478,8 +476,6 @@ private:
   std::vector<Left> left_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_FACES_FACE_BOUNDARY_H

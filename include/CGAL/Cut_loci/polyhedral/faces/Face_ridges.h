@@ -19,9 +19,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * draws the cut locus in a face, given where it meets the boundary of the face.
@@ -388,8 +386,6 @@ private:
   Ridges_that_cross ridges_cross_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_FACES_FACE_RIDGES_H

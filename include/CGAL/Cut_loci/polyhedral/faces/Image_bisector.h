@@ -15,9 +15,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// is the image of a source, or of a vertex at which paths bend, in the plane of a face.
 struct Image
@@ -161,8 +159,6 @@ inline void sample_bisector(const Image& a, const Image& b, const Plane_point& p
   sample_bisector(a, b, point, q, tolerance, points, depth + 1);
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_FACES_IMAGE_BISECTOR_H

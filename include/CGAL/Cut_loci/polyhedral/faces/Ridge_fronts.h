@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * holds the ends of the pieces that are drawn in a face, in a ring as they are around what is left of the face.
@@ -197,8 +195,6 @@ protected:
   Index first_ = 0, size_ = 0; // one of the ring, and the number of them
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_FACES_RIDGE_FRONTS_H

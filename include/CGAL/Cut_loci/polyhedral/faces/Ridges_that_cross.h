@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// tells whether pieces in a face cross each other, so that the labels they come from do not fit.
 class Ridges_that_cross
@@ -95,8 +93,6 @@ private:
   std::vector<Interval> intervals_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_FACES_RIDGES_THAT_CROSS_H

@@ -17,9 +17,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// is a point of the boundary of a face at which the label changes, as one goes around the face counterclockwise.
 struct Face_change
@@ -225,8 +223,6 @@ inline void draw_by_labels(const std::vector<Face_change>& changes, std::vector<
   Drawing_by_labels(changes, nodes, ridges)();
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_FACES_DRAW_BY_LABELS_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * joins the trees of all faces to one graph, whose complement is an open disk whatever the crossings are.
@@ -379,8 +377,6 @@ private:
   mutable std::vector<Ridges::Crossing_on_face> around_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_JOINING_CUT_GRAPH_H

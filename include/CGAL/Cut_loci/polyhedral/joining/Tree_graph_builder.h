@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * makes a `Tree_graph` of the pieces in the faces and the joints between them.
@@ -454,8 +452,6 @@ private:
   std::vector<Index> node_of_crossing_, node_of_joint_, node_in_face_, first_of_face_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_JOINING_TREE_GRAPH_BUILDER_H

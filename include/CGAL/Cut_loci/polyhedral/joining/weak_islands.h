@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*
  * On faces that are flat but for the rounding of coordinates, each vertex has a branch along which two paths differ by
@@ -83,8 +81,6 @@ std::vector<unsigned char> weak_islands(const Edges& edges, std::size_t number_o
   return result;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_JOINING_WEAK_ISLANDS_H

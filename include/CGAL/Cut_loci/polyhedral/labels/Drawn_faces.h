@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * finds, while the windows are propagated, the faces in which the cut locus has to be drawn: those with an edge on which
@@ -147,8 +145,6 @@ private:
   std::vector<unsigned char> is_weak_;    // by that of smaller index: whether a jump is half as large as needed
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_LABELS_DRAWN_FACES_H

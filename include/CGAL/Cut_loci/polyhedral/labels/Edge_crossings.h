@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// is a point of an edge of the mesh at which the label changes.
 struct Edge_crossing
@@ -305,8 +303,6 @@ private:
   std::size_t next_ = 0, number_of_late_ = 0;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_LABELS_EDGE_CROSSINGS_H

@@ -16,9 +16,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * divides an edge of the mesh by the shortest paths that reach its points: the lower envelope of the windows of both of
@@ -380,8 +378,6 @@ private:
   std::vector<Piece> windows_, pieces_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_LABELS_EDGE_ENVELOPE_H

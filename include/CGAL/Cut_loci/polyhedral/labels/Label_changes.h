@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * lists for each edge of the mesh where its label changes, and for each vertex where that of the faces around it does.
@@ -279,8 +277,6 @@ private:
   std::vector<float> bend_;             // by halfedge
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_LABELS_LABEL_CHANGES_H

@@ -16,9 +16,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * tells whether the cut locus crosses a halfedge where it matters, from the windows alone: where the two paths part at
@@ -180,8 +178,6 @@ private:
   double length_ = 0., distance_ = 0., least_angle_ = 0.; // the last for paths that part at the source
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_LABELS_LABEL_JUMPS_H

@@ -16,9 +16,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// the angle of a vector with `y >= 0` from the x-axis, as `std::atan2` but faster
 inline double upper_angle(double x, double y)
@@ -214,8 +212,6 @@ private:
   const Geodesic_results& geodesics_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_LABELS_PATH_LABEL_H

@@ -12,9 +12,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * tells which paths reach the edges of the mesh right beside a vertex: the shortest path to the vertex and its
@@ -274,8 +272,6 @@ private:
   mutable std::vector<Arrival> arrivals_; // by vertex
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_LABELS_VERTEX_LABELS_H

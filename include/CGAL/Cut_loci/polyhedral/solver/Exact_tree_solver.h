@@ -43,9 +43,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // The cut locus of the polyhedron, all of it or pruned, on one connected component.
 class Exact_tree_solver : public Exact_tree_method
@@ -329,11 +327,8 @@ private:
         nodes.push_back(i);
         options.queries.push_back(curve.nodes[i].location);
       }
-    std::vector<Indexed_location> sources;
-    for(const Indexed_source& source : sources_)
-      sources.push_back(source.location);
     Exact_geodesic_propagation exact(surface_->faces);
-    exact.run(sources, options);
+    exact.run(locations_of(sources_), options);
     for(std::size_t i = 0; i < nodes.size(); ++i)
       curve.nodes[nodes[i]].distance = exact.query_distance(i);
   }
@@ -349,7 +344,8 @@ private:
                     const std::vector<Indexed_curve>& curves, const Progress& progress, int number = 1)
       : Mesh_with_sources(without, points),
         with_curves(curves.empty() ? nullptr
-                                   : new Mesh_with_curves(without, *this, curves, 1e-6 * std::pow(2.5, number - 1))),
+                                   : new Mesh_with_curves(mesh(), static_cast<Index>(points.size()), divided(curves),
+                                                          1e-6 * std::pow(2.5, number - 1))),
         connectivity(surface(), progress.part(0., 0.5)), geodesics(surface(), nullptr, progress.part(0.5, 1.))
     {
     }
@@ -676,8 +672,6 @@ private:
   Threads threads_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_SOLVER_EXACT_TREE_SOLVER_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // The cut locus of sources that are curves, on the mesh without them.
 
@@ -94,8 +92,6 @@ inline Indexed_cut_locus curve_between_curves(const Indexed_triangle_mesh& mesh,
   return std::move(result.graph);
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_SOLVER_CUT_LOCUS_OF_CURVES_H

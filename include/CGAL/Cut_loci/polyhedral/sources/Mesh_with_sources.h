@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/internal/Compressed_rows.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/insert_vertex.h>
 #include <CGAL/Cut_loci/surface/mollified_lengths.h>
@@ -20,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * is a mesh with a vertex more at each of several sources that is at none, and the way back to the mesh without them.
@@ -49,7 +48,13 @@ public:
     }
     if(!inserted_.empty() && needs_mollification(mesh_)) // sources that are close to each other, or to an edge
       mesh_.lengths = Mollification(mesh_).lengths;
-    list_parts();
+    parts_ = Compressed_rows<Index>(without_.number_of_halfedges(),
+                                    [this](const auto& add)
+                                    {
+      for(Index h = 0; h < halfedge_.size(); ++h)
+        if(halfedge_[h] != null_index)
+          add(halfedge_[h], h);
+    });
   }
 
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
@@ -59,12 +64,17 @@ public:
   /// tells of a face of the mesh without the sources whether there are some in it
   bool is_divided(Index f) const { return parts_of_face_.count(f) > 0; }
 
-  /// calls a function with each halfedge that is a part of one of the mesh without the sources
-  template <typename Function>
-  void for_each_part(Index h, const Function& function) const
+  /// the parts of a halfedge of the mesh without the sources
+  Compressed_rows<Index>::Row parts(Index h) const { return parts_[h]; }
+
+  /// curves of that mesh as ones of this
+  std::vector<Indexed_curve> divided(const std::vector<Indexed_curve>& curves) const
   {
-    for(Index i = part_begin_[h]; i < part_begin_[h + std::size_t(1)]; ++i)
-      function(part_[i]);
+    std::vector<Indexed_curve> result(curves.size());
+    for(std::size_t i = 0; i < curves.size(); ++i)
+      for(Index h : curves[i].halfedges)
+        result[i].halfedges.insert(result[i].halfedges.end(), parts_[h].begin(), parts_[h].end());
+    return result;
   }
 
   /// a curve through the faces, and the face of each of its edges, becomes one of the mesh without the sources
@@ -80,7 +90,7 @@ public:
       if(e.halfedge != null_index)
       {
         const Index h = halfedge_[e.halfedge];
-        e.halfedge = h != null_index && part_begin_[h + std::size_t(1)] - part_begin_[h] == 1 ? h : null_index;
+        e.halfedge = h != null_index && parts_.size(h) == 1 ? h : null_index;
       }
     for(Index& f : face)
       f = face_[f];
@@ -212,32 +222,15 @@ private:
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
   }
 
-  void list_parts()
-  {
-    part_begin_.assign(without_.number_of_halfedges() + std::size_t(1), 0);
-    for(Index h : halfedge_)
-      if(h != null_index)
-        ++part_begin_[h + std::size_t(1)];
-    for(std::size_t h = 0; h + 1 < part_begin_.size(); ++h)
-      part_begin_[h + 1] += part_begin_[h];
-    part_.resize(part_begin_.back());
-    std::vector<Index> next(part_begin_.begin(), part_begin_.end() - 1);
-    for(Index h = 0; h < halfedge_.size(); ++h)
-      if(halfedge_[h] != null_index)
-        part_[next[halfedge_[h]]++] = h;
-  }
-
   const Indexed_triangle_mesh& without_;
   Indexed_triangle_mesh mesh_;
   std::vector<Index> vertices_;
   std::vector<Indexed_location> inserted_;                      // of the vertices that come last
   std::vector<Index> face_, halfedge_;                          // that each is part of, the latter may be null
   std::unordered_map<Index, std::vector<Index>> parts_of_face_; // of those that are divided
-  std::vector<Index> part_begin_, part_;                        // of each halfedge without the sources
+  Compressed_rows<Index> parts_;                                // of each halfedge without the sources
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_SOURCES_MESH_WITH_SOURCES_H

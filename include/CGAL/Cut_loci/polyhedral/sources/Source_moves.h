@@ -19,9 +19,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * moves sources away from where they are symmetric to the surface, by a little, and in directions that depend on nothing
@@ -170,8 +168,6 @@ private:
   std::vector<Way> ways_; // of each source, one for each number
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_SOURCES_SOURCE_MOVES_H

@@ -13,17 +13,15 @@
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/method/distances_from_lines.h>
 #include <CGAL/Cut_loci/polyhedral/sources/Mesh_with_curves.h>
-#include <CGAL/Cut_loci/polyhedral/sources/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
-#include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// is what a run from points and curves takes, all of it on a mesh that is cut open along the curves. Faces and their
 /// halfedges keep their numbers, and so do vertices, but for further copies at the end.
@@ -38,28 +36,12 @@ struct Run_from_curves
 inline Run_from_curves run_from_curves(const Indexed_triangle_mesh& mesh, const std::vector<Indexed_location>& points,
                                        const std::vector<Indexed_curve>& curves, const Exact_geodesic_options& options)
 {
-  const Mesh_with_sources whole(mesh, {}); // cut open, the faces keep their numbers
-  const Mesh_with_curves cut(mesh, whole, curves);
+  const Mesh_with_curves cut(mesh, static_cast<Index>(points.size()), curves);
   Run_from_curves result{nullptr, points, options};
   result.sources.insert(result.sources.end(), cut.points().begin(), cut.points().end());
   set_lines(cut.lines(), result.options);
-  const Index n = static_cast<Index>(points.size());
-  result.options.owners.resize(points.size());
-  std::iota(result.options.owners.begin(), result.options.owners.end(), Index(0));
-  for(Index owner : cut.owners())
-    result.options.owners.push_back(n + owner);
-  for(Geodesic_line& line : result.options.lines)
-    line.owner += n;
+  result.options.owners = cut.owners();
   result.geodesics = std::make_unique<Exact_geodesic_propagation>(cut.mesh(), nullptr, options.progress.part(0., 0.));
-  return result;
-}
-
-inline std::vector<Indexed_location> locations_of(const std::vector<Indexed_source>& points)
-{
-  std::vector<Indexed_location> result;
-  result.reserve(points.size());
-  for(const Indexed_source& point : points)
-    result.push_back(point.location);
   return result;
 }
 
@@ -105,11 +87,9 @@ inline std::vector<double> distances_cut_open(const Indexed_triangle_mesh& mesh,
 inline void set_distances_from_curves(const Indexed_triangle_mesh& mesh, const std::vector<Indexed_source>& points,
                                       const std::vector<Indexed_curve>& curves, Indexed_cut_locus& curve)
 {
-  set_distances(distances_from_curves(mesh, points, curves, locations_of_nodes(curve)), curve);
+  set_distances(distances_from_curves(mesh, points, curves, locations_of(curve.nodes)), curve);
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_SOURCES_DISTANCES_FROM_CURVES_H

@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_POLYHEDRAL_STRENGTH_BRANCH_WIDTHS_H
 
 #include <CGAL/Cut_loci/Index.h>
+#include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Tree_branches.h>
 
@@ -17,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * finds the widths of edges of a graph, up to a hundredth but for few.
@@ -37,18 +36,12 @@ public:
   /// @param most edges are passed over at most: between two that are measured the width may be larger than at both
   Branch_widths(const std::vector<Tree_branches::Edge>& edges, Index number_of_nodes, std::size_t most,
                 const Measure& measure, const Length& length, std::vector<float>& width, const Progress& progress = {})
-    : edges_(edges), measure_(measure), length_(length), width_(width), degree_(number_of_nodes, 0),
-      exclusive_or_(number_of_nodes, 0), is_done_(edges.size(), 0)
+    : edges_(edges), measure_(measure), length_(length), width_(width),
+      at_nodes_(number_of_nodes, edges.size(), Ends{edges}), is_done_(edges.size(), 0)
   {
     // parts of rows: the two paths of each edge that is measured take a part of a millisecond
     constexpr std::size_t seldom = 8;
     std::size_t number = 0;
-    for(Index e = 0; e < edges.size(); ++e)
-      for(Index i : {edges[e].outer, edges[e].inner})
-      {
-        ++degree_[i];
-        exclusive_or_[i] ^= e;
-      }
     for(Index seed = 0; seed < edges.size(); ++seed)
     {
       if(is_done_[seed])
@@ -69,7 +62,13 @@ public:
 private:
   float& at(Index e) { return width_[edges_[e].edge]; }
 
-  Index next(Index e, Index node) const { return degree_[node] == 2 ? exclusive_or_[node] ^ e : e; }
+  struct Ends
+  {
+    const std::vector<Tree_branches::Edge>& edges;
+    Edges_left::Nodes operator()(Index e) const { return {{edges[e].outer, edges[e].inner}}; }
+  };
+
+  Index next(Index e, Index node) const { return at_nodes_.degree(node) == 2 ? at_nodes_.next(node, e) : e; }
   Index other_end(Index e, Index node) const { return edges_[e].outer == node ? edges_[e].inner : edges_[e].outer; }
 
   void find_row(Index seed)
@@ -146,14 +145,12 @@ private:
   const Measure& measure_;
   const Length& length_;
   std::vector<float>& width_;
-  std::vector<Index> degree_, exclusive_or_; // of nodes; with two edges, and one of them known, it tells the other
+  Edges_left at_nodes_;
   std::vector<unsigned char> is_done_;
   std::vector<Index> row_;
   std::vector<double> place_; // of the end of each edge of the row
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_STRENGTH_BRANCH_WIDTHS_H

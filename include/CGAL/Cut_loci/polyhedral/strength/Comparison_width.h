@@ -15,9 +15,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * tells from edge lengths alone how far two shortest paths to the same point get apart.
@@ -54,8 +52,6 @@ private:
   const Geodesic_results& geodesics_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_STRENGTH_COMPARISON_WIDTH_H

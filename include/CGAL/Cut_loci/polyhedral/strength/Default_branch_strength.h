@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * tells how strong a branch of the cut locus of a polyhedron has to be, to be one of the surface that the polyhedron
@@ -273,8 +271,6 @@ private:
   double smooth_ = 0., spur_of_turns_ = 0.; // the largest deficit or turn that is no corner; what is low beside curves
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_STRENGTH_DEFAULT_BRANCH_STRENGTH_H

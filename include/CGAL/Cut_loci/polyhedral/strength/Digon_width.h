@@ -19,9 +19,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * measures how far two shortest paths to the same point get apart: the largest distance in space between points at the
@@ -265,8 +263,6 @@ private:
   const Geodesic_faces& faces_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_STRENGTH_DIGON_WIDTH_H

@@ -22,9 +22,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * tells around what the shortest paths to two neighboring vertices lead, however small the angle between them.
@@ -301,8 +299,6 @@ private:
   std::vector<unsigned char> is_lost_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_STRENGTH_PATH_CLASSES_H

@@ -12,9 +12,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 struct Point_on_path
 {
@@ -30,8 +28,6 @@ inline Vector point_between(const Point_on_path& a, const Point_on_path& b, doub
   return a.point + s * (b.point - a.point);
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_STRENGTH_POINT_ON_PATH_H

@@ -22,9 +22,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * measures the same as `Digon_width` for distances with an error.
@@ -193,8 +191,6 @@ private:
   Path first_, second_, shot_, best_; // the last two forward
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_STRENGTH_SHOT_WIDTH_H

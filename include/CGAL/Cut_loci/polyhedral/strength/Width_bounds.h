@@ -19,9 +19,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * tells how wide an edge is at most, while branches fall off from the leaves inward, from the one that has fallen off
@@ -120,8 +118,6 @@ private:
   std::vector<Behind> behind_; // by node
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_STRENGTH_WIDTH_BOUNDS_H

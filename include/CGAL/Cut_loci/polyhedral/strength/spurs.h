@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * removes branches that are not as high as `least`. Where branches meet, the highest one continues and the others end; at
@@ -100,8 +98,6 @@ void remove_spurs(std::vector<Tree_branches::Edge>& edges, Index number_of_nodes
   edges.resize(size);
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_STRENGTH_SPURS_H

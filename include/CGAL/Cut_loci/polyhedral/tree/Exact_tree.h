@@ -39,9 +39,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * is the cut locus of a polyhedron for one source or several, with the strengths of its branches: the stages in their
@@ -547,8 +545,6 @@ private:
   std::unique_ptr<Shot_width> shots_; // for distances with an error
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_POLYHEDRAL_TREE_EXACT_TREE_H
