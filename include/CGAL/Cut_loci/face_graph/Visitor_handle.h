@@ -80,28 +80,6 @@ private:
     return t.get();
   }
 
-  template <typename T>
-  static auto has_progress(int) -> decltype(std::declval<T&>().progress(Stage(), 0.), bool())
-  {
-    return !std::is_same<T, Default_visitor>::value;
-  }
-  template <typename T>
-  static bool has_progress(long)
-  {
-    return false;
-  }
-
-  template <typename T>
-  static auto tell_progress(T& visitor, Stage stage, double share, int)
-    -> decltype(visitor.progress(stage, share), void())
-  {
-    visitor.progress(stage, share);
-  }
-  template <typename T>
-  static void tell_progress(T&, Stage, double, long)
-  {
-  }
-
   template <typename Visitor>
   struct Model : public Concept
   {
@@ -111,8 +89,15 @@ private:
     std::unique_ptr<Concept> copy() const override { return std::unique_ptr<Concept>(new Model(visitor)); }
     void start_stage(Stage stage) override { unwrapped(visitor).start_stage(stage); }
     void end_stage(Stage stage) override { unwrapped(visitor).end_stage(stage); }
-    bool wants_progress() const override { return has_progress<Unwrapped>(0); }
-    void progress(Stage stage, double share) override { tell_progress(unwrapped(visitor), stage, share, 0); }
+    static constexpr auto tell = [](auto& v, Stage stage, double share) -> decltype(void(v.progress(stage, share)))
+    { v.progress(stage, share); };
+    static constexpr bool has_progress = std::is_invocable<decltype(tell), Unwrapped&, Stage, double>::value;
+    bool wants_progress() const override { return has_progress && !std::is_same<Unwrapped, Default_visitor>::value; }
+    void progress(Stage stage, double share) override
+    {
+      if constexpr(has_progress)
+        tell(unwrapped(visitor), stage, share);
+    }
     Visitor visitor;
   };
 

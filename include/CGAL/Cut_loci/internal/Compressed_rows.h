@@ -11,6 +11,7 @@
 
 #include <CGAL/Iterator_range.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -40,6 +41,12 @@ public:
   Row operator[](Index row) const
   {
     return {entries_.begin() + begin_[row], entries_.begin() + begin_[row + std::size_t(1)]};
+  }
+  template <typename Less>
+  void sort_each(const Less& less)
+  {
+    for(std::size_t row = 0; row + 1 < begin_.size(); ++row)
+      std::sort(entries_.begin() + begin_[row], entries_.begin() + begin_[row + 1], less);
   }
   Index size(Index row) const { return begin_[row + std::size_t(1)] - begin_[row]; }
 

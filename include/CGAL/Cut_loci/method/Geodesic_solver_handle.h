@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
+#include <CGAL/Cut_loci/internal/call_if_there.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 
@@ -28,9 +29,12 @@ public:
   Geodesic_solver_handle() = default;
 
   template <typename Solver>
-  explicit Geodesic_solver_handle(const Solver& solver)
-    : model_(new Model<Solver>(solver)), method_(own_method<Solver>(0)), is_approximate_(own_approximation<Solver>(0))
+  explicit Geodesic_solver_handle(const Solver& solver) : model_(new Model<Solver>(solver))
   {
+    call_if_there(solver,
+                  [&](const auto& s) -> decltype(void(s.cut_locus_method())) { method_ = s.cut_locus_method(); });
+    call_if_there(solver,
+                  [&](const auto& s) -> decltype(void(s.is_approximate())) { is_approximate_ = s.is_approximate(); });
   }
 
   Geodesic_solver_handle(Geodesic_solver_handle&&) = default;
@@ -118,65 +122,55 @@ private:
     void compute_distances(const std::vector<Indexed_source>& sources, std::vector<double>& distances,
                            std::vector<Index>& nearest) override
     {
-      if(sources.size() > 1)
-        compute_own_distances(solver, sources, distances, nearest, 0);
-      else
+      if(sources.size() == 1)
         solver.compute_distances(sources.front(), distances);
+      else if(call_if_there(solver,
+                            [&](auto& s) -> decltype(void(s.compute_distances(sources, distances)))
+                            { s.compute_distances(sources, distances); }))
+        call_if_there(solver,
+                      [&](auto& s) -> decltype(void(nearest = s.nearest_sources())) { nearest = s.nearest_sources(); });
+      else
+        compute_one_by_one(sources, distances, nearest);
     }
     bool compute_distances(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
                            std::vector<double>& distances) override
     {
-      return compute_own_distances(solver, points, curves, distances, 0);
+      return call_if_there(solver,
+                           [&](auto& s) -> decltype(void(s.compute_distances(points, curves, distances)))
+                           { s.compute_distances(points, curves, distances); });
     }
-    bool set_maximum_relative_error(double error) override { return set_own_error(solver, error, 0); }
-    void report_to(const Progress& progress) override { set_own_progress(solver, progress, 0); }
+    bool set_maximum_relative_error(double error) override
+    {
+      return call_if_there(solver,
+                           [&](auto& s) -> decltype(void(s.set_maximum_relative_error(error)))
+                           { s.set_maximum_relative_error(error); });
+    }
+    void report_to(const Progress& progress) override
+    {
+      call_if_there(solver, [&](auto& s) -> decltype(void(s.report_to(progress))) { s.report_to(progress); });
+    }
+    void compute_one_by_one(const std::vector<Indexed_source>& sources, std::vector<double>& distances,
+                            std::vector<Index>& nearest)
+    {
+      std::vector<double> to_one;
+      for(std::size_t i = 0; i < sources.size(); ++i)
+      {
+        solver.compute_distances(sources[i], to_one);
+        if(i == 0 || to_one.size() != distances.size()) // the latter is an error, which is seen by the last size
+        {
+          distances = to_one;
+          nearest.assign(distances.size(), static_cast<Index>(i));
+        }
+        for(std::size_t v = 0; v < to_one.size(); ++v)
+          if(to_one[v] < distances[v] || std::isnan(to_one[v]))
+          {
+            distances[v] = to_one[v];
+            nearest[v] = static_cast<Index>(i);
+          }
+      }
+    }
     Solver solver;
   };
-
-  template <typename Solver>
-  static auto compute_own_distances(Solver& solver, const std::vector<Indexed_source>& sources,
-                                    std::vector<double>& distances, std::vector<Index>& nearest, int)
-    -> decltype(solver.compute_distances(sources, distances), void()) // if it takes several
-  {
-    solver.compute_distances(sources, distances);
-    set_own_nearest_sources(solver, nearest, 0);
-  }
-  template <typename Solver>
-  static void compute_own_distances(Solver& solver, const std::vector<Indexed_source>& sources,
-                                    std::vector<double>& distances, std::vector<Index>& nearest, long)
-  {
-    std::vector<double> to_one;
-    for(std::size_t i = 0; i < sources.size(); ++i)
-    {
-      solver.compute_distances(sources[i], to_one);
-      if(i == 0 || to_one.size() != distances.size()) // the latter is an error, which is seen by the last size
-      {
-        distances = to_one;
-        nearest.assign(distances.size(), static_cast<Index>(i));
-      }
-      for(std::size_t v = 0; v < to_one.size(); ++v)
-        if(to_one[v] < distances[v] || std::isnan(to_one[v]))
-        {
-          distances[v] = to_one[v];
-          nearest[v] = static_cast<Index>(i);
-        }
-    }
-  }
-
-  template <typename Solver>
-  static auto compute_own_distances(Solver& solver, const std::vector<Indexed_source>& points,
-                                    const std::vector<Indexed_curve>& curves, std::vector<double>& distances, int)
-    -> decltype(solver.compute_distances(points, curves, distances), bool()) // if it takes curves
-  {
-    solver.compute_distances(points, curves, distances);
-    return true;
-  }
-  template <typename Solver>
-  static bool compute_own_distances(Solver&, const std::vector<Indexed_source>&, const std::vector<Indexed_curve>&,
-                                    std::vector<double>&, long)
-  {
-    return false;
-  }
 
   // the points, and each vertex of a curve once
   std::vector<Indexed_source> with_vertices(std::vector<Indexed_source> points,
@@ -194,66 +188,9 @@ private:
     return points;
   }
 
-  template <typename Solver>
-  static auto own_method(int) -> decltype(Method(Solver::cut_locus_method())) // if it has that
-  {
-    return Solver::cut_locus_method();
-  }
-  template <typename Solver>
-  static Method own_method(long)
-  {
-    return Method::LAPLACIAN;
-  } // takes any distances
-
-  template <typename Solver>
-  static auto own_approximation(int) -> decltype(bool(Solver::is_approximate())) // if it has that
-  {
-    return Solver::is_approximate();
-  }
-  template <typename Solver>
-  static bool own_approximation(long)
-  {
-    return false;
-  }
-
-  template <typename Solver>
-  static auto set_own_error(Solver& solver, double error, int)
-    -> decltype(solver.set_maximum_relative_error(error), bool()) // if it has that
-  {
-    solver.set_maximum_relative_error(error);
-    return true;
-  }
-  template <typename Solver>
-  static bool set_own_error(Solver&, double, long)
-  {
-    return false;
-  }
-
-  template <typename Solver>
-  static auto set_own_progress(Solver& solver, const Progress& progress, int)
-    -> decltype(solver.report_to(progress)) // if it has that
-  {
-    solver.report_to(progress);
-  }
-  template <typename Solver>
-  static void set_own_progress(Solver&, const Progress&, long)
-  {
-  }
-
-  template <typename Solver>
-  static auto set_own_nearest_sources(const Solver& solver, std::vector<Index>& nearest, int)
-    -> decltype(nearest = solver.nearest_sources(), void()) // if it has them
-  {
-    nearest = solver.nearest_sources();
-  }
-  template <typename Solver>
-  static void set_own_nearest_sources(const Solver&, std::vector<Index>&, long)
-  {
-  }
-
   std::unique_ptr<Concept> model_;
   const Indexed_triangle_mesh* mesh_ = nullptr; // if it is bound to one
-  Method method_ = Method::LAPLACIAN;
+  Method method_ = Method::LAPLACIAN;           // which takes any distances, unless the solver names another one
   bool is_approximate_ = false;
 };
 

@@ -8,8 +8,10 @@
 #define CGAL_CUT_LOCI_POLYHEDRAL_CURVES_FACE_CELLS_H
 
 #include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/internal/Compressed_rows.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/polyhedral/joining/Tree_graph.h>
+#include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Tree_branches.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -48,18 +50,16 @@ public:
     for(Index f = 0; f < mesh.number_of_faces(); ++f)
     {
       dividing(f, mesh.number_of_faces());
-      if(edge_begin_[f] < edge_begin_[f + std::size_t(1)])
+      if(edges_.size(f) > 0)
         divide(f);
     }
   }
 
-  /// the nodes on an edge of the mesh, along its halfedge of smaller index
-  Index first_node(Index e) const { return node_begin_[e]; }
-  Index node(std::size_t i) const { return nodes_[i]; }
+  /// on an edge of the mesh
+  Index number_of_nodes(Index e) const { return nodes_.size(e); }
 
   /// the edges of the graph in a face
-  Index first_edge(Index f) const { return edge_begin_[f]; }
-  Index edge(std::size_t i) const { return edges_[i]; }
+  Compressed_rows<Index>::Row edges(Index f) const { return edges_[f]; }
 
   /// whether nothing divides a face
   bool is_whole(Index f) const { return part_begin_[f] == null_index; }
@@ -71,11 +71,11 @@ public:
     const Index f = h / 3;
     if(part_begin_[f] == null_index)
       return true;
-    const Index e = connectivity_.edge_of_halfedge[h], m = node_begin_[e + std::size_t(1)] - node_begin_[e];
+    const Index e = connectivity_.edge_of_halfedge[h], m = nodes_.size(e);
     Index before = 0, all = 0; // nodes of the face before this edge
     for(Index g = 3 * f; g < 3 * f + 3; ++g)
     {
-      const Index d = connectivity_.edge_of_halfedge[g], n = node_begin_[d + std::size_t(1)] - node_begin_[d];
+      const Index d = connectivity_.edge_of_halfedge[g], n = nodes_.size(d);
       const Index in_corner = has_node(f, g % 3);
       before += g < h ? in_corner + n : g == h ? in_corner : 0;
       all += in_corner + n;
@@ -89,52 +89,44 @@ public:
 private:
   void sort_nodes(const std::vector<Tree_branches::Edge>& kept)
   {
-    const auto edge = [&](Index i) { return connectivity_.edge_of_halfedge[graph_.nodes[i].halfedge]; };
     std::vector<unsigned char> is_found(graph_.nodes.size(), 0);
     std::vector<Index> found;
-    node_begin_.assign(connectivity_.number_of_edges() + std::size_t(1), 0);
     for(const Tree_branches::Edge& b : kept)
       for(Index i : graph_.edges[b.edge].nodes)
         if(graph_.nodes[i].halfedge != null_index && !is_found[i])
         {
           is_found[i] = 1;
           found.push_back(i);
-          ++node_begin_[edge(i) + std::size_t(1)];
         }
-    for(std::size_t e = 0; e + 1 < node_begin_.size(); ++e)
-      node_begin_[e + 1] += node_begin_[e];
-    nodes_.resize(found.size());
-    std::vector<Index> next(node_begin_.begin(), node_begin_.end() - 1);
-    for(Index i : found)
-      nodes_[next[edge(i)]++] = i;
-    for(std::size_t e = 0; e + 1 < node_begin_.size(); ++e)
-      std::sort(nodes_.begin() + node_begin_[e], nodes_.begin() + node_begin_[e + 1],
-                [&](Index a, Index b)
-                {
-        const Tree_graph::Node &p = graph_.nodes[a], &q = graph_.nodes[b];
-        return std::tie(p.t, p.crossing, a) < std::tie(q.t, q.crossing, b);
-      });
+    const auto enumerate = [&](const auto& add)
+    {
+      for(Index i : found)
+        add(connectivity_.edge_of_halfedge[graph_.nodes[i].halfedge], i);
+    };
+    nodes_ = Compressed_rows<Index>(connectivity_.number_of_edges(), enumerate);
+    nodes_.sort_each(
+      [&](Index a, Index b)
+      {
+      const Tree_graph::Node &p = graph_.nodes[a], &q = graph_.nodes[b];
+      return std::tie(p.t, p.crossing, a) < std::tie(q.t, q.crossing, b);
+    });
   }
 
   void sort_edges(const std::vector<Tree_branches::Edge>& kept, const Progress& progress)
   {
-    edge_begin_.assign(mesh_.number_of_faces() + std::size_t(1), 0);
     std::vector<Index> order;
     for(const Tree_branches::Edge& b : kept)
       if(!graph_.edges[b.edge].is_virtual)
-      {
         order.push_back(b.edge);
-        ++edge_begin_[graph_.edges[b.edge].face + std::size_t(1)];
-      }
-    for(std::size_t f = 0; f + 1 < edge_begin_.size(); ++f)
-      edge_begin_[f + 1] += edge_begin_[f];
     progress(0.4);
     std::sort(order.begin(), order.end());
     progress(0.7);
-    edges_.resize(order.size());
-    std::vector<Index> next(edge_begin_.begin(), edge_begin_.end() - 1);
-    for(Index e : order) // by face, and in a face by index
-      edges_[next[graph_.edges[e].face]++] = e;
+    const auto enumerate = [&](const auto& add)
+    {
+      for(Index e : order) // by face, and in a face by index
+        add(graph_.edges[e].face, e);
+    };
+    edges_ = Compressed_rows<Index>(mesh_.number_of_faces(), enumerate);
     part_begin_.assign(mesh_.number_of_faces(), null_index);
     corners_with_nodes_.assign(mesh_.number_of_faces(), 0);
   }
@@ -146,8 +138,8 @@ private:
   {
     around_.clear();
     in_corner_ = {{null_index, null_index, null_index}};
-    for(Index i = edge_begin_[f]; i < edge_begin_[f + std::size_t(1)]; ++i)
-      for(Index k : graph_.edges[edges_[i]].nodes)
+    for(Index e : edges_[f])
+      for(Index k : graph_.edges[e].nodes)
         for(Index corner = 0; corner < 3; ++corner)
           if(is_in_corner(k, f, corner) && in_corner_[corner] == null_index)
             in_corner_[corner] = k;
@@ -159,12 +151,9 @@ private:
         corners_with_nodes_[f] |= static_cast<unsigned char>(1 << h % 3);
       }
       const Index e = connectivity_.edge_of_halfedge[h];
-      const Index begin = node_begin_[e], end = node_begin_[e + std::size_t(1)];
-      if(connectivity_.halfedge_of_edge[e] == h)
-        around_.insert(around_.end(), nodes_.begin() + begin, nodes_.begin() + end);
-      else
-        for(Index i = end; i-- > begin;)
-          around_.push_back(nodes_[i]);
+      around_.insert(around_.end(), nodes_[e].begin(), nodes_[e].end());
+      if(connectivity_.halfedge_of_edge[e] != h)
+        std::reverse(around_.end() - nodes_.size(e), around_.end());
     }
   }
 
@@ -182,15 +171,12 @@ private:
     const Tree_graph::Node& n = graph_.nodes[i];
     if(n.face == f)
       return n.point;
-    const Index o = mesh_.opposite[n.halfedge];
-    const double s = 1. - n.t / faces_.length(n.halfedge);
-    const Plane_point &p = corners_[o % 3], &q = corners_[(o + 1) % 3];
-    return {p.x + s * (q.x - p.x), p.y + s * (q.y - p.y)};
+    return across(faces_, n.halfedge, n.t);
   }
 
   void divide(Index f)
   {
-    corners_ = {{{0., 0.}, {faces_.length(3 * f), 0.}, faces_.apex(3 * f)}};
+    corners_ = corners_of(faces_, f);
     walk_around(f);
     const std::size_t n = around_.size();
     find_trees(f);
@@ -219,8 +205,8 @@ private:
   void find_trees(Index f)
   {
     local_.clear();
-    for(Index i = edge_begin_[f]; i < edge_begin_[f + std::size_t(1)]; ++i)
-      for(Index k : graph_.edges[edges_[i]].nodes)
+    for(Index e : edges_[f])
+      for(Index k : graph_.edges[e].nodes)
         local_.push_back(k);
     local_.insert(local_.end(), around_.begin(), around_.end());
     std::sort(local_.begin(), local_.end());
@@ -236,9 +222,9 @@ private:
         i = parent_[i];
       return i;
     };
-    for(Index i = edge_begin_[f]; i < edge_begin_[f + std::size_t(1)]; ++i)
+    for(Index i : edges_[f])
     {
-      const Tree_graph::Edge& e = graph_.edges[edges_[i]];
+      const Tree_graph::Edge& e = graph_.edges[i];
       parent_[root(number(e.nodes[0]))] = root(number(e.nodes[1]));
       for(Index k : e.nodes)
         for(Index corner = 0; corner < 3; ++corner)
@@ -279,9 +265,11 @@ private:
       const Segment part = longest_segment(f, i);
       const Plane_point p{0.5 * (part.from.x + part.to.x), 0.5 * (part.from.y + part.to.y)};
       std::size_t number = 0;
-      for(Index k = edge_begin_[f]; k < edge_begin_[f + std::size_t(1)] && number <= least; ++k)
+      for(Index k : edges_[f])
       {
-        const Tree_graph::Edge& e = graph_.edges[edges_[k]];
+        if(number > least)
+          break;
+        const Tree_graph::Edge& e = graph_.edges[k];
         number += separates(position(f, e.nodes[0]), position(f, e.nodes[1]), p, c);
       }
       if(number < least || (number == least && part.length() > longest))
@@ -298,11 +286,9 @@ private:
   static bool separates(const Plane_point& a, const Plane_point& b, const Plane_point& p, const Plane_point& c)
   {
     constexpr double rounding = 1e-9;
-    const auto area = [](const Plane_point& q, const Plane_point& r, const Plane_point& s)
-    { return (r.x - q.x) * (s.y - q.y) - (r.y - q.y) * (s.x - q.x); };
-    const double of_c = area(a, b, c), of_p = area(a, b, p);
+    const double of_c = cross(a, b, c), of_p = cross(a, b, p);
     const bool is_behind = of_c > 0. ? of_p <= rounding * of_c : of_p >= rounding * of_c;
-    return is_behind && (area(c, p, a) > 0.) != (area(c, p, b) > 0.);
+    return is_behind && (cross(c, p, a) > 0.) != (cross(c, p, b) > 0.);
   }
 
   struct Segment
@@ -347,13 +333,13 @@ private:
   const Geodesic_faces& faces_;
   const Tree_graph& graph_;
   const std::vector<Face_entrance>& entrances_;
-  std::vector<Index> node_begin_, nodes_, edge_begin_, edges_;
+  Compressed_rows<Index> nodes_, edges_; // by edge and face of the mesh
   std::vector<Index> part_begin_;
   std::vector<unsigned char> corners_with_nodes_; // by face, a bit each
   std::vector<bool> holds_;                       // by part of a face: whether the face belongs to its cell
 
   // of the face in work
-  std::array<Plane_point, 3> corners_;
+  Face_corners corners_;
   std::array<Index, 3> in_corner_; // nodes
   std::vector<Index> around_, local_;
   std::vector<std::size_t> parent_, tree_;

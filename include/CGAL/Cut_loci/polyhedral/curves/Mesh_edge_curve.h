@@ -257,16 +257,15 @@ private:
     if(cells.is_whole(h / 3) && cells.is_whole(o / 3))
       return best;
     const Index e = tree_.connectivity().edge_of_halfedge[h];
-    const Index m = cells.first_node(e + 1) - cells.first_node(e);
-    for(Index k = 0; k <= m; ++k)
+    for(Index k = 0; k <= cells.number_of_nodes(e); ++k)
     {
       Candidate here{name, null_index, 0.};
       for(Index g : {h, o})
         if(!cells.holds_face(g, k))
-          for(Index i = cells.first_edge(g / 3); i < cells.first_edge(g / 3 + 1); ++i)
-            if(here.stands_for == null_index || tree_.graph().edges[cells.edge(i)].gap > here.gap)
+          for(Index i : cells.edges(g / 3))
+            if(here.stands_for == null_index || tree_.graph().edges[i].gap > here.gap)
             {
-              here.stands_for = cells.edge(i);
+              here.stands_for = i;
               here.gap = tree_.graph().edges[here.stands_for].gap;
             }
       if(here.stands_for == null_index)

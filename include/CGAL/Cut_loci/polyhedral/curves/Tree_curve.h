@@ -8,11 +8,13 @@
 #define CGAL_CUT_LOCI_POLYHEDRAL_CURVES_TREE_CURVE_H
 
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/internal/Compressed_rows.h>
 #include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/polyhedral/curves/Polyline_crossings.h>
 #include <CGAL/Cut_loci/polyhedral/curves/planar_positions.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Image_bisector.h>
+#include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/polyhedral/tree/Exact_tree.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -202,7 +204,7 @@ private:
     const Plane_point p = position(e.nodes[0], e.face), q = position(e.nodes[1], e.face);
     const double size = geodesics_.faces().length(3 * e.face) + geodesics_.faces().length(3 * e.face + 1);
     const double least = 1e-8 * size; // some ten times the accuracy of windows
-    return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y) <= least * least;
+    return squared_distance(q, p) <= least * least;
   }
 
   /// in the frame of the first halfedge of the face
@@ -211,11 +213,7 @@ private:
     const Tree_graph::Node& n = tree_.graph().nodes[i];
     if(n.face == f)
       return n.point;
-    const Index o = mesh_.opposite[n.halfedge];
-    const double s = 1. - n.t / geodesics_.faces().length(n.halfedge);
-    const std::array<Plane_point, 3> c = tree_.ridges().layout(f);
-    const Plane_point &p = c[o % 3], &q = c[(o + 1) % 3];
-    return {p.x + s * (q.x - p.x), p.y + s * (q.y - p.y)};
+    return across(geodesics_.faces(), n.halfedge, n.t);
   }
 
   Index node(Index i)
@@ -239,12 +237,7 @@ private:
   {
     if(n.halfedge == null_index)
       return location(n.face, n.point);
-    Indexed_location result;
-    result.face = n.halfedge / 3;
-    const double s = n.t / geodesics_.faces().length(n.halfedge);
-    result.coordinates[n.halfedge % 3] = 1. - s;
-    result.coordinates[(n.halfedge + 1) % 3] = s;
-    return result;
+    return location_on(n.halfedge, n.t / geodesics_.faces().length(n.halfedge));
   }
 
   /// a point inside of a face, in the frame of its first halfedge
@@ -254,10 +247,9 @@ private:
   std::array<double, 3> coordinates(Index f, const Plane_point& p) const
   {
     constexpr double least = 1e-10;
-    const std::array<Plane_point, 3> t = tree_.ridges().layout(f);
-    const double third = p.y / t[2].y, second = (p.x - third * t[2].x) / t[1].x;
-    std::array<double, 3> result = {
-      {(std::max)(1. - second - third, least), (std::max)(second, least), (std::max)(third, least)}};
+    std::array<double, 3> result = coordinates_in(tree_.ridges().layout(f), p);
+    for(double& c : result)
+      c = (std::max)(c, least);
     const double sum = result[0] + result[1] + result[2];
     for(double& c : result)
       c /= sum;
@@ -339,51 +331,51 @@ private:
 
   void lay_out_chains(const Progress& progress)
   {
-    std::vector<Index> begin(mesh_.number_of_faces() + std::size_t(1), 0), order(chains_.size());
-    for(const Chain& c : chains_)
-      ++begin[face_of(c) + std::size_t(1)];
-    for(std::size_t f = 0; f + 1 < begin.size(); ++f)
-      begin[f + 1] += begin[f];
-    std::vector<Index> end(begin.begin(), begin.end() - 1);
-    for(Index i = 0; i < chains_.size(); ++i)
-      order[end[face_of(chains_[i])]++] = i;
+    const auto enumerate = [&](const auto& add)
+    {
+      for(Index i = 0; i < chains_.size(); ++i)
+        add(face_of(chains_[i]), i);
+    };
+    const Compressed_rows<Index> in_face(mesh_.number_of_faces(), enumerate);
     for(Index f = 0; f < mesh_.number_of_faces(); ++f)
     {
       progress(f, mesh_.number_of_faces());
-      if(end[f] > begin[f])
-        lay_out_face(order, begin[f], end[f]);
+      if(in_face.size(f) > 0)
+        lay_out_face(in_face[f]);
     }
   }
 
+  using Chains = Compressed_rows<Index>::Row; // of a face
+
   /// The tolerance is smaller where chains cross each other else: down to the accuracy of the nodes, and then the chains
   /// follow the nodes alone, between which they do not cross each other.
-  void lay_out_face(const std::vector<Index>& order, std::size_t begin, std::size_t end)
+  void lay_out_face(const Chains& chains)
   {
     constexpr double finest = 1e-8, all = (std::numeric_limits<double>::infinity)();
     const std::size_t first_point = points_.size();
     for(double t = tolerance();; t = t > finest * connectivity_.mean_edge_length ? 0.1 * t : all)
     {
       points_.resize(first_point);
-      for(std::size_t i = begin; i < end; ++i)
-        lay_out(chains_[order[i]], t);
-      if(end - begin < 2 || !cross_each_other(order, begin, end))
+      for(Index i : chains)
+        lay_out(chains_[i], t);
+      if(chains.size() < 2 || !cross_each_other(chains))
         return;
       if(!(t < all))
         break;
     }
-    untangle(order, begin, end);
+    untangle(chains);
   }
 
   /// Where even the lines between nodes cross each other, branches are closer than nodes are accurate. Nodes inside of the
   /// face are moved towards places where no lines cross, as little as is enough.
-  void untangle(const std::vector<Index>& order, std::size_t begin, std::size_t end)
+  void untangle(const Chains& chains)
   {
-    const Index f = face_of(chains_[order[begin]]);
-    const std::size_t first_point = chains_[order[begin]].first_point;
+    const Index f = face_of(chains_[*chains.begin()]);
+    const std::size_t first_point = chains_[*chains.begin()].first_point;
     std::vector<Index> nodes;
     std::vector<std::array<Index, 2>> links;
-    for(std::size_t i = begin; i < end; ++i)
-      for(std::size_t k = chains_[order[i]].first_step; k < chains_[order[i]].end_step; ++k)
+    for(Index i : chains)
+      for(std::size_t k = chains_[i].first_step; k < chains_[i].end_step; ++k)
       {
         links.push_back({{steps_[k].from, other_end(steps_[k].edge, steps_[k].from)}});
         nodes.insert(nodes.end(), links.back().begin(), links.back().end());
@@ -406,34 +398,33 @@ private:
     {
       for(std::size_t i = 0; i < nodes.size(); ++i)
         if(!is_fixed[i])
-          moved_[nodes[i]] = {before[i].x + share * (planar[i].x - before[i].x),
-                              before[i].y + share * (planar[i].y - before[i].y)};
+          moved_[nodes[i]] = between(before[i], planar[i], share);
       points_.resize(first_point);
-      for(std::size_t i = begin; i < end; ++i)
-        lay_out(chains_[order[i]], (std::numeric_limits<double>::infinity)());
+      for(Index i : chains)
+        lay_out(chains_[i], (std::numeric_limits<double>::infinity)());
     };
     for(double share = 1e-8; share < 2.; share *= 10.)
     {
       move(share);
-      if(!cross_each_other(order, begin, end))
+      if(!cross_each_other(chains))
         return;
     }
     move(0.); // what crosses is on the boundary of the face
   }
 
-  bool cross_each_other(const std::vector<Index>& order, std::size_t begin, std::size_t end)
+  bool cross_each_other(const Chains& chains)
   {
     crossings_.clear();
     // in coordinates in which the face is not thin
-    const std::array<Plane_point, 3> t = tree_.ridges().layout(face_of(chains_[order[begin]]));
+    const Face_corners corners = tree_.ridges().layout(face_of(chains_[*chains.begin()]));
     const auto scaled = [&](const Plane_point& p) -> Plane_point
     {
-      const double third = p.y / t[2].y;
-      return {(p.x - third * t[2].x) / t[1].x, third};
+      const std::array<double, 3> c = coordinates_in(corners, p);
+      return {c[1], c[2]};
     };
-    for(std::size_t i = begin; i < end; ++i)
+    for(Index i : chains)
     {
-      const Chain& c = chains_[order[i]];
+      const Chain& c = chains_[i];
       for(std::size_t k = c.first_point + 1; k < c.end_point; ++k)
         crossings_.add(scaled(points_[k - 1].point), scaled(points_[k].point));
     }

@@ -10,7 +10,9 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/internal/Compressed_rows.h>
 #include <CGAL/Cut_loci/polyhedral/joining/Tree_graph.h>
+#include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/polyhedral/tree/Exact_tree.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
@@ -107,10 +109,9 @@ private:
     Indexed_location result;
     if(n.face == null_index) // stands for a border loop
       return {result, null_index, n.distance};
-    const std::array<Plane_point, 3> t = tree_.ridges().layout(n.face);
-    const double third = n.point.y / t[2].y, second = (n.point.x - third * t[2].x) / t[1].x;
-    result.face = n.face;
-    result.coordinates = {{(std::max)(1. - second - third, 0.), (std::max)(second, 0.), (std::max)(third, 0.)}};
+    result = {n.face, coordinates_in(tree_.ridges().layout(n.face), n.point)};
+    for(double& c : result.coordinates)
+      c = (std::max)(c, 0.);
     if(n.halfedge != null_index)
       result.coordinates[(n.halfedge + 2) % 3] = 0.;
     const double sum = result.coordinates[0] + result.coordinates[1] + result.coordinates[2];
@@ -124,17 +125,12 @@ private:
   {
     if(n.face == f)
       return n.point;
-    const std::array<Plane_point, 3> corners = tree_.ridges().layout(f);
     const Index o = n.halfedge != null_index ? mesh_.opposite[n.halfedge] : null_index;
     if(o != null_index && o / 3 == f)
-    {
-      const double s = 1. - n.t / geodesics_.faces().length(n.halfedge);
-      const Plane_point &p = corners[o % 3], &q = corners[(o + 1) % 3];
-      return {p.x + s * (q.x - p.x), p.y + s * (q.y - p.y)};
-    }
+      return across(geodesics_.faces(), n.halfedge, n.t);
     for(std::size_t i = 0; i < 3; ++i)
       if(mesh_.triangles[f][i] == n.vertex)
-        return corners[i];
+        return tree_.ridges().layout(f)[i];
     fail();
   }
 
@@ -277,28 +273,22 @@ private:
 
   void follow()
   {
-    // the sides that start, and those that end, at each node
-    std::array<std::vector<Index>, 2> first, at;
+    std::array<Compressed_rows<Index>, 2> at; // the sides that start, and those that end, at each node
     for(std::size_t end : {0, 1})
     {
-      first[end].assign(nodes.size() + 1, 0);
-      for(const Side& s : sides)
-        ++first[end][s.nodes[end] + std::size_t(1)];
-      for(std::size_t i = 0; i < nodes.size(); ++i)
-        first[end][i + 1] += first[end][i];
-      at[end].resize(sides.size());
-      std::vector<Index> next(first[end].begin(), first[end].end() - 1);
-      for(Index i = 0; i < sides.size(); ++i)
-        at[end][next[sides[i].nodes[end]]++] = i;
+      const auto enumerate = [&](const auto& add)
+      {
+        for(Index i = 0; i < sides.size(); ++i)
+          add(sides[i].nodes[end], i);
+      };
+      at[end] = Compressed_rows<Index>(nodes.size(), enumerate);
     }
     next_.assign(sides.size(), null_index);
-    for(std::size_t i = 0; i < nodes.size(); ++i)
+    for(Index i = 0; i < nodes.size(); ++i)
     {
-      const std::vector<Index> out(at[0].begin() + first[0][i], at[0].begin() + first[0][i + 1]);
-      const std::vector<Index> in(at[1].begin() + first[1][i], at[1].begin() + first[1][i + 1]);
-      if(in.size() != out.size())
+      if(at[0].size(i) != at[1].size(i))
         fail();
-      join(in, out);
+      join({at[1][i].begin(), at[1][i].end()}, {at[0][i].begin(), at[0][i].end()});
     }
     for(Index i = 0; order.size() < sides.size(); i = next_[i])
     {

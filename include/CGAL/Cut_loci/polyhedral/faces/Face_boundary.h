@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/polyhedral/labels/Edge_crossings.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Label_changes.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Path_label.h>
+#include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ public:
   void read(Index f, std::size_t next_at_vertex)
   {
     face_ = f;
-    corners_ = layout(*geodesics_, f);
+    corners_ = corners_of(geodesics_->faces(), f);
     local_changes_.clear();
     places_.clear();
     const std::vector<Vertex_labels::Change>& at_vertices = changes_->at_vertices();
@@ -119,12 +120,6 @@ public:
   bool is_seam(const Image& a, const Image& b, const Plane_point& p) const
   {
     return geodesics_->is_seam(a.origin, b.origin, angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y));
-  }
-
-  /// the corners of a face in the frame of its first halfedge
-  static std::array<Plane_point, 3> layout(const Geodesic_results& geodesics, Index f)
-  {
-    return {{{0., 0.}, {geodesics.faces().length(3 * f), 0.}, geodesics.faces().apex(3 * f)}};
   }
 
 private:
@@ -306,14 +301,14 @@ private:
 
     void add(const Image& image, const Plane_point& p)
     {
-      if(cross(image, first, p) < 0.)
+      if(cross(image.place(), first, p) < 0.)
         first = p;
-      if(cross(image, last, p) > 0.)
+      if(cross(image.place(), last, p) > 0.)
         last = p;
     }
     bool overlap(const Image& image, const Rays& other) const
     {
-      return cross(image, first, other.last) > 0. && cross(image, other.first, last) > 0.;
+      return cross(image.place(), first, other.last) > 0. && cross(image.place(), other.first, last) > 0.;
     }
   };
 
@@ -323,11 +318,6 @@ private:
     Index change;
     Rays rays;
   };
-
-  static double cross(const Image& from, const Plane_point& p, const Plane_point& q)
-  {
-    return (p.x - from.x) * (q.y - from.y) - (p.y - from.y) * (q.x - from.x);
-  }
 
   /// to the part of the boundary between a change and the next one
   Rays rays_behind(Index i) const

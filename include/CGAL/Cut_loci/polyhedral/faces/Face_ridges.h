@@ -83,7 +83,7 @@ private:
   /// whether `p` is in the cone of an entry, up to rounding: what is beside it by a little is longer by the square of that
   static bool sees(const Entry& e, const Plane_point& p)
   {
-    const Plane_point image{e.image.x, e.image.y};
+    const Plane_point image = e.image.place();
     const double rounding = 1e-9 * (squared_distance(e.from, e.to) + squared_distance(image, p));
     return cross(image, e.from, p) <= rounding && cross(image, e.to, p) >= -rounding;
   }
@@ -308,7 +308,7 @@ private:
   {
     if(f.is_ray)
       return true;
-    const Plane_point before{f.before.x, f.before.y}, after{f.after.x, f.after.y};
+    const Plane_point before = f.before.place(), after = f.after.place();
     const double rounding =
       least_angle * distance(x, before) * distance(x, after) + tolerance_ * distance(before, after);
     return advance(f, x) >= advance(f, nodes[f.node]) - rounding;

@@ -25,6 +25,7 @@ struct Image
   double direction; // in which a path to the center of the face leaves the origin
   double rate = 1.; // by which that turns with the path
 
+  Plane_point place() const { return {x, y}; }
   double distance(const Plane_point& p) const
   {
     return sigma + std::sqrt((p.x - x) * (p.x - x) + (p.y - y) * (p.y - y));

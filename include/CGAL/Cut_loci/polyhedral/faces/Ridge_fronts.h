@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_POLYHEDRAL_FACES_RIDGE_FRONTS_H
 
 #include <CGAL/Cut_loci/polyhedral/faces/Image_bisector.h>
+#include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <array>
@@ -49,17 +50,6 @@ protected:
   };
 
   // -- in the plane -----------------------------------------------------------------------------------------------------
-
-  static double cross(const Plane_point& a, const Plane_point& b, const Plane_point& c)
-  {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-  }
-
-  static double squared_distance(const Plane_point& a, const Plane_point& b)
-  {
-    return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
-  }
-  static double distance(const Plane_point& a, const Plane_point& b) { return std::sqrt(squared_distance(a, b)); }
 
   static bool is_on_one_line(const Plane_point& p, const Image& a, const Image& b)
   {

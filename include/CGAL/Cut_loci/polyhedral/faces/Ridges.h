@@ -15,6 +15,7 @@
 #include <CGAL/Cut_loci/polyhedral/labels/Edge_crossings.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Label_changes.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Path_label.h>
+#include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
@@ -143,8 +144,7 @@ public:
     return first.curvature < second.curvature ? second : first;
   }
 
-  /// the corners of a face in the frame of its first halfedge
-  std::array<Plane_point, 3> layout(Index f) const { return Face_boundary::layout(*geodesics_, f); }
+  Face_corners layout(Index f) const { return corners_of(geodesics_->faces(), f); }
 
   /// whether a piece ends there, by crossing
   std::vector<unsigned char> crossings_with_pieces() const

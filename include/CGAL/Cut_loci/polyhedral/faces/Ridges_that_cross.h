@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_POLYHEDRAL_FACES_RIDGES_THAT_CROSS_H
 
 #include <CGAL/Cut_loci/polyhedral/faces/draw_by_labels.h>
+#include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
@@ -70,16 +71,6 @@ private:
   {
     const double at_c = cross(a, b, c), at_d = cross(a, b, d), least = (std::min)(std::fabs(at_c), std::fabs(at_d));
     return at_c * at_d < 0. && least * least > rounding_ * rounding_ * squared_distance(a, b);
-  }
-
-  static double cross(const Plane_point& a, const Plane_point& b, const Plane_point& c)
-  {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-  }
-
-  static double squared_distance(const Plane_point& a, const Plane_point& b)
-  {
-    return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
   }
 
   struct Interval

@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_POLYHEDRAL_FACES_DRAW_BY_LABELS_H
 
 #include <CGAL/Cut_loci/polyhedral/faces/Image_bisector.h>
+#include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
@@ -89,11 +90,6 @@ private:
       return std::tie(other.squared_length, other.first, other.second) < std::tie(squared_length, first, second);
     }
   };
-
-  static double squared_distance(const Plane_point& a, const Plane_point& b)
-  {
-    return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
-  }
 
   /// all changes in one part
   void start()
@@ -195,11 +191,6 @@ private:
     const double s = l > 0. ? ((point.x - p.x) * (q.x - p.x) + (point.y - p.y) * (q.y - p.y)) / l : 0.;
     const double t = (std::min)((std::max)(s, 0.), 1.);
     point = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
-  }
-
-  static double cross(const Plane_point& a, const Plane_point& b, const Plane_point& c)
-  {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   }
 
   /// whether a point is in a triangle

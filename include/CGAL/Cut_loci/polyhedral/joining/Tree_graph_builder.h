@@ -14,6 +14,7 @@
 #include <CGAL/Cut_loci/polyhedral/joining/Tree_graph.h>
 #include <CGAL/Cut_loci/polyhedral/joining/weak_islands.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Label_changes.h>
+#include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
@@ -121,8 +122,7 @@ private:
     else
       node.t = t = (std::min)((std::max)(t, margin), length - margin);
     const std::array<Plane_point, 3> corners = ridges_.layout(h / 3);
-    const Plane_point &p = corners[h % 3], &q = corners[(h + 1) % 3];
-    node.point = {p.x + t / length * (q.x - p.x), p.y + t / length * (q.y - p.y)};
+    node.point = between(corners[h % 3], corners[(h + 1) % 3], t / length);
     if(mesh_.opposite[h] == null_index)
       node.loop = connectivity_.border_loop[mesh_.source(h)];
     return node;

@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/geodesics/Geodesic_results.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Image_bisector.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Path_label.h>
+#include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 
 #include <algorithm>
 #include <array>
@@ -34,7 +35,7 @@ public:
   double operator()(Index f, const Plane_point& p, const Image& a, const Image& b) const
   {
     const Geodesic_faces& faces = geodesics_.faces();
-    const std::array<Plane_point, 3> corners = {{{0., 0.}, {faces.length(3 * f), 0.}, faces.apex(3 * f)}};
+    const Face_corners corners = corners_of(faces, f);
     const double meeting = angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y);
     const Parting_angle::Parting parting =
       Parting_angle(geodesics_)

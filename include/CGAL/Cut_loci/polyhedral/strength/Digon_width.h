@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Image_bisector.h>
+#include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Point_on_path.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
@@ -93,13 +94,11 @@ private:
   /// at `p`
   void start(Walk& walk, Index f, const Plane_point& p, const Image& image) const
   {
-    const Plane_point q{faces_.length(3 * f), 0.}, r = faces_.apex(3 * f);
-    const double third = p.y / r.y, second = (p.x - third * r.x) / q.x;
-    walk.last = {position(mesh_, {f, {{1. - second - third, second, third}}}), image.distance(p)};
+    walk.last = {position(mesh_, {f, coordinates_in(corners_of(faces_, f), p)}), image.distance(p)};
     walk.origin = image.origin;
     walk.sigma = image_sigma(walk.origin);
     walk.is_done = false;
-    walk.to = {image.x, image.y};
+    walk.to = image.place();
     Plane_point from = p;
     walk.halfedge = leave_face(f, walk.origin, from, walk.to);
     walk.t = from.x;
@@ -189,7 +188,7 @@ private:
   {
     if(starts_in(f, origin))
       return null_index;
-    const std::array<Plane_point, 3> c = {{{0., 0.}, {faces_.length(3 * f), 0.}, faces_.apex(3 * f)}};
+    const Face_corners c = corners_of(faces_, f);
     const double dx = to.x - from.x, dy = to.y - from.y;
     Index best = null_index;
     double least = 0.;

@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/geodesics/Geodesic_results.h>
 #include <CGAL/Cut_loci/geodesics/Straight_walk.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Image_bisector.h>
+#include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Point_on_path.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
@@ -43,9 +44,8 @@ public:
   /// the two paths lead from the images to the point `p` of face `f`; all in the frame of its first halfedge
   double operator()(Index f, const Plane_point& p, const Image& a, const Image& b)
   {
-    const std::array<Plane_point, 3> corners = {{{0., 0.}, {faces_.length(3 * f), 0.}, faces_.apex(3 * f)}};
-    const double third = p.y / corners[2].y, second = (p.x - third * corners[2].x) / corners[1].x;
-    const Vector end = position(mesh_, {f, {{1. - second - third, second, third}}});
+    const Face_corners corners = corners_of(faces_, f);
+    const Vector end = position(mesh_, {f, coordinates_in(corners, p)});
     Leg first{a.origin, a.direction_to(p, corners), a.distance(p), spread(a.distance(p) - a.sigma, a.rate), end};
     Leg other{b.origin, b.direction_to(p, corners), b.distance(p), spread(b.distance(p) - b.sigma, b.rate), end};
     for(Path* path : {&first_, &second_})

@@ -19,6 +19,7 @@
 #include <CGAL/Cut_loci/polyhedral/labels/Drawn_faces.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Edge_crossings.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Label_changes.h>
+#include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Branch_widths.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Comparison_width.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Digon_width.h>
@@ -421,8 +422,7 @@ private:
   Plane_point next_to_end(Index piece, int end) const
   {
     constexpr double share = 1e-6;
-    const Plane_point p = ridges_.piece_end(piece, end), q = ridges_.piece_end(piece, 1 - end);
-    return {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
+    return between(ridges_.piece_end(piece, end), ridges_.piece_end(piece, 1 - end), share);
   }
 
   /// the faces of edges of which nothing is known but that they are there, and rings of faces around these
