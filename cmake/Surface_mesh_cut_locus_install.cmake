@@ -5,8 +5,8 @@ set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Surface_mesh_cut_locus)
 
 install(DIRECTORY include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY include_np/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/Surface_mesh_cut_locus/named_parameters)
-set_target_properties(Surface_mesh_cut_locus_compiled PROPERTIES EXCLUDE_FROM_ALL OFF) # what is installed is built
-install(TARGETS Surface_mesh_cut_locus Surface_mesh_cut_locus_compiled EXPORT Surface_mesh_cut_locusTargets)
+set_target_properties(Surface_mesh_cut_locus PROPERTIES EXCLUDE_FROM_ALL OFF) # what is installed is built
+install(TARGETS Surface_mesh_cut_locus Surface_mesh_cut_locus_header_only EXPORT Surface_mesh_cut_locusTargets)
 install(EXPORT Surface_mesh_cut_locusTargets NAMESPACE CGAL:: DESTINATION ${config_folder})
 
 configure_package_config_file(cmake/Surface_mesh_cut_locusConfig.cmake.in

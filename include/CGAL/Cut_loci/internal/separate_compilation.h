@@ -10,7 +10,7 @@
 /*
  * What does not depend on the type of the user's mesh is most of the package. It is compiled with each program, as all of
  * CGAL is, or, if `CGAL_CUT_LOCI_SEPARATE_COMPILATION` is defined, once, in the library
- * `CGAL::Surface_mesh_cut_locus_compiled`: a header `Name.h` then only declares what `Name_impl.h` defines.
+ * `CGAL::Surface_mesh_cut_locus`: a header `Name.h` then only declares what `Name_impl.h` defines.
  */
 #ifdef CGAL_CUT_LOCI_SEPARATE_COMPILATION
 #define CGAL_CUT_LOCI_INLINE
