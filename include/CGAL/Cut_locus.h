@@ -91,6 +91,9 @@ struct Source_result
   double least_distance = 0.; // no nearer point has several shortest paths
 };
 
+template <typename TriangleMesh, typename VertexPointMap>
+class Cut_locus_builder;
+
 } // namespace internal
 } // namespace Cut_loci
 
@@ -124,24 +127,6 @@ public:
   using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;
   using Distance_function = std::function<double(mesh_vertex_descriptor)>;
   using Nearest_source_function = std::function<std::optional<std::size_t>(mesh_vertex_descriptor)>;
-
-  Cut_locus(Graph graph, Vertex source, mesh_vertex_descriptor farthest,
-            std::shared_ptr<const Cut_loci::internal::Source_result> result, Distance_function distance,
-            std::size_t number_of_narrow_corridors = 0)
-    : Cut_locus(std::move(graph), std::vector<Vertex>(1, std::move(source)), farthest, std::move(result),
-                std::move(distance), Nearest_source_function(), number_of_narrow_corridors)
-  {
-  }
-
-  Cut_locus(Graph graph, std::vector<Vertex> sources, mesh_vertex_descriptor farthest,
-            std::shared_ptr<const Cut_loci::internal::Source_result> result, Distance_function distance,
-            Nearest_source_function nearest_source, std::size_t number_of_narrow_corridors,
-            bool is_one_of_several = false)
-    : graph_(std::move(graph)), sources_(std::move(sources)), farthest_(farthest), result_(std::move(result)),
-      distance_(std::move(distance)), nearest_source_(std::move(nearest_source)),
-      number_of_narrow_corridors_(number_of_narrow_corridors), is_one_of_several_(is_one_of_several)
-  {
-  }
 
   /// the graph
   const Graph& graph() const { return graph_; }
@@ -212,6 +197,18 @@ public:
   bool is_one_of_several() const { return is_one_of_several_; }
 
 private:
+  template <typename Mesh, typename VertexPointMap>
+  friend class Cut_loci::internal::Cut_locus_builder;
+
+  Cut_locus(Graph graph, std::vector<Vertex> sources, mesh_vertex_descriptor farthest,
+            std::shared_ptr<const Cut_loci::internal::Source_result> result, Distance_function distance,
+            Nearest_source_function nearest_source, std::size_t number_of_narrow_corridors, bool is_one_of_several)
+    : graph_(std::move(graph)), sources_(std::move(sources)), farthest_(farthest), result_(std::move(result)),
+      distance_(std::move(distance)), nearest_source_(std::move(nearest_source)),
+      number_of_narrow_corridors_(number_of_narrow_corridors), is_one_of_several_(is_one_of_several)
+  {
+  }
+
   Graph graph_;
   std::vector<Vertex> sources_;
   mesh_vertex_descriptor farthest_;

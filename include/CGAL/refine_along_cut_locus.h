@@ -36,7 +36,7 @@ namespace CGAL {
  * The surface stays the same except for the rounding of points, and each face of the result is a part of one of `tm`. The
  * cut locus is rounded first: its barycentric coordinates become multiples of the snapping tolerance, so that it goes
  * through a vertex that it passes closely, and no face is degenerate: all have at least the square of the tolerance of
- * the area of the face that they are a part of. See `Cut_loci::refine_along_curve()`.
+ * the area of the face that they are a part of.
  *
  * Time is O(n log k), for n faces and k vertices of the cut locus.
  *
@@ -136,7 +136,7 @@ void refine_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh
  * `edge_is_constrained_map`.
  *
  * Parts of the curve that touch after rounding, and so enclose faces, are opened. Where a part has come off the border
- * or off the rest, the shortest ways over edges are cut, too. See `Cut_loci::repair_seams()`.
+ * or off the rest, the shortest ways over edges are cut, too.
  */
 template <typename TriangleMesh, typename Point_3, typename OutputMesh,
           typename NamedParametersIn = parameters::Default_named_parameters,

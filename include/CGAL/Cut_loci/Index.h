@@ -13,7 +13,7 @@
 namespace CGAL::Cut_loci {
 
 /*!
- * \ingroup PkgSurfaceMeshCutLocusStages
+ * \ingroup PkgSurfaceMeshCutLocusSolvers
  *
  * is the type of all indices.
  *
@@ -21,7 +21,7 @@ namespace CGAL::Cut_loci {
  */
 using Index = std::uint32_t;
 
-/// \ingroup PkgSurfaceMeshCutLocusStages
+/// \ingroup PkgSurfaceMeshCutLocusSolvers
 /// the index that refers to nothing, such as the opposite of a border halfedge.
 constexpr Index null_index = (std::numeric_limits<Index>::max)();
 

@@ -33,8 +33,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 namespace internal {
 
@@ -235,7 +234,6 @@ Layout_quality flatten_disk(const TriangleMesh& tm, VertexUVMap uv_map,
   return internal::layout_quality(disk, layout.plane());
 }
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_FLATTEN_DISK_H

@@ -33,8 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 namespace internal {
 
@@ -147,7 +146,6 @@ std::vector<Point_3> geodesic_loop(const TriangleMesh& tm, const Cut_locus<Trian
   return result;
 }
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_GEODESIC_LOOP_H

@@ -40,8 +40,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusRef
@@ -363,7 +362,6 @@ auto source_unfolding(const TriangleMesh& tm, const Source& source,
                                                                             *surface)(polygon, in_component);
 }
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_SOURCE_UNFOLDING_H

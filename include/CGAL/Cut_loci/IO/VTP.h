@@ -18,8 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusIO
@@ -31,21 +30,8 @@ namespace IO {
  *
  * @param os the output stream
  * @param cut_locus the cut locus
- * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{stream_precision}
- *     \cgalParamDescription{the number of significant digits of the numbers}
- *     \cgalParamType{int}
- *     \cgalParamDefault{17, with which every `double` is read back as it was}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{edge_is_constrained_map}
- *     \cgalParamDescription{a property map of the edges of the graph that are to be marked, by 1 in the array `marked` of the cells}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<Cut_locus::Graph>::%edge_descriptor`
- *                    as key type and `bool` as value type}
- *     \cgalParamDefault{none: nothing is written about marks}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of `write_cut_locus()`; edges are
+ *        marked by 1 in the array `marked` of the cells
  *
  * @return `true` if all has been written
  */
@@ -126,7 +112,6 @@ bool write_VTP(const std::string& filename, const Cut_locus<TriangleMesh, Point_
   return Cut_loci::internal::write_file(filename, [&](std::ostream& os) { return IO::write_VTP(os, cut_locus, np); });
 }
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif // CGAL_CUT_LOCI_IO_VTP_H

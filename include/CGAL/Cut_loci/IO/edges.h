@@ -19,8 +19,7 @@
 #include <ostream>
 #include <string>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusIO
@@ -80,7 +79,6 @@ bool write_edges(const std::string& filename, const Cut_locus<TriangleMesh, Poin
                                         [&](std::ostream& os) { return IO::write_edges(os, cut_locus, tm, np); });
 }
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif // CGAL_CUT_LOCI_IO_EDGES_H

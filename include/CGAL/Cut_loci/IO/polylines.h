@@ -14,8 +14,7 @@
 #include <ostream>
 #include <string>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusIO
@@ -26,15 +25,8 @@ namespace IO {
  *
  * @param os the output stream
  * @param cut_locus the cut locus
- * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{stream_precision}
- *     \cgalParamDescription{the number of significant digits of the numbers}
- *     \cgalParamType{int}
- *     \cgalParamDefault{17, with which every `double` is read back as it was}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters": the `stream_precision` of
+ *        `write_cut_locus()`
  *
  * @return `true` if all has been written
  */
@@ -66,7 +58,6 @@ bool write_polylines(const std::string& filename, const Cut_locus<TriangleMesh, 
                                         [&](std::ostream& os) { return IO::write_polylines(os, cut_locus, np); });
 }
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif // CGAL_CUT_LOCI_IO_POLYLINES_H

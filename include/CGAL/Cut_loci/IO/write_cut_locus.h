@@ -14,8 +14,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusIO
@@ -63,7 +62,6 @@ bool write_cut_locus(const std::string& filename, const Cut_locus<TriangleMesh, 
   return false;
 }
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif // CGAL_CUT_LOCI_IO_WRITE_CUT_LOCUS_H

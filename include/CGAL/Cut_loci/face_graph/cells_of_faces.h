@@ -19,8 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 namespace internal {
 
@@ -115,7 +114,6 @@ std::vector<std::size_t> cells_of_faces(const Read_triangle_mesh<TriangleMesh>& 
 }
 
 } // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_FACE_GRAPH_CELLS_OF_FACES_H

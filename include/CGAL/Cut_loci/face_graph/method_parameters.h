@@ -34,12 +34,6 @@ constexpr bool is_given()
   return !parameters::is_default_parameter<NamedParameters, Tag>::value;
 }
 
-inline void refuse_parameter(const std::string& name, Method method, const std::string& remedy)
-{
-  throw Invalid_input(Cause::PARAMETER_OF_OTHER_METHOD, "the parameter " + name + " has no meaning for the method " +
-                                                          name_of(method) + ", which is in force: " + remedy);
-}
-
 [[noreturn]] inline void refuse_distances(Method method)
 {
   throw Invalid_input(Cause::PARAMETER_OF_OTHER_METHOD,
@@ -93,33 +87,31 @@ void refuse_parameters_of_other_methods(Method method, const NamedParameters&)
                 "without these faces");
   static_assert(!is_given<NamedParameters, np::maximum_deviation_t>(),
                 "maximum_deviation is for isolines: use Surface_mesh_exact_geodesics");
-  const auto refuse_unless = [&](bool is_right, const std::string& name, const std::string& remedy)
-  {
-    if(!is_right)
-      refuse_parameter(name, method, remedy);
-  };
   const bool is_laplacian = method == Method::LAPLACIAN;
-  const std::string use_laplacian = "leave it away, or pass cut_locus_method(Cut_loci::Method::LAPLACIAN)";
-  if(is_given<NamedParameters, np::gradient_angle_threshold_t>())
-    refuse_unless(is_laplacian, "gradient_angle_threshold", use_laplacian);
-  if(is_given<NamedParameters, np::laplacian_threshold_t>())
-    refuse_unless(is_laplacian, "laplacian_threshold", use_laplacian);
-  if(is_given<NamedParameters, np::filter_policy_t>())
-    refuse_unless(is_laplacian, "filter_policy", use_laplacian);
-  if(is_given<NamedParameters, np::laplacian_operator_t>())
-    refuse_unless(is_laplacian, "laplacian_operator", use_laplacian);
-  if(is_given<NamedParameters, np::number_of_iterations_t>())
-    refuse_unless(is_laplacian, "number_of_iterations",
-                  "pass cut_locus_curve(Cut_loci::Curve::THROUGH_FACES), which needs no iterations, or "
-                  "cut_locus_method(Cut_loci::Method::LAPLACIAN)");
-  const std::string use_paths =
-    "leave it away, or pass cut_locus_method(Cut_loci::Method::DIRECTION), which needs exact distances";
-  if(is_given<NamedParameters, np::minimum_branch_gap_t>())
-    refuse_unless(!is_laplacian, "minimum_branch_gap", use_paths);
-  if(is_given<NamedParameters, np::minimum_branch_width_t>())
-    refuse_unless(!is_laplacian, "minimum_branch_width", use_paths);
-  if(is_given<NamedParameters, np::minimum_branch_curvature_t>())
-    refuse_unless(!is_laplacian, "minimum_branch_curvature", use_paths);
+  const auto refuse = [&](bool is_there, const char* name, const char* remedy)
+  {
+    if(is_there)
+      throw Invalid_input(Cause::PARAMETER_OF_OTHER_METHOD, "the parameter " + std::string(name) +
+                                                              " has no meaning for the method " + name_of(method) +
+                                                              ", which is in force: " + remedy);
+  };
+  const auto of_laplacian = [&](bool is_there, const char* name)
+  { refuse(is_there && !is_laplacian, name, "leave it away, or pass cut_locus_method(Cut_loci::Method::LAPLACIAN)"); };
+  const auto of_paths = [&](bool is_there, const char* name)
+  {
+    refuse(is_there && is_laplacian, name,
+           "leave it away, or pass cut_locus_method(Cut_loci::Method::DIRECTION), which needs exact distances");
+  };
+  of_laplacian(is_given<NamedParameters, np::gradient_angle_threshold_t>(), "gradient_angle_threshold");
+  of_laplacian(is_given<NamedParameters, np::laplacian_threshold_t>(), "laplacian_threshold");
+  of_laplacian(is_given<NamedParameters, np::filter_policy_t>(), "filter_policy");
+  of_laplacian(is_given<NamedParameters, np::laplacian_operator_t>(), "laplacian_operator");
+  refuse(is_given<NamedParameters, np::number_of_iterations_t>() && !is_laplacian, "number_of_iterations",
+         "pass cut_locus_curve(Cut_loci::Curve::THROUGH_FACES), which needs no iterations, or "
+         "cut_locus_method(Cut_loci::Method::LAPLACIAN)");
+  of_paths(is_given<NamedParameters, np::minimum_branch_gap_t>(), "minimum_branch_gap");
+  of_paths(is_given<NamedParameters, np::minimum_branch_width_t>(), "minimum_branch_width");
+  of_paths(is_given<NamedParameters, np::minimum_branch_curvature_t>(), "minimum_branch_curvature");
 }
 
 template <typename Number>

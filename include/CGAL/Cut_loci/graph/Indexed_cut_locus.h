@@ -16,15 +16,10 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
- * is a cut locus on an `Indexed_triangle_mesh`: a graph whose edges are edges of the mesh, or straight segments in
- * its faces.
- */
+// is a cut locus on an `Indexed_triangle_mesh`: a graph whose edges are edges of the mesh, or straight segments in
+// its faces.
 struct Indexed_cut_locus
 {
   struct Node
@@ -71,7 +66,6 @@ inline Compressed_rows<Index> incident_edges(const Indexed_cut_locus& graph)
 }
 
 } // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_GRAPH_INDEXED_CUT_LOCUS_H

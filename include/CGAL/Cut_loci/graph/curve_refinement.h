@@ -29,14 +29,9 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
- * is a mesh whose faces have been split along a curve.
- */
+// is a mesh whose faces have been split along a curve.
 struct Refined_mesh
 {
   Indexed_triangle_mesh mesh; ///< its first vertices are those of the mesh before, with the same indices
@@ -465,9 +460,7 @@ private:
 
 } // namespace internal
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * splits the faces that a curve runs through, so that it consists of edges. Each edge of the curve must lie in one
  * face.
  *
@@ -488,7 +481,6 @@ inline Refined_mesh refine_along_curve(const Indexed_triangle_mesh& mesh, const 
   return internal::Curve_refinement(mesh, connectivity, curve, resolution)();
 }
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_GRAPH_CURVE_REFINEMENT_H

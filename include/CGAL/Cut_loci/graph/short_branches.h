@@ -19,8 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 namespace internal {
 
 // A graph on a mesh as a core - its cycles, the border loops and what joins them, or the root if there is neither - and
@@ -112,9 +111,7 @@ private:
 
 } // namespace internal
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * tells for each edge of a graph whether it belongs to a branch of fewer than `minimum_edges` edges or one that is shorter
  * than `minimum_length`. Where branches meet, the longest one continues and the others end; at the cycles, the border and
  * the root, the first node, which are never removed, all of them end. For edges of the mesh, this is the rule of
@@ -155,12 +152,8 @@ inline std::vector<unsigned char> short_branches(const Indexed_triangle_mesh& me
   return result;
 }
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
- * removes edges from a graph, and the nodes that have no edge then. If all edges are removed, one node stays: the first
- * one, or one on the border, if there is any.
- */
+// removes edges from a graph, and the nodes that have no edge then. If all edges are removed, one node stays: the first
+// one, or one on the border, if there is any.
 inline void remove_edges(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                          Indexed_cut_locus& graph, const std::vector<unsigned char>& is_removed)
 {
@@ -196,11 +189,7 @@ inline void remove_edges(const Indexed_triangle_mesh& mesh, const Mesh_connectiv
   graph.edges = std::move(edges);
 }
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
- * removes what `short_branches()` tells.
- */
+// removes what `short_branches()` tells.
 inline void remove_short_branches(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                                   const std::vector<Index>& face, Index minimum_edges, double minimum_length,
                                   Indexed_cut_locus& graph)
@@ -210,7 +199,6 @@ inline void remove_short_branches(const Indexed_triangle_mesh& mesh, const Mesh_
                  short_branches(mesh, connectivity, graph, face, minimum_edges, minimum_length));
 }
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_GRAPH_SHORT_BRANCHES_H

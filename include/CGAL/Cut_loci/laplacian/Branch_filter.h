@@ -26,9 +26,7 @@
 namespace CGAL {
 namespace Cut_loci {
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * selects the cut locus from a tree of candidates and the part of the cut locus that the homology demands.
  *
  * That part is a graph which cuts the surface into one open disk. The tree hangs on it, so removing vertices of

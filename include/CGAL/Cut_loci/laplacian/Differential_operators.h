@@ -25,9 +25,7 @@
 namespace CGAL {
 namespace Cut_loci {
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * holds the Riemannian gradient and the Laplacian of functions sampled at the vertices of a mesh, as sparse matrices.
  *
  * The operators come from a least-squares fit of quadrics to the extended neighborhood of each vertex: its `k`

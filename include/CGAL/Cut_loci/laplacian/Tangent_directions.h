@@ -20,9 +20,7 @@
 namespace CGAL {
 namespace Cut_loci {
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * holds the polar angle of each edge in the tangent plane of each of its ends, as a unit complex number, where the
  * angles around an interior vertex are scaled to sum up to 2 pi. Parallel transport along the edge from `w` to `v`
  * multiplies by `-direction[v to w] * conj(direction[w to v])` \cgalCite{cgal:kcps-gods-13}.

@@ -21,9 +21,7 @@
 namespace CGAL {
 namespace Cut_loci {
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * computes for each vertex the largest angle, in radians in [0, pi], between two gradients at its neighbors,
  * parallel-transported to the vertex: the strength of the cut locus there.
  *

@@ -145,9 +145,7 @@ private:
 
 } // namespace internal
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * grows a spanning tree of the faces (the cotree) from those around the source, across edges that are not in the
  * spanning tree `tree`, faces of smallest mean distance first, and returns the halfedges of the edges that are in
  * neither: the generators of the first homology \cgalCite{cgal:ew-gohhb-05}, 2g of them on a surface of genus g,

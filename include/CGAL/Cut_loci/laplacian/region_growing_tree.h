@@ -18,9 +18,7 @@
 namespace CGAL {
 namespace Cut_loci {
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * is a rooted tree on some or all vertices of a mesh.
  *
  * On a surface with boundary each border loop counts as one node, since the border bounds the complement of the cut
@@ -108,9 +106,7 @@ inline Spanning_tree rooted_tree(const Mesh_connectivity& connectivity, Index ro
 
 } // namespace internal
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * floods the mesh by ordered region growing: of all vertices next to the tree, the one of lowest `key` joins its
  * neighborhood first. With the Laplacian of the distance as key, the tree follows the valleys that mark the cut locus.
  * Ties are broken by index. The root is none of the sources. O(n log n).

@@ -241,9 +241,7 @@ private:
 
 } // namespace internal
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * moves a cut locus from the edges of the mesh onto the smooth curves it stands for, through the faces.
  *
  * The branches stay as they are and meet as they did. Each edge of the result lies in one face and tells the edge of

@@ -43,9 +43,7 @@ inline bool are_near_in_tree(const Spanning_tree& tree, Index v, Index w, Index 
 
 } // namespace internal
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * removes from the leaves of `tree`, those of highest `key` first, the vertices next to a stronger branch: those with a
  * neighbor of lower key in the tree that is neither their parent nor a child of their parent. Parallel branches that
  * flood a band of the surface shrink to one; the tree stays connected. O(n log n).

@@ -14,8 +14,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// the discretization of the Laplace-Beltrami operator
@@ -31,11 +30,7 @@ enum class Filter_policy {
   GROWING  ///< the tree is followed from its root as long as the vertices are above the threshold
 };
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
- * holds the thresholds of `Branch_filter`.
- */
+// holds the thresholds of `Branch_filter`.
 struct Branch_thresholds
 {
   double gradient_angle = 0.;                                    ///< in radians
@@ -45,11 +40,7 @@ struct Branch_thresholds
   double minimum_length = 0.; ///< branches that are shorter are removed
 };
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
- * holds the parameters of `smoothed_cut_locus()`.
- */
+// holds the parameters of `smoothed_cut_locus()`.
 struct Smoothing_parameters
 {
   Index number_of_iterations = 4;
@@ -119,7 +110,6 @@ struct Exact_tree_thresholds : Branch_strength, Kept_parts
 };
 
 } // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_METHOD_METHOD_THRESHOLDS_H

@@ -16,7 +16,7 @@
 namespace CGAL::Cut_loci {
 
 /*!
- * \ingroup PkgSurfaceMeshCutLocusStages
+ * \ingroup PkgSurfaceMeshCutLocusSolvers
  *
  * is an oriented triangle mesh in dense arrays, the form in which all stages of the package take a surface.
  *
@@ -54,7 +54,7 @@ struct Indexed_triangle_mesh
 };
 
 /*!
- * \ingroup PkgSurfaceMeshCutLocusStages
+ * \ingroup PkgSurfaceMeshCutLocusSolvers
  *
  * is a point on an `Indexed_triangle_mesh`: barycentric coordinates with respect to the vertices of a face, in the
  * order of `Indexed_triangle_mesh::triangles`.
@@ -66,7 +66,7 @@ struct Indexed_location
 };
 
 /*!
- * \ingroup PkgSurfaceMeshCutLocusStages
+ * \ingroup PkgSurfaceMeshCutLocusSolvers
  *
  * is the source of the distance: a point of the mesh, and the vertex it is at, if any.
  */
@@ -77,7 +77,7 @@ struct Indexed_source
 };
 
 /*!
- * \ingroup PkgSurfaceMeshCutLocusStages
+ * \ingroup PkgSurfaceMeshCutLocusSolvers
  *
  * is a source that is a connected curve: the edges of the mesh it is made of, each by one of its halfedges.
  */

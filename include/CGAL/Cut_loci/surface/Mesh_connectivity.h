@@ -17,9 +17,7 @@
 
 namespace CGAL::Cut_loci {
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * numbers the edges of an `Indexed_triangle_mesh` and lists the neighbors of each vertex in counterclockwise order, in
  * compressed rows: the entries of vertex `v` are `ring_begin[v]`, ..., `ring_begin[v + 1] - 1`. The ring of a border
  * vertex starts and ends on the border. Built once per mesh in time and space linear in its size.

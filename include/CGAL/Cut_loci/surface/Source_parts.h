@@ -16,12 +16,8 @@
 
 namespace CGAL::Cut_loci {
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
- * holds the parts of the border of a mesh that are sources: loops of edges, or arcs. Each is a source like a point, if it
- * is shrunk to one. A curve may have several of them, as a mesh that is cut open along it has one on each side.
- */
+// holds the parts of the border of a mesh that are sources: loops of edges, or arcs. Each is a source like a point, if it
+// is shrunk to one. A curve may have several of them, as a mesh that is cut open along it has one on each side.
 class Source_parts
 {
 public:

@@ -19,28 +19,20 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
- * tells for each halfedge of an `Indexed_triangle_mesh` whether the mesh is to be cut along its edge. Both halfedges
- * of an edge have the same value; edges on the border are no seams.
- */
+// tells for each halfedge of an `Indexed_triangle_mesh` whether the mesh is to be cut along its edge. Both halfedges
+// of an edge have the same value; edges on the border are no seams.
 using Seams = std::vector<unsigned char>;
 
-/// \ingroup PkgSurfaceMeshCutLocusStages
-/// makes the edge of `h` a seam, unless it is on the border.
+// makes the edge of `h` a seam, unless it is on the border.
 inline void add_seam(const Indexed_triangle_mesh& mesh, Index h, Seams& seams)
 {
   if(!mesh.is_border_edge(h))
     seams[h] = seams[mesh.opposite[h]] = 1;
 }
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * is a mesh cut open along seams. It has the faces of the other mesh, with the same indices and the same first corners.
  * Vertex `v` keeps its index; its further copies, one for each further part into which the seams divide the faces
  * around it, follow at the end.
@@ -51,9 +43,7 @@ struct Cut_mesh
   std::vector<Index> vertices; ///< for each vertex the one that it is a copy of
 };
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * cuts a mesh open along `seams`. A vertex at which seams meet becomes one vertex for each fan of faces between them,
  * so that the result is manifold whatever the seams; without any, the mesh falls apart where parts of it touch in a vertex
  * alone. Time is linear in the size of the mesh.
@@ -106,8 +96,7 @@ inline Cut_mesh cut_open(const Indexed_triangle_mesh& mesh, const Seams& seams =
   return result;
 }
 
-/// \ingroup PkgSurfaceMeshCutLocusStages
-/// tells whether a mesh is one topological disk: manifold, connected, with one border loop and Euler characteristic 1.
+// tells whether a mesh is one topological disk: manifold, connected, with one border loop and Euler characteristic 1.
 inline bool is_disk(const Indexed_triangle_mesh& mesh)
 {
   const Mesh_connectivity connectivity(mesh);
@@ -174,9 +163,7 @@ inline void drop_dead_ends(const Indexed_triangle_mesh& mesh, const Mesh_connect
 
 } // namespace internal
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * adds and removes seams until they leave one open disk of a connected mesh; seams that do so already stay as they are.
  *
  * Seams with different pieces of the complement on their sides are removed. What is then missing is added along edges:
@@ -215,9 +202,7 @@ inline void repair_seams(const Indexed_triangle_mesh& mesh, Index start, Seams& 
       seams[h] = 1;
 }
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * adds seams at `vertex` where there are less than two, on a surface without border: a cut along none leaves a sphere,
  * and one along a single edge splits no vertex, so that whoever glues equal edges closes it again. The two seams form
  * the straightest path that avoids the vertex `avoided`, which may be `null_index`; a triangle covered doubly has none,
@@ -265,7 +250,6 @@ inline void complete_seams(const Indexed_triangle_mesh& mesh, const Mesh_connect
   add_seam(mesh, connectivity.ring_halfedge[begin + second], seams);
 }
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_SURFACE_CUT_OPEN_H

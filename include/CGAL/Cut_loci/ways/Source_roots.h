@@ -21,9 +21,7 @@
 namespace CGAL {
 namespace Cut_loci {
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * is the vertex or the inner edge that the source is on, or neither if it is inside a face. It is never on the cut
  * locus: a vertex becomes a leaf of the tree, or a part of a border loop that nothing joins there, and an edge is
  * left out.
@@ -42,9 +40,7 @@ struct Source_element
   }
 };
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * holds the faces at each of several sources, which are the roots of the disks that the cut locus leaves: those around a
  * vertex, the two of an edge, the one that a source is inside of, or those along a part of the border. What several
  * sources touch is divided between them, see `internal::Source_faces`.

@@ -12,12 +12,8 @@
 namespace CGAL {
 namespace Cut_loci {
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
- * tells how a way arrives at a vertex: through which face, from which direction, and how far its last straight piece
- * goes back.
- */
+// tells how a way arrives at a vertex: through which face, from which direction, and how far its last straight piece
+// goes back.
 struct Way_arrival
 {
   Index halfedge = null_index; ///< leaves the vertex, in the face through which the way comes; null if there is none

@@ -314,9 +314,7 @@ private:
 
 } // namespace internal
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusStages
- *
+/*
  * grows a forest of faces with short ways to all vertices, and tells for each edge whether one of these crosses it. No
  * shortest path crosses the cut locus: so the cut locus is looked for among the other edges.
  *
