@@ -110,11 +110,8 @@ struct Surface_component
   {
     if(is_whole())
       return source;
-    const auto position = [](const std::vector<Index>& sorted, Index global)
-    { return static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), global) - sorted.begin()); };
-    source.location.face = position(part->faces, source.location.face);
-    if(source.vertex != null_index)
-      source.vertex = position(part->vertices, source.vertex);
+    source.location.face = part->local_face(source.location.face);
+    source.vertex = part->local_vertex(source.vertex);
     return source;
   }
 
@@ -122,9 +119,7 @@ struct Surface_component
   {
     for(Index& h : curve.halfedges)
       if(!is_whole())
-        h = 3 * static_cast<Index>(std::lower_bound(part->faces.begin(), part->faces.end(), h / 3) -
-                                   part->faces.begin()) +
-            h % 3;
+        h = part->local_halfedge(h);
     return curve;
   }
 

@@ -180,33 +180,24 @@ inline Curve_on_component on_component(const Indexed_triangle_mesh& mesh, Curve_
   const std::vector<Index> label = face_components(mesh, number_of_components);
   Curve_on_component result;
   result.component = extract_component(mesh, label, label[curve.sources.front().location.face]);
-  std::vector<Index> vertex(mesh.number_of_vertices(), null_index), face(mesh.number_of_faces(), null_index);
-  for(Index v = 0; v < result.component.vertices.size(); ++v)
-    vertex[result.component.vertices[v]] = v;
-  for(Index f = 0; f < result.component.faces.size(); ++f)
-    face[result.component.faces[f]] = f;
-  const auto renumber = [](Index& i, const std::vector<Index>& indices)
+  const Mesh_component& component = result.component;
+  const auto renumber = [](Index& i, Index local)
   {
-    if(i != null_index && (i = indices[i]) == null_index)
+    if(i != null_index && (i = local) == null_index)
       throw_foreign_cut_locus("it is not in the component of its source");
   };
   for(Indexed_source& source : curve.sources)
   {
-    renumber(source.location.face, face);
-    renumber(source.vertex, vertex);
+    renumber(source.location.face, component.local_face(source.location.face));
+    renumber(source.vertex, component.local_vertex(source.vertex));
   }
   for(Indexed_cut_locus::Node& node : curve.graph.nodes)
   {
-    renumber(node.location.face, face);
-    renumber(node.vertex, vertex);
+    renumber(node.location.face, component.local_face(node.location.face));
+    renumber(node.vertex, component.local_vertex(node.vertex));
   }
   for(Indexed_cut_locus::Edge& e : curve.graph.edges)
-    if(e.halfedge != null_index)
-    {
-      Index f = e.halfedge / 3;
-      renumber(f, face);
-      e.halfedge = 3 * f + e.halfedge % 3;
-    }
+    renumber(e.halfedge, component.local_halfedge(e.halfedge));
   result.curve = std::move(curve);
   return result;
 }

@@ -7,11 +7,14 @@
 #ifndef CGAL_CUT_LOCI_GRAPH_MAXIMAL_CHAINS_H
 #define CGAL_CUT_LOCI_GRAPH_MAXIMAL_CHAINS_H
 
+#include <CGAL/Cut_loci/graph/Curve_network.h>
+#include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
+
 #include <CGAL/Iterator_range.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <unordered_set>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Cut_loci::internal {
@@ -26,59 +29,36 @@ struct Chain
 
 // The chains between vertices of degree other than 2, each edge in one of them; isolated vertices are chains without
 // edges, and loops without such a vertex start at the first of theirs.
-// The edges of an adjacency_list have no index: the address of their property tells them apart, parallel ones too.
 template <typename Graph>
 std::vector<Chain<Graph>> maximal_chains(const Graph& graph)
 {
-  using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;
-  using edge_descriptor = typename boost::graph_traits<Graph>::edge_descriptor;
-
-  std::vector<Chain<Graph>> chains;
-  std::unordered_set<const void*> visited;
-  const auto visit = [&](edge_descriptor e) { return visited.insert(&graph[e]).second; };
-
-  const auto follow = [&](vertex_descriptor start, edge_descriptor e)
+  Indexed_cut_locus indexed;
+  indexed.nodes.resize(num_vertices(graph));
+  std::vector<typename boost::graph_traits<Graph>::edge_descriptor> descriptors;
+  for(auto e : CGAL::make_range(edges(graph)))
   {
-    Chain<Graph> chain;
-    chain.vertices.push_back(start);
-    vertex_descriptor v = start;
-    for(bool goes_on = true; goes_on;)
-    {
-      v = target(e, graph);
-      chain.edges.push_back(e);
-      chain.vertices.push_back(v);
-      goes_on = false;
-      if(v != start && degree(v, graph) == 2)
-        for(edge_descriptor following : CGAL::make_range(out_edges(v, graph)))
-          if(visit(following))
-          {
-            e = following;
-            goes_on = true;
-            break;
-          }
-    }
-    chains.push_back(chain);
-  };
-
-  for(vertex_descriptor v : CGAL::make_range(vertices(graph)))
-  {
-    if(degree(v, graph) == 2)
-      continue;
-    if(degree(v, graph) == 0)
-    {
-      chains.emplace_back();
-      chains.back().vertices.push_back(v);
-    }
-    for(edge_descriptor e : CGAL::make_range(out_edges(v, graph)))
-      if(visit(e))
-        follow(v, e);
+    descriptors.push_back(e);
+    indexed.edges.push_back({static_cast<Index>(source(e, graph)), static_cast<Index>(target(e, graph))});
   }
-  for(vertex_descriptor v : CGAL::make_range(vertices(graph)))
-    if(degree(v, graph) == 2)
-      for(edge_descriptor e : CGAL::make_range(out_edges(v, graph)))
-        if(visit(e))
-          follow(v, e);
-  return chains;
+  const Curve_network network(indexed);
+  std::vector<Chain<Graph>> result;
+  Index next = 0;
+  const auto add_isolated_before = [&](std::size_t end)
+  {
+    for(; next < end; ++next)
+      if(network.degree(next) == 0)
+        result.push_back({{next}, {}});
+  };
+  for(const Curve_network::Chain& chain : network.chains)
+  {
+    const Index start = chain.nodes.front();
+    add_isolated_before(network.degree(start) != 2 ? start : indexed.nodes.size());
+    result.push_back({{chain.nodes.begin(), chain.nodes.end()}, {}});
+    for(Index e : chain.edges)
+      result.back().edges.push_back(descriptors[e]);
+  }
+  add_isolated_before(indexed.nodes.size());
+  return result;
 }
 
 } // namespace CGAL::Cut_loci::internal

@@ -10,6 +10,8 @@
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Cut_loci::internal {
@@ -51,8 +53,24 @@ inline std::vector<Index> face_components(const Indexed_triangle_mesh& mesh, Ind
 struct Mesh_component
 {
   Indexed_triangle_mesh mesh;
-  std::vector<Index> vertices;
+  std::vector<Index> vertices; // in order, as the faces
   std::vector<Index> faces;
+
+  // the numbers in the component, or null if it does not have them; of null it is null
+  Index local_vertex(Index v) const { return position(vertices, v); }
+  Index local_face(Index f) const { return position(faces, f); }
+  Index local_halfedge(Index h) const
+  {
+    const Index f = h != null_index ? local_face(h / 3) : null_index;
+    return f != null_index ? 3 * f + h % 3 : null_index;
+  }
+
+private:
+  static Index position(const std::vector<Index>& sorted, Index global)
+  {
+    const auto found = std::lower_bound(sorted.begin(), sorted.end(), global);
+    return found != sorted.end() && *found == global ? static_cast<Index>(found - sorted.begin()) : null_index;
+  }
 };
 
 inline Mesh_component extract_component(const Indexed_triangle_mesh& mesh, const std::vector<Index>& label,

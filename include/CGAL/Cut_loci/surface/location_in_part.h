@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/Index.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
@@ -76,11 +77,7 @@ inline Indexed_location location_in_part(const Indexed_triangle_mesh& mesh, cons
       coordinates_in({{refined.points[t[0]], refined.points[t[1]], refined.points[t[2]]}}, point, least);
     if(!(least > best_least))
       continue;
-    double sum = 0.;
-    for(double& y : c)
-      sum += y = (std::max)(y, 0.);
-    for(double& y : c)
-      y /= sum;
+    normalize(c);
     best_least = least;
     best.face = part;
     best.coordinates = c;

@@ -16,17 +16,19 @@ namespace CGAL::Cut_loci::internal {
 // stage, and far above rounding errors: points that are not the same differ by more than these.
 constexpr double snapping_tolerance = 1e-6;
 
+// makes coordinates sum up to one, those that are no larger than `tolerance` with another value in their place
+inline void normalize(std::array<double, 3>& coordinates, double tolerance = 0., double instead = 0.)
+{
+  for(double& c : coordinates)
+    c = c > tolerance ? c : instead;
+  const double sum = coordinates[0] + coordinates[1] + coordinates[2];
+  for(double& c : coordinates)
+    c /= sum;
+}
+
 inline void snap(Indexed_location& location, double tolerance = snapping_tolerance)
 {
-  double sum = 0.;
-  for(double& c : location.coordinates)
-  {
-    if(!(c > tolerance))
-      c = 0.;
-    sum += c;
-  }
-  for(double& c : location.coordinates)
-    c /= sum;
+  normalize(location.coordinates, tolerance);
 }
 
 // the vertex that a snapped location is at, or `null_index`

@@ -18,6 +18,7 @@
 #include <CGAL/Cut_loci/polyhedral/tree/Exact_tree.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <algorithm>
 #include <array>
@@ -248,11 +249,7 @@ private:
   {
     constexpr double least = 1e-10;
     std::array<double, 3> result = coordinates_in(tree_.ridges().layout(f), p);
-    for(double& c : result)
-      c = (std::max)(c, least);
-    const double sum = result[0] + result[1] + result[2];
-    for(double& c : result)
-      c /= sum;
+    normalize(result, least, least);
     return result;
   }
 

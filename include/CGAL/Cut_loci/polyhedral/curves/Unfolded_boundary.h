@@ -16,6 +16,7 @@
 #include <CGAL/Cut_loci/polyhedral/tree/Exact_tree.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <algorithm>
 #include <array>
@@ -110,13 +111,9 @@ private:
     if(n.face == null_index) // stands for a border loop
       return {result, null_index, n.distance};
     result = {n.face, coordinates_in(tree_.ridges().layout(n.face), n.point)};
-    for(double& c : result.coordinates)
-      c = (std::max)(c, 0.);
     if(n.halfedge != null_index)
       result.coordinates[(n.halfedge + 2) % 3] = 0.;
-    const double sum = result.coordinates[0] + result.coordinates[1] + result.coordinates[2];
-    for(double& c : result.coordinates)
-      c /= sum;
+    normalize(result.coordinates);
     return {result, null_index, n.distance};
   }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/insert_vertex.h>
 #include <CGAL/Cut_loci/surface/mollified_lengths.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <algorithm>
 #include <array>
@@ -201,15 +202,7 @@ private:
         best = here;
       }
     }
-    // on an edge, up to rounding
-    double sum = 0.;
-    for(double& c : best.coordinates)
-    {
-      c = c > rounding ? c : 0.;
-      sum += c;
-    }
-    for(double& c : best.coordinates)
-      c /= sum;
+    normalize(best.coordinates, rounding); // on an edge
     if(std::count(best.coordinates.begin(), best.coordinates.end(), 0.) > 1)
       throw Invalid_input(Cause::SAME_SOURCES, "two sources in a face are at the same point, up to rounding");
     return best;

@@ -157,11 +157,9 @@ private:
       if(along[i] < 0. && at.coordinates[i] > 0.)
         way = (std::min)(way, -at.coordinates[i] / along[i]);
     Indexed_location result = at;
-    double sum = 0.;
     for(std::size_t i = 0; i < 3; ++i)
-      sum += result.coordinates[i] = (std::max)(at.coordinates[i] + way * along[i], 0.);
-    for(double& c : result.coordinates)
-      c /= sum;
+      result.coordinates[i] += way * along[i];
+    normalize(result.coordinates);
     return result;
   }
 
