@@ -11,7 +11,7 @@
 #include <CGAL/Cut_loci/internal/Compressed_rows.h>
 #include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
-#include <CGAL/Cut_loci/polyhedral/curves/Polyline_crossings.h>
+#include <CGAL/Cut_loci/polyhedral/faces/Segment_crossings.h>
 #include <CGAL/Cut_loci/polyhedral/curves/planar_positions.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Image_bisector.h>
 #include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
@@ -598,7 +598,7 @@ private:
   std::vector<unsigned char> is_drawn_; // edges
   std::vector<Chain> chains_;
   std::vector<Step> steps_; // of all chains
-  Polyline_crossings crossings_;
+  Segment_crossings crossings_;
   std::vector<Point> points_, all_points_; // of all chains, and more than are needed of the one in work
   std::vector<Plane_point> samples_;
   std::vector<unsigned char> is_left_;

@@ -100,26 +100,22 @@ public:
   /// the angle at which the paths from two images to a point part
   double gap(const Image& a, const Image& b, const Plane_point& p) const
   {
-    return Parting_angle(*geodesics_)(a.origin, a.direction_to(p, corners_), b.origin, b.direction_to(p, corners_),
-                                      angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y));
+    return parting(*geodesics_, a, b, p, corners_).angle;
   }
 
   /// whether the paths from two images to a point are one, in two pieces
   bool is_one_path(const Image& a, const Image& b, const Plane_point& p) const
   {
-    const double meeting = angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y);
-    if(geodesics_->is_seam(a.origin, b.origin, meeting))
+    if(is_seam(a, b, p))
       return true;
-    const Parting_angle parting_angle(*geodesics_);
-    return Parting_angle::is_same_path(
-      meeting,
-      parting_angle.parting(a.origin, a.direction_to(p, corners_), b.origin, b.direction_to(p, corners_), meeting),
-      a.distance(p), (std::max)(a.sigma, b.sigma), parting_angle.longest_edge_at(3 * face_));
+    return Parting_angle::is_same_path(meeting_angle(a, b, p), parting(*geodesics_, a, b, p, corners_), a.distance(p),
+                                       (std::max)(a.sigma, b.sigma),
+                                       Parting_angle(*geodesics_).longest_edge_at(3 * face_));
   }
 
   bool is_seam(const Image& a, const Image& b, const Plane_point& p) const
   {
-    return geodesics_->is_seam(a.origin, b.origin, angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y));
+    return geodesics_->is_seam(a.origin, b.origin, meeting_angle(a, b, p));
   }
 
 private:
@@ -387,8 +383,7 @@ private:
 
   bool are_one_family(const Image& a, const Image& b, const Plane_point& p) const
   {
-    return Edge_crossings::is_same_family(*geodesics_, angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y),
-                                          gap(a, b, p));
+    return Edge_crossings::is_same_family(*geodesics_, meeting_angle(a, b, p), gap(a, b, p));
   }
 
   /// whether both paths come along one line, if not quite: where the waves of a curve's edge and of its end touch, they do

@@ -9,7 +9,7 @@
 
 #include <CGAL/Cut_loci/polyhedral/faces/Image_bisector.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Ridge_fronts.h>
-#include <CGAL/Cut_loci/polyhedral/faces/Ridges_that_cross.h>
+#include <CGAL/Cut_loci/polyhedral/faces/Segment_crossings.h>
 #include <CGAL/Cut_loci/polyhedral/faces/draw_by_labels.h>
 
 #include <algorithm>
@@ -266,7 +266,20 @@ private:
     }
     if(size_ == 2)
       connect(first_, fronts_[first_].next);
-    return !has_cut_locus_left() && !ridges_cross_(corners_, nodes, ridges);
+    return !has_cut_locus_left() && !do_ridges_cross();
+  }
+
+  /// those on the cut locus: where four meet, there are two nodes in one point, and rounding alone puts one of them across
+  bool do_ridges_cross()
+  {
+    double longest = 0.;
+    for(std::size_t i = 0; i < 3; ++i)
+      longest = (std::max)(longest, distance(corners_[i], corners_[(i + 1) % 3]));
+    crossings_.clear();
+    for(const Ridge& r : ridges)
+      if(!r.is_shadow)
+        crossings_.add(nodes[r.nodes[0]], nodes[r.nodes[1]]);
+    return crossings_.has_any(1e-8 * longest);
   }
 
   template <typename Are_one_path>
@@ -383,7 +396,7 @@ private:
   const std::vector<Entry>* entries_ = nullptr; // null as long as no meeting has to be compared with all paths
   double tolerance_ = 0.;
   std::vector<Meeting> meetings_; // a heap
-  Ridges_that_cross ridges_cross_;
+  Segment_crossings crossings_;
 };
 
 } // namespace CGAL::Cut_loci::internal

@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Path_label.h>
+#include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <array>
@@ -33,7 +34,7 @@ struct Image
 
   /// The direction in which the path to a point of the face leaves the origin. An image is not inside of the face, unless the
   /// source is: what it sees of the face is less than half a turn, on either side of the center.
-  double direction_to(const Plane_point& p, const std::array<Plane_point, 3>& corners) const
+  double direction_to(const Plane_point& p, const Face_corners& corners) const
   {
     const double ux = (corners[0].x + corners[1].x + corners[2].x) / 3. - x,
                  uy = (corners[0].y + corners[1].y + corners[2].y) / 3. - y;
@@ -42,6 +43,18 @@ struct Image
     return direction + rate * std::copysign(upper_angle(ux * vx + uy * vy, std::fabs(cross)), cross);
   }
 };
+
+/// the angle at which the paths from two images to a point meet, and where they part
+inline double meeting_angle(const Image& a, const Image& b, const Plane_point& p)
+{
+  return angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y);
+}
+inline Parting_angle::Parting parting(const Geodesic_results& geodesics, const Image& a, const Image& b,
+                                      const Plane_point& p, const Face_corners& corners)
+{
+  return Parting_angle(geodesics).parting(a.origin, a.direction_to(p, corners), b.origin, b.direction_to(p, corners),
+                                          meeting_angle(a, b, p));
+}
 
 inline bool is_same_image(const Image& a, const Image& b)
 {

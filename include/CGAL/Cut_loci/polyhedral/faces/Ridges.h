@@ -21,9 +21,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -122,11 +120,8 @@ public:
   {
     double result = 0.;
     for(int end : {0, 1})
-    {
-      const Plane_point p = piece_end(i, end);
-      const Image &a = pieces_[i].images[0], &b = pieces_[i].images[1];
-      result = (std::max)(result, angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y));
-    }
+      result =
+        (std::max)(result, internal::meeting_angle(pieces_[i].images[0], pieces_[i].images[1], piece_end(i, end)));
     return result;
   }
 
@@ -237,9 +232,7 @@ private:
                       to = nodes_[piece.first_node + piece.nodes[1]].point, p = end == 0 ? from : to;
     const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y;
     const double meeting = angle_between(ax, ay, bx, by), rest = 2. * geodesic_pi - meeting;
-    const Parting_angle::Parting parting =
-      Parting_angle(*geodesics_)
-        .parting(a.origin, a.direction_to(p, corners), b.origin, b.direction_to(p, corners), meeting);
+    const Parting_angle::Parting parting = internal::parting(*geodesics_, a, b, p, corners);
     const double length = a.distance(p) - parting.distance;
     // paths that hardly part enclose what is between them, and nothing tells the sides of images with an error
     if(piece.gaps[end] < Parting_angle::least_angle || geodesics_->is_approximate())

@@ -13,7 +13,6 @@
 #include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace CGAL::Cut_loci::internal {
@@ -36,13 +35,10 @@ public:
   {
     const Geodesic_faces& faces = geodesics_.faces();
     const Face_corners corners = corners_of(faces, f);
-    const double meeting = angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y);
-    const Parting_angle::Parting parting =
-      Parting_angle(geodesics_)
-        .parting(a.origin, a.direction_to(p, corners), b.origin, b.direction_to(p, corners), meeting);
-    const double length = a.distance(p) - parting.distance;
-    const double first = chord(parting.angle);
-    const double last = chord(meeting);
+    const Parting_angle::Parting where = parting(geodesics_, a, b, p, corners);
+    const double length = a.distance(p) - where.distance;
+    const double first = chord(where.angle);
+    const double last = chord(meeting_angle(a, b, p));
     return first + last > 0. ? length * first * last / (first + last) : 0.;
   }
 

@@ -16,9 +16,7 @@
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 
 namespace CGAL::Cut_loci::internal {
 

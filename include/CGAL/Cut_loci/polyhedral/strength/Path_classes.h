@@ -12,6 +12,7 @@
 #include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/common_faces.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <algorithm>
@@ -240,23 +241,10 @@ private:
   /// one in which, or on the boundary of which, both points are: `first`, if possible; no two vertices
   Index common_face(const Indexed_location& p, const Indexed_location& q, Index first) const
   {
-    for(Index f : {first, p.face, q.face, face_across(p), face_across(q)})
-      if(f != null_index && is_in(p, f) && is_in(q, f))
-        return f;
-    return null_index;
-  }
-
-  bool is_in(const Indexed_location& p, Index f) const
-  {
-    const Index v = vertex_of(mesh_, p);
-    return p.face == f || (v != null_index && corner_of(v, f) != null_index) || face_across(p) == f;
-  }
-
-  /// behind the edge that a point is on, if any
-  Index face_across(const Indexed_location& p) const
-  {
-    const Index h = edge_of(p), o = h != null_index ? mesh_.opposite[h] : null_index;
-    return o != null_index ? o / 3 : null_index;
+    Index result = null_index;
+    for_each_common_face(mesh_, connectivity_, p, q,
+                         [&](Index f) { result = result == null_index || f == first ? f : result; });
+    return result;
   }
 
   /// beside it, in the face of the halfedge

@@ -17,7 +17,6 @@
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>

@@ -12,7 +12,6 @@
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 #include <queue>
 #include <utility>

@@ -34,7 +34,7 @@ class Width_bounds
 {
 public:
   Width_bounds(const Tree_graph& graph, const Ridges& ridges, const Geodesic_results& geodesics)
-    : graph_(graph), ridges_(ridges), parting_angle_(geodesics), behind_(graph.nodes.size())
+    : graph_(graph), ridges_(ridges), geodesics_(geodesics), behind_(graph.nodes.size())
   {
   }
 
@@ -106,15 +106,14 @@ private:
   {
     if(is_same_image(a, b))
       return 0.;
-    const double meeting = angle_between(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y);
-    const Parting_angle::Parting parting =
-      parting_angle_.parting(a.origin, a.direction_to(p, corners), b.origin, b.direction_to(p, corners), meeting);
-    return (std::max)(meeting, parting.angle) * (a.distance(p) - parting.distance) / Branch_strength::share_of_angle;
+    const Parting_angle::Parting where = parting(geodesics_, a, b, p, corners);
+    return (std::max)(meeting_angle(a, b, p), where.angle) * (a.distance(p) - where.distance) /
+           Branch_strength::share_of_angle;
   }
 
   const Tree_graph& graph_;
   const Ridges& ridges_;
-  Parting_angle parting_angle_;
+  const Geodesic_results& geodesics_;
   std::vector<Behind> behind_; // by node
 };
 

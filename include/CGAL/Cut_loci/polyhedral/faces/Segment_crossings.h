@@ -4,8 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_POLYHEDRAL_CURVES_POLYLINE_CROSSINGS_H
-#define CGAL_CUT_LOCI_POLYHEDRAL_CURVES_POLYLINE_CROSSINGS_H
+#ifndef CGAL_CUT_LOCI_POLYHEDRAL_FACES_SEGMENT_CROSSINGS_H
+#define CGAL_CUT_LOCI_POLYHEDRAL_FACES_SEGMENT_CROSSINGS_H
 
 #include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -18,20 +18,22 @@
 namespace CGAL::Cut_loci::internal {
 
 /*!
- * tells whether polylines in a face cross each other, elsewhere than at common points.
+ * tells whether segments in a face cross each other, elsewhere than at common ends.
  */
-class Polyline_crossings
+class Segment_crossings
 {
 public:
   void clear() { segments_.clear(); }
 
   void add(const Plane_point& p, const Plane_point& q) { segments_.push_back({p, q, 0., 0.}); }
 
-  bool has_any()
+  /// @param least by which the ends of one are on different sides of the other, but for the rounding of coordinates
+  bool has_any(double least = 0.)
   {
     if(segments_.size() < 2)
       return false;
     sort();
+    least_ = (std::max)(least, least_);
     for(std::size_t i = 0; i < segments_.size(); ++i)
       for(std::size_t j = i + 1; j < segments_.size() && segments_[j].begin < segments_[i].end; ++j)
         if(cross(segments_[i], segments_[j]))
@@ -91,4 +93,4 @@ private:
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_POLYHEDRAL_CURVES_POLYLINE_CROSSINGS_H
+#endif // CGAL_CUT_LOCI_POLYHEDRAL_FACES_SEGMENT_CROSSINGS_H
