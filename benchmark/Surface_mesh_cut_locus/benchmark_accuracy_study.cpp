@@ -28,7 +28,6 @@
 #include <iostream>
 #include <limits>
 #include <map>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>

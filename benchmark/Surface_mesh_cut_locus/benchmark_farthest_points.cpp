@@ -83,8 +83,8 @@ double time_of_diagram(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& 
   const double start = cpu_time();
   CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh);
   solver.set_sources(samples);
-  const auto diagram =
-    solver.cut_locus(CGAL::parameters::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES).voronoi(true));
+  const auto diagram = solver.cut_locus(CGAL::parameters::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)
+                                          .kept_part(CGAL::Cut_loci::Kept_part::VORONOI));
   if(diagram.number_of_sources() != samples.size())
     throw std::logic_error("the diagram does not have the samples");
   return cpu_time() - start;

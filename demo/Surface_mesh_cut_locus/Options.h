@@ -18,8 +18,7 @@
 #include <string>
 #include <vector>
 
-// Of the cut locus of several sources: what is between two of them, or inside the cells.
-enum class Kept_part { ALL, VORONOI, MEDIAL };
+using CGAL::Cut_loci::Kept_part;
 
 // What the command line asks for; what is not set is left to the library's defaults.
 struct Options

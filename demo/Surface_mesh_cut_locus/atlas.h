@@ -12,7 +12,6 @@
 
 #include <CGAL/Cut_loci/Layout_quality.h>
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>

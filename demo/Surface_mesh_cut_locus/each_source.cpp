@@ -19,14 +19,12 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <limits>
 #include <new>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <variant>

@@ -14,7 +14,6 @@
 #include <boost/interprocess/streams/bufferstream.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstdint>

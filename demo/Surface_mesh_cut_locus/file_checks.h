@@ -8,7 +8,6 @@
 #define SURFACE_MESH_CUT_LOCUS_DEMO_FILE_CHECKS_H
 
 #include <string>
-#include <vector>
 
 // The name of a mesh that is read from standard input, and of an output that is written to standard output.
 constexpr char standard_stream[] = "-";

@@ -17,7 +17,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <vector>
 
 namespace {
 

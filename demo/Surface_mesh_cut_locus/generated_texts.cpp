@@ -7,7 +7,6 @@
 #include "generated_texts.h"
 #include "option_descriptions.h"
 
-#include <algorithm>
 #include <sstream>
 
 namespace {

@@ -12,10 +12,8 @@
 #include <CGAL/Cut_loci/statistics.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iomanip>
 #include <sstream>
-#include <stdexcept>
 
 void add_method(Json& report, const Options& options, CGAL::Cut_loci::Curve curve)
 {

@@ -8,8 +8,6 @@
 
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
-#include <cstddef>
-
 namespace {
 
 namespace loci = CGAL::Cut_loci;

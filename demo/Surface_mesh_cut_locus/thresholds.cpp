@@ -83,9 +83,8 @@ Options fill_in_defaults(Options options, const Cut_locus_solver& solver)
 Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver)
 {
   using CGAL::Cut_loci::Filter_policy;
-  const auto part = CGAL::parameters::voronoi(options.kept == Kept_part::VORONOI)
-                      .medial(options.kept == Kept_part::MEDIAL)
-                      .minimum_branch_length(options.minimum_branch_length.value_or(0.));
+  const auto part =
+    CGAL::parameters::kept_part(options.kept).minimum_branch_length(options.minimum_branch_length.value_or(0.));
   const auto curve = curve_parameters(options);
   if(options.method != Method::LAPLACIAN)
     return apply_exact_thresholds(
@@ -102,7 +101,7 @@ Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solve
 Cut_locus voronoi_diagram(const Options& options, const Cut_locus_solver& solver)
 {
   const auto curve = curve_parameters(options);
-  const auto part = CGAL::parameters::voronoi(true);
+  const auto part = CGAL::parameters::kept_part(Kept_part::VORONOI);
   return options.method == Method::LAPLACIAN ? solver.cut_locus(part.number_of_iterations(curve.iterations))
                                              : solver.cut_locus(part.cut_locus_curve(curve.curve));
 }

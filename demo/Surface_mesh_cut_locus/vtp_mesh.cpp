@@ -10,7 +10,6 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
-#include <algorithm>
 #include <cstdlib>
 
 namespace {

@@ -13,7 +13,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>

@@ -51,7 +51,8 @@ int main(int argc, char* argv[])
 
   CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh);
   solver.set_sources(samples);
-  const auto diagram = solver.cut_locus(CGAL::parameters::voronoi(true)); // no cut loci inside cells
+  const auto diagram =
+    solver.cut_locus(CGAL::parameters::kept_part(CGAL::Cut_loci::Kept_part::VORONOI)); // no cut loci inside cells
   std::vector<std::size_t> size(diagram.number_of_sources(), 0);
   for(const Mesh::Vertex_index v : mesh.vertices())
     if(const auto cell = diagram.nearest_source(v))

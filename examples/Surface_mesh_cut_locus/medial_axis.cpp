@@ -47,7 +47,7 @@ int main()
       if(mesh.point(mesh.vertex(e, 0)).x() == 3. * k && mesh.point(mesh.vertex(e, 1)).x() == 3. * k)
         sides[k].push_back(e);
   solver.set_sources(Vertices{Mesh::Vertex_index(15)}, params::source_curves(sides));
-  const auto diagram = solver.cut_locus(params::voronoi(true));
+  const auto diagram = solver.cut_locus(params::kept_part(CGAL::Cut_loci::Kept_part::VORONOI));
   const auto& graph = diagram.graph();
   std::size_t number_between_sides = 0;
   for(const auto e : CGAL::make_range(edges(graph)))

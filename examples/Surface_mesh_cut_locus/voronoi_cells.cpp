@@ -37,7 +37,7 @@ int main(int argc, char* argv[])
     sources.push_back(Mesh::Vertex_index(i * mesh.number_of_vertices() / 6));
   CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh);
   solver.set_sources(sources);
-  const auto diagram = solver.cut_locus(CGAL::parameters::voronoi(true));
+  const auto diagram = solver.cut_locus(CGAL::parameters::kept_part(CGAL::Cut_loci::Kept_part::VORONOI));
 
   const std::vector<double> areas = CGAL::Cut_loci::voronoi_cell_areas(mesh, diagram);
   for(std::size_t i = 0; i < areas.size(); ++i)

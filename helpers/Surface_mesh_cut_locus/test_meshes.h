@@ -15,7 +15,6 @@
 #include <functional>
 #include <random>
 #include <set>
-#include <string>
 #include <vector>
 
 // The meshes of tests, benchmarks and samples, as plain arrays: compiled once, in the library cut_locus_test_meshes.

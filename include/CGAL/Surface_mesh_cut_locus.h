@@ -466,20 +466,10 @@ public:
    *     \cgalParamExtra{for `Cut_loci::Method::LAPLACIAN` only: the others find the curve through the faces at once. Each
    *                     step leaves half of the way that the one before has left; 4 are enough.}
    *   \cgalParamNEnd
-   *   \cgalParamNBegin{voronoi}
-   *     \cgalParamDescription{whether to keep only the geodesic Voronoi diagram of several sources: the edges between two
-   *                           of them, without the cut locus inside the cells}
-   *     \cgalParamType{`bool`}
-   *     \cgalParamDefault{`false`}
-   *     \cgalParamExtra{Without the other part, the graph need not be connected, nor a cell a disk. Of one source, one
-   *                     vertex is left.}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{medial}
-   *     \cgalParamDescription{whether to keep only what is inside the cells of several sources, without the edges between two of
-   *                           them}
-   *     \cgalParamType{`bool`}
-   *     \cgalParamDefault{`false`}
-   *     \cgalParamExtra{not with `voronoi`}
+   *   \cgalParamNBegin{kept_part}
+   *     \cgalParamDescription{which part of the cut locus of several sources is kept}
+   *     \cgalParamType{`Cut_loci::Kept_part`}
+   *     \cgalParamDefault{`Cut_loci::Kept_part::ALL`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{edge_is_constrained_map}
    *     \cgalParamDescription{a property map that is set to `true` for the edges of the mesh on the cut locus; the
@@ -517,7 +507,7 @@ public:
       found =
         component_->laplacian->filter(read_branch_thresholds(np, default_gradient_angle_threshold(),
                                                              default_minimum_branch_edges(), component_->diagonal),
-                                      smoothing, read_kept_parts(np));
+                                      smoothing, read_kept_part(np));
     }
     else
     {

@@ -63,7 +63,7 @@ struct Is_range<T, std::void_t<decltype(std::declval<const T&>().begin()), declt
  *          `vertex_distance_map`, `maximum_relative_error`, `snapping_tolerance`, `source_curves`, `source_border`
  *        - what is kept, see `Surface_mesh_cut_locus::cut_locus()`: `minimum_branch_width`, `minimum_branch_curvature`,
  *          `minimum_branch_gap`, `gradient_angle_threshold`, `laplacian_threshold`, `filter_policy`,
- *          `minimum_branch_edges`, `minimum_branch_length`, `voronoi`, `medial`
+ *          `minimum_branch_edges`, `minimum_branch_length`, `kept_part`
  *        - how it is drawn, there too: `cut_locus_curve`, `number_of_iterations`, `edge_is_constrained_map`
  *
  * @return the graph of the cut locus, and the distances to the source, or to the nearest one

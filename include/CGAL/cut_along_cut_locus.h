@@ -7,7 +7,6 @@
 #ifndef CGAL_CUT_ALONG_CUT_LOCUS_H
 #define CGAL_CUT_ALONG_CUT_LOCUS_H
 
-#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/output_maps.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>

@@ -7,7 +7,6 @@
 #ifndef CGAL_REFINE_ALONG_CUT_LOCUS_H
 #define CGAL_REFINE_ALONG_CUT_LOCUS_H
 
-#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/face_graph/cells_of_faces.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
@@ -48,30 +47,15 @@ namespace CGAL {
  * @param cut_locus a cut locus on it: through the faces, as with `Cut_loci::Curve::THROUGH_FACES` or smoothed, or of
  *        edges of the mesh, of which no face is split
  * @param output the mesh to which the result is added, all components of it; it should be empty
- * @param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ * @param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of `cut_along_cut_locus()`,
+ *        to which a vertex that is new comes from `null_vertex()`, and the one listed below
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{vertex_point_map}
- *     \cgalParamDescription{a property map associating points to the vertices of `tm`}
- *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
- *   \cgalParamNEnd
  *   \cgalParamNBegin{snapping_tolerance}
  *     \cgalParamDescription{the barycentric coordinates of the curve are rounded to multiples of it}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{1 / 256: less than the curve is off the true cut locus}
  *     \cgalParamExtra{It is from 2^-20 to 1/2, and its reciprocal is rounded to a whole number.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{vertex_to_vertex_map}
- *     \cgalParamDescription{tells for each vertex of `output` the vertex of `tm`, or `null_vertex()` if it is new}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{face_to_face_map}
- *     \cgalParamDescription{tells for each face of `output` the face of `tm` that it is a part of}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{vertex_to_vertex_output_iterator}
- *     \cgalParamDescription{an output iterator for pairs of a vertex of `tm`, or `null_vertex()`, and one of `output`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{face_to_face_output_iterator}
- *     \cgalParamDescription{an output iterator for pairs of a face of `tm` and one of `output`}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *

@@ -17,6 +17,7 @@
 namespace np = CGAL::parameters;
 using CGAL::Cut_loci::Curve;
 using CGAL::Cut_loci::Filter_policy;
+using CGAL::Cut_loci::Kept_part;
 using CGAL::Cut_loci::Method;
 
 namespace {
@@ -87,6 +88,16 @@ void refuse_thresholds_of_other_methods(Method method, const Thresholds& t)
     refuse_parameters_of_other_methods(method, np::number_of_iterations(0));
 }
 
+Kept_part kept_part(const Thresholds& t)
+{
+  const bool is_voronoi = t.voronoi.value_or(false), is_medial = t.medial.value_or(false);
+  if(is_voronoi && is_medial)
+    throw CGAL::Cut_loci::Invalid_input(
+      CGAL::Cut_loci::Cause::INVALID_PARAMETER,
+      "the parameters voronoi and medial exclude each other: without both, the result has all edges");
+  return is_voronoi ? Kept_part::VORONOI : is_medial ? Kept_part::MEDIAL : Kept_part::ALL;
+}
+
 template <typename NamedParameters>
 Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t, const NamedParameters& given)
 {
@@ -106,8 +117,7 @@ Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t, Curve curve
 {
   return exact_cut_locus(solver, t,
                          np::cut_locus_curve(curve)
-                           .voronoi(t.voronoi.value_or(false))
-                           .medial(t.medial.value_or(false))
+                           .kept_part(kept_part(t))
                            .minimum_branch_edges(t.minimum_branch_edges.value_or(0))
                            .minimum_branch_length(t.minimum_branch_length.value_or(0.)));
 }
@@ -120,8 +130,7 @@ Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& t, std::si
       .filter_policy(t.filter_policy.value_or(Filter_policy::PRUNING))
       .minimum_branch_edges(t.minimum_branch_edges.value_or(static_cast<long>(Solver::default_minimum_branch_edges())))
       .minimum_branch_length(t.minimum_branch_length.value_or(0.))
-      .voronoi(t.voronoi.value_or(false))
-      .medial(t.medial.value_or(false))
+      .kept_part(kept_part(t))
       .number_of_iterations(iterations));
 }
 

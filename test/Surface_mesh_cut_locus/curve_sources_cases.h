@@ -25,7 +25,6 @@
 #include <random>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 // What tests of sources that are curves share: curves, surfaces, and what must hold.
@@ -420,7 +419,7 @@ inline bool has_mesh_edges(const Built& built, const Vertices& points, const std
     expect_refusal_of_mesh_edges(error, what);
     return false;
   }
-  const bool result = has_mesh_edges(built, solver, curves, params::voronoi(false), what);
+  const bool result = has_mesh_edges(built, solver, curves, params::kept_part(CGAL::Cut_loci::Kept_part::ALL), what);
   EXPECT_EQ(has_mesh_edges(built, solver, curves, params::minimum_branch_edges(3), what + ", long branches"), result);
   return result;
 }

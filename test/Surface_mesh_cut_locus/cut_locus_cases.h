@@ -21,7 +21,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <type_traits>
 
 using namespace test_meshes;
 using CGAL::Cut_loci::Curve;

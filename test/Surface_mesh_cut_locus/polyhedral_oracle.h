@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <limits>
 #include <queue>
-#include <utility>
 #include <vector>
 
 // Shortest paths on polyhedra by plain unfolding. Nothing is shared with the exact geodesics of the package but the

@@ -30,7 +30,6 @@
 #include <iostream>
 #include <iterator>
 #include <map>
-#include <random>
 #include <sstream>
 #include <string>
 #include <thread>

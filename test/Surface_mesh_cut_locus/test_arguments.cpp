@@ -15,7 +15,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <utility>

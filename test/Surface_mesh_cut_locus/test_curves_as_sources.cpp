@@ -20,9 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -366,14 +364,16 @@ TEST(Curves_as_sources, and_points_mix_with_the_points_first)
         EXPECT_NEAR(norm(p - c), d, 4e-4 * mean_edge_length(built.data)) << "four parabolas";
       }
     expect_topology(built, border, result, name_of(method));
-    const Result diagram = CGAL::compute_cut_locus(built.mesh, Vertices{built.vertices[center]},
-                                                   params::source_border(true).cut_locus_method(method).voronoi(true));
+    const Result diagram = CGAL::compute_cut_locus(
+      built.mesh, Vertices{built.vertices[center]},
+      params::source_border(true).cut_locus_method(method).kept_part(CGAL::Cut_loci::Kept_part::VORONOI));
     for(const auto e : CGAL::make_range(edges(diagram.graph())))
       EXPECT_NE(diagram.graph()[e].sources[0], diagram.graph()[e].sources[1]);
     for(const auto v : CGAL::make_range(vertices(diagram.graph())))
       EXPECT_EQ(degree(v, diagram.graph()), 2u) << "the corners are branches in the cell of the border";
-    const Result rest = CGAL::compute_cut_locus(built.mesh, Vertices{built.vertices[center]},
-                                                params::source_border(true).cut_locus_method(method).medial(true));
+    const Result rest = CGAL::compute_cut_locus(
+      built.mesh, Vertices{built.vertices[center]},
+      params::source_border(true).cut_locus_method(method).kept_part(CGAL::Cut_loci::Kept_part::MEDIAL));
     for(const auto e : CGAL::make_range(edges(rest.graph())))
       EXPECT_EQ(rest.graph()[e].sources[0], rest.graph()[e].sources[1]);
     EXPECT_EQ(num_edges(diagram.graph()) + num_edges(rest.graph()), num_edges(graph));
@@ -576,8 +576,9 @@ TEST(Mesh_edges_beside_curves, have_the_parts_that_are_asked_for)
   const Built built(square_with_holes(2, 6));
   Solver solver(built.mesh);
   solver.set_sources(Vertices(), params::source_border(true));
-  const Result all = solver.cut_locus(mesh_edges), voronoi = solver.cut_locus(mesh_edges.voronoi(true)),
-               medial = solver.cut_locus(mesh_edges.medial(true));
+  const Result all = solver.cut_locus(mesh_edges),
+               voronoi = solver.cut_locus(mesh_edges.kept_part(CGAL::Cut_loci::Kept_part::VORONOI)),
+               medial = solver.cut_locus(mesh_edges.kept_part(CGAL::Cut_loci::Kept_part::MEDIAL));
   EXPECT_GT(num_edges(voronoi.graph()), 0u);
   EXPECT_EQ(num_edges(voronoi.graph()) + num_edges(medial.graph()), num_edges(all.graph()));
   for(const auto e : CGAL::make_range(edges(voronoi.graph())))

@@ -25,7 +25,6 @@
 #include <cstddef>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace test_detour {
@@ -220,7 +219,9 @@ TEST(Detour, Vanishes_on_the_cut_locus_of_a_set)
   const Measures points = curve_measures::measure(built.mesh, solver.cut_locus());
   EXPECT_EQ(points.topology_fault + points.measuring_failed, "");
   EXPECT_LT(points.max, 1e-2);
-  EXPECT_NE(curve_measures::measure(built.mesh, solver.cut_locus(params::voronoi(true))).topology_fault, "");
+  EXPECT_NE(curve_measures::measure(built.mesh, solver.cut_locus(params::kept_part(CGAL::Cut_loci::Kept_part::VORONOI)))
+              .topology_fault,
+            "");
   const Measures edges =
     curve_measures::measure(built.mesh, solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)));
   EXPECT_EQ(edges.topology_fault + edges.measuring_failed, "");
@@ -233,7 +234,10 @@ TEST(Detour, Vanishes_on_the_cut_locus_of_a_set)
   const Measures curves = curve_measures::measure(built.mesh, solver.cut_locus(), meridian);
   EXPECT_EQ(curves.topology_fault + curves.measuring_failed, "");
   EXPECT_LT(curves.max, 1e-2);
-  EXPECT_NE(curve_measures::measure(built.mesh, solver.cut_locus(params::medial(true)), meridian).topology_fault, "");
+  EXPECT_NE(curve_measures::measure(built.mesh, solver.cut_locus(params::kept_part(CGAL::Cut_loci::Kept_part::MEDIAL)),
+                                    meridian)
+              .topology_fault,
+            "");
 }
 
 TEST(Detour, Wrong_topology_is_named)

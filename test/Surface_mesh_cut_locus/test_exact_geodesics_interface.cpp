@@ -26,7 +26,6 @@
 #include <limits>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace test_exact_geodesics_interface {

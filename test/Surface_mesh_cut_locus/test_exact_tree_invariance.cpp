@@ -22,9 +22,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <functional>
 #include <random>
 #include <string>
 #include <utility>

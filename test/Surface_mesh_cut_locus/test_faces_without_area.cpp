@@ -36,7 +36,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <random>
 #include <utility>
 #include <vector>

@@ -20,7 +20,6 @@
 #include <random>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace test_injectivity_lower_bound {

@@ -205,7 +205,7 @@ void expect_topology_of_solver(const GeodesicSolver& geodesics, const std::strin
         Solver solver(built.mesh, laplacian.geodesic_solver(geodesics));
         solver.set_sources(Vertices(), params::source_curves(curves));
         ++number;
-        bool is_there = has_mesh_edges(built, solver, curves, params::voronoi(false), what);
+        bool is_there = has_mesh_edges(built, solver, curves, params::kept_part(CGAL::Cut_loci::Kept_part::ALL), what);
         number_of_refused += !is_there;
         for(const double angle : {0., 1.5, 3.14})
           for(const Filter_policy policy : {Filter_policy::PRUNING, Filter_policy::GROWING})
@@ -252,7 +252,7 @@ TEST(Laplacian_curves, leave_what_shrinks_to_the_cut_locus_whatever_the_distance
       solver.set_sources(Vertices(),
                          params::source_curves(curves).vertex_distance_map(boost::make_assoc_property_map(distance)));
       const std::string what = "surface " + std::to_string(i);
-      if(has_mesh_edges(built, solver, curves, params::voronoi(false), what))
+      if(has_mesh_edges(built, solver, curves, params::kept_part(CGAL::Cut_loci::Kept_part::ALL), what))
         expect_topology(built, curves, solver.cut_locus(), what + ", through faces");
     }
   }
@@ -363,11 +363,13 @@ TEST(Laplacian_curves, and_points_mix_with_the_points_first)
         EXPECT_NEAR(norm(p - c), d, largest_edge(built)) << "four parabolas";
       }
     }
-  const Result voronoi = solver.cut_locus(params::voronoi(true)), medial = solver.cut_locus(params::medial(true));
+  const Result voronoi = solver.cut_locus(params::kept_part(CGAL::Cut_loci::Kept_part::VORONOI)),
+               medial = solver.cut_locus(params::kept_part(CGAL::Cut_loci::Kept_part::MEDIAL));
   EXPECT_EQ(num_edges(voronoi.graph()) + num_edges(medial.graph()), num_edges(result.graph()));
   EXPECT_GT(num_edges(voronoi.graph()), 0u);
   const Result strong = solver.cut_locus(mesh_edges.gradient_angle_threshold(3.14).minimum_branch_edges(1000));
-  EXPECT_EQ(num_edges(strong.graph()), num_edges(solver.cut_locus(mesh_edges.voronoi(true)).graph()))
+  EXPECT_EQ(num_edges(strong.graph()),
+            num_edges(solver.cut_locus(mesh_edges.kept_part(CGAL::Cut_loci::Kept_part::VORONOI)).graph()))
     << "no threshold removes what is between two";
   std::map<Mesh::Edge_index, bool> marks;
   const Result edges_of_mesh =

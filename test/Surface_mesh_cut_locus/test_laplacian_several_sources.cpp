@@ -403,8 +403,10 @@ TEST(Laplacian_several_sources, leave_the_parts_that_are_asked_for)
     solver.set_sources(sources);
     const auto np = params::cut_locus_curve(curve);
     const Result all = solver.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)),
-                 voronoi = solver.cut_locus(np.voronoi(true).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)),
-                 medial = solver.cut_locus(np.medial(true).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+                 voronoi = solver.cut_locus(
+                   np.kept_part(CGAL::Cut_loci::Kept_part::VORONOI).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)),
+                 medial = solver.cut_locus(
+                   np.kept_part(CGAL::Cut_loci::Kept_part::MEDIAL).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
     EXPECT_EQ(num_edges(voronoi.graph()) + num_edges(medial.graph()), num_edges(all.graph()));
     EXPECT_GT(num_edges(voronoi.graph()), 0u);
     EXPECT_GT(num_edges(medial.graph()), 0u);
@@ -417,11 +419,10 @@ TEST(Laplacian_several_sources, leave_the_parts_that_are_asked_for)
       EXPECT_EQ(medial.graph()[e].sources[0], medial.graph()[e].sources[1]);
     for(const auto v : CGAL::make_range(vertices(voronoi.graph())))
       EXPECT_GT(out_degree(v, voronoi.graph()), 1u) << "on a closed surface it has no ends";
-    EXPECT_THROW(solver.cut_locus(np.voronoi(true).medial(true).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)),
-                 Invalid_input);
   }
   const Result none = CGAL::compute_cut_locus(
-    built.mesh, built.vertices[0], laplacian.voronoi(true).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+    built.mesh, built.vertices[0],
+    laplacian.kept_part(CGAL::Cut_loci::Kept_part::VORONOI).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
   EXPECT_EQ(num_edges(none.graph()), 0u);
   EXPECT_EQ(num_vertices(none.graph()), 1u);
 }
@@ -431,7 +432,7 @@ TEST(Laplacian_several_sources, no_threshold_removes_what_is_between_two)
   const Built built(bumpy_sphere(10, 0.5, 3));
   Solver solver(built.mesh, laplacian);
   solver.set_sources(random_sources(built, 6, 3));
-  const std::size_t all = num_edges(solver.cut_locus(mesh_edges.voronoi(true)).graph());
+  const std::size_t all = num_edges(solver.cut_locus(mesh_edges.kept_part(CGAL::Cut_loci::Kept_part::VORONOI)).graph());
   const Result strong = solver.cut_locus(mesh_edges.gradient_angle_threshold(3.14).minimum_branch_edges(1000));
   EXPECT_EQ(num_edges(strong.graph()), all) << "on a sphere nothing else has to stay";
 }

@@ -14,7 +14,6 @@
 
 #include <cstddef>
 #include <future>
-#include <utility>
 #include <vector>
 
 // A cut locus is a function of the surface, the source and the thresholds: neither earlier calls nor other threads change it.

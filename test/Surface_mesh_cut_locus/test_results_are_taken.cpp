@@ -27,7 +27,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>

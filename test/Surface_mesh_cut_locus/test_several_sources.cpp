@@ -15,10 +15,8 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <optional>
 #include <random>
-#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -384,8 +382,8 @@ TEST(Several_sources, have_great_circles_between_each_two_on_a_sphere)
       at.push_back(v);
       sources.push_back(built.vertices[v]);
     }
-    const Result result =
-      CGAL::compute_cut_locus(built.mesh, sources, params::cut_locus_curve(Curve::THROUGH_FACES).voronoi(true));
+    const Result result = CGAL::compute_cut_locus(
+      built.mesh, sources, params::cut_locus_curve(Curve::THROUGH_FACES).kept_part(CGAL::Cut_loci::Kept_part::VORONOI));
     for(const auto& x : voronoi_points(result))
     {
       const Point &p = built.data.points[at[x.second[0]]], &q = built.data.points[at[x.second[1]]];
@@ -418,7 +416,8 @@ TEST(Several_sources, no_threshold_removes_what_is_between_two)
       EXPECT_EQ(number(result), all);
       EXPECT_EQ(2 * num_edges(result.graph()), voronoi_points(result).size()) << "there is no branch left";
     }
-    const Result voronoi = solver.cut_locus(params::cut_locus_curve(curve).voronoi(true));
+    const Result voronoi =
+      solver.cut_locus(params::cut_locus_curve(curve).kept_part(CGAL::Cut_loci::Kept_part::VORONOI));
     EXPECT_EQ(number(voronoi), all);
     EXPECT_EQ(num_edges(voronoi.graph()), all);
   }
@@ -433,12 +432,14 @@ TEST(Several_sources, leave_edges_of_the_voronoi_diagram_alone_if_asked_for)
     {
       const auto np = params::cut_locus_method(method).cut_locus_curve(curve);
       const Result all = CGAL::compute_cut_locus(built.mesh, sources, np),
-                   voronoi = CGAL::compute_cut_locus(built.mesh, sources, np.voronoi(true));
+                   voronoi =
+                     CGAL::compute_cut_locus(built.mesh, sources, np.kept_part(CGAL::Cut_loci::Kept_part::VORONOI));
       EXPECT_EQ(2 * num_edges(voronoi.graph()), voronoi_points(all).size());
       EXPECT_LT(num_edges(voronoi.graph()), num_edges(all.graph()));
       for(const auto v : CGAL::make_range(vertices(voronoi.graph())))
         EXPECT_GT(out_degree(v, voronoi.graph()), 1u) << "on a closed surface it has no ends";
-      const Result none = CGAL::compute_cut_locus(built.mesh, built.vertices[0], np.voronoi(true));
+      const Result none =
+        CGAL::compute_cut_locus(built.mesh, built.vertices[0], np.kept_part(CGAL::Cut_loci::Kept_part::VORONOI));
       EXPECT_EQ(num_edges(none.graph()), 0u);
       EXPECT_EQ(num_vertices(none.graph()), 1u);
     }

@@ -17,9 +17,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>

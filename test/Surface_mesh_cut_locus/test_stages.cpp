@@ -17,7 +17,6 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <memory>
 #include <queue>
 
 namespace test_stages {

@@ -78,7 +78,9 @@ TEST(Voronoi_neighbors, are_the_cells_on_both_sides)
       EXPECT_TRUE(touching.insert(pair.sources).second);
       sum += pair.length;
     }
-    EXPECT_NEAR(sum, length(CGAL::compute_cut_locus(built.mesh, sources, params::voronoi(true))), 1e-9);
+    EXPECT_NEAR(
+      sum, length(CGAL::compute_cut_locus(built.mesh, sources, params::kept_part(CGAL::Cut_loci::Kept_part::VORONOI))),
+      1e-9);
     // two cells that are met along an edge of the mesh without a third one in between touch
     for(const Mesh::Edge_index e : built.mesh.edges())
     {

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <set>
 #include <sstream>
 #include <string>

@@ -45,6 +45,15 @@ enum class Curve {
   THROUGH_FACES ///< segments in the faces, between points that shortest paths reach from both sides
 };
 
+/// \ingroup PkgSurfaceMeshCutLocusRef
+/// the part of the cut locus of several sources that is kept
+enum class Kept_part {
+  ALL,     ///< the geodesic Voronoi diagram, together with the cut locus inside each cell
+  VORONOI, ///< the edges between two sources: without the rest, the graph need not be connected, nor a cell a disk. Of one
+           ///< source, one vertex is left
+  MEDIAL ///< what is inside the cells
+};
+
 } // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_CUT_LOCUS_METHOD_H

@@ -30,8 +30,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
-#include <vector>
 
 namespace CGAL::Cut_loci {
 

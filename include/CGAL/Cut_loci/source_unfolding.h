@@ -8,7 +8,6 @@
 #define CGAL_CUT_LOCI_SOURCE_UNFOLDING_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/face_graph/Surface_component.h>
 #include <CGAL/Cut_loci/face_graph/read_source.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
@@ -36,8 +35,6 @@
 #include <limits>
 #include <memory>
 #include <sstream>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Cut_loci {

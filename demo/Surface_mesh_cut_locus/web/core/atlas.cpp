@@ -14,11 +14,9 @@
 #include <CGAL/Cut_loci/Default_visitor.h>
 #include <CGAL/Cut_loci/flatten_disk.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 
 namespace {
 

@@ -18,7 +18,6 @@
 #include <emscripten.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <exception>

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 struct Paths::Geodesics : CGAL::Surface_mesh_exact_geodesics<Mesh>

@@ -20,9 +20,7 @@ namespace {
 
 Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& thresholds, Curve curve)
 {
-  const auto parameters = CGAL::parameters::cut_locus_curve(curve)
-                            .voronoi(thresholds.keeps == Kept_part::VORONOI)
-                            .medial(thresholds.keeps == Kept_part::MEDIAL);
+  const auto parameters = CGAL::parameters::cut_locus_curve(curve).kept_part(thresholds.keeps);
   if(std::isnan(thresholds.width))
     return solver.cut_locus(parameters);
   return solver.cut_locus(parameters.minimum_branch_width(thresholds.width));
@@ -37,8 +35,7 @@ Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& thresholds
       .minimum_branch_edges(static_cast<std::size_t>(
         given(thresholds.minimum_edges, static_cast<double>(Solver::default_minimum_branch_edges()))))
       .minimum_branch_length(given(thresholds.minimum_length, 0.))
-      .voronoi(thresholds.keeps == Kept_part::VORONOI)
-      .medial(thresholds.keeps == Kept_part::MEDIAL)
+      .kept_part(thresholds.keeps)
       .filter_policy(thresholds.grows ? Filter_policy::GROWING : Filter_policy::PRUNING)
       .number_of_iterations(curve == Curve::MESH_EDGES ? std::size_t(0) : std::size_t(thresholds.smoothing)));
 }

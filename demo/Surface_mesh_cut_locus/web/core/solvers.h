@@ -29,9 +29,8 @@ std::unique_ptr<Solver> make_exact_solver(const Mesh& mesh, CGAL::Cut_loci::Meth
 std::unique_ptr<Solver> make_graph_solver(const Mesh& mesh);
 std::unique_ptr<Solver> make_heat_solver(const Mesh& mesh);
 
-// Of the cut locus of several sources: all, what is between two of them, or what is inside their cells. The page has
-// the same numbers.
-enum class Kept_part { ALL, VORONOI, MEDIAL };
+// The page has the same numbers.
+using CGAL::Cut_loci::Kept_part;
 
 // The thresholds of all methods: each takes its own. What is not a number stands for the default of the library.
 struct Thresholds

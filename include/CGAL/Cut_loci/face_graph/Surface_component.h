@@ -23,7 +23,6 @@
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <mutex>
 #include <string>

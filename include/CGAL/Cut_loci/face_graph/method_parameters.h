@@ -10,7 +10,6 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
-#include <CGAL/Cut_loci/graph/kept_parts.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -157,19 +156,10 @@ Branch_thresholds read_branch_thresholds(const NamedParameters& np, double defau
   return result;
 }
 
-// Of several sources, for all methods.
 template <typename NamedParameters>
-Kept_parts read_kept_parts(const NamedParameters& np)
+Kept_part read_kept_part(const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  Kept_parts result;
-  result.is_voronoi = choose_parameter(get_parameter(np, internal_np::voronoi), false);
-  result.is_medial = choose_parameter(get_parameter(np, internal_np::medial), false);
-  if(result.is_voronoi && result.is_medial)
-    throw Invalid_input(Cause::INVALID_PARAMETER,
-                        "the parameters voronoi and medial exclude each other: without both, the result has all edges");
-  return result;
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::kept_part), Kept_part::ALL);
 }
 
 // The width is in units of `diagonal`, but for that of `by_default`, a length. Who asks for one of both gets all that
@@ -210,7 +200,7 @@ Exact_tree_thresholds read_exact_tree_thresholds(const NamedParameters& np, cons
   if(!(result.gap >= 0. && result.gap <= geodesic_pi))
     throw Invalid_input(Cause::INVALID_PARAMETER, "the minimum gap of a branch must be an angle from 0 to pi");
   read_least_branch(np, 0, diagonal, result);
-  static_cast<Kept_parts&>(result) = read_kept_parts(np);
+  result.part = read_kept_part(np);
   return result;
 }
 

@@ -13,8 +13,6 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 
-#include <algorithm>
-#include <array>
 #include <vector>
 
 namespace CGAL::Cut_loci::internal {

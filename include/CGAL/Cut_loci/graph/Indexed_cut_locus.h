@@ -11,9 +11,7 @@
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 
-#include <algorithm>
 #include <array>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Cut_loci {

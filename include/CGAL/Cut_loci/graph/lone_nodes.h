@@ -12,7 +12,6 @@
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL::Cut_loci::internal {

@@ -7,6 +7,7 @@
 #ifndef CGAL_CUT_LOCI_GRAPH_SHORT_BRANCHES_H
 #define CGAL_CUT_LOCI_GRAPH_SHORT_BRANCHES_H
 
+#include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -197,6 +198,18 @@ inline void remove_short_branches(const Indexed_triangle_mesh& mesh, const Mesh_
   if(!graph.edges.empty() && (minimum_edges > 1 || minimum_length > 0.))
     remove_edges(mesh, connectivity, graph,
                  short_branches(mesh, connectivity, graph, face, minimum_edges, minimum_length));
+}
+
+// removes the part of the cut locus of several sources that is not asked for
+inline void remove_other_parts(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, Kept_part part,
+                               Indexed_cut_locus& graph)
+{
+  if(part == Kept_part::ALL)
+    return;
+  std::vector<unsigned char> is_removed;
+  for(const Indexed_cut_locus::Edge& e : graph.edges)
+    is_removed.push_back((e.sources[0] == e.sources[1]) == (part == Kept_part::VORONOI));
+  remove_edges(mesh, connectivity, graph, is_removed);
 }
 
 } // namespace CGAL::Cut_loci

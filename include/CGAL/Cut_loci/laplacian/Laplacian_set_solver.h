@@ -9,7 +9,7 @@
 
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/graph/Mesh_beside_curves.h>
-#include <CGAL/Cut_loci/graph/kept_parts.h>
+#include <CGAL/Cut_loci/graph/short_branches.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/laplacian/Laplacian_solver.h>
@@ -93,7 +93,7 @@ public:
   }
 
   Indexed_cut_locus filter(const Branch_thresholds& thresholds, const Smoothing_parameters& smoothing,
-                           const Kept_parts& parts) override
+                           Kept_part part) override
   {
     Indexed_cut_locus result;
     if(!has_curves())
@@ -103,7 +103,7 @@ public:
     }
     for(const auto& piece : pieces_)
       append(*piece, filtered(*piece->solver, thresholds, smoothing), result);
-    remove_other_parts(mesh_, whole_->connectivity(), parts, result);
+    remove_other_parts(mesh_, whole_->connectivity(), part, result);
     return result;
   }
 

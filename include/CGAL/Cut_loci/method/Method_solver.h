@@ -9,7 +9,6 @@
 
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/graph/kept_parts.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -55,7 +54,7 @@ public:
                             std::vector<double> distance, std::vector<Index> nearest, bool is_approximate) = 0;
   // the result is made of edges of the mesh if there are no iterations of smoothing
   virtual Indexed_cut_locus filter(const Branch_thresholds& thresholds, const Smoothing_parameters& smoothing,
-                                   const Kept_parts& parts) = 0;
+                                   Kept_part part) = 0;
 
   // In radians. Around the end of a branch, gradients are focused before they cross: a few edges beyond the end they
   // still meet at half a radian. On tori of 7 K to 113 K faces thresholds from 0.5 to 1 put the ends within 2.5

@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_METHOD_METHOD_THRESHOLDS_H
 #define CGAL_CUT_LOCI_METHOD_METHOD_THRESHOLDS_H
 
-#include <CGAL/Cut_loci/graph/kept_parts.h>
+#include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/method/Path_noise.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
@@ -103,8 +103,9 @@ private:
   static constexpr double usual_angle = 0.1;
 };
 
-struct Exact_tree_thresholds : Branch_strength, Kept_parts
+struct Exact_tree_thresholds : Branch_strength
 {
+  Kept_part part = Kept_part::ALL;
   Index minimum_edges = 0;    // branches of fewer edges of the mesh are removed
   double minimum_length = 0.; // branches that are shorter are removed
 };

@@ -10,7 +10,6 @@
 #include <CGAL/Cut_loci/Index.h>
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Cut_loci {

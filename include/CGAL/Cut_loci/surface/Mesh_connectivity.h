@@ -12,7 +12,6 @@
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace CGAL::Cut_loci {

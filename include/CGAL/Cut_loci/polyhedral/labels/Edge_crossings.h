@@ -17,7 +17,6 @@
 #include <CGAL/Cut_loci/polyhedral/labels/Path_label.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <unordered_map>
 #include <utility>

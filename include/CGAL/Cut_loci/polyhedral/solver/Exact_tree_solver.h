@@ -11,7 +11,6 @@
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/graph/kept_parts.h>
 #include <CGAL/Cut_loci/graph/short_branches.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
@@ -33,13 +32,11 @@
 #include <CGAL/Cut_loci/surface/extent.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <exception>
 #include <limits>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -284,7 +281,7 @@ private:
     Indexed_cut_locus result =
       curve == Curve::MESH_EDGES ? mesh_edges(kept, all.part(0.8, 1.)) : through_faces(kept, face, all.part(0.8, 1.));
     remove_short_branches(mesh_, connectivity_, face, thresholds.minimum_edges, thresholds.minimum_length, result);
-    remove_other_parts(mesh_, connectivity_, thresholds, result);
+    remove_other_parts(mesh_, connectivity_, thresholds.part, result);
     return result;
   }
 

@@ -9,7 +9,6 @@
 
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/graph/Mesh_beside_curves.h>
-#include <CGAL/Cut_loci/graph/kept_parts.h>
 #include <CGAL/Cut_loci/graph/lone_nodes.h>
 #include <CGAL/Cut_loci/graph/short_branches.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
@@ -64,7 +63,7 @@ mesh_edges_between_curves(const Indexed_triangle_mesh& mesh, const std::vector<I
        beside.mesh(), beside.connectivity(), distance, face, [&](Index h) { return beside.parts().is_on_source(h); },
        result))
     set_distances_from_curves(mesh, points, curves, result);
-  remove_other_parts(beside.mesh(), beside.connectivity(), thresholds, result);
+  remove_other_parts(beside.mesh(), beside.connectivity(), thresholds.part, result);
   beside.close(result);
   return result;
 }
@@ -87,7 +86,7 @@ inline Indexed_cut_locus curve_between_curves(const Indexed_triangle_mesh& mesh,
     [&](Index h) { return tree.geodesics().line_at(h) != null_index; }, result.graph);
   with_curves.close(result.graph);
   divided.remove_sources(result.graph, result.face);
-  remove_other_parts(mesh, connectivity, thresholds, result.graph);
+  remove_other_parts(mesh, connectivity, thresholds.part, result.graph);
   set_distances_from_curves(mesh, points, curves, result.graph);
   return std::move(result.graph);
 }

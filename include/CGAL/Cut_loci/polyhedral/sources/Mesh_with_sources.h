@@ -19,7 +19,6 @@
 #include <array>
 #include <cstddef>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Cut_loci::internal {
