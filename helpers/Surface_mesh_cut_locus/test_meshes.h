@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_TEST_MESHES_H
 
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <array>
@@ -184,6 +185,20 @@ inline std::size_t nearest_vertex(const Mesh_data& m, const Point& p)
 
 // The mesh as the stages of the library take it.
 CGAL::Cut_loci::Indexed_triangle_mesh indexed(const Mesh_data& m);
+
+// Sources on it.
+inline CGAL::Cut_loci::Indexed_source at_vertex(const CGAL::Cut_loci::Indexed_triangle_mesh& mesh,
+                                                CGAL::Cut_loci::Index v)
+{
+  CGAL::Cut_loci::Index h = 0;
+  while(mesh.source(h) != v)
+    ++h;
+  return {CGAL::Cut_loci::internal::location_on(h), v};
+}
+inline CGAL::Cut_loci::Indexed_source in_face(CGAL::Cut_loci::Index f, double a, double b, double c)
+{
+  return {{f, {{a, b, c}}}, CGAL::Cut_loci::null_index};
+}
 
 // Moves each vertex by up to `amount` of its shortest edge in each coordinate, then by `project` back to the surface.
 Mesh_data jittered(Mesh_data m, double amount, unsigned seed, const std::function<Point(const Point&)>& project);

@@ -372,6 +372,20 @@ inline Edges side_of_square(const Built& built, std::size_t n, bool is_lower)
   return path(built, along);
 }
 
+// Around a torus of rows of `nw` points, along it, and both as one curve.
+inline std::vector<std::vector<Edges>> curves_of_torus(const Built& built, std::size_t nu, std::size_t nw)
+{
+  std::vector<std::size_t> around, along;
+  for(std::size_t w = 0; w <= nw; ++w)
+    around.push_back(w % nw);
+  for(std::size_t u = 0; u <= nu; ++u)
+    along.push_back((u % nu) * nw);
+  Edges cross = path(built, around);
+  for(const Mesh::Edge_index e : path(built, along))
+    cross.push_back(e);
+  return {{path(built, around)}, {path(built, along)}, {cross}};
+}
+
 // -- what a curve of mesh edges must be --------------------------------------------------------------------------------
 
 inline void expect_refusal_of_mesh_edges(const Invalid_input& error, const std::string& what)

@@ -31,28 +31,8 @@ using CGAL::Cut_loci::Indexed_cut_locus;
 using CGAL::Cut_loci::Indexed_triangle_mesh;
 using CGAL::Cut_loci::null_index;
 
-inline CGAL::Cut_loci::Indexed_source at_vertex(const Indexed_triangle_mesh& mesh, Index v)
-{
-  CGAL::Cut_loci::Indexed_source source;
-  source.vertex = v;
-  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-    if(mesh.source(h) == v)
-    {
-      source.location.face = h / 3;
-      source.location.coordinates = {{0., 0., 0.}};
-      source.location.coordinates[h % 3] = 1.;
-      break;
-    }
-  return source;
-}
-
-inline CGAL::Cut_loci::Indexed_source in_face(Index f, double a, double b, double c)
-{
-  CGAL::Cut_loci::Indexed_source source;
-  source.location.face = f;
-  source.location.coordinates = {{a, b, c}};
-  return source;
-}
+using test_meshes::at_vertex;
+using test_meshes::in_face;
 
 inline std::array<double, 3> point_at(const Indexed_triangle_mesh& mesh,
                                       const CGAL::Cut_loci::Indexed_location& location)

@@ -70,6 +70,13 @@ inline Mesh make_mesh(const std::vector<Point>& points, const std::vector<Mesh::
   return mesh;
 }
 
+/// two triangles, cut from the first corner or from the second
+inline void add_square(std::vector<Mesh::Triangle>& triangles, const std::array<Index, 4>& q, bool is_cut_from_first)
+{
+  triangles.push_back({{q[0], q[1], is_cut_from_first ? q[2] : q[3]}});
+  triangles.push_back({{is_cut_from_first ? q[0] : q[1], q[2], q[3]}});
+}
+
 /// a grid of nx times ny unit squares, with random diagonals, moved by `place`
 template <typename Place>
 Mesh grid(Index nx, Index ny, unsigned seed, const Place& place)
@@ -84,16 +91,7 @@ Mesh grid(Index nx, Index ny, unsigned seed, const Place& place)
     for(Index j = 0; j < ny; ++j)
     {
       const Index a = i * (ny + 1) + j, b = a + ny + 1, c = b + 1, d = a + 1;
-      if(random() & 1)
-      {
-        triangles.push_back({{a, b, c}});
-        triangles.push_back({{a, c, d}});
-      }
-      else
-      {
-        triangles.push_back({{a, b, d}});
-        triangles.push_back({{b, c, d}});
-      }
+      add_square(triangles, {{a, b, c, d}}, (random() & 1) != 0);
     }
   return make_mesh(points, triangles);
 }
@@ -187,16 +185,7 @@ inline Mesh box(const std::array<double, 3>& size, const std::array<Index, 3>& c
             return vertex(c);
           };
           const Index a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
-          if((i + j) % 2)
-          {
-            triangles.push_back({{a, b, c}});
-            triangles.push_back({{a, c, d}});
-          }
-          else
-          {
-            triangles.push_back({{a, b, d}});
-            triangles.push_back({{b, c, d}});
-          }
+          add_square(triangles, {{a, b, c, d}}, ((i + j) % 2) != 0);
         }
     }
   return make_mesh(points, triangles);

@@ -255,20 +255,11 @@ TEST(Curves_as_sources, may_be_loops_that_separate_the_surface_or_do_not)
 {
   const std::size_t nu = 28, nw = 14;
   const Built built(torus(1., 0.4, nu, nw));
-  std::vector<std::size_t> around, along;
-  for(std::size_t w = 0; w <= nw; ++w)
-    around.push_back(w % nw);
-  for(std::size_t u = 0; u <= nu; ++u)
-    along.push_back((u % nu) * nw);
   ASSERT_NE(built.mesh.halfedge(built.vertices[0], built.vertices[1]), Mesh::null_halfedge());
   ASSERT_NE(built.mesh.halfedge(built.vertices[0], built.vertices[nw]), Mesh::null_halfedge());
-  Edges cross = path(built, around);
-  for(const Mesh::Edge_index e : path(built, along))
-    cross.push_back(e);
   for(const Method method : methods)
   {
-    for(const std::vector<Edges>& curves :
-        {std::vector<Edges>{path(built, around)}, std::vector<Edges>{path(built, along)}, std::vector<Edges>{cross}})
+    for(const std::vector<Edges>& curves : curves_of_torus(built, nu, nw))
       expect_topology(built, curves, cut_locus_of_curves(built, {}, curves, method), name_of(method));
     const Built ball(sphere_with_circle(24, 12));
     const std::vector<Edges> loops = {path(ball, circle(24, 3, 0, 24)), path(ball, circle(24, 8, 0, 24))};
@@ -406,18 +397,9 @@ TEST(Mesh_edges_beside_curves, may_be_beside_loops_and_the_border)
 {
   const std::size_t nu = 28, nw = 14;
   const Built built(torus(1., 0.4, nu, nw)), ball(sphere_with_circle(24, 12));
-  std::vector<std::size_t> around, along;
-  for(std::size_t w = 0; w <= nw; ++w)
-    around.push_back(w % nw);
-  for(std::size_t u = 0; u <= nu; ++u)
-    along.push_back((u % nu) * nw);
-  Edges cross = path(built, around);
-  for(const Mesh::Edge_index e : path(built, along))
-    cross.push_back(e);
   for(const Method method : methods)
   {
-    for(const std::vector<Edges>& curves :
-        {std::vector<Edges>{path(built, around)}, std::vector<Edges>{path(built, along)}, std::vector<Edges>{cross}})
+    for(const std::vector<Edges>& curves : curves_of_torus(built, nu, nw))
       EXPECT_TRUE(has_mesh_edges(built, {}, curves, method, name_of(method)));
     const std::vector<Edges> loops = {path(ball, circle(24, 3, 0, 24)), path(ball, circle(24, 8, 0, 24))};
     EXPECT_TRUE(has_mesh_edges(ball, {}, loops, method, name_of(method)));

@@ -39,6 +39,8 @@ using CGAL::Cut_loci::Indexed_source;
 using CGAL::Cut_loci::Indexed_triangle_mesh;
 using CGAL::Cut_loci::null_index;
 using CGAL::Cut_loci::internal::Exact_tree_solver;
+using test_meshes::at_vertex;
+using test_meshes::in_face;
 using test_meshes::indexed;
 using test_meshes::Mesh_data;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
@@ -84,28 +86,6 @@ std::vector<Named_mesh> meshes()
           {"saddle", test_meshes::saddle(8, 0.7, 0.2, 3)},
           {"annulus", test_meshes::annulus(0.4, 1., 16, 3)},
           {"open cylinder", test_meshes::cylinder(1., 12, 4, 0.1, 4)}};
-}
-
-Indexed_source at_vertex(const Indexed_triangle_mesh& mesh, Index v)
-{
-  Indexed_source source;
-  source.vertex = v;
-  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-    if(mesh.source(h) == v)
-    {
-      source.location.face = h / 3;
-      source.location.coordinates[h % 3] = 1.;
-      return source;
-    }
-  return source;
-}
-
-Indexed_source in_face(Index f, double a, double b, double c)
-{
-  Indexed_source source;
-  source.location.face = f;
-  source.location.coordinates = {{a, b, c}};
-  return source;
 }
 
 // a vertex, a border vertex if there is one, a point of an edge and one in a face

@@ -39,6 +39,7 @@ using CGAL::Cut_loci::Indexed_source;
 using CGAL::Cut_loci::Indexed_triangle_mesh;
 using CGAL::Cut_loci::internal::Exact_tree_solver;
 using CGAL::Cut_loci::internal::Vector;
+using test_meshes::at_vertex;
 using test_meshes::indexed;
 using test_meshes::Mesh_data;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
@@ -58,14 +59,6 @@ std::vector<Named_mesh> generic_meshes()
           {"nonconvex", test_meshes::irregular_bumpy_sphere(6, 0.3, 2)},
           {"torus", test_meshes::torus(1., 0.4, 16, 10, 0.15, 5)},
           {"open cylinder", test_meshes::cylinder(1., 14, 5, 0.1, 4)}};
-}
-
-Indexed_source at_vertex(const Indexed_triangle_mesh& mesh, Index v)
-{
-  Indexed_source source;
-  source.vertex = v;
-  source.location = polyhedral_oracle::location_of_vertex(mesh, v);
-  return source;
 }
 
 Indexed_cut_locus curve_of(const Indexed_triangle_mesh& mesh, const Indexed_source& source, double gap = 0.)

@@ -44,20 +44,6 @@ Indexed_source location(Index face, const std::array<double, 3>& coordinates)
   return source;
 }
 
-Indexed_source at_vertex(const Indexed_triangle_mesh& mesh, Index v)
-{
-  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-    if(mesh.source(h) == v)
-    {
-      Indexed_source source;
-      source.vertex = v;
-      source.location.face = h / 3;
-      source.location.coordinates[h % 3] = 1.;
-      return source;
-    }
-  return Indexed_source();
-}
-
 Point point_of(const Indexed_triangle_mesh& mesh, const Indexed_source& source)
 {
   Point p = {{0., 0., 0.}};

@@ -46,27 +46,6 @@ std::vector<double> exact(const Mesh& mesh, const Indexed_source& s)
   return distances<CGAL::Shortest_path_geodesic_solver>(mesh, s);
 }
 
-Indexed_source at_vertex(const Mesh& mesh, Index v)
-{
-  Indexed_source s;
-  s.vertex = v;
-  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-    if(mesh.source(h) == v)
-    {
-      s.location.face = h / 3;
-      s.location.coordinates[h % 3] = 1.;
-      break;
-    }
-  return s;
-}
-
-Indexed_source in_face(Index f, double a, double b, double c)
-{
-  Indexed_source s;
-  s.location = {f, {{a, b, c}}};
-  return s;
-}
-
 struct Error
 {
   double lowest = 0., highest = 0., mean = 0.;

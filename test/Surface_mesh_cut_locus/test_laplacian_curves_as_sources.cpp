@@ -292,16 +292,7 @@ TEST(Laplacian_curves, may_be_loops_that_separate_the_surface_or_do_not)
 {
   const std::size_t nu = 28, nw = 14;
   const Built built(torus(1., 0.4, nu, nw)), ball(sphere_with_circle(24, 12));
-  std::vector<std::size_t> around, along;
-  for(std::size_t w = 0; w <= nw; ++w)
-    around.push_back(w % nw);
-  for(std::size_t u = 0; u <= nu; ++u)
-    along.push_back((u % nu) * nw);
-  Edges cross = path(built, around);
-  for(const Mesh::Edge_index e : path(built, along))
-    cross.push_back(e);
-  for(const std::vector<Edges>& curves :
-      {std::vector<Edges>{path(built, around)}, std::vector<Edges>{path(built, along)}, std::vector<Edges>{cross}})
+  for(const std::vector<Edges>& curves : curves_of_torus(built, nu, nw))
   {
     EXPECT_TRUE(has_mesh_edges(built, {}, curves, Method::LAPLACIAN, "torus"));
     expect_topology(built, curves, CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(curves)),
