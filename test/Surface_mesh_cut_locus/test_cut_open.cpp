@@ -5,6 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "built_mesh.h"
+#include "cut_locus_by_hand.h"
 #include "disk_checker.h"
 
 #include <CGAL/compute_cut_locus.h>
@@ -253,11 +254,7 @@ TEST(Cut_open, Bad_input_gives_an_error)
 
   // a graph of its own: empty, or a part of a cut locus
   const auto with_graph = [&](const Cut_locus::Graph& graph)
-  {
-    auto result = std::make_shared<CGAL::Cut_loci::internal::Source_result>();
-    return Cut_locus(graph, cut_locus.source(), cut_locus.farthest_vertex(), result,
-                     [](Mesh::Vertex_index) { return 0.; });
-  };
+  { return cut_locus_by_hand<Cut_locus>(graph, {cut_locus.source()}); };
   EXPECT_TRUE(contains(error(built.mesh, with_graph(Cut_locus::Graph())), "empty"));
   Cut_locus::Graph part = cut_locus.graph();
   remove_edge(*edges(part).first, part);

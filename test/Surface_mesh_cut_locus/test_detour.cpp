@@ -8,6 +8,7 @@
 
 #include "built_mesh.h"
 #include "completeness.h"
+#include "cut_locus_by_hand.h"
 #include "detour.h"
 #include "node_distances.h"
 #include "test_meshes.h"
@@ -23,7 +24,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -111,12 +111,10 @@ Cut_locus wall(const Built_mesh<Mesh>& built, std::size_t n, double x, std::size
       add_edge(num_vertices(graph) - 2, num_vertices(graph) - 1, edge, graph);
     }
   }
-  auto result = std::make_shared<CGAL::Cut_loci::internal::Source_result>();
   std::vector<Cut_locus::Vertex> at_sources;
   for(const std::size_t v : sources)
     at_sources.push_back(at_vertex(built, v));
-  return Cut_locus(
-    graph, at_sources, built.vertices[0], result, [](Vertex) { return 0.; }, nullptr, 0);
+  return cut_locus_by_hand<Cut_locus>(graph, at_sources);
 }
 
 double mean_length(const Mesh& mesh)

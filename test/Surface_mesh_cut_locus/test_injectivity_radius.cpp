@@ -5,6 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "built_mesh.h"
+#include "cut_locus_by_hand.h"
 
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Cut_loci/statistics.h>
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,7 +51,7 @@ Cut_locus made_of(const std::vector<Kernel::Point_3>& points, const std::vector<
   }
   for(const auto& e : edges)
     add_edge(e.first, e.second, Cut_locus::Edge(), graph);
-  return Cut_locus(graph, {}, {}, std::make_shared<const CGAL::Cut_loci::internal::Source_result>(), {});
+  return cut_locus_by_hand<Cut_locus>(graph);
 }
 
 TEST(Injectivity_radius, Is_reached_at_a_vertex_or_within_an_edge)

@@ -6,6 +6,8 @@
 
 // What the writers write is read back and compared with the graph, number by number.
 
+#include "cut_locus_by_hand.h"
+
 #include <CGAL/Cut_loci/IO/edges.h>
 #include <CGAL/Cut_loci/IO/write_cut_locus.h>
 #include <CGAL/Cut_loci/statistics.h>
@@ -27,7 +29,6 @@
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -78,8 +79,7 @@ Cut_locus make_cut_locus(std::size_t number_of_vertices, const std::vector<std::
     edge.strength = 1. / (1. + static_cast<double>(e.first) + 7. * static_cast<double>(e.second));
     add_edge(e.first, e.second, edge, graph);
   }
-  return Cut_locus(graph, Cut_locus::Vertex(), Mesh::null_vertex(),
-                   std::make_shared<CGAL::Cut_loci::internal::Source_result>(), [](Mesh::Vertex_index) { return 0.; });
+  return cut_locus_by_hand<Cut_locus>(graph);
 }
 
 // Three branches of different lengths, one of which ends in a loop.
@@ -354,8 +354,7 @@ TEST(Output_formats, Edges_of_the_mesh)
   elsewhere.mesh_halfedge = Mesh::null_halfedge();
   add_edge(0, 1, on_mesh, graph);
   add_edge(0, 1, elsewhere, graph);
-  const Cut_locus cut_locus(graph, Cut_locus::Vertex(), Mesh::null_vertex(), nullptr,
-                            [](Mesh::Vertex_index) { return 0.; });
+  const Cut_locus cut_locus = cut_locus_by_hand<Cut_locus>(graph);
   std::ostringstream os;
   ASSERT_TRUE(CGAL::IO::write_edges(os, cut_locus, mesh));
   const auto numbers = read_numbers<std::size_t>(os.str());
