@@ -153,6 +153,9 @@ void expect_right(const Built& built, const Sources& sources, unsigned seed)
     std::vector<Location> path;
     geodesics.query_shortest_path(i, std::back_inserter(path));
     expect(queries[i], geodesics.query_distance(i), geodesics.query_nearest_source(i), path);
+    path.clear();
+    geodesics.shortest_path(queries[i], std::back_inserter(path));
+    expect(queries[i], geodesics.distance(queries[i]), geodesics.nearest_source(queries[i]), path);
   }
   for(int i = 0; i < 8; ++i)
   {

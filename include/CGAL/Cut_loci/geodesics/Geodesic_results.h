@@ -62,6 +62,8 @@ public:
   }
   /// whether an error has been allowed; there are no paths then, and directions if they have been asked for
   bool is_approximate() const { return is_approximate_; }
+  /// whether the `turn` of a window is what it says, and not the error
+  bool has_turns() const { return !is_approximate_ || has_directions_; }
   /// below this angle, what parts has not been told apart: zero but for distances with an error
   double merging_angle() const { return is_approximate_ ? merging_angle_ : 0.; }
   /// whether paths that bend at `v` have that as their origin; else they keep the origin and the direction of the path to it
@@ -142,22 +144,22 @@ public:
 
   /// the number of query locations: those of the options, then one per face if centroids have been asked for
   std::size_t number_of_queries() const { return queries_.size(); }
-  const Indexed_location& query(std::size_t i) const { return queries_[i].location; }
+  /// with its distance by the images of lines
+  const Geodesic_query& query(std::size_t i) const { return queries_[i]; }
   double query_distance(std::size_t i) const
   {
-    const Geodesic_queries::Query& query = queries_[i];
+    const Geodesic_query& query = queries_[i];
     return has_lines() && query.distance < infinity
              ? true_length(query.arrival, faces_.in_frame(query.arrival.halfedge, query.location.coordinates),
                            query.distance)
              : query.distance;
   }
-  Index query_nearest_source(std::size_t i) const
+  Index nearest_source(const Geodesic_query& query) const
   {
-    return queries_[i].distance < infinity ? owner(source_of(queries_[i].arrival)) : null_index;
+    return query.distance < infinity ? owner(source_of(query.arrival)) : null_index;
   }
-  double query_direction_at_source(std::size_t i) const
+  double direction_at_source(const Geodesic_query& query) const
   {
-    const Geodesic_queries::Query& query = queries_[i];
     return direction_at_source(query.arrival, faces_.in_frame(query.arrival.halfedge, query.location.coordinates));
   }
 
@@ -245,7 +247,6 @@ public:
 
   /// the last straight pieces, for tracing paths
   const Geodesic_arrival& arrival(Index v) const { return arrival_[v]; }
-  const Geodesic_arrival& query_arrival(std::size_t i) const { return queries_[i].arrival; }
   Plane_point end_in_frame(const Geodesic_arrival& arrival, Index v) const
   {
     return vertex_in_frame(arrival.halfedge, v);
@@ -358,7 +359,7 @@ protected:
   {
     for(Index v = 0; v < faces_.number_of_vertices(); ++v)
       distance_[v] += distance_error(v);
-    for(Geodesic_queries::Query& query : queries_.all())
+    for(Geodesic_query& query : queries_.all())
       if(query.distance < infinity)
         query.distance += query.arrival.turn;
   }
@@ -375,7 +376,7 @@ protected:
   {
     const double length = faces_.length(h);
     const double *a = list.column(0), *b = list.column(1), *x = list.column(2), *y = list.column(3);
-    const auto answer = [&](Geodesic_queries::Query& query)
+    const auto answer = [&](Geodesic_query& query)
     {
       const Plane_point p = faces_.in_frame(h, query.location.coordinates);
       for(std::size_t i = list.begin; i < list.end; ++i)
@@ -402,7 +403,7 @@ protected:
   /// considers the paths to query locations that come from a vertex of the face, or a source in it
   void finish_queries()
   {
-    for(Geodesic_queries::Query& query : queries_.all())
+    for(Geodesic_query& query : queries_.all())
     {
       const Index f = query.location.face;
       for(Index h = 3 * f; h < 3 * f + 3; ++h)
@@ -438,9 +439,6 @@ protected:
     }
   }
 
-  /// whether `turn` is what it says, and not the error
-  bool has_turns() const { return !is_approximate_ || has_directions_; }
-
   /// the direction at its source in which the path with the last piece `arrival` to the point `end` starts
   double direction_at_source(const Geodesic_arrival& arrival, const Plane_point& end) const
   {
@@ -472,7 +470,7 @@ private:
 
   void finish_queries(std::size_t number, Index h, const Plane_point& source, double turn)
   {
-    const auto finish = [&](Geodesic_queries::Query& query)
+    const auto finish = [&](Geodesic_query& query)
     {
       const Plane_point p = faces_.in_frame(h, query.location.coordinates);
       const double d = std::hypot(p.x - source.x, p.y - source.y);

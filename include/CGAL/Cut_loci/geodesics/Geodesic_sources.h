@@ -47,6 +47,52 @@ public:
     return location_on(faces_.first_halfedge(v));
   }
 
+  struct Source
+  {
+    Indexed_location location;
+    Index vertex;   // if it is at one
+    Index halfedge; // if it is on an edge
+    double total_angle;
+    Index owner = null_index;
+    Index line = null_index; // the halfedge, if it is an edge
+  };
+
+  /// a location as a source, but for what says whose it is
+  /// \throws Invalid_input if it is none on the mesh
+  Source classify(Indexed_location location) const
+  {
+    check(location);
+    // a point nearer than this to an edge is on it: no coordinate of a mesh is known any better
+    constexpr double snap = 1e-13;
+    double sum = 0.;
+    for(double& c : location.coordinates)
+    {
+      c = c < snap ? 0. : c;
+      sum += c;
+    }
+    std::size_t zeros = 0;
+    for(double& c : location.coordinates)
+    {
+      c /= sum;
+      zeros += c == 0.;
+    }
+    Source source{location, null_index, null_index, 2. * geodesic_pi};
+    const Index h = 3 * location.face;
+    for(Index i = 0; i < 3; ++i)
+      if(zeros == 2 && location.coordinates[i] != 0.)
+      {
+        source.vertex = faces_.face(location.face).vertex[i];
+        source.total_angle = faces_.total_angle(source.vertex);
+      }
+      else if(zeros == 1 && location.coordinates[i] == 0.)
+      {
+        source.halfedge = Mesh::next(h + i);
+        if(faces_.opposite(source.halfedge) == null_index)
+          source.total_angle = geodesic_pi;
+      }
+    return source;
+  }
+
   /// \throws Invalid_input if `location` is none on the mesh
   void check(const Indexed_location& location) const
   {
@@ -220,16 +266,6 @@ protected:
   using Mesh = Indexed_triangle_mesh;
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
 
-  struct Source
-  {
-    Indexed_location location;
-    Index vertex;   // if it is at one
-    Index halfedge; // if it is on an edge
-    double total_angle;
-    Index owner = null_index;
-    Index line = null_index; // the halfedge, if it is an edge
-  };
-
   explicit Geodesic_sources(std::shared_ptr<const Geodesic_faces> faces)
     : shared_faces_(std::move(faces)), faces_(*shared_faces_)
   {
@@ -248,40 +284,6 @@ protected:
   }
 
 private:
-  Source classify(Indexed_location location) const
-  {
-    check(location);
-    // a point nearer than this to an edge is on it: no coordinate of a mesh is known any better
-    constexpr double snap = 1e-13;
-    double sum = 0.;
-    for(double& c : location.coordinates)
-    {
-      c = c < snap ? 0. : c;
-      sum += c;
-    }
-    std::size_t zeros = 0;
-    for(double& c : location.coordinates)
-    {
-      c /= sum;
-      zeros += c == 0.;
-    }
-    Source source{location, null_index, null_index, 2. * geodesic_pi};
-    const Index h = 3 * location.face;
-    for(Index i = 0; i < 3; ++i)
-      if(zeros == 2 && location.coordinates[i] != 0.)
-      {
-        source.vertex = faces_.face(location.face).vertex[i];
-        source.total_angle = faces_.total_angle(source.vertex);
-      }
-      else if(zeros == 1 && location.coordinates[i] == 0.)
-      {
-        source.halfedge = Mesh::next(h + i);
-        if(faces_.opposite(source.halfedge) == null_index)
-          source.total_angle = geodesic_pi;
-      }
-    return source;
-  }
-
   void prepare_lines(const std::vector<Geodesic_line>& lines)
   {
     line_at_.clear();

@@ -56,17 +56,15 @@ public:
     return path_;
   }
 
-  /// the shortest path from query location number `i` to its source, empty if it is not reached
-  std::vector<Indexed_location> path_from_query(std::size_t i)
+  /// the shortest path from a query location to its source, empty if it is not reached
+  std::vector<Indexed_location> path_from_query(const Geodesic_query& query)
   {
     path_.clear();
-    if(!(geodesics_.query_distance(i) < (std::numeric_limits<double>::infinity)()))
+    if(!(query.distance < (std::numeric_limits<double>::infinity)()))
       return path_;
-    const Indexed_location& location = geodesics_.query(i);
-    add(classify(location));
-    const Geodesic_arrival& arrival = geodesics_.query_arrival(i);
-    distance_ = geodesics_.query_distance(i);
-    const Index root = trace_piece(arrival, faces_.in_frame(arrival.halfedge, location.coordinates));
+    add(classify(query.location));
+    distance_ = query.distance;
+    const Index root = trace_piece(query.arrival, faces_.in_frame(query.arrival.halfedge, query.location.coordinates));
     if(root != null_index)
       trace_from_vertex(root);
     return path_;
