@@ -172,9 +172,9 @@ public:
 
   /// adds a connected curve along edges of the mesh, all of whose points are sources
   ///
-  /// No shortest path crosses it, so that paths come from its two sides. Distances are exact up to `1e-7` of the longest
-  /// edge of all curves. There are no directions at a curve, nor is an error allowed: `compute()` throws then. Curves
-  /// through the faces become edges by `refine_along_polylines()`. It takes linear time.
+  /// No shortest path crosses it, so that paths come from its two sides. There are no directions at a curve, nor is an
+  /// error allowed: `compute()` throws then. Curves through the faces become edges by `refine_along_polylines()`. It takes
+  /// linear time.
   /// @tparam EdgeRange a model of `ConstRange` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as value type
   /// \throws Cut_loci::Invalid_input if there are no edges, they are not connected, or one is on no face
   template <typename EdgeRange>
@@ -523,11 +523,10 @@ public:
    * writes the isolines of some distances.
    *
    * In each face, an isoline consists of arcs of circles, around the images of the sources and of the vertices at which
-   * paths bend. The vertices of the polylines have the distance of their level exactly, up to rounding, and between them
-   * they are chords. From curves, whose waves are circles around far points, they have it up to about `2e-7` of the longest
-   * edge, and, beside a few vertices, where rounding leaves gaps between windows, `4e-5` of it. The isolines of a level bound
-   * what is nearer: each is closed, or leads from border to border, and two meet nowhere but at a vertex that has the level
-   * up to rounding. Where the level is exactly that of a vertex, the vertex is not nearer.
+   * paths bend; from curves, of segments as well. The vertices of the polylines have the distance of their level exactly,
+   * up to rounding, and between them they are chords. The isolines of a level bound what is nearer: each is closed, or
+   * leads from border to border, and two meet nowhere but at a vertex that has the level up to rounding. Where the level
+   * is exactly that of a vertex, the vertex is not nearer.
    *
    * For each level, time is linear in the number of faces, and at worst cubic in the number of windows of a face that the
    * isoline crosses.

@@ -105,8 +105,8 @@ class ExactGeodesics:
             curves or the border there need not be one.
         source_curves : sequence of (k,) or (k, 2) whole numbers, optional
             Curves along edges of the mesh, which are sources too, numbered behind the points: of each one the vertices
-            along it, or the pairs of vertices that its edges join. Each is connected. With curves or the border,
-            distances are exact up to 1e-7 of their longest edge, and there are neither `directions` nor an `error`.
+            along it, or the pairs of vertices that its edges join. Each is connected. With curves or the border, there
+            are neither `directions` nor an `error`.
         source_border : bool
             Whether each border loop is a source, behind all others.
         targets : as `sources`, optional
@@ -323,8 +323,8 @@ def isolines(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Optional[So
              excluded_faces: Optional[npt.ArrayLike] = None) -> List[Isoline]:
     """Computes isolines of the exact distance, as polylines through the faces.
 
-    Their points have the distance of their level exactly, up to rounding; with curves, to 2e-7 of their longest edge, and
-    beside a few vertices to 4e-5. Between them they are chords of circular arcs. What is beyond the largest level is not
+    Their points have the distance of their level exactly, up to rounding. Between them they are chords of circular arcs, or
+    parallel to an edge of a curve. What is beyond the largest level is not
     computed.
 
     Parameters

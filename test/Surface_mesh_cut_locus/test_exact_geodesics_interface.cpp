@@ -97,8 +97,8 @@ TYPED_TEST(Exact_geodesics_interface, curves_and_isolines)
   {
     const double x = CGAL::to_double(get(vpm, v).x()), y = CGAL::to_double(get(vpm, v).y());
     const double expected = (std::min)((std::min)(x, 6. - x), (std::min)(y, 6. - y));
-    EXPECT_NEAR(geodesics.distance(v), expected, 1e-7);
-    EXPECT_NEAR(map[v], expected, 1e-7);
+    EXPECT_NEAR(geodesics.distance(v), expected, 1e-13);
+    EXPECT_NEAR(map[v], expected, 1e-13);
   }
   std::vector<typename Solver::Isoline> lines;
   geodesics.isolines(std::vector<double>{0.5, 2.}, std::back_inserter(lines));

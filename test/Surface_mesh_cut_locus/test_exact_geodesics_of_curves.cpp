@@ -35,8 +35,8 @@ using namespace curve_sources;
 using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
 using Location = Geodesics::Face_location;
 
-// of the longest edge: what the documentation says, and what dense points on curves are off by
-constexpr double exact = 1e-7 + 1e-9;
+// of the longest edge: what dense points on curves are off by
+constexpr double exact = 1e-9;
 
 double longest_edge(const Mesh& mesh)
 {

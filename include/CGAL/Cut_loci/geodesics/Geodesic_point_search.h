@@ -262,17 +262,14 @@ private:
     else
       result.origin = best_.source;
     Plane_point way = best_.way;
-    if(is_line) // where it is far behind the line, the waves are parallel
-    {
-      result.sigma = -geodesics_.line_distance();
-      way.y -= result.sigma;
-    }
+    if(is_line) // far behind it
+      way.y += geodesics_.line_distance();
     const double c = std::cos(best_.turn), s = std::sin(best_.turn);
     result.x = end.x + c * way.x - s * way.y;
     result.y = end.y + s * way.x + c * way.y;
     result.halfedge = best_.first;
     result.crosses_halfedge = !best_.is_in_same_face || is_line;
-    if(result.sigma == 0. && geodesics_.has_turns())
+    if(result.sigma == 0. && !is_line && geodesics_.has_turns())
       result.turn = direction() - std::atan2(end.y - result.y, end.x - result.x);
     return result;
   }

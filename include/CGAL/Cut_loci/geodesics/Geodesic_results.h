@@ -38,14 +38,14 @@ class Geodesic_results : public Geodesic_sources
 {
 public:
   /// the distance of each vertex, infinite if not reached
-  const std::vector<double>& distances() const { return has_lines() ? true_distance_ : distance_; }
+  const std::vector<double>& distances() const { return has_images_of_lines() ? true_distance_ : distance_; }
   double true_distance(Index v) const { return distances()[v]; }
   /// the same by the images of lines, which is what windows and labels have
   double distance(Index v) const { return distance_[v]; }
   /// the length of a path of the length `d` by its image, which leaves its origin in some direction
   double true_length(Index origin, double d, double direction) const
   {
-    if(!has_lines())
+    if(!has_images_of_lines())
       return d;
     if(is_source(origin))
       return is_line(origin) ? distance_to_line(origin, d, direction) : d;
@@ -149,10 +149,10 @@ public:
   double query_distance(std::size_t i) const
   {
     const Geodesic_query& query = queries_[i];
-    return has_lines() && query.distance < infinity
-             ? true_length(query.arrival, faces_.in_frame(query.arrival.halfedge, query.location.coordinates),
-                           query.distance)
-             : query.distance;
+    if(!has_lines() || !(query.distance < infinity))
+      return query.distance;
+    const Plane_point end = faces_.in_frame(query.arrival.halfedge, query.location.coordinates);
+    return (std::max)(true_length(query.arrival, end, query.distance), 0.); // on a line, rounding may be below it
   }
   Index nearest_source(const Geodesic_query& query) const
   {
@@ -308,7 +308,7 @@ protected:
   /// finds the distances that those by images stand for, from the lines on
   void find_true_distances()
   {
-    if(!has_lines())
+    if(!has_images_of_lines())
       return;
     true_distance_ = distance_;
     std::vector<Index> order;
@@ -334,7 +334,7 @@ protected:
     for(Index v = 0; v < distance_.size(); ++v)
       if(true_distance(v) > maximum_distance)
         distance_[v] = infinity;
-    for(double& d : true_distance_)
+    for(double& d : true_distance_) // if they count
       d = d <= maximum_distance ? d : infinity;
   }
 
@@ -347,7 +347,7 @@ protected:
     result.sigma = w.sigma;
     result.turn = w.turn;
     result.halfedge = h;
-    result.origin = static_cast<Index>(w.origin);
+    result.origin = static_cast<Index>(w.is_parallel() ? w.origin - Geodesic_window::parallel : w.origin);
     result.crosses_halfedge = true;
     result.rate = w.rate;
     result.error = w.error;
@@ -383,12 +383,12 @@ protected:
       {
         const double accuracy = seen_beyond(length, list.column(4)[i]);
         const Geodesic_side side = side_of_rays(a[i], b[i], x[i], y[i], p, accuracy);
-        if(side != covers && list.column(4)[i] < 0.)
+        if(side != covers && (list.column(4)[i] < 0. || list.is_parallel<columns>(i)))
           continue; // waves of lines do not bend
-        const double way = side == covers
-                             ? std::sqrt((p.x - x[i]) * (p.x - x[i]) + (p.y - y[i]) * (p.y - y[i]))
-                             : length_through({x[i], y[i]}, side == passes_left ? b[i] : a[i], p) + accuracy;
-        const double d = list.column(4)[i] + way;
+        const double d =
+          side == covers
+            ? list.distance<columns>(i, p.x, p.y)
+            : list.column(4)[i] + length_through({x[i], y[i]}, side == passes_left ? b[i] : a[i], p) + accuracy;
         if(d < query.distance)
         {
           const Geodesic_window w = list.get<columns>(i);
@@ -458,6 +458,8 @@ protected:
   }
 
 private:
+  bool has_images_of_lines() const { return has_lines() && !has_parallel_waves(); }
+
   /// whether two paths come to `v` from different directions
   bool are_apart(Index v, const Geodesic_arrival& first, const Geodesic_arrival& second) const
   {

@@ -32,7 +32,8 @@ namespace internal {
  *
  * The waves of a line are parallel. They are those of an image far behind it, at the same distance D from both of its
  * ends, and `sigma` is -D: so by the image, distances are zero at the ends of a line of the length l, and in between down to
- * -l^2 / (8 D), as sqrt(D^2 - l^2 / 4) says. By its direction, `distance_to_line()` gives the distance that is meant.
+ * -l^2 / (8 D), as sqrt(D^2 - l^2 / 4) says. By its direction, `distance_to_line()` gives the distance that is meant. Where
+ * only distances are wanted, D is so large that no direction tells the waves from parallel ones, and distances are theirs.
  *
  * Paths start at origins: sources, or vertices at which they bend.
  */
@@ -154,6 +155,8 @@ public:
   // -- lines -------------------------------------------------------------------------------------------------------------
 
   bool has_lines() const { return !line_at_.empty(); }
+  /// whether there are lines, and distances from them are not those from images
+  bool has_parallel_waves() const { return has_lines() && has_parallel_waves_; }
   bool is_line(Index origin) const { return is_source(origin) && sources_[origin].line != null_index; }
   Index line_halfedge(Index source) const { return sources_[source].line; }
   /// the number of the source that is the border halfedge `h`, or null
@@ -279,7 +282,8 @@ protected:
       sources_.push_back(classify(location));
     for(std::size_t i = 0; i < sources_.size(); ++i)
       sources_[i].owner = options.owners.empty() ? static_cast<Index>(i) : options.owners[i];
-    line_reach_ = options.line_reach;
+    has_parallel_waves_ = options.parallel_waves;
+    line_reach_ = has_parallel_waves_ ? 1099511627776. : 8192.; // 2^40 is below rounding, with room for lines far ahead
     prepare_lines(options.lines);
   }
 
@@ -320,6 +324,7 @@ private:
   std::shared_ptr<const Geodesic_faces> shared_faces_; // with others for the same mesh
   std::vector<Index> line_at_;                         // by halfedge; empty without lines
   double line_reach_ = 0., line_distance_ = 0.;
+  bool has_parallel_waves_ = false;
 
 protected:
   const Geodesic_faces& faces_;
