@@ -32,30 +32,28 @@ namespace internal {
  *
  * It looks back from the point, straight through the faces: what is seen through a halfedge is a sector, which parts at
  * the vertices. The last straight piece of the path comes from a vertex at which it bends, whose distance is known, or from a
- * source. No path through a sector is shorter than the distances of the two ends of its halfedge allow, as distances change by
- * no more than the way; sectors are taken in the order of that bound, until it is above the shortest path that is known. So
- * few sectors are looked at but those along the path: see `number_of_sectors()`.
+ * source. No path through a sector is shorter than the distances of the vertices beside it allow, as distances change by no
+ * more than the way; sectors are taken in the order of that bound, until it is above the shortest path that is known. So few
+ * sectors are looked at but those along the path.
  */
 class Geodesic_point_search
 {
 public:
   explicit Geodesic_point_search(const Geodesic_results& geodesics,
                                  double maximum_distance = (std::numeric_limits<double>::infinity)())
-    : geodesics_(geodesics), faces_(geodesics.faces()), maximum_distance_(maximum_distance),
-      slack_(geodesics.has_lines() ? geodesics.line_distance() * geodesics.seam_angle() * geodesics.seam_angle() : 0.)
+    : geodesics_(geodesics), faces_(geodesics.faces()), maximum_distance_(maximum_distance)
   {
     for(std::size_t i = 0; i < geodesics_.number_of_sources(); ++i)
       if(geodesics_.source_vertex(i) == null_index && !geodesics_.is_line(static_cast<Index>(i)))
         sources_in_faces_.push_back(i);
   }
 
-  /// the point with its distance, from lines the true one, and the last piece of its path; infinite if it is not reached
+  /// the point with its distance and the last piece of its path; infinite if it is not reached
   Geodesic_query operator()(const Indexed_location& location)
   {
     sectors_.clear();
     best_ = Start();
     shortest_ = maximum_distance_;
-    number_of_sectors_ = 0;
     const Geodesic_results::Source at = geodesics_.classify(location);
     if(at.vertex != null_index)
       return at_vertex(at.vertex);
@@ -69,17 +67,13 @@ public:
       std::pop_heap(sectors_.begin(), sectors_.end(), is_later);
       const Sector sector = sectors_.back();
       sectors_.pop_back();
-      ++number_of_sectors_;
       look_through(sector);
     }
     if(best_.distance > maximum_distance_ || best_.first == null_index)
       return {at.location, infinity, Geodesic_arrival()};
     const Indexed_location& end = best_.first / 3 == at.location.face ? at.location : behind;
-    return {end, best_.distance, last_piece(faces_.in_frame(best_.first, end.coordinates))};
+    return {end, shortest_, last_piece(faces_.in_frame(best_.first, end.coordinates))};
   }
-
-  /// how many the last search has looked at
-  std::size_t number_of_sectors() const { return number_of_sectors_; }
 
 private:
   using Mesh = Indexed_triangle_mesh;
@@ -111,7 +105,7 @@ private:
 
   static bool is_later(const Sector& s, const Sector& t) { return s.bound > t.bound; }
 
-  double limit() const { return (1. + rounding) * (std::min)(shortest_, maximum_distance_) + slack_; }
+  double limit() const { return (1. + rounding) * shortest_; }
 
   Geodesic_query at_vertex(Index v) const
   {
@@ -119,7 +113,7 @@ private:
     Index h = geodesics_.is_reached(v) ? arrival.halfedge : faces_.first_halfedge(v);
     while(faces_.source(h) != v)
       h = Mesh::next(h);
-    return {location_on(h), geodesics_.true_distance(v), arrival};
+    return {location_on(h), geodesics_.distance(v), arrival};
   }
 
   /// from a point in a face, or on an edge of it: that edge is not looked through
@@ -209,7 +203,7 @@ private:
   /// no distance of `v` is less
   double least_distance(Index v) const
   {
-    return geodesics_.is_reached(v) ? geodesics_.true_distance(v) - geodesics_.distance_error(v) : maximum_distance_;
+    return geodesics_.is_reached(v) ? geodesics_.distance(v) - geodesics_.distance_error(v) : maximum_distance_;
   }
 
   /// the least of a way to a point of the sector and of what its ends and the vertex behind it tell of its distance
@@ -232,7 +226,7 @@ private:
   void see_vertex(Index v, const Plane_point& p, const Sector& s, bool is_in_same_face)
   {
     const bool is_end = faces_.is_pseudo_source(v) || geodesics_.distance(v) == 0.;
-    see(geodesics_.true_distance(v), is_end, v, null_index, {p.x - s.eye.x, p.y - s.eye.y}, s, is_in_same_face);
+    see(geodesics_.distance(v), is_end, v, null_index, {p.x - s.eye.x, p.y - s.eye.y}, s, is_in_same_face);
   }
 
   void see_source(Index i, const Plane_point& p, const Sector& s, bool is_in_same_face)
@@ -301,12 +295,11 @@ private:
 
   const Geodesic_results& geodesics_;
   const Geodesic_faces& faces_;
-  double maximum_distance_, slack_; // and how far off distances from lines may be
+  double maximum_distance_;
   std::vector<std::size_t> sources_in_faces_;
   std::vector<Sector> sectors_; // a heap
   Start best_;
   double shortest_ = infinity; // of all paths that have been seen
-  std::size_t number_of_sectors_ = 0;
 };
 
 } // namespace internal

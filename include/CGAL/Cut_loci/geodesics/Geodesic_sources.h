@@ -283,7 +283,7 @@ protected:
     for(std::size_t i = 0; i < sources_.size(); ++i)
       sources_[i].owner = options.owners.empty() ? static_cast<Index>(i) : options.owners[i];
     has_parallel_waves_ = options.parallel_waves;
-    line_reach_ = has_parallel_waves_ ? 1099511627776. : 8192.; // 2^40 is below rounding, with room for lines far ahead
+    line_reach_ = has_parallel_waves_ ? 1152921504606846976. : 8192.; // 2^60: nothing on the surface shows beside it
     prepare_lines(options.lines);
   }
 
