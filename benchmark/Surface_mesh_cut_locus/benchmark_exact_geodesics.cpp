@@ -8,11 +8,10 @@
 //
 //   benchmark_exact_geodesics [--cpu] [--error e] [--trials n] [--cgal-trials n] mesh...
 //     against CGAL's Surface_mesh_shortest_path: from the mesh object to the distances of all vertices, and for CGAL
-//     the construction of its sequence tree alone; and for points at random that are named after the run
+//     the construction of its sequence tree alone
 //   benchmark_exact_geodesics [--cpu] [--error e] [--csv file] --growth [largest number of faces]
-//     on jittered tori of 12500 faces, twice as many, and so on, and of the largest number; prints time, memory,
-//     windows and the time of a point named afterwards, as comma-separated values, and the exponents fitted to them; the
-//     file gets the values alone
+//     on jittered tori of 12500 faces, twice as many, and so on, and of the largest number; prints time, memory and
+//     windows, as comma-separated values, and the exponents fitted to them; the file gets the values alone
 //     (scripts/plot_benchmark draws them)
 //   --error e allows distances to be too long by e times their length: no directions then
 //   --cpu measures processor time instead of elapsed time, for machines with other work to do
@@ -27,13 +26,11 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -96,29 +93,6 @@ Times time_ours(const Mesh& mesh, Vertex source, bool directions, bool centroids
   return {median(read), median(total), median(again)};
 }
 
-/// one of many points at random after a run, in microseconds
-double time_of_point(const Mesh& mesh, Vertex source)
-{
-  Geodesics geodesics(mesh);
-  geodesics.set_maximum_relative_error(maximum_relative_error);
-  geodesics.compute(source);
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> unit(0., 1.);
-  std::vector<Geodesics::Face_location> points;
-  for(int i = 0; i < 1000; ++i)
-  {
-    const double a = std::sqrt(unit(random)), b = unit(random);
-    points.emplace_back(Mesh::Face_index(static_cast<Mesh::size_type>(random() % num_faces(mesh))),
-                        std::array<double, 3>{{1. - a, a * (1. - b), a * b}});
-  }
-  double sum = 0.;
-  const double start = now();
-  for(const Geodesics::Face_location& p : points)
-    sum += geodesics.distance(p);
-  const double time = now() - start;
-  return sum > 0. ? 1e6 * time / double(points.size()) : 0.;
-}
-
 void compare(const std::string& file, int trials, int cgal_trials)
 {
   Mesh mesh;
@@ -138,7 +112,6 @@ void compare(const std::string& file, int trials, int cgal_trials)
               plain.total, plain.read, plain.again);
   std::printf("  mesh to distances and directions  %8.4f s\n", directed.total);
   std::printf("  ... and to centroids              %8.4f s\n", centroids.total);
-  std::printf("  a point that is named afterwards  %8.1f us\n", time_of_point(mesh, source));
   if(cgal_trials == 0)
     return;
   std::vector<double> cgal_times;
@@ -189,7 +162,7 @@ double exponent(const std::vector<double>& x, const std::vector<double>& y)
 /// `csv` may be null
 void growth(std::size_t largest, std::FILE* csv)
 {
-  std::vector<double> sizes, times, counts, points;
+  std::vector<double> sizes, times, counts;
   const auto print = [csv](const char* line)
   {
     std::puts(line);
@@ -201,7 +174,7 @@ void growth(std::size_t largest, std::FILE* csv)
       std::fflush(csv);
     }
   };
-  print("faces,mesh_to_distances_s,directions_s,peak_mb,mesh_only_mb,windows,point_us");
+  print("faces,mesh_to_distances_s,directions_s,peak_mb,mesh_only_mb,windows");
   std::vector<std::size_t> wanted;
   for(std::size_t faces = 12500; faces < largest; faces *= 2)
     wanted.push_back(faces);
@@ -217,7 +190,7 @@ void growth(std::size_t largest, std::FILE* csv)
       return;
     if(child == 0)
     {
-      double result[7];
+      double result[6];
       const Mesh mesh = torus(faces);
       result[4] = measuring::peak_megabytes();
       std::vector<double> distances(num_vertices(mesh));
@@ -227,11 +200,10 @@ void growth(std::size_t largest, std::FILE* csv)
       result[2] = time_ours(mesh, Vertex(0), true, false, 3, distances, windows).total;
       result[3] = measuring::peak_megabytes();
       result[5] = double(windows);
-      result[6] = time_of_point(mesh, Vertex(0));
       const bool written = write(channel[1], result, sizeof(result)) == ssize_t(sizeof(result));
       _exit(written ? 0 : 1);
     }
-    double result[7];
+    double result[6];
     const bool have_read = read(channel[0], result, sizeof(result)) == ssize_t(sizeof(result));
     waitpid(child, nullptr, 0);
     close(channel[0]);
@@ -239,17 +211,15 @@ void growth(std::size_t largest, std::FILE* csv)
     if(!have_read)
       return;
     char line[160];
-    std::snprintf(line, sizeof(line), "%.0f,%.4f,%.4f,%.0f,%.0f,%.0f,%.1f", result[0], result[1], result[2], result[3],
-                  result[4], result[5], result[6]);
+    std::snprintf(line, sizeof(line), "%.0f,%.4f,%.4f,%.0f,%.0f,%.0f", result[0], result[1], result[2], result[3],
+                  result[4], result[5]);
     print(line);
     sizes.push_back(result[0]);
     times.push_back(result[1]);
     counts.push_back(result[5]);
-    points.push_back(result[6]);
   }
   if(sizes.size() > 1)
-    std::printf("exponent of the time %.3f, of the windows %.3f, of a point %.3f\n", exponent(sizes, times),
-                exponent(sizes, counts), exponent(sizes, points));
+    std::printf("exponent of the time %.3f, of the windows %.3f\n", exponent(sizes, times), exponent(sizes, counts));
 }
 
 } // namespace
