@@ -13,6 +13,8 @@
 //     on jittered tori of 12500 faces, twice as many, and so on, and of the largest number; prints time, memory and
 //     windows, as comma-separated values, and the exponents fitted to them; the file gets the values alone
 //     (scripts/plot_benchmark draws them)
+//   benchmark_exact_geodesics [--cpu] [--error e] [--csv file] --points [largest number of faces]
+//     points at random that are named after the run, on jittered tori of 25000 faces, four times as many, and so on
 //   --error e allows distances to be too long by e times their length: no directions then
 //   --cpu measures processor time instead of elapsed time, for machines with other work to do
 
@@ -26,11 +28,13 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -93,6 +97,37 @@ Times time_ours(const Mesh& mesh, Vertex source, bool directions, bool centroids
   return {median(read), median(total), median(again)};
 }
 
+struct Time_of_point
+{
+  double all, point;
+};
+
+/// the distances of all vertices from one more source, and then that of one of many points at random
+Time_of_point time_of_point(const Mesh& mesh)
+{
+  Geodesics geodesics(mesh);
+  geodesics.set_maximum_relative_error(maximum_relative_error);
+  geodesics.compute(Vertex(1));
+  const double begin = now();
+  geodesics.compute(Vertex(0));
+  const double computed = now();
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(0., 1.);
+  std::vector<Geodesics::Face_location> points;
+  for(int i = 0; i < 1000; ++i)
+  {
+    const double a = std::sqrt(unit(random)), b = unit(random);
+    points.emplace_back(Mesh::Face_index(static_cast<Mesh::size_type>(random() % num_faces(mesh))),
+                        std::array<double, 3>{{1. - a, a * (1. - b), a * b}});
+  }
+  double sum = 0.;
+  const double start = now();
+  for(const Geodesics::Face_location& p : points)
+    sum += geodesics.distance(p);
+  const double end = now();
+  return {computed - begin, sum > 0. ? (end - start) / double(points.size()) : 0.};
+}
+
 void compare(const std::string& file, int trials, int cgal_trials)
 {
   Mesh mesh;
@@ -112,6 +147,7 @@ void compare(const std::string& file, int trials, int cgal_trials)
               plain.total, plain.read, plain.again);
   std::printf("  mesh to distances and directions  %8.4f s\n", directed.total);
   std::printf("  ... and to centroids              %8.4f s\n", centroids.total);
+  std::printf("  a point that is named afterwards  %8.6f s\n", time_of_point(mesh).point);
   if(cgal_trials == 0)
     return;
   std::vector<double> cgal_times;
@@ -222,6 +258,22 @@ void growth(std::size_t largest, std::FILE* csv)
     std::printf("exponent of the time %.3f, of the windows %.3f\n", exponent(sizes, times), exponent(sizes, counts));
 }
 
+/// `csv` may be null
+void points(std::size_t largest, std::FILE* csv)
+{
+  for(std::FILE* file : {stdout, csv})
+    if(file != nullptr)
+      std::fprintf(file, "faces,source_s,point_s\n");
+  for(std::size_t faces = 25000; faces <= largest; faces *= 4)
+  {
+    const Mesh mesh = torus(faces);
+    const Time_of_point time = time_of_point(mesh);
+    for(std::FILE* file : {stdout, csv})
+      if(file != nullptr)
+        std::fprintf(file, "%zu,%.4f,%.6f\n", std::size_t(num_faces(mesh)), time.all, time.point);
+  }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -235,8 +287,9 @@ int main(int argc, char** argv)
       measures_processor_time = true;
     else if(std::strcmp(argv[i], "--error") == 0 && i + 1 < argc)
       maximum_relative_error = std::atof(argv[++i]);
-    else if(std::strcmp(argv[i], "--growth") == 0)
+    else if(std::strcmp(argv[i], "--growth") == 0 || std::strcmp(argv[i], "--points") == 0)
     {
+      const auto measure = std::strcmp(argv[i], "--growth") == 0 ? growth : points;
       const bool has_size = i + 1 < argc && std::atoi(argv[i + 1]) > 0;
       std::FILE* csv = csv_file == nullptr ? nullptr : std::fopen(csv_file, "w");
       if(csv_file != nullptr && csv == nullptr)
@@ -244,7 +297,7 @@ int main(int argc, char** argv)
         std::fprintf(stderr, "cannot write %s\n", csv_file);
         return EXIT_FAILURE;
       }
-      growth(has_size ? std::size_t(std::atoi(argv[++i])) : 1600000, csv);
+      measure(has_size ? std::size_t(std::atoi(argv[++i])) : 1600000, csv);
       if(csv != nullptr)
         std::fclose(csv);
     }
@@ -261,7 +314,7 @@ int main(int argc, char** argv)
   if(!done)
     std::fprintf(stderr,
                  "usage: %s [--cpu] [--error e] [--trials n] [--cgal-trials n] mesh...\n"
-                 "       | [--cpu] [--error e] [--csv file] --growth [faces]\n",
+                 "       | [--cpu] [--error e] [--csv file] --growth [faces] | --points [faces]\n",
                  argv[0]);
   return done ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -47,12 +47,9 @@ int main(int argc, char* argv[])
   }
 
   // behind the cut locus, a straight walk goes on, but it is no longer the shortest path to its end
-  for(const Geodesics::Face_location& end : ends)
-    geodesics.add_query(end);
-  geodesics.compute(source);
   for(std::size_t i = 0; i < number; ++i)
     std::cout << "The walk number " << i << " ends at ("
               << CGAL::Polygon_mesh_processing::construct_point(ends[i], mesh) << "), at the distance "
-              << geodesics.query_distance(i) << ".\n";
+              << geodesics.distance(ends[i]) << ".\n";
   return EXIT_SUCCESS;
 }

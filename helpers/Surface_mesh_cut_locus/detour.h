@@ -215,9 +215,6 @@ inline std::vector<CGAL::Cut_loci::Indexed_location> sources(const Source_set& s
   return result;
 }
 
-// edges behind a line, from where its wave comes: it is straight to 1e-7 of an edge then
-constexpr double line_reach = 1048576.;
-
 struct Exact_distances
 {
   std::vector<double> of_vertices, of_queries;
@@ -234,10 +231,11 @@ inline Exact_distances exact_distances(const Indexed_mesh& mesh,
   CGAL::Cut_loci::internal::Exact_geodesic_propagation propagation(measured);
   CGAL::Cut_loci::internal::Exact_geodesic_options options;
   options.owners.assign(sources.size(), 0);
+  std::vector<CGAL::Cut_loci::internal::Geodesic_line> all_lines;
   for(Index h : lines)
-    options.lines.push_back({h, 0});
-  options.line_reach = line_reach;
-  options.directions = !lines.empty();
+    all_lines.push_back({h, 0});
+  if(!lines.empty())
+    set_lines(all_lines, options);
   options.queries = queries;
   propagation.run(sources, options);
   Exact_distances result{propagation.distances(), {}};

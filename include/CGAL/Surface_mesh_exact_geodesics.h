@@ -10,6 +10,8 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_fronts.h>
+#include <CGAL/Cut_loci/geodesics/Geodesic_point_search.h>
+#include <CGAL/Cut_loci/geodesics/Geodesic_queries.h>
 #include <CGAL/Cut_loci/geodesics/Isoline_tracing.h>
 #include <CGAL/Cut_loci/geodesics/Straight_walk.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
@@ -47,9 +49,10 @@ namespace CGAL {
  * which all numbers are computed. The surface may have any genus and any number of borders and components.
  *
  * The mesh is read by the constructor; it must not change, and must stay alive, as long as the object is used. Sources
- * are vertices, face locations, or curves along edges, such as the border. `compute()` then finds the distances to all vertices and to the query locations; all
- * other functions with results are `const` and can be called from several threads at once. An object is meant to be
- * used for many sources: it keeps the geometry of the mesh and all its memory.
+ * are vertices, face locations, or curves along edges, such as the border. `compute()` then finds the distances to all
+ * vertices and to the query locations; those of other points are found when they are asked for. All other functions with
+ * results are `const` and can be called from several threads at once. An object is meant to be used for many sources: it
+ * keeps the geometry of the mesh and all its memory.
  *
  * The algorithm propagates the windows of Mitchell, Mount and Papadimitriou \cgalCite{mmp-dgp-87} across the faces,
  * with the rule "one angle, one split" of Chen and Han \cgalCite{ch-spp-90}, the filter of Xin and Wang
@@ -169,9 +172,9 @@ public:
 
   /// adds a connected curve along edges of the mesh, all of whose points are sources
   ///
-  /// No shortest path crosses it, so that paths come from its two sides. Distances are exact up to `1e-7` of the longest
-  /// edge of all curves. There are no directions at a curve, nor is an error allowed: `compute()` throws then. Curves
-  /// through the faces become edges by `refine_along_polylines()`. It takes linear time.
+  /// No shortest path crosses it, so that paths come from its two sides. There are no directions at a curve, nor is an
+  /// error allowed: `compute()` throws then. Curves through the faces become edges by `refine_along_polylines()`. It takes
+  /// linear time.
   /// @tparam EdgeRange a model of `ConstRange` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as value type
   /// \throws Cut_loci::Invalid_input if there are no edges, they are not connected, or one is on no face
   template <typename EdgeRange>
@@ -317,8 +320,15 @@ public:
       put(vdm, v, distance(v));
   }
 
-  /// the distance to query location number `i`
-  FT query_distance(std::size_t i) const { return read_.unit * computed().query_distance(query(i)); }
+  /// the same for a point of the surface, which need not have been named before
+  ///
+  /// Like all functions that take a location, it looks for the shortest path by the distances of the vertices: see Section
+  /// \ref Surface_mesh_cut_locus_points for the time. For thousands of points, `add_query()` is faster.
+  /// \throws Cut_loci::Invalid_input if the face is null or excluded, or the coordinates are not barycentric
+  FT distance(const Face_location& location) const { return read_.unit * at(location).distance; }
+
+  /// the same for query location number `i`
+  FT query_distance(std::size_t i) const { return read_.unit * at(i).distance; }
 
   /// the distance to the centroid of `f`, infinite if it is excluded
   /// \pre centroids have been asked for
@@ -333,8 +343,11 @@ public:
   /// \pre `v` is reached
   std::size_t nearest_source(vertex_descriptor v) const { return computed().nearest_source(index(v)); }
 
+  /// the same for a point of the surface
+  std::size_t nearest_source(const Face_location& location) const { return computed().nearest_source(at(location)); }
+
   /// the same for query location number `i`
-  std::size_t query_nearest_source(std::size_t i) const { return computed().query_nearest_source(query(i)); }
+  std::size_t query_nearest_source(std::size_t i) const { return computed().nearest_source(at(i)); }
 
   /// the direction at its source in which the shortest path to `v` starts
   ///
@@ -344,8 +357,14 @@ public:
   /// \pre directions have been asked for, `v` is reached and not a source
   FT direction_at_source(vertex_descriptor v) const { return with_directions().direction_at_source(index(v)); }
 
+  /// the same for a point of the surface
+  FT direction_at_source(const Face_location& location) const
+  {
+    return with_directions().direction_at_source(at(location));
+  }
+
   /// the same for query location number `i`
-  FT query_direction_at_source(std::size_t i) const { return with_directions().query_direction_at_source(query(i)); }
+  FT query_direction_at_source(std::size_t i) const { return with_directions().direction_at_source(at(i)); }
 
   /// the sum of the angles around source number `i`; \f$2\pi\f$ in faces
   /// \throws Cut_loci::Invalid_input if there is no such source, or it is a curve
@@ -381,7 +400,7 @@ public:
   /// The origin is the source, the x-axis runs along `source_halfedge()`, and y is to its left. Around a source that is
   /// not on the border, angles are those of `direction_at_source()`, scaled to add up to \f$2\pi\f$; on the border they
   /// are not scaled. A source has the coordinates zero. What is not reached has an infinite distance, and an angle and
-  /// Cartesian coordinates that are NaN. It takes constant time. Its functions throw `Cut_loci::Invalid_input` if
+  /// Cartesian coordinates that are NaN. Its functions throw `Cut_loci::Invalid_input` if
   /// directions have not been asked for.
   ///
   /// If paths bend at a vertex, what is behind it is on one ray. Else the map is injective for one source, but for one on
@@ -390,6 +409,12 @@ public:
 
   /// the Cartesian coordinates of `v`, in the unit of the points
   Plane_coordinates logarithmic_map(vertex_descriptor v) const { return cartesian(polar_coordinates(v)); }
+
+  /// the same for a point of the surface
+  Plane_coordinates logarithmic_map(const Face_location& location) const
+  {
+    return cartesian(polar_coordinates(location));
+  }
 
   /// the same for query location number `i`
   Plane_coordinates query_logarithmic_map(std::size_t i) const { return cartesian(query_polar_coordinates(i)); }
@@ -403,13 +428,14 @@ public:
     return has_direction(d) ? scaled(d, direction_at_source(v), nearest_source(v)) : without_direction(d);
   }
 
-  /// the same for query location number `i`
-  Plane_coordinates query_polar_coordinates(std::size_t i) const
+  /// the same for a point of the surface
+  Plane_coordinates polar_coordinates(const Face_location& location) const
   {
-    with_directions();
-    const FT d = query_distance(i);
-    return has_direction(d) ? scaled(d, query_direction_at_source(i), query_nearest_source(i)) : without_direction(d);
+    return polar_coordinates_of(at(location));
   }
+
+  /// the same for query location number `i`
+  Plane_coordinates query_polar_coordinates(std::size_t i) const { return polar_coordinates_of(at(i)); }
 
   /// the point at which a straight walk from source number `i` ends, whose direction and length are those of `place` in
   /// the tangent plane of the source
@@ -458,12 +484,18 @@ public:
     return write(Cut_loci::internal::Geodesic_path_tracing(computed()).path_from_vertex(i), out);
   }
 
+  /// writes the shortest path from a point of the surface to its source
+  template <typename OutputIterator>
+  OutputIterator shortest_path(const Face_location& location, OutputIterator out) const
+  {
+    return write_path(at(location), out);
+  }
+
   /// writes the shortest path from query location number `i` to its source
   template <typename OutputIterator>
   OutputIterator query_shortest_path(std::size_t i, OutputIterator out) const
   {
-    require_exact();
-    return write(Cut_loci::internal::Geodesic_path_tracing(computed()).path_from_query(query(i)), out);
+    return write_path(at(i), out);
   }
 
   /// writes the shortest path from the centroid of `f` to its source
@@ -491,11 +523,10 @@ public:
    * writes the isolines of some distances.
    *
    * In each face, an isoline consists of arcs of circles, around the images of the sources and of the vertices at which
-   * paths bend. The vertices of the polylines have the distance of their level exactly, up to rounding, and between them
-   * they are chords. From curves, whose waves are circles around far points, they have it up to about `2e-7` of the longest
-   * edge, and, beside a few vertices, where rounding leaves gaps between windows, `4e-5` of it. The isolines of a level bound
-   * what is nearer: each is closed, or leads from border to border, and two meet nowhere but at a vertex that has the level
-   * up to rounding. Where the level is exactly that of a vertex, the vertex is not nearer.
+   * paths bend; from curves, of segments as well. The vertices of the polylines have the distance of their level exactly,
+   * up to rounding, and between them they are chords. The isolines of a level bound what is nearer: each is closed, or
+   * leads from border to border, and two meet nowhere but at a vertex that has the level up to rounding. Where the level
+   * is exactly that of a vertex, the vertex is not nearer.
    *
    * For each level, time is linear in the number of faces, and at worst cubic in the number of windows of a face that the
    * isoline crosses.
@@ -599,14 +630,21 @@ private:
                                                                      " of them, and curves have no tangent plane");
   }
 
-  // the number of a query location
-  std::size_t query(std::size_t i) const
+  // what is known of a query location
+  Cut_loci::internal::Geodesic_query at(std::size_t i) const
   {
-    if(i < computed().number_of_queries())
-      return i;
-    throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
-                                  "query location " + std::to_string(i) +
-                                    " has not been computed: add_query() comes before compute()");
+    if(i >= computed().number_of_queries())
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
+                                    "query location " + std::to_string(i) +
+                                      " has not been computed: add_query() comes before compute()");
+    return {computed().query(i).location, computed().query_distance(i), computed().query(i).arrival};
+  }
+
+  // what is found of any other
+  Cut_loci::internal::Geodesic_query at(const Face_location& location) const
+  {
+    Cut_loci::internal::Geodesic_point_search search(computed(), maximum_distance_ / read_.unit);
+    return search(to_indexed(location));
   }
 
   void require_exact() const
@@ -657,6 +695,14 @@ private:
   static Plane_coordinates cartesian(const Plane_coordinates& polar)
   {
     return {{polar[0] * std::cos(polar[1]), polar[0] * std::sin(polar[1])}};
+  }
+
+  Plane_coordinates polar_coordinates_of(const Cut_loci::internal::Geodesic_query& query) const
+  {
+    const FT d = read_.unit * query.distance;
+    const Cut_loci::internal::Exact_geodesic_propagation& geodesics = with_directions();
+    return has_direction(d) ? scaled(d, geodesics.direction_at_source(query), geodesics.nearest_source(query))
+                            : without_direction(d);
   }
 
   // the copies that vertex number `i` has besides itself
@@ -726,6 +772,13 @@ private:
     for(const Cut_loci::Indexed_location& location : path)
       *out++ = to_face_location(location);
     return out;
+  }
+
+  template <typename OutputIterator>
+  OutputIterator write_path(const Cut_loci::internal::Geodesic_query& query, OutputIterator out) const
+  {
+    require_exact();
+    return write(Cut_loci::internal::Geodesic_path_tracing(computed()).path_from_query(query), out);
   }
 
   Face_location to_face_location(const Cut_loci::Indexed_location& location) const

@@ -28,8 +28,7 @@ namespace CGAL {
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{source_curves}
- *     \cgalParamDescription{sources that are connected curves: for each one the edges of the mesh that it is made of. The
- *                           distances are exact up to `1e-7` of the longest of these edges.}
+ *     \cgalParamDescription{sources that are connected curves: for each one the edges of the mesh that it is made of}
  *     \cgalParamType{a model of `ConstRange` of models of `ConstRange` with
  *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as value type}
  *     \cgalParamDefault{none}

@@ -12,8 +12,8 @@ from ._core import Cause, InvalidInput
 from ._cut_locus import Cells, CutLocus, Result, compute, medial_axis, voronoi
 from ._cut_loci import compute_cut_loci
 from ._disk import Disk, cut_open
-from ._geodesics import (ExactGeodesics, Isoline, Path, Places, exact_geodesic_distances, exp_map, isolines, log_map,
-                         shortest_paths)
+from ._geodesics import (ExactGeodesics, Found, Isoline, Path, Places, exact_geodesic_distances, exp_map, isolines,
+                         log_map, shortest_paths)
 from ._input import mesh_arrays, weld
 from ._surfaces import (LayoutQuality, Refined, Unfolding, flatten_disk, layout_quality, refine_along_polylines,
                         source_unfolding)
@@ -26,6 +26,7 @@ __all__ = [
     "CutLocus",
     "Disk",
     "ExactGeodesics",
+    "Found",
     "InvalidInput",
     "Isoline",
     "LayoutQuality",

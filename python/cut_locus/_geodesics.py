@@ -9,7 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._input import Curves, Numbers, Sources, read_curves, read_excluded, read_mesh, read_sources
+from ._input import (Curves, Numbers, Source, Sources, read_curves, read_excluded, read_indices, read_mesh,
+                     read_sources)
 
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
@@ -60,6 +61,18 @@ class Places(NamedTuple):
     """(k, 3): the barycentric coordinates of each point in its face"""
 
 
+class Found(NamedTuple):
+    """What is known of points of the surface."""
+
+    distance: Floats
+    """(k,): to the nearest source; inf if a point is not reached"""
+    nearest_source: Ints
+    """(k,): its number; -1 if a point is not reached"""
+    log_map: Optional[Floats]
+    """(k, 2): where each point is in the tangent plane of its nearest source, see `log_map()`; None if no `directions`
+    have been asked for"""
+
+
 class ExactGeodesics:
     """Exact geodesic distances and paths on a mesh, from one set of sources after another.
 
@@ -92,12 +105,13 @@ class ExactGeodesics:
             curves or the border there need not be one.
         source_curves : sequence of (k,) or (k, 2) whole numbers, optional
             Curves along edges of the mesh, which are sources too, numbered behind the points: of each one the vertices
-            along it, or the pairs of vertices that its edges join. Each is connected. With curves or the border,
-            distances are exact up to 1e-7 of their longest edge, and there are neither `directions` nor an `error`.
+            along it, or the pairs of vertices that its edges join. Each is connected. With curves or the border, there
+            are neither `directions` nor an `error`.
         source_border : bool
             Whether each border loop is a source, behind all others.
         targets : as `sources`, optional
-            Points that are not vertices, to which distances or paths are wanted, must be named here; vertices may be.
+            Points to which distances or paths are wanted: where there are many, this is faster than `find()` or `path()`
+            afterwards.
         error : float
             Distances may be too long by this times their length: it takes nearly linear time, but there are no paths.
         maximum_distance : float
@@ -181,9 +195,28 @@ class ExactGeodesics:
         plane: the inverse of `log_map` as far as shortest paths go, and beyond. `directions` need not be asked for."""
         return Places(*self._core.exponential_map(np.asarray(places), source))
 
-    def path(self, vertex: int) -> Path:
-        """The shortest path from a vertex to its source."""
-        return Path(*self._core.path_from_vertex(vertex))
+    def find(self, faces: npt.ArrayLike, barycentric: npt.ArrayLike) -> Found:
+        """Distances, nearest sources and places of any points, which need not have been `targets`.
+
+        For each, the shortest path is looked for by the distances of the vertices. Thousands of points are found faster as
+        `targets`.
+
+        Parameters
+        ----------
+        faces : (k,) whole numbers
+            A face that each point is in.
+        barycentric : (k, 3) real numbers
+            Its barycentric coordinates there.
+        """
+        return Found(*self._core.find(read_indices(faces, "faces"), np.asarray(barycentric)))
+
+    def path(self, target: Source) -> Path:
+        """The shortest path to its source from a vertex, or from a face with barycentric coordinates, which need not have
+        been a target."""
+        numbers, are_many = read_sources(target)
+        if are_many:
+            raise TypeError(f"a path has one target, and not {target!r}")
+        return Path(*self._core.path_from(numbers[0]))
 
     def paths(self) -> List[Path]:
         """The shortest path from each target to its source."""
@@ -290,8 +323,8 @@ def isolines(vertices: npt.ArrayLike, faces: npt.ArrayLike, sources: Optional[So
              excluded_faces: Optional[npt.ArrayLike] = None) -> List[Isoline]:
     """Computes isolines of the exact distance, as polylines through the faces.
 
-    Their points have the distance of their level exactly, up to rounding; with curves, to 2e-7 of their longest edge, and
-    beside a few vertices to 4e-5. Between them they are chords of circular arcs. What is beyond the largest level is not
+    Their points have the distance of their level exactly, up to rounding. Between them they are chords of circular arcs, or
+    parallel to an edge of a curve. What is beyond the largest level is not
     computed.
 
     Parameters

@@ -103,6 +103,14 @@ def _ends_of_edges(number: int, curve: Any) -> List[Tuple[int, int]]:
                     f"its edges join, and not {curve!r}")
 
 
+def read_indices(numbers: npt.ArrayLike, name: str) -> List[int]:
+    """A one-dimensional array of whole numbers."""
+    array = np.asarray(numbers)
+    if array.ndim != 1 or (array.dtype.kind not in "iu" and array.size > 0):
+        raise TypeError(f"{name} must be whole numbers, and not {numbers!r}")
+    return list(array.tolist())
+
+
 def read_excluded(excluded_faces: Optional[npt.ArrayLike], number_of_faces: int) -> List[bool]:
     """Whether each face is excluded; nothing if none is named."""
     if excluded_faces is None:

@@ -47,7 +47,13 @@ assert np.allclose(distance, result.vertex_distance)
 path, = cut_locus.shortest_paths(V, F, source, int(distance.argmax()))
 print(f"the farthest vertex is {distance.max():.3f} away, by a path across {len(path.points)} points")
 
-# %% So do isolines, as polylines. The two shortest paths to the nearest point of the cut locus are a loop.
+# %% Any other point is found afterwards, by a face and barycentric coordinates.
+geodesics = cut_locus.ExactGeodesics(V, F)
+geodesics.compute(source)
+middles = geodesics.find(np.arange(len(F)), np.full((len(F), 3), 1. / 3.))
+print(f"the middle of face {middles.distance.argmax()} is {middles.distance.max():.3f} away")
+
+# %% Isolines are polylines through the faces. The two shortest paths to the nearest point of the cut locus are a loop.
 isolines = cut_locus.isolines(V, F, source, np.arange(1, 10) / 10. * distance.max())
 loop = result.geodesic_loop()
 length = np.linalg.norm(np.diff(loop, axis=0), axis=1).sum()

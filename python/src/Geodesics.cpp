@@ -42,6 +42,7 @@ void Geodesics::compute(const Sources& sources, const std::vector<Location>& tar
     geodesics_.add_query(target);
   geodesics_.compute();
   number_of_targets_ = targets.size();
+  has_directions_ = wishes.directions;
   has_result_ = true;
 }
 
@@ -185,11 +186,27 @@ std::vector<Geodesics::Isoline> Geodesics::isolines(const std::vector<double>& l
   return result;
 }
 
-Geodesic_path Geodesics::path_from_vertex(Mesh::Vertex_index v) const
+Geodesics::Found Geodesics::find(const std::vector<Location>& points) const
+{
+  require_result();
+  Found result;
+  for(const Location& p : points)
+  {
+    result.distances.push_back(geodesics_.distance(p));
+    result.nearest_sources.push_back(
+      std::isfinite(result.distances.back()) ? static_cast<std::int64_t>(geodesics_.nearest_source(p)) : -1);
+    if(has_directions_)
+      for(double x : geodesics_.logarithmic_map(p))
+        result.log_map.push_back(x);
+  }
+  return result;
+}
+
+Geodesic_path Geodesics::path_from(const Source& target) const
 {
   require_result();
   std::vector<Location> locations;
-  geodesics_.shortest_path(v, std::back_inserter(locations));
+  std::visit([&](const auto& point) { geodesics_.shortest_path(point, std::back_inserter(locations)); }, target);
   return path(locations);
 }
 

@@ -51,6 +51,15 @@ public:
   std::vector<std::int64_t> target_nearest_sources() const;
   std::vector<double> log_map() const; // two coordinates by vertex
   std::vector<double> target_log_map() const;
+
+  // Of points that need not have been targets; coordinates if directions have been wished for.
+  struct Found
+  {
+    std::vector<double> distances;
+    std::vector<std::int64_t> nearest_sources;
+    std::vector<double> log_map;
+  };
+  Found find(const std::vector<Location>& points) const;
   std::vector<double>
   arrival_directions() const; // three coordinates by vertex; NaN for sources, and what is not reached
   std::vector<std::int64_t> source_axes() const; // by source, the two vertices of an edge along which its x-axis runs
@@ -66,7 +75,7 @@ public:
   };
   std::vector<Isoline> isolines(const std::vector<double>& levels, std::optional<double> maximum_deviation) const;
 
-  Geodesic_path path_from_vertex(Mesh::Vertex_index v) const;
+  Geodesic_path path_from(const Source& target) const;
   Geodesic_path path_from_target(std::size_t i) const;
 
   const Mesh& mesh() const { return *mesh_; }
@@ -78,7 +87,7 @@ private:
   std::shared_ptr<const Mesh> mesh_;
   CGAL::Surface_mesh_exact_geodesics<Mesh> geodesics_;
   std::size_t number_of_targets_ = 0;
-  bool has_result_ = false;
+  bool has_result_ = false, has_directions_ = false;
 };
 
 #endif // SURFACE_MESH_CUT_LOCUS_PYTHON_GEODESICS_H

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -64,6 +65,104 @@ Polygon_soup polygon_soup(std::vector<Kernel::Point_3> points, const Faces& face
   return soup;
 }
 
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+// The opposite of each halfedge, 3 f + i being the one of face f that leaves its vertex i, or `none` at the border. Nothing if
+// that is not so of all edges.
+std::vector<std::uint32_t> opposites(const Arrays& arrays)
+{
+  const std::size_t n = 3 * arrays.faces.size();
+  // those of a vertex, the smaller one of both ends, are in a list; the larger one, doubled, has a bit for the direction
+  std::vector<std::uint32_t> result(n, none), last(arrays.points.size(), none), previous(n), key(n);
+  std::uint32_t h = 0;
+  for(const std::array<std::uint32_t, 3>& face : arrays.faces)
+    for(std::size_t i = 0; i < 3; ++i, ++h)
+    {
+      const std::uint32_t v = face[i], w = face[i == 2 ? 0 : i + 1];
+      if(v == w)
+        return {};
+      std::uint32_t& newest = last[std::min(v, w)];
+      key[h] = 2 * std::max(v, w) + (v < w);
+      for(std::uint32_t g = newest; g != none; g = previous[g])
+        if((key[g] | 1) == (key[h] | 1))
+        {
+          if(key[g] == key[h] || result[g] != none)
+            return {};
+          result[g] = h;
+          result[h] = g;
+        }
+      previous[h] = newest;
+      newest = h;
+    }
+  return result;
+}
+
+// Whether the faces at each vertex form one fan: all halfedges that lead there come one after the other.
+bool has_one_fan_each(const Mesh& mesh)
+{
+  std::size_t number = 0;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    if(const Mesh::Halfedge_index first = mesh.halfedge(v); first != Mesh::null_halfedge())
+    {
+      Mesh::Halfedge_index h = first;
+      do
+      {
+        h = mesh.opposite(mesh.next(h));
+        ++number;
+      } while(h != first);
+    }
+  return number == mesh.number_of_halfedges();
+}
+
+// The mesh with the numbers that adding face after face gives, in half of the time; null if one of them can not be added, or
+// one vertex has several fans: which is told, or taken, face by face.
+std::shared_ptr<Mesh> make_mesh_at_once(const Arrays& arrays)
+{
+  const std::vector<std::uint32_t> opposite = opposites(arrays);
+  const auto n = static_cast<std::uint32_t>(opposite.size());
+  if(n != 3 * arrays.faces.size())
+    return nullptr;
+  std::vector<Mesh::Halfedge_index> halfedge(n);
+  Mesh::size_type edges = 0;
+  for(std::uint32_t h = 0; h < n; ++h)
+    halfedge[h] =
+      opposite[h] < h ? Mesh::Halfedge_index(halfedge[opposite[h]].idx() + 1) : Mesh::Halfedge_index(2 * edges++);
+  auto mesh = std::make_shared<Mesh>();
+  mesh->resize(static_cast<Mesh::size_type>(arrays.points.size()), edges, n / 3);
+  for(Mesh::size_type v = 0; v < arrays.points.size(); ++v)
+    mesh->point(Mesh::Vertex_index(v)) = arrays.points[v];
+  std::vector<Mesh::Halfedge_index> along_border(arrays.points.size(), Mesh::null_halfedge()); // by where they start
+  for(std::uint32_t f = 0, h = 0; f < arrays.faces.size(); ++f)
+  {
+    mesh->set_halfedge(Mesh::Face_index(f), halfedge[h]);
+    for(std::uint32_t i = 0; i < 3; ++i, ++h)
+    {
+      const std::uint32_t next = i == 2 ? 0 : i + 1;
+      const Mesh::Vertex_index v(arrays.faces[f][i]), w(arrays.faces[f][next]);
+      mesh->set_target(halfedge[h], w);
+      mesh->set_face(halfedge[h], Mesh::Face_index(f));
+      mesh->set_next(halfedge[h], halfedge[3 * f + next]);
+      if(opposite[h] != none)
+      {
+        if(mesh->halfedge(w) == Mesh::null_halfedge())
+          mesh->set_halfedge(w, halfedge[h]);
+        continue;
+      }
+      const Mesh::Halfedge_index border = mesh->opposite(halfedge[h]);
+      mesh->set_target(border, v);
+      mesh->set_face(border, Mesh::null_face());
+      mesh->set_halfedge(v, border);
+      if(along_border[w] != Mesh::null_halfedge())
+        return nullptr;
+      along_border[w] = border;
+    }
+  }
+  for(const Mesh::Halfedge_index h : along_border)
+    if(h != Mesh::null_halfedge())
+      mesh->set_next(h, along_border[mesh->target(h)]);
+  return has_one_fan_each(*mesh) ? mesh : nullptr;
+}
+
 Mesh::Vertex_index vertex_at(const Mesh& mesh, std::int64_t v)
 {
   check_index(v, mesh.number_of_vertices(), "vertex", "vertices");
@@ -74,6 +173,8 @@ Mesh::Vertex_index vertex_at(const Mesh& mesh, std::int64_t v)
 
 std::shared_ptr<const Mesh> make_mesh(const Arrays& arrays)
 {
+  if(std::shared_ptr<Mesh> mesh = make_mesh_at_once(arrays))
+    return mesh;
   const auto mesh = std::make_shared<Mesh>();
   mesh->reserve(static_cast<Mesh::size_type>(arrays.points.size()),
                 static_cast<Mesh::size_type>(arrays.points.size() + arrays.faces.size()),

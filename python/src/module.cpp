@@ -361,13 +361,33 @@ PYBIND11_MODULE(_core, m)
     .def("source_axes",
          [](Shared_geodesics& s) { return to_array(s.exclusive.run([&] { return s.geodesics.source_axes(); }), 2); })
     .def(
-      "path_from_vertex",
-      [](Shared_geodesics& s, std::int64_t vertex)
+      "find",
+      [](Shared_geodesics& s, const std::vector<std::int64_t>& faces, const py::array& barycentric)
       {
-    const Source v = read_sources(s.geodesics.mesh(), {vertex}).front();
-    return path_tuple(s.exclusive.run([&] { return s.geodesics.path_from_vertex(std::get<Mesh::Vertex_index>(v)); }));
+    const std::vector<double> c = read_rows(barycentric, 3, "barycentric");
+    std::vector<Location> points;
+    if(3 * faces.size() != c.size())
+      throw loci::Invalid_input(loci::Cause::INVALID_PARAMETER,
+                                "there must be a face for each row of barycentric coordinates");
+    for(std::size_t i = 0; i < faces.size(); ++i)
+      points.push_back(std::get<Location>(
+        read_sources(s.geodesics.mesh(), {std::pair{faces[i], std::array{c[3 * i], c[3 * i + 1], c[3 * i + 2]}}})
+          .front()));
+    Geodesics::Found found = s.exclusive.run([&] { return s.geodesics.find(points); });
+    py::object places = py::none();
+    if(found.log_map.size() == 2 * points.size() && !points.empty())
+      places = to_array(std::move(found.log_map), 2);
+    return py::make_tuple(to_array(std::move(found.distances)), to_array(std::move(found.nearest_sources)), places);
       },
-      "vertex"_a)
+      "faces"_a, "barycentric"_a)
+    .def(
+      "path_from",
+      [](Shared_geodesics& s, const Source_numbers& target)
+      {
+    const Source point = read_sources(s.geodesics.mesh(), {target}).front();
+    return path_tuple(s.exclusive.run([&] { return s.geodesics.path_from(point); }));
+      },
+      "target"_a)
     .def(
       "path_from_target",
       [](Shared_geodesics& s, std::size_t target)

@@ -47,6 +47,47 @@ def test_paths(bumpy):
     assert np.array_equal(geodesics.path(100).points, paths[0].points)
 
 
+def test_points_named_afterwards(bumpy):
+    points, faces = bumpy
+    random = np.random.default_rng(1)
+    at = random.integers(len(faces), size=40)
+    barycentric = random.dirichlet([1., 1., 1.], 40)
+    barycentric[::5, 0] = 0.  # on edges
+    barycentric[7] = 0., 1., 0.
+    barycentric /= barycentric.sum(axis=1)[:, None]
+    targets = [(int(f), tuple(b)) for f, b in zip(at, barycentric)]
+    sources = [0, (40, (0.1, 0.1, 0.8))]
+    geodesics = cut_locus.ExactGeodesics(points, faces)
+    geodesics.compute(sources, targets=targets, directions=True)
+    found = geodesics.find(at, barycentric)
+    assert found.distance == pytest.approx(geodesics.target_distance, rel=1e-12)
+    assert np.array_equal(found.nearest_source, geodesics.target_nearest_source)
+    assert found.log_map == pytest.approx(geodesics.target_log_map, abs=1e-10)
+    for target, path, distance in zip(targets, geodesics.paths(), found.distance):
+        same = geodesics.path(target)
+        assert same.length == pytest.approx(distance, rel=1e-12)
+        assert same.points[[0, -1]] == pytest.approx(path.points[[0, -1]], abs=1e-12)
+    geodesics.compute(sources, maximum_distance=1.)
+    found = geodesics.find(at, barycentric)
+    near = geodesics.find(at, barycentric).distance < 1.
+    assert found.log_map is None and 0 < near.sum() < 40
+    assert np.isinf(found.distance[~near]).all() and np.all((found.nearest_source == -1) == ~near)
+    geodesics.compute(source_curves=[faces[7][[0, 1, 2, 0]]], targets=targets)
+    assert geodesics.find(at, barycentric).distance == pytest.approx(geodesics.target_distance, abs=1e-12)
+    empty = geodesics.find([], np.empty((0, 3)))
+    assert empty.distance.shape == (0,)
+    with pytest.raises(cut_locus.InvalidInput, match="a face for each row"):
+        geodesics.find([1, 2], [[1., 0., 0.]])
+    with pytest.raises(cut_locus.InvalidInput, match="barycentric"):
+        geodesics.find([1], [[1., 1., 0.]])
+    with pytest.raises(cut_locus.InvalidInput, match="face"):
+        geodesics.find([len(faces)], [[1., 0., 0.]])
+    with pytest.raises(TypeError, match="faces must be whole numbers"):
+        geodesics.find([1.5], [[1., 0., 0.]])
+    with pytest.raises(TypeError, match="a path has one target"):
+        geodesics.path([1, 2])
+
+
 def test_no_path():
     points, faces = meshes.octahedron()
     both = np.concatenate([points, points + 5.]), np.concatenate([faces, faces + 6])
@@ -119,12 +160,12 @@ def test_border_as_source():
     points = np.stack([x.ravel(), y.ravel(), 0. * x.ravel()], axis=1)
     faces = meshes.grid(7, 5, False, False)
     sides = np.minimum(np.minimum(x, 3. - x), np.minimum(y, 2. - y)).ravel()
-    assert cut_locus.exact_geodesic_distances(points, faces, source_border=True) == pytest.approx(sides, abs=1e-7)
+    assert cut_locus.exact_geodesic_distances(points, faces, source_border=True) == pytest.approx(sides, abs=1e-12)
     targets = [17, (9, (0.2, 0.5, 0.3)), (2, (0.3, 0.4, 0.3))]
     paths = cut_locus.shortest_paths(points, faces, None, targets, source_border=True)
     geodesics = cut_locus.ExactGeodesics(points, faces)
     geodesics.compute(source_border=True, targets=targets)
-    assert geodesics.target_distance == pytest.approx([path.length for path in paths], abs=1e-7)
+    assert geodesics.target_distance == pytest.approx([path.length for path in paths], abs=1e-12)
     for path in paths:
         x, y, _ = path.points[-1]
         assert min(x, 3. - x, y, 2. - y) == pytest.approx(0., abs=1e-9)
@@ -143,8 +184,8 @@ def test_curves_as_sources(bumpy):
     geodesics.compute([3, 500], source_curves=[curve], targets=[(7, (0.3, 0.3, 0.4)), 500, around[0]])
     from_points = cut_locus.exact_geodesic_distances(points, faces, [3, 500])
     alone = cut_locus.exact_geodesic_distances(points, faces, source_curves=[curve])
-    assert np.all(alone <= upper + 1e-7) and np.all(alone >= upper - half)
-    assert geodesics.distance == pytest.approx(np.minimum(alone, from_points), abs=1e-7)
+    assert np.all(alone <= upper + 1e-12) and np.all(alone >= upper - half)
+    assert geodesics.distance == pytest.approx(np.minimum(alone, from_points), abs=1e-12)
     assert np.array_equal(geodesics.nearest_source == 2, alone < from_points)
     assert geodesics.target_nearest_source.tolist() == [2, 1, 2]
 

@@ -8,6 +8,7 @@
 #define EXACT_GEODESICS_TEST_MESHES_H
 
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/geodesics/Geodesic_point_search.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
@@ -33,6 +34,8 @@ using Point = Mesh::Point;
 using Geodesics = CGAL::Cut_loci::internal::Exact_geodesic_propagation;
 using Options = CGAL::Cut_loci::internal::Exact_geodesic_options;
 using Path_tracing = CGAL::Cut_loci::internal::Geodesic_path_tracing;
+using Point_search = CGAL::Cut_loci::internal::Geodesic_point_search;
+using Found_point = CGAL::Cut_loci::internal::Geodesic_query;
 
 constexpr double pi = 3.14159265358979323846;
 

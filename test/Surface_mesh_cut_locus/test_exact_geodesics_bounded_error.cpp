@@ -63,6 +63,9 @@ void expect_bounds(const Mesh& mesh, std::size_t number_of_sources, unsigned see
       expect_bound(geodesics.distance(v), geodesics.distance_error(v), exact.distance(v), error, scale);
     for(std::size_t q = 0; q < exact.number_of_queries(); ++q)
       expect_bound(geodesics.query_distance(q), infinity, exact.query_distance(q), error, scale);
+    for(std::size_t q = 0; q < options.queries.size(); ++q)
+      expect_bound(Point_search(geodesics)(options.queries[q]).distance, infinity, exact.query_distance(q), error,
+                   scale);
   }
 }
 

@@ -39,7 +39,7 @@ void expect_distances(const Mesh& mesh, const std::function<double(const Point&,
     }
     for(std::size_t i = 0; i < geodesics.number_of_queries(); ++i)
     {
-      const double d = expected(s, point(mesh, geodesics.query(i)));
+      const double d = expected(s, point(mesh, geodesics.query(i).location));
       worst_centroid = (std::max)(worst_centroid, std::fabs(geodesics.query_distance(i) - d) / (d + 1e-3));
     }
     EXPECT_LE(worst, tolerance) << "source in face " << source.face;
@@ -219,9 +219,9 @@ TEST(Closed_forms, doubly_covered_disk)
     double worst = 0.;
     for(std::size_t i = 0; i < geodesics.number_of_queries(); ++i)
     {
-      const Point t = point(mesh, geodesics.query(i));
+      const Point t = point(mesh, geodesics.query(i).location);
       double d = distance(s, t);
-      if(sheet(geodesics.query(i).face) != sheet(source.face))
+      if(sheet(geodesics.query(i).location.face) != sheet(source.face))
       {
         // over the nearest point of each side, by reflection
         d = 1e300;
@@ -306,7 +306,7 @@ void expect_cone(Index sides, const std::function<Point(Index)>& rim)
     double worst = 0.;
     for(std::size_t i = 0; i < geodesics.number_of_queries(); ++i)
     {
-      const auto t = polar(geodesics.query(i));
+      const auto t = polar(geodesics.query(i).location);
       double a = std::fabs(s.second - t.second);
       a = (std::min)(a, start[sides] - a);
       const double d = a >= pi ? s.first + t.first

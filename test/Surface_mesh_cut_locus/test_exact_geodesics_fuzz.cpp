@@ -29,6 +29,24 @@ using Shortest_path = CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shorte
 
 constexpr double relative = 1e-9;
 
+/// expects of a point that has been looked for what is known of it since it was named before the run
+void expect_found(const Geodesics& geodesics, const Mesh& mesh, std::size_t q, Path_tracing& tracing)
+{
+  const Indexed_location& named = geodesics.query(q).location;
+  const Found_point found = Point_search(geodesics)(named);
+  const double d = geodesics.query_distance(q);
+  EXPECT_LT(distance(point(mesh, found.location), point(mesh, named)), 1e-12);
+  EXPECT_NEAR(found.distance, d, relative * d);
+  EXPECT_EQ(geodesics.nearest_source(found), geodesics.nearest_source(geodesics.query(q)));
+  if(d == 0.)
+    return;
+  const double full = geodesics.source_angle(geodesics.nearest_source(found)),
+               turn =
+                 std::fabs(geodesics.direction_at_source(found) - geodesics.direction_at_source(geodesics.query(q)));
+  EXPECT_LT((std::min)(turn, full - turn), relative);
+  EXPECT_EQ(defect_of_path(geodesics, mesh, tracing.path_from_query(found), point(mesh, named), d), "");
+}
+
 /// expects the distances of CGAL at all vertices and at some points in faces, and correct paths
 void expect_agreement(const Mesh& mesh, std::size_t number_of_sources, unsigned seed)
 {
@@ -109,10 +127,13 @@ void expect_agreement(const Mesh& mesh, std::size_t number_of_sources, unsigned 
     if(expected == std::numeric_limits<double>::infinity())
     {
       EXPECT_EQ(geodesics.query_distance(q), std::numeric_limits<double>::infinity());
+      EXPECT_EQ(Point_search(geodesics)(options.queries[q]).distance, std::numeric_limits<double>::infinity());
     }
     else
     {
       EXPECT_NEAR(geodesics.query_distance(q), expected, relative * expected + 1e-14 * scale) << "query " << q;
+      SCOPED_TRACE("query " + std::to_string(q));
+      expect_found(geodesics, mesh, q, tracing);
     }
   }
 }

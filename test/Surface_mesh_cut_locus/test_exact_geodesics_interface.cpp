@@ -96,8 +96,8 @@ TYPED_TEST(Exact_geodesics_interface, curves_and_isolines)
   {
     const double x = CGAL::to_double(get(vpm, v).x()), y = CGAL::to_double(get(vpm, v).y());
     const double expected = (std::min)((std::min)(x, 6. - x), (std::min)(y, 6. - y));
-    EXPECT_NEAR(geodesics.distance(v), expected, 1e-7);
-    EXPECT_NEAR(map[v], expected, 1e-7);
+    EXPECT_NEAR(geodesics.distance(v), expected, 1e-13);
+    EXPECT_NEAR(map[v], expected, 1e-13);
   }
   std::vector<typename Solver::Isoline> lines;
   geodesics.isolines(std::vector<double>{0.5, 2.}, std::back_inserter(lines));
@@ -216,6 +216,26 @@ TYPED_TEST(Exact_geodesics_interface, everything_asked_for)
     geodesics.query_shortest_path(0, std::back_inserter(path));
     ASSERT_FALSE(path.empty());
     EXPECT_LT(Fixture::distance(Fixture::point(mesh, path.front()), q), 1e-12);
+    // points that have not been named: in another face, on an edge, at a vertex
+    for(const std::array<double, 3>& at : {std::array<double, 3>{{0.2, 0.5, 0.3}}, {{0., 0.4, 0.6}}, {{0., 1., 0.}}})
+    {
+      const Location other(*std::next(faces(mesh).begin(), 11), at);
+      const auto p = Fixture::point(mesh, other);
+      const double d = Fixture::distance(get(vpm, s), p);
+      EXPECT_NEAR(geodesics.distance(other), d, 1e-12);
+      EXPECT_EQ(geodesics.nearest_source(other), 0u);
+      path.clear();
+      geodesics.shortest_path(other, std::back_inserter(path));
+      ASSERT_FALSE(path.empty());
+      EXPECT_LT(Fixture::distance(Fixture::point(mesh, path.front()), p), 1e-12);
+      EXPECT_LT(Fixture::distance(Fixture::point(mesh, path.back()), get(vpm, s)), 1e-12);
+      EXPECT_LT(Fixture::distance(Fixture::point(mesh, geodesics.exponential_map(geodesics.logarithmic_map(other))), p),
+                1e-10);
+      if(d > 0.)
+      {
+        EXPECT_LT(turn(geodesics.direction_at_source(other) + along(zero), direction(get(vpm, s), p)), 1e-10);
+      }
+    }
     path.clear();
     geodesics.centroid_shortest_path(f, std::back_inserter(path));
     ASSERT_FALSE(path.empty());
@@ -247,8 +267,12 @@ TYPED_TEST(Exact_geodesics_interface, bad_sources)
                std::invalid_argument);
   EXPECT_THROW(geodesics.compute(typename Fixture::Face_location(f, {{1., 1., 0.}})), std::invalid_argument);
   EXPECT_THROW(geodesics.add_query(typename Fixture::Face_location(f, {{2., -1., 0.}})), std::invalid_argument);
+  EXPECT_THROW(geodesics.distance(typename Fixture::Face_location(f, {{1., 0., 0.}})), std::invalid_argument);
   geodesics.compute(*vertices(mesh).begin());
   EXPECT_EQ(geodesics.distance(*vertices(mesh).begin()), 0.);
+  EXPECT_THROW(geodesics.distance(typename Fixture::Face_location(f, {{2., -1., 0.}})), std::invalid_argument);
+  EXPECT_THROW(geodesics.distance(typename Fixture::Face_location(Traits::null_face(), {{1., 0., 0.}})),
+               std::invalid_argument);
 }
 
 TYPED_TEST(Exact_geodesics_interface, bad_meshes)

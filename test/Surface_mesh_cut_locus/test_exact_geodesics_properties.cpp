@@ -125,7 +125,7 @@ TEST(Exact_geodesics, paths_are_straight_and_as_long_as_the_distance)
       }
       for(std::size_t q = 0; q < options.queries.size(); ++q)
       {
-        const std::vector<Indexed_location> path = tracing.path_from_query(q);
+        const std::vector<Indexed_location> path = tracing.path_from_query(geodesics.query(q));
         EXPECT_EQ(defect_of_path(geodesics, mesh, path, point(mesh, options.queries[q]), geodesics.query_distance(q)),
                   "")
           << "query " << q;
@@ -144,7 +144,7 @@ TEST(Exact_geodesics, path_from_the_source_is_one_point)
   options.queries.push_back(location(3, 0.2, 0.3, 0.5));
   geodesics.run({location(3, 0.2, 0.3, 0.5)}, options);
   EXPECT_EQ(geodesics.query_distance(0), 0.);
-  EXPECT_EQ(Path_tracing(geodesics).path_from_query(0).size(), 1u);
+  EXPECT_EQ(Path_tracing(geodesics).path_from_query(geodesics.query(0)).size(), 1u);
 }
 
 TEST(Exact_geodesics, first_and_last_steps_of_paths_have_the_directions_told)
@@ -352,7 +352,58 @@ TEST(Exact_geodesics, maximum_distance)
           {
             EXPECT_NEAR(bounded.query_distance(f), geodesics.query_distance(f), exact);
           }
+        for(Index f = 0; f < mesh.number_of_faces(); f += 17)
+          if(const double found = Point_search(bounded, d)(bounded.query(f).location).distance;
+             geodesics.query_distance(f) > d + exact)
+          {
+            EXPECT_EQ(found, infinity);
+          }
+          else if(geodesics.query_distance(f) < d - exact)
+          {
+            EXPECT_NEAR(found, geodesics.query_distance(f), exact);
+          }
         EXPECT_LE(bounded.number_of_windows(), windows);
+      }
+    }
+  }
+}
+
+/// a point that is looked for is as far away as the vertex that is put there, on all kinds of meshes
+TEST(Exact_geodesics, points_are_vertices_that_are_put_there)
+{
+  for(const Mesh& mesh : some_meshes())
+  {
+    std::mt19937 random(3);
+    std::vector<Indexed_location> sources;
+    Geodesics geodesics(mesh);
+    for(unsigned k = 0; k < 3; ++k)
+    {
+      sources.push_back(random_location(mesh, random, k));
+      geodesics.run(sources);
+      for(int i = 0; i < 5; ++i)
+      {
+        const Indexed_location p = random_location(mesh, random, 0);
+        std::vector<Point> points = mesh.points;
+        std::vector<Mesh::Triangle> triangles = mesh.triangles;
+        const Index v = mesh.number_of_vertices();
+        const Mesh::Triangle t = triangles[p.face];
+        points.push_back(point(mesh, p));
+        triangles[p.face] = {{t[0], t[1], v}};
+        triangles.push_back({{t[1], t[2], v}});
+        triangles.push_back({{t[2], t[0], v}});
+        Geodesics of_vertex(make_mesh(points, triangles));
+        Options to_sources;
+        for(const Indexed_location& source : sources)
+          if(source.face != p.face) // which is divided
+            to_sources.queries.push_back(source);
+        of_vertex.run(v, to_sources);
+        double expected = infinity;
+        for(std::size_t q = 0; q < of_vertex.number_of_queries(); ++q)
+          expected = (std::min)(expected, of_vertex.query_distance(q));
+        if(to_sources.queries.size() == sources.size())
+        {
+          EXPECT_NEAR(Point_search(geodesics)(p).distance, expected, exact * expected);
+        }
       }
     }
   }
@@ -383,7 +434,8 @@ TEST(Exact_geodesics, other_components_are_not_reached)
   for(Index f = 0; f < mesh.number_of_faces(); ++f)
   {
     EXPECT_EQ(geodesics.query_distance(f) < infinity, f < faces);
-    EXPECT_EQ(Path_tracing(geodesics).path_from_query(f).empty(), f >= faces);
+    EXPECT_EQ(Path_tracing(geodesics).path_from_query(geodesics.query(f)).empty(), f >= faces);
+    EXPECT_EQ(Point_search(geodesics)(geodesics.query(f).location).distance < infinity, f < faces);
   }
 }
 

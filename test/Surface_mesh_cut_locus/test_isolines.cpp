@@ -321,8 +321,8 @@ TEST(Isolines, of_a_cone_are_as_long_as_its_angle)
   }
 }
 
-/// what is known of distances from curves, in edges of these, and what is rounding, in largest distances
-constexpr double accuracy_of_curves = 1e-6, rounding = 1e-9;
+/// in largest distances
+constexpr double rounding = 1e-9;
 
 /// from the border of a square, they are squares
 TEST(Isolines, of_the_border_of_a_square_are_squares)
@@ -339,10 +339,10 @@ TEST(Isolines, of_the_border_of_a_square_are_squares)
     EXPECT_TRUE(line.is_closed);
     EXPECT_NEAR(length(built.mesh, line), 4. - 8. * line.level, 1e-4);
   }
-  expect_right_places(built.mesh, geodesics, lines, accuracy_of_curves * (1.6 / 7.) + rounding);
+  expect_right_places(built.mesh, geodesics, lines, rounding);
 }
 
-/// from both ends of a prism, at the distances of its rings of vertices, which come out of the images in several roundings
+/// from both ends of a prism, at the distances of its rings of vertices
 TEST(Isolines, of_the_border_of_a_cylinder_go_around)
 {
   const std::size_t n = 12, m = 9;
@@ -362,7 +362,7 @@ TEST(Isolines, of_the_border_of_a_cylinder_go_around)
     EXPECT_TRUE(line.is_closed);
     EXPECT_NEAR(length(built.mesh, line), double(n), 0.01);
   }
-  expect_right_places(built.mesh, geodesics, lines, accuracy_of_curves + rounding);
+  expect_right_places(built.mesh, geodesics, lines, rounding);
 }
 
 // ---- random surfaces
@@ -531,8 +531,8 @@ double distance_behind_a_gap(double gap, double further)
   const auto mesh = indexed(Mesh_data{{{{0., 0., 0.}}, {{1., 0., 0.}}, {{0.5, 1., 0.}}}, {{{0, 1, 2}}}});
   internal::Exact_geodesic_propagation geodesics(mesh);
   geodesics.run({CGAL::Cut_loci::Indexed_location{0, {{1., 0., 0.}}}}, {});
-  const std::vector<internal::Crossing_window> windows = {{0, 0., 0.5, 0.5, -1., 0.},
-                                                          {0, 0.5 + gap, 1., 0.5, -1., further}};
+  const std::vector<internal::Crossing_window> windows = {{0, false, 0., 0.5, 0.5, -1., 0.},
+                                                          {0, false, 0.5 + gap, 1., 0.5, -1., further}};
   double result = std::numeric_limits<double>::infinity();
   for(const internal::Geodesic_front& front : internal::Geodesic_fronts(geodesics, windows).in_face(0))
     if(front.image.y < 0.)
@@ -625,13 +625,9 @@ TEST(Isolines, of_curves_are_whole_on_random_surfaces)
     Geodesics geodesics(mesh);
     geodesics.set_isolines(true);
     std::vector<Mesh::Edge_index> curve;
-    double longest = 0.;
     Mesh::Halfedge_index h(static_cast<Mesh::size_type>(random() % mesh.number_of_halfedges()));
     for(std::size_t length = 1 + random() % 6; curve.size() < length; h = mesh.opposite(mesh.next(h)))
-    {
       curve.push_back(mesh.edge(h));
-      longest = std::max(longest, distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
-    }
     geodesics.add_source_curve(curve);
     if(seed % 3 == 0)
       geodesics.add_source(random_location(mesh, random));
@@ -640,7 +636,7 @@ TEST(Isolines, of_curves_are_whole_on_random_surfaces)
     const Isolines lines = isolines(geodesics, levels_and_vertices(mesh, geodesics), 1e-3 * largest);
     expect_closed(mesh, lines);
     expect_connected(mesh, lines);
-    expect_right_places(mesh, geodesics, lines, accuracy_of_curves * longest + rounding * largest);
+    expect_right_places(mesh, geodesics, lines, rounding * largest);
   }
 }
 

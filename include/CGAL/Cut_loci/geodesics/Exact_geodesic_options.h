@@ -8,9 +8,11 @@
 #define CGAL_CUT_LOCI_GEODESICS_EXACT_GEODESIC_OPTIONS_H
 
 #include <CGAL/Cut_loci/Index.h>
+#include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -28,7 +30,13 @@ struct Geodesic_line
 struct Crossing_window
 {
   Index halfedge;
+  bool is_parallel;
   double a, b, x, y, sigma;
+
+  double distance(double t) const
+  {
+    return sigma + (is_parallel ? Geodesic_window::parallel_way(x, y, t, 0.) : std::hypot(x - t, y));
+  }
 };
 
 /// says what a run of `Exact_geodesic_propagation` computes.
@@ -42,18 +50,18 @@ struct Exact_geodesic_options
   std::vector<Indexed_location> queries; ///< further points whose distance is wanted
   std::vector<Geodesic_line> lines;      ///< sources that are edges; with directions, and without an error
   std::vector<Index> owners;             ///< of the sources that are points, see `Geodesic_line`; empty: its own number
-  /// how far behind its edge the image of a line is, in units of the longest one, see `Geodesic_sources`
-  double line_reach = 8192.;
+  /// whether the waves of lines are parallel, or those of images far behind them, see `Geodesic_sources`
+  bool parallel_waves = false;
   std::vector<Crossing_window>* windows = nullptr; ///< gets all windows that cross faces, if it is there
   Progress progress; ///< is told, every few milliseconds, the share of the vertices that are reached
 };
 
-/// for distances alone, from sources that are edges: which of two is nearer is known to 1e-7 of their length
+/// for distances alone, from sources that are edges
 inline void set_lines(const std::vector<Geodesic_line>& lines, Exact_geodesic_options& options)
 {
   options.lines = lines;
   options.directions = true;
-  options.line_reach = 1048576.;
+  options.parallel_waves = true;
 }
 
 } // namespace internal

@@ -179,6 +179,7 @@ private:
   template <int columns>
   void cross_face(Index h);
   Crossing crossing_of(Index h) const;
+  template <int columns>
   Apex_view look_at_apex(const Geodesic_window_list& list, const Crossing& crossing);
   template <int columns>
   void reach_apex(const Geodesic_window_list& list, const Crossing& crossing, const Apex_view& view);

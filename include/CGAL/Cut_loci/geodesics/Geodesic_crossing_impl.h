@@ -31,16 +31,13 @@ template <int columns>
 inline void Exact_geodesic_propagation::note_path_beside(const Crossing& crossing, const Geodesic_window_list& list,
                                                          std::size_t i, double t)
 {
-  const Plane_point image{list.column(2)[i], list.column(3)[i]}, &apex = crossing.apex;
-  const double d = length_through(image, t, apex);
-  // the accuracy of windows; what bends by more than its root is in a shadow
-  if(d > (1. + geodesic_cover) * std::hypot(apex.x - image.x, apex.y - image.y))
-    return;
+  const Plane_point& apex = crossing.apex;
   const Geodesic_window w = list.get<columns>(i);
-  const Path_beside path = {
-    crossing.apex_vertex,
-    w.sigma + d,
-    {w.x, w.y, w.sigma, w.turn, crossing.halfedge, static_cast<Index>(w.origin), true, w.rate, w.error}};
+  const double d = w.way(t) + distance_on_axis(apex, t), straight = w.way(apex.x, apex.y);
+  // the accuracy of windows; what bends by more than its root is in a shadow
+  if(d - straight > geodesic_cover * (straight + (w.is_parallel() ? w.sigma : 0.)))
+    return;
+  const Path_beside path = {crossing.apex_vertex, w.sigma + d, end_of(w, crossing.halfedge)};
   if(!is_shorter(path))
     return;
   if(is_reached(path.vertex))
@@ -75,10 +72,10 @@ inline void Exact_geodesic_propagation::cross_face(Index h)
     answer_queries<columns>(h, *list);
   if(windows_ != nullptr)
     for(std::size_t i = list->begin; i < list->end; ++i)
-      windows_->push_back(
-        {h, list->column(0)[i], list->column(1)[i], list->column(2)[i], list->column(3)[i], list->column(4)[i]});
+      windows_->push_back({h, list->is_parallel<columns>(i), list->column(0)[i], list->column(1)[i], list->column(2)[i],
+                           list->column(3)[i], list->column(4)[i]});
   const Crossing crossing = crossing_of(h);
-  const Apex_view view = look_at_apex(*list, crossing);
+  const Apex_view view = look_at_apex<columns>(*list, crossing);
   reach_apex<columns>(*list, crossing, view);
   if((faces_.opposite(crossing.left) != null_index || observer_ != nullptr) && view.number_left > 0)
     go_left<columns>(*list, crossing, view);
@@ -103,10 +100,11 @@ inline Exact_geodesic_propagation::Crossing Exact_geodesic_propagation::crossing
           face.vertex[j],
           face.vertex[k],
           {length_left * corner_a.cosine, length_left * corner_a.sine},
-          {length, length_left, corner_a.cosine, corner_a.sine, turns ? corner_a.angle : 0.},
-          {length, length_right, corner_b.cosine, corner_b.sine, turns ? -corner_b.angle : 0.}};
+          {length, length_left, corner_a.cosine, corner_a.sine, turns ? corner_a.angle : 0., has_parallel_waves()},
+          {length, length_right, corner_b.cosine, corner_b.sine, turns ? -corner_b.angle : 0., has_parallel_waves()}};
 }
 
+template <int columns>
 inline Exact_geodesic_propagation::Apex_view Exact_geodesic_propagation::look_at_apex(const Geodesic_window_list& list,
                                                                                       const Crossing& crossing)
 {
@@ -128,8 +126,7 @@ inline Exact_geodesic_propagation::Apex_view Exact_geodesic_propagation::look_at
     sides_[w - first] = static_cast<unsigned char>(side);
     if(side == covers)
     {
-      const double dx = apex.x - x[w], dy = apex.y - y[w];
-      const double d = list.column(4)[w] + std::sqrt(dx * dx + dy * dy);
+      const double d = list.distance<columns>(w, apex.x, apex.y);
       if(d < view.shortest)
       {
         view.shortest = d;
@@ -221,8 +218,8 @@ inline void Exact_geodesic_propagation::go_left(const Geodesic_window_list& list
   restore_order<columns>(*out, step.length);
   const double at_source = distance_[crossing.source], at_apex = bound_at_apex(crossing);
   const Plane_point target{step.base * step.cosine, -step.base * step.sine};
-  filter_begin(*out, at_source);
-  filter_end(*out, at_apex, step.length, distance_[crossing.target], target);
+  filter_begin<columns>(*out, at_source);
+  filter_end<columns>(*out, at_apex, step.length, distance_[crossing.target], target);
   send<columns>(crossing.left, 0, out, (std::min)(at_source, at_apex));
 }
 
@@ -244,8 +241,8 @@ inline void Exact_geodesic_propagation::go_right(const Geodesic_window_list& lis
   restore_order<columns>(*out, step.length);
   const double at_target = distance_[crossing.target], at_apex = bound_at_apex(crossing);
   const Plane_point source{step.length - step.base * step.cosine, -step.base * step.sine};
-  filter_begin(*out, at_apex, distance_[crossing.source], source);
-  filter_end(*out, at_target, step.length);
+  filter_begin<columns>(*out, at_apex, distance_[crossing.source], source);
+  filter_end<columns>(*out, at_target, step.length);
   send<columns>(crossing.right, 2, out, (std::min)(at_target, at_apex));
 }
 

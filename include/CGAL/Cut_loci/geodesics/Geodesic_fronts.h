@@ -43,6 +43,8 @@ inline Plane_point scaled(const Plane_point& p, double factor)
 
 /// is what comes into a face from the image of one (pseudo-)source: in the sector that the image sees, distances are at most
 /// `sigma` more than those from the image. All points are in the frame of the first halfedge of the face.
+///
+/// Where paths are parallel, the sector is a strip: the image is a point on its right side, and its angles are lengths across it.
 struct Geodesic_front
 {
   Plane_point image;
@@ -52,25 +54,33 @@ struct Geodesic_front
   /// how far beyond its rays the image sees, so that there are no gaps between windows; in the face, if the image is, it sees
   /// everything
   double accuracy;
+  bool is_parallel;
 
   /// with other lengths of the rays
   Geodesic_front(const Plane_point& at, double further, const Plane_point& to_right, const Plane_point& to_left,
-                 double angle, double seen_beyond)
+                 double angle, double seen_beyond, bool is_strip = false)
     : image(at), sigma(further), right(scaled(to_right, 1. / std::hypot(to_right.x, to_right.y))),
-      left(scaled(to_left, 1. / std::hypot(to_left.x, to_left.y))), width(angle), accuracy(seen_beyond)
+      left(scaled(to_left, 1. / std::hypot(to_left.x, to_left.y))), width(angle), accuracy(seen_beyond),
+      is_parallel(is_strip)
   {
   }
   static constexpr double sees_all = (std::numeric_limits<double>::infinity)();
 
+  /// whether points of the front may be at this distance
+  bool may_reach(double level) const { return is_parallel || sigma < level; }
   /// the angle of a point in the sector, from `right`, in [0, 2 pi)
   double angle(const Plane_point& p) const
   {
     const Plane_point way = minus(p, image);
+    if(is_parallel)
+      return cross(right, way);
     const double result = std::atan2(cross(right, way), dot(right, way));
     return result < 0. ? result + 2. * geodesic_pi : result;
   }
   Plane_point point(double angle, double radius) const
   {
+    if(is_parallel)
+      return {image.x + radius * right.x - angle * right.y, image.y + radius * right.y + angle * right.x};
     const double c = std::cos(angle), s = std::sin(angle);
     return {image.x + radius * (c * right.x - s * right.y), image.y + radius * (s * right.x + c * right.y)};
   }
@@ -78,14 +88,26 @@ struct Geodesic_front
   double distance(const Plane_point& p) const
   {
     const Plane_point way = minus(p, image);
-    return cross(right, way) >= -accuracy && cross(left, way) <= accuracy ? sigma + std::hypot(way.x, way.y)
-                                                                          : (std::numeric_limits<double>::infinity)();
+    if(cross(right, way) < -accuracy || cross(left, way) > accuracy + (is_parallel ? width : 0.))
+      return (std::numeric_limits<double>::infinity)();
+    return sigma + (is_parallel ? dot(right, way) : std::hypot(way.x, way.y));
   }
+  /// between its ends, at a distance from the image
+  double length(double begin, double end, double radius) const { return (is_parallel ? 1. : radius) * (end - begin); }
   /// where the line from `p` along `along` is in the circle around the image, in units of `along`; begins behind its end if
   /// it is not
   std::array<double, 2> chord(const Plane_point& p, const Plane_point& along, double radius) const
   {
     const Plane_point way = minus(image, p);
+    if(is_parallel)
+    {
+      constexpr double infinity = (std::numeric_limits<double>::infinity)();
+      const double slope = dot(right, along), rest = radius + dot(right, way);
+      if(slope == 0.)
+        return rest > 0. ? std::array<double, 2>{{-infinity, infinity}} : std::array<double, 2>{{1., 0.}};
+      return slope > 0. ? std::array<double, 2>{{-infinity, rest / slope}}
+                        : std::array<double, 2>{{rest / slope, infinity}};
+    }
     const double square = dot(along, along), foot = dot(way, along) / square,
                  height = cross(along, way) / std::sqrt(square), half = (radius - height) * (radius + height);
     if(half <= 0.)
@@ -97,12 +119,17 @@ struct Geodesic_front
   std::array<double, 2> seen_chord(const Plane_point& p, const Plane_point& along, double radius) const
   {
     std::array<double, 2> result = chord(p, along, radius);
-    for(const Plane_point& ray : {right, scaled(left, -1.)})
-      if(const double slope = cross(ray, along); slope != 0.)
-      {
-        const double t = (-accuracy - cross(ray, minus(p, image))) / slope;
-        slope > 0. ? result[0] = (std::max)(result[0], t) : result[1] = (std::min)(result[1], t);
-      }
+    for(bool is_left : {false, true})
+    {
+      const Plane_point ray = is_left ? scaled(left, -1.) : right;
+      const double slope = cross(ray, along),
+                   outside = -accuracy - cross(ray, minus(p, image)) - (is_left && is_parallel ? width : 0.);
+      if(slope != 0.)
+        slope > 0. ? result[0] = (std::max)(result[0], outside / slope)
+                   : result[1] = (std::min)(result[1], outside / slope);
+      else if(outside > 0.)
+        return {{1., 0.}};
+    }
     return result;
   }
 };
@@ -130,10 +157,10 @@ public:
       if(geodesics_.is_reached(v))
         largest = (std::max)(largest, geodesics_.distance(v));
     constexpr double few_roundings = 64. * std::numeric_limits<double>::epsilon();
-    rounding_ = few_roundings * (largest + faces_.mean_edge_length() + geodesics_.line_distance());
+    rounding_ = few_roundings * (largest + faces_.mean_edge_length());
   }
 
-  /// what rounding leaves unknown of the distances: of lines, the images are far behind them
+  /// what rounding leaves unknown of the distances
   double rounding() const { return rounding_; }
 
   std::array<Plane_point, 3> corners(Index face) const
@@ -199,7 +226,7 @@ private:
 
   bool is_alike(const Crossing_window& v, const Crossing_window& w, double x) const
   {
-    return std::fabs(v.sigma + std::hypot(v.x - x, v.y) - w.sigma - std::hypot(w.x - x, w.y)) <= rounding_;
+    return std::fabs(v.distance(x) - w.distance(x)) <= rounding_;
   }
 
   void add_window(const Crossing_window& w, const std::array<Plane_point, 3>& corner,
@@ -209,6 +236,15 @@ private:
     const Plane_point along = minus(corner[(w.halfedge + 1) % 3], from);
     const double length = std::hypot(along.x, along.y), c = along.x / length, s = along.y / length;
     const auto placed = [&](double x, double y) { return Plane_point{from.x + c * x - s * y, from.y + s * x + c * y}; };
+    if(w.is_parallel)
+    {
+      const Plane_point right_side = placed(w.b, 0.), source = minus(placed(w.x, w.y), from);
+      const double scale = -1. / std::hypot(source.x, source.y);
+      const Plane_point ray = scaled(source, scale);
+      if(const double width = cross(ray, minus(placed(w.a, 0.), right_side)); width > 0.)
+        result.push_back({right_side, w.distance(w.b), ray, ray, width, geodesics_.seen_beyond(length, 0.), true});
+      return;
+    }
     const Plane_point image = placed(w.x, w.y), right = minus(placed(w.b, 0.), image),
                       left = minus(placed(w.a, 0.), image);
     double width = std::atan2(cross(right, left), dot(right, left));

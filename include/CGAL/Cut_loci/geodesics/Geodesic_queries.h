@@ -20,21 +20,22 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
+/// is a point with its distance and the last piece of its path, in whose face it is given.
+struct Geodesic_query
+{
+  Indexed_location location;
+  double distance;
+  Geodesic_arrival arrival;
+};
+
 /// holds the points whose distance is asked for in a run of `Exact_geodesic_propagation`, by face.
 class Geodesic_queries
 {
 public:
-  struct Query
-  {
-    Indexed_location location;
-    double distance;
-    Geodesic_arrival arrival;
-  };
-
   bool empty() const { return queries_.empty(); }
   std::size_t size() const { return queries_.size(); }
-  const Query& operator[](std::size_t i) const { return queries_[i]; }
-  std::vector<Query>& all() { return queries_; }
+  const Geodesic_query& operator[](std::size_t i) const { return queries_[i]; }
+  std::vector<Geodesic_query>& all() { return queries_; }
 
   void prepare(std::vector<Indexed_location> locations, bool all_centroids, Index number_of_faces)
   {
@@ -68,7 +69,7 @@ public:
   }
 
 private:
-  std::vector<Query> queries_;
+  std::vector<Geodesic_query> queries_;
   Compressed_rows<Index> by_face_;
 };
 

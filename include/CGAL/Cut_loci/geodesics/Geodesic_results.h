@@ -38,14 +38,14 @@ class Geodesic_results : public Geodesic_sources
 {
 public:
   /// the distance of each vertex, infinite if not reached
-  const std::vector<double>& distances() const { return has_lines() ? true_distance_ : distance_; }
+  const std::vector<double>& distances() const { return has_images_of_lines() ? true_distance_ : distance_; }
   double true_distance(Index v) const { return distances()[v]; }
   /// the same by the images of lines, which is what windows and labels have
   double distance(Index v) const { return distance_[v]; }
   /// the length of a path of the length `d` by its image, which leaves its origin in some direction
   double true_length(Index origin, double d, double direction) const
   {
-    if(!has_lines())
+    if(!has_images_of_lines())
       return d;
     if(is_source(origin))
       return is_line(origin) ? distance_to_line(origin, d, direction) : d;
@@ -62,6 +62,8 @@ public:
   }
   /// whether an error has been allowed; there are no paths then, and directions if they have been asked for
   bool is_approximate() const { return is_approximate_; }
+  /// whether the `turn` of a window is what it says, and not the error
+  bool has_turns() const { return !is_approximate_ || has_directions_; }
   /// below this angle, what parts has not been told apart: zero but for distances with an error
   double merging_angle() const { return is_approximate_ ? merging_angle_ : 0.; }
   /// whether paths that bend at `v` have that as their origin; else they keep the origin and the direction of the path to it
@@ -142,22 +144,22 @@ public:
 
   /// the number of query locations: those of the options, then one per face if centroids have been asked for
   std::size_t number_of_queries() const { return queries_.size(); }
-  const Indexed_location& query(std::size_t i) const { return queries_[i].location; }
+  /// with its distance by the images of lines
+  const Geodesic_query& query(std::size_t i) const { return queries_[i]; }
   double query_distance(std::size_t i) const
   {
-    const Geodesic_queries::Query& query = queries_[i];
-    return has_lines() && query.distance < infinity
-             ? true_length(query.arrival, faces_.in_frame(query.arrival.halfedge, query.location.coordinates),
-                           query.distance)
-             : query.distance;
+    const Geodesic_query& query = queries_[i];
+    if(!has_lines() || !(query.distance < infinity))
+      return query.distance;
+    const Plane_point end = faces_.in_frame(query.arrival.halfedge, query.location.coordinates);
+    return (std::max)(true_length(query.arrival, end, query.distance), 0.); // on a line, rounding may be below it
   }
-  Index query_nearest_source(std::size_t i) const
+  Index nearest_source(const Geodesic_query& query) const
   {
-    return queries_[i].distance < infinity ? owner(source_of(queries_[i].arrival)) : null_index;
+    return query.distance < infinity ? owner(source_of(query.arrival)) : null_index;
   }
-  double query_direction_at_source(std::size_t i) const
+  double direction_at_source(const Geodesic_query& query) const
   {
-    const Geodesic_queries::Query& query = queries_[i];
     return direction_at_source(query.arrival, faces_.in_frame(query.arrival.halfedge, query.location.coordinates));
   }
 
@@ -245,7 +247,6 @@ public:
 
   /// the last straight pieces, for tracing paths
   const Geodesic_arrival& arrival(Index v) const { return arrival_[v]; }
-  const Geodesic_arrival& query_arrival(std::size_t i) const { return queries_[i].arrival; }
   Plane_point end_in_frame(const Geodesic_arrival& arrival, Index v) const
   {
     return vertex_in_frame(arrival.halfedge, v);
@@ -307,7 +308,7 @@ protected:
   /// finds the distances that those by images stand for, from the lines on
   void find_true_distances()
   {
-    if(!has_lines())
+    if(!has_images_of_lines())
       return;
     true_distance_ = distance_;
     std::vector<Index> order;
@@ -333,7 +334,7 @@ protected:
     for(Index v = 0; v < distance_.size(); ++v)
       if(true_distance(v) > maximum_distance)
         distance_[v] = infinity;
-    for(double& d : true_distance_)
+    for(double& d : true_distance_) // if they count
       d = d <= maximum_distance ? d : infinity;
   }
 
@@ -346,7 +347,7 @@ protected:
     result.sigma = w.sigma;
     result.turn = w.turn;
     result.halfedge = h;
-    result.origin = static_cast<Index>(w.origin);
+    result.origin = static_cast<Index>(w.is_parallel() ? w.origin - Geodesic_window::parallel : w.origin);
     result.crosses_halfedge = true;
     result.rate = w.rate;
     result.error = w.error;
@@ -358,7 +359,7 @@ protected:
   {
     for(Index v = 0; v < faces_.number_of_vertices(); ++v)
       distance_[v] += distance_error(v);
-    for(Geodesic_queries::Query& query : queries_.all())
+    for(Geodesic_query& query : queries_.all())
       if(query.distance < infinity)
         query.distance += query.arrival.turn;
   }
@@ -375,19 +376,19 @@ protected:
   {
     const double length = faces_.length(h);
     const double *a = list.column(0), *b = list.column(1), *x = list.column(2), *y = list.column(3);
-    const auto answer = [&](Geodesic_queries::Query& query)
+    const auto answer = [&](Geodesic_query& query)
     {
       const Plane_point p = faces_.in_frame(h, query.location.coordinates);
       for(std::size_t i = list.begin; i < list.end; ++i)
       {
         const double accuracy = seen_beyond(length, list.column(4)[i]);
         const Geodesic_side side = side_of_rays(a[i], b[i], x[i], y[i], p, accuracy);
-        if(side != covers && list.column(4)[i] < 0.)
+        if(side != covers && (list.column(4)[i] < 0. || list.is_parallel<columns>(i)))
           continue; // waves of lines do not bend
-        const double way = side == covers
-                             ? std::sqrt((p.x - x[i]) * (p.x - x[i]) + (p.y - y[i]) * (p.y - y[i]))
-                             : length_through({x[i], y[i]}, side == passes_left ? b[i] : a[i], p) + accuracy;
-        const double d = list.column(4)[i] + way;
+        const double d =
+          side == covers
+            ? list.distance<columns>(i, p.x, p.y)
+            : list.column(4)[i] + length_through({x[i], y[i]}, side == passes_left ? b[i] : a[i], p) + accuracy;
         if(d < query.distance)
         {
           const Geodesic_window w = list.get<columns>(i);
@@ -402,7 +403,7 @@ protected:
   /// considers the paths to query locations that come from a vertex of the face, or a source in it
   void finish_queries()
   {
-    for(Geodesic_queries::Query& query : queries_.all())
+    for(Geodesic_query& query : queries_.all())
     {
       const Index f = query.location.face;
       for(Index h = 3 * f; h < 3 * f + 3; ++h)
@@ -438,9 +439,6 @@ protected:
     }
   }
 
-  /// whether `turn` is what it says, and not the error
-  bool has_turns() const { return !is_approximate_ || has_directions_; }
-
   /// the direction at its source in which the path with the last piece `arrival` to the point `end` starts
   double direction_at_source(const Geodesic_arrival& arrival, const Plane_point& end) const
   {
@@ -460,6 +458,8 @@ protected:
   }
 
 private:
+  bool has_images_of_lines() const { return has_lines() && !has_parallel_waves(); }
+
   /// whether two paths come to `v` from different directions
   bool are_apart(Index v, const Geodesic_arrival& first, const Geodesic_arrival& second) const
   {
@@ -472,7 +472,7 @@ private:
 
   void finish_queries(std::size_t number, Index h, const Plane_point& source, double turn)
   {
-    const auto finish = [&](Geodesic_queries::Query& query)
+    const auto finish = [&](Geodesic_query& query)
     {
       const Plane_point p = faces_.in_frame(h, query.location.coordinates);
       const double d = std::hypot(p.x - source.x, p.y - source.y);

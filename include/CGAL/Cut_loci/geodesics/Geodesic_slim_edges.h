@@ -101,6 +101,7 @@ private:
     std::swap(w.a, w.b);
     w.a = length - w.a;
     w.b = length - w.b;
+    w.sigma = w.is_parallel() ? w.distance(length) : w.sigma;
     w.x = length - w.x;
     return w;
   }
@@ -140,7 +141,7 @@ private:
     for(std::size_t i = std::upper_bound(ends + known.begin, ends + known.end, w.a) - ends;
         i < known.end && is_alive(w, narrow); ++i)
     {
-      const Geodesic_window k = known.get<5>(i);
+      const Geodesic_window k = known.get<7>(i);
       if(k.a > w.a + narrow || !is_nowhere_longer(k, w, w.a, (std::min)(k.b, w.b)))
         break;
       w.a = (std::min)(k.b, w.b);
@@ -148,7 +149,7 @@ private:
     for(std::size_t i = std::lower_bound(begins + known.begin, begins + known.end, w.b) - begins;
         i-- > known.begin && is_alive(w, narrow);)
     {
-      const Geodesic_window k = known.get<5>(i);
+      const Geodesic_window k = known.get<7>(i);
       if(k.b < w.b - narrow || !is_nowhere_longer(k, w, (std::max)(k.a, w.a), w.b))
         break;
       w.b = (std::max)(k.a, w.a);
@@ -170,11 +171,15 @@ private:
   template <int columns>
   void remember(Known& known, const Geodesic_window_list& list, double length, bool is_mirrored)
   {
-    Geodesic_window_list* fresh = pool_.allocate<5>(list.size());
+    Geodesic_window_list* fresh = pool_.allocate<7>(list.size());
     for(std::size_t i = 0; i < list.size(); ++i)
-      fresh->append<5>(
-        in_frame(list.template get<columns>(is_mirrored ? list.end - 1 - i : list.begin + i), length, is_mirrored));
-    Geodesic_trimming<5>(*fresh, length, true)(fresh->begin);
+    {
+      Geodesic_window w =
+        in_frame(list.template get<columns>(is_mirrored ? list.end - 1 - i : list.begin + i), length, is_mirrored);
+      w.turn = 0.; // which is another one from the other side
+      fresh->append<7>(w);
+    }
+    Geodesic_trimming<7>(*fresh, length, true)(fresh->begin);
     known.windows.add(fresh, [&](Geodesic_window_list* first, Geodesic_window_list* second)
                       { return joined(first, second, length); });
   }
@@ -182,10 +187,10 @@ private:
   /// the lower envelope of two lists, in place of them
   Geodesic_window_list* joined(Geodesic_window_list* first, Geodesic_window_list* second, double length)
   {
-    Geodesic_window_list* envelope = pool_.allocate<5>(4 * std::size_t(first->size() + second->size()));
-    Geodesic_envelope<5>()(*first, *second, *envelope, length);
-    Geodesic_window_list* result = pool_.allocate<5>(envelope->size());
-    result->append<5>(*envelope);
+    Geodesic_window_list* envelope = pool_.allocate<7>(4 * std::size_t(first->size() + second->size()));
+    Geodesic_envelope<7>()(*first, *second, *envelope, length);
+    Geodesic_window_list* result = pool_.allocate<7>(envelope->size());
+    result->append<7>(*envelope);
     for(Geodesic_window_list* list : {first, second, envelope})
       pool_.release(list);
     return result;

@@ -32,7 +32,8 @@ namespace internal {
  *
  * The waves of a line are parallel. They are those of an image far behind it, at the same distance D from both of its
  * ends, and `sigma` is -D: so by the image, distances are zero at the ends of a line of the length l, and in between down to
- * -l^2 / (8 D), as sqrt(D^2 - l^2 / 4) says. By its direction, `distance_to_line()` gives the distance that is meant.
+ * -l^2 / (8 D), as sqrt(D^2 - l^2 / 4) says. By its direction, `distance_to_line()` gives the distance that is meant. Where
+ * only distances are wanted, D is so large that no direction tells the waves from parallel ones, and distances are theirs.
  *
  * Paths start at origins: sources, or vertices at which they bend.
  */
@@ -45,6 +46,52 @@ public:
     if(v >= faces_.number_of_vertices() || faces_.first_halfedge(v) == null_index)
       throw Invalid_input(Cause::INVALID_SOURCE, "vertex #" + std::to_string(v) + " is on no face");
     return location_on(faces_.first_halfedge(v));
+  }
+
+  struct Source
+  {
+    Indexed_location location;
+    Index vertex;   // if it is at one
+    Index halfedge; // if it is on an edge
+    double total_angle;
+    Index owner = null_index;
+    Index line = null_index; // the halfedge, if it is an edge
+  };
+
+  /// a location as a source, but for what says whose it is
+  /// \throws Invalid_input if it is none on the mesh
+  Source classify(Indexed_location location) const
+  {
+    check(location);
+    // a point nearer than this to an edge is on it: no coordinate of a mesh is known any better
+    constexpr double snap = 1e-13;
+    double sum = 0.;
+    for(double& c : location.coordinates)
+    {
+      c = c < snap ? 0. : c;
+      sum += c;
+    }
+    std::size_t zeros = 0;
+    for(double& c : location.coordinates)
+    {
+      c /= sum;
+      zeros += c == 0.;
+    }
+    Source source{location, null_index, null_index, 2. * geodesic_pi};
+    const Index h = 3 * location.face;
+    for(Index i = 0; i < 3; ++i)
+      if(zeros == 2 && location.coordinates[i] != 0.)
+      {
+        source.vertex = faces_.face(location.face).vertex[i];
+        source.total_angle = faces_.total_angle(source.vertex);
+      }
+      else if(zeros == 1 && location.coordinates[i] == 0.)
+      {
+        source.halfedge = Mesh::next(h + i);
+        if(faces_.opposite(source.halfedge) == null_index)
+          source.total_angle = geodesic_pi;
+      }
+    return source;
   }
 
   /// \throws Invalid_input if `location` is none on the mesh
@@ -108,6 +155,8 @@ public:
   // -- lines -------------------------------------------------------------------------------------------------------------
 
   bool has_lines() const { return !line_at_.empty(); }
+  /// whether there are lines, and distances from them are not those from images
+  bool has_parallel_waves() const { return has_lines() && has_parallel_waves_; }
   bool is_line(Index origin) const { return is_source(origin) && sources_[origin].line != null_index; }
   Index line_halfedge(Index source) const { return sources_[source].line; }
   /// the number of the source that is the border halfedge `h`, or null
@@ -220,16 +269,6 @@ protected:
   using Mesh = Indexed_triangle_mesh;
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
 
-  struct Source
-  {
-    Indexed_location location;
-    Index vertex;   // if it is at one
-    Index halfedge; // if it is on an edge
-    double total_angle;
-    Index owner = null_index;
-    Index line = null_index; // the halfedge, if it is an edge
-  };
-
   explicit Geodesic_sources(std::shared_ptr<const Geodesic_faces> faces)
     : shared_faces_(std::move(faces)), faces_(*shared_faces_)
   {
@@ -243,45 +282,12 @@ protected:
       sources_.push_back(classify(location));
     for(std::size_t i = 0; i < sources_.size(); ++i)
       sources_[i].owner = options.owners.empty() ? static_cast<Index>(i) : options.owners[i];
-    line_reach_ = options.line_reach;
+    has_parallel_waves_ = options.parallel_waves;
+    line_reach_ = has_parallel_waves_ ? 1152921504606846976. : 8192.; // 2^60: nothing on the surface shows beside it
     prepare_lines(options.lines);
   }
 
 private:
-  Source classify(Indexed_location location) const
-  {
-    check(location);
-    // a point nearer than this to an edge is on it: no coordinate of a mesh is known any better
-    constexpr double snap = 1e-13;
-    double sum = 0.;
-    for(double& c : location.coordinates)
-    {
-      c = c < snap ? 0. : c;
-      sum += c;
-    }
-    std::size_t zeros = 0;
-    for(double& c : location.coordinates)
-    {
-      c /= sum;
-      zeros += c == 0.;
-    }
-    Source source{location, null_index, null_index, 2. * geodesic_pi};
-    const Index h = 3 * location.face;
-    for(Index i = 0; i < 3; ++i)
-      if(zeros == 2 && location.coordinates[i] != 0.)
-      {
-        source.vertex = faces_.face(location.face).vertex[i];
-        source.total_angle = faces_.total_angle(source.vertex);
-      }
-      else if(zeros == 1 && location.coordinates[i] == 0.)
-      {
-        source.halfedge = Mesh::next(h + i);
-        if(faces_.opposite(source.halfedge) == null_index)
-          source.total_angle = geodesic_pi;
-      }
-    return source;
-  }
-
   void prepare_lines(const std::vector<Geodesic_line>& lines)
   {
     line_at_.clear();
@@ -318,6 +324,7 @@ private:
   std::shared_ptr<const Geodesic_faces> shared_faces_; // with others for the same mesh
   std::vector<Index> line_at_;                         // by halfedge; empty without lines
   double line_reach_ = 0., line_distance_ = 0.;
+  bool has_parallel_waves_ = false;
 
 protected:
   const Geodesic_faces& faces_;

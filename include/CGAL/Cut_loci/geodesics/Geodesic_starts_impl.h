@@ -62,8 +62,13 @@ inline void Exact_geodesic_propagation::start_at_line(std::size_t number)
 {
   const Index source = static_cast<Index>(number), h = line_halfedge(source);
   const Plane_point image = line_image(source);
-  batches_.insert<columns>(h, {0., faces_.length(h), image.x, image.y, -line_distance(), 0., double(number)},
-                           faces_.length(h));
+  Geodesic_window w{0., faces_.length(h), image.x, image.y, -line_distance(), 0., double(number)};
+  if(has_parallel_waves())
+  {
+    w.x = w.sigma = 0.;
+    w.origin += Geodesic_window::parallel;
+  }
+  batches_.insert<columns>(h, w, faces_.length(h));
 }
 
 /// for sources on edges and in faces

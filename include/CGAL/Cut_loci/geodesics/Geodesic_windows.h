@@ -23,21 +23,41 @@ namespace internal {
 /*!
  * is an interval of a halfedge with the straight paths that reach it, in the frame of the halfedge.
  *
- * All paths come from one point, the (pseudo-)source, whose unfolded image lies at `y <= 0`.
+ * All paths come from one point, the (pseudo-)source, whose unfolded image lies at `y <= 0`. Or they are parallel, and the
+ * image, behind everything, is only the direction that they come from.
  */
 struct Geodesic_window
 {
   double a, b;  // the interval on the halfedge
   double x, y;  // the image of the source
-  double sigma; // the distance of the image from the true source
+  double sigma; // the distance of the image from the true source; where paths are parallel, that of the frame's origin
   double
     turn; // the rotation from this frame to the one of the (pseudo-)source, or the error if there are no directions
-  double origin; // the number of the (pseudo-)source: that of a source, or the number of sources plus that of a vertex
+  double origin; // the number of the (pseudo-)source: that of a source, or the number of sources plus that of a vertex;
+                 // where paths are parallel, `parallel` more
   // With an error and directions: a ray at the angle p in this frame leaves the origin in the direction turn + rate p.
   double rate = 1.;
   double error = 0.; // by how much distances may be too short
 
-  double distance(double t) const { return sigma + std::sqrt((t - x) * (t - x) + y * y); }
+  static constexpr double parallel = 4294967296.; // which no number of an origin comes up to
+  bool is_parallel() const { return origin >= parallel; }
+  double distance(double t) const { return sigma + way(t); }
+  double distance(double s, double t) const { return sigma + way(s, t); }
+  /// of a point, without `sigma`
+  double way(double t) const
+  {
+    return is_parallel() ? parallel_way(x, y, t, 0.) : std::sqrt((t - x) * (t - x) + y * y);
+  }
+  double way(double s, double t) const
+  {
+    return is_parallel() ? parallel_way(x, y, s, t) : std::sqrt((s - x) * (s - x) + (t - y) * (t - y));
+  }
+
+  /// from the origin of the frame, along parallel paths
+  static double parallel_way(double x, double y, double s, double t)
+  {
+    return -(x * s + y * t) / std::sqrt(x * x + y * y);
+  }
 };
 
 /*!
@@ -55,6 +75,22 @@ struct Geodesic_window_list
 
   double* column(std::size_t k) { return reinterpret_cast<double*>(this + 1) + k * capacity; }
   const double* column(std::size_t k) const { return reinterpret_cast<const double*>(this + 1) + k * capacity; }
+
+  /// whether a window has parallel paths, which only those with an origin may have
+  template <int columns>
+  bool is_parallel(std::size_t i) const
+  {
+    return columns == 7 && column(6)[i] >= Geodesic_window::parallel;
+  }
+
+  /// of a point from the image of a window, in its frame
+  template <int columns>
+  double distance(std::size_t i, double s, double t) const
+  {
+    const double x = column(2)[i], y = column(3)[i], sigma = column(4)[i];
+    return sigma + (is_parallel<columns>(i) ? Geodesic_window::parallel_way(x, y, s, t)
+                                            : std::sqrt((s - x) * (s - x) + (t - y) * (t - y)));
+  }
 
   template <int columns>
   Geodesic_window get(std::size_t i) const

@@ -20,7 +20,8 @@ namespace CGAL {
 namespace Cut_loci {
 namespace internal {
 
-/// is a piece of an isoline in a face: a circular arc, counterclockwise around an image, which has what is nearer on its left.
+/// is a piece of an isoline in a face: a circular arc, counterclockwise around an image, which has what is nearer on its left;
+/// or, of parallel paths, a segment.
 struct Isoline_arc
 {
   std::size_t front;
@@ -42,7 +43,7 @@ public:
     : fronts_(fronts), corners_(corners), level_(level), rounding_(rounding)
   {
     for(std::size_t i = 0; i < fronts_.size(); ++i)
-      if(level_ > fronts_[i].sigma)
+      if(fronts_[i].may_reach(level_))
         add_arcs(i);
   }
 
@@ -62,7 +63,7 @@ private:
     if(!has_part_in_face(i))
       return;
     for(std::size_t j = 0; j < fronts_.size(); ++j)
-      if(j != i && level_ > fronts_[j].sigma)
+      if(j != i && fronts_[j].may_reach(level_))
         divide_by_front(i, j);
     std::sort(divisions_.begin(), divisions_.end());
     for(std::size_t k = 0; k + 1 < divisions_.size(); ++k)
@@ -87,13 +88,17 @@ private:
   bool has_part_in_face(std::size_t i) const
   {
     for(std::size_t k = 0; k + 1 < divisions_.size(); ++k)
-      if(is_in_face(probes(i, k)))
+      if(is_in_face(i, probes(i, k)))
         return true;
     return false;
   }
 
-  bool is_in_face(const std::array<Plane_point, 2>& points) const
+  /// a segment along an edge is in the face that it comes from
+  bool is_in_face(std::size_t i, std::array<Plane_point, 2> points) const
   {
+    if(fronts_[i].is_parallel)
+      for(Plane_point& p : points)
+        p = minus(p, scaled(fronts_[i].right, rounding_));
     return larger(height(points[0]), height(points[1])) >= 0.;
   }
 
@@ -114,7 +119,7 @@ private:
   /// of several fronts that are equally near, up to rounding, the first one has the arc
   bool is_shown(std::size_t i, const std::array<Plane_point, 2>& points) const
   {
-    if(!is_in_face(points))
+    if(!is_in_face(i, points))
       return false;
     for(std::size_t j = 0; j < fronts_.size(); ++j)
       if(j != i && larger(fronts_[j].distance(points[0]) - level_, fronts_[j].distance(points[1]) - level_) <
@@ -143,10 +148,33 @@ private:
   void divide_by_front(std::size_t i, std::size_t j)
   {
     const Geodesic_front& other = fronts_[j];
+    if(fronts_[i].is_parallel || other.is_parallel)
+      divide_by_straight_front(i, j);
+    else if(!divide_by_circle(i, j))
+      return;
+    if(other.accuracy < Geodesic_front::sees_all)
+      for(double angle : {0., other.width})
+        divide_by_line(i, other.point(angle, 0.), minus(other.point(angle, 1.), other.point(angle, 0.)));
+  }
+
+  /// where one of the two is straight
+  void divide_by_straight_front(std::size_t i, std::size_t j)
+  {
+    const bool is_first = fronts_[i].is_parallel;
+    const Geodesic_front &straight = fronts_[is_first ? i : j], &other = fronts_[is_first ? j : i];
+    const Plane_point from = straight.point(0., radius(is_first ? i : j)), along{-straight.right.y, straight.right.x};
+    for(double t : other.chord(from, along, radius(is_first ? j : i)))
+      divide(i, {from.x + t * along.x, from.y + t * along.y});
+  }
+
+  /// whether the circles are not apart
+  bool divide_by_circle(std::size_t i, std::size_t j)
+  {
+    const Geodesic_front& other = fronts_[j];
     const Plane_point way = minus(other.image, fronts_[i].image);
     const double r = radius(i), q = radius(j), d = std::hypot(way.x, way.y);
     if(d > r + q || d + q < r - rounding_)
-      return;
+      return false;
     if(d + r > q && d > 0.)
     {
       // from the image that is nearer, for the sake of rounding
@@ -158,9 +186,7 @@ private:
       for(double a : {aside, -aside})
         divide(i, {c.x + along * unit.x - a * unit.y, c.y + along * unit.y + a * unit.x});
     }
-    if(other.accuracy < Geodesic_front::sees_all)
-      for(double angle : {0., other.width})
-        divide_by_line(i, other.image, minus(other.point(angle, q), other.image));
+    return true;
   }
 
   const std::vector<Geodesic_front>& fronts_;

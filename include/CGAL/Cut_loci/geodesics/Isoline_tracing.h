@@ -110,10 +110,12 @@ private:
   {
     const std::array<Plane_point, 3> corners = fronts_.corners(f);
     for(const Geodesic_front& front : fronts_.in_face(f))
-      for(Index h = 3 * f; h < 3 * f + 3 && front.sigma < level_; ++h)
+      for(Index h = 3 * f; h < 3 * f + 3 && front.may_reach(level_); ++h)
       {
         const Plane_point &p = corners[h % 3], along = minus(corners[(h + 1) % 3], p);
-        std::array<double, 2> part = front.seen_chord(p, along, level_ - front.sigma);
+        // what is along an edge does not reach it
+        const double level = front.is_parallel ? level_ - fronts_.rounding() : level_;
+        std::array<double, 2> part = front.seen_chord(p, along, level - front.sigma);
         part = {{(std::max)(part[0], 0.), (std::min)(part[1], 1.)}};
         if(part[0] < part[1])
           add_nearer(h, part);
@@ -173,7 +175,7 @@ private:
     for(const Isoline_arc& arc : found.arcs())
     {
       Piece piece{sampled(f, corners, fronts[arc.front], arc, deviation),
-                  (level_ - fronts[arc.front].sigma) * (arc.end - arc.begin)};
+                  fronts[arc.front].length(arc.begin, arc.end, level_ - fronts[arc.front].sigma)};
       tokens_.push_back({piece.locations.front(), pieces_.size(), false});
       tokens_.push_back({piece.locations.back(), pieces_.size(), true});
       pieces_.push_back(std::move(piece));
@@ -186,7 +188,7 @@ private:
     const double r = level_ - front.sigma, angle = arc.end - arc.begin;
     // an arc of the angle a is r (1 - cos(a / 2)) from its chord; at least three segments make a circle
     const double step = 2. * std::acos((std::max)(1. - deviation / r, 0.5));
-    const std::size_t n = static_cast<std::size_t>((std::max)(std::ceil(angle / step), 1.));
+    const std::size_t n = front.is_parallel ? 1 : static_cast<std::size_t>((std::max)(std::ceil(angle / step), 1.));
     std::vector<Indexed_location> result;
     for(std::size_t i = 0; i <= n; ++i)
     {

@@ -56,17 +56,15 @@ public:
     return path_;
   }
 
-  /// the shortest path from query location number `i` to its source, empty if it is not reached
-  std::vector<Indexed_location> path_from_query(std::size_t i)
+  /// the shortest path from a query location to its source, empty if it is not reached
+  std::vector<Indexed_location> path_from_query(const Geodesic_query& query)
   {
     path_.clear();
-    if(!(geodesics_.query_distance(i) < (std::numeric_limits<double>::infinity)()))
+    if(!(query.distance < (std::numeric_limits<double>::infinity)()))
       return path_;
-    const Indexed_location& location = geodesics_.query(i);
-    add(classify(location));
-    const Geodesic_arrival& arrival = geodesics_.query_arrival(i);
-    distance_ = geodesics_.query_distance(i);
-    const Index root = trace_piece(arrival, faces_.in_frame(arrival.halfedge, location.coordinates));
+    add(classify(query.location));
+    distance_ = query.distance;
+    const Index root = trace_piece(query.arrival, faces_.in_frame(query.arrival.halfedge, query.location.coordinates));
     if(root != null_index)
       trace_from_vertex(root);
     return path_;
@@ -169,7 +167,7 @@ private:
       const double length = faces_.length(h);
       const double t = image.y < p.y ? p.x + (image.x - p.x) * p.y / (p.y - image.y) : image.x;
       add(on_halfedge(h, t / length));
-      if(leads_through_last_vertex(arrival, image, h))
+      if(leads_through_last_vertex(arrival, image, p, h))
         return last_.vertex;
       const Index g = faces_.opposite(h);
       if(g == null_index && geodesics_.is_line(arrival.origin))
@@ -210,13 +208,15 @@ private:
   }
 
   /// whether the rest of a path is the shortest path from the vertex of `h` at which it has just arrived
-  bool leads_through_last_vertex(const Geodesic_arrival& arrival, const Plane_point& image, Index h) const
+  bool leads_through_last_vertex(const Geodesic_arrival& arrival, const Plane_point& image, const Plane_point& end,
+                                 Index h) const
   {
     const Index v = last_.vertex;
     if(v == null_index || !(geodesics_.distance(v) > 0.) || !(geodesics_.distance(v) < distance_))
       return false;
     const Plane_point p = geodesics_.vertex_in_frame(h, v);
-    const double d = arrival.sigma + std::hypot(p.x - image.x, p.y - image.y);
+    const double d = geodesics_.is_line(arrival.origin) ? distance_ - std::hypot(p.x - end.x, p.y - end.y)
+                                                        : arrival.sigma + std::hypot(p.x - image.x, p.y - image.y);
     return std::fabs(geodesics_.distance(v) - d) <= geodesic_cover * d;
   }
 
@@ -230,6 +230,8 @@ private:
   /// remembers the point of the face of `h` that fits the image best; returns whether it fits
   bool look_for_root(const Geodesic_arrival& arrival, Index h, const Plane_point& image)
   {
+    if(geodesics_.is_line(arrival.origin))
+      return false; // which ends at the border
     const double scale = faces_.length(h) + faces_.length(Mesh::next(h));
     if(arrival.sigma == 0.)
     {

@@ -23,8 +23,11 @@ namespace internal {
 // source or target, or one from the vertex `v` behind the halfedge, past which all windows go on the same side.
 
 /// whether a path of length `d` to the point `t` is shorter than the one from the image of the window
+template <int columns>
 inline bool is_shorter(double d, const Geodesic_window_list& list, std::size_t i, double t)
 {
+  if(list.is_parallel<columns>(i))
+    return d < list.distance<columns>(i, t, 0.);
   const double dx = t - list.column(2)[i], y = list.column(3)[i], rest = d - list.column(4)[i];
   return rest < 0. || rest * rest < dx * dx + y * y;
 }
@@ -41,37 +44,41 @@ inline double length_through(const Plane_point& image, double t, const Plane_poi
   return distance_on_axis(image, t) + distance_on_axis(point, t);
 }
 
+template <int columns>
 inline void filter_begin(Geodesic_window_list& list, double distance_source)
 {
   for(; !list.empty(); ++list.begin)
   {
     const double t = list.column(1)[list.begin];
-    if(!is_shorter(distance_source + t, list, list.begin, t))
+    if(!is_shorter<columns>(distance_source + t, list, list.begin, t))
       return;
   }
 }
 
+template <int columns>
 inline void filter_begin(Geodesic_window_list& list, double distance_source, double distance_v, const Plane_point& v)
 {
   for(; !list.empty(); ++list.begin)
   {
     const double t = list.column(1)[list.begin];
     const double d = (std::min)(distance_source + t, distance_v + distance_on_axis(v, t));
-    if(!is_shorter(d, list, list.begin, t))
+    if(!is_shorter<columns>(d, list, list.begin, t))
       return;
   }
 }
 
+template <int columns>
 inline void filter_end(Geodesic_window_list& list, double distance_target, double length)
 {
   for(; !list.empty(); --list.end)
   {
     const double t = list.column(0)[list.end - 1];
-    if(!is_shorter(distance_target + length - t, list, list.end - 1, t))
+    if(!is_shorter<columns>(distance_target + length - t, list, list.end - 1, t))
       return;
   }
 }
 
+template <int columns>
 inline void filter_end(Geodesic_window_list& list, double distance_target, double length, double distance_v,
                        const Plane_point& v)
 {
@@ -79,7 +86,7 @@ inline void filter_end(Geodesic_window_list& list, double distance_target, doubl
   {
     const double t = list.column(0)[list.end - 1];
     const double d = (std::min)(distance_target + length - t, distance_v + distance_on_axis(v, t));
-    if(!is_shorter(d, list, list.end - 1, t))
+    if(!is_shorter<columns>(d, list, list.end - 1, t))
       return;
   }
 }

@@ -28,10 +28,11 @@ namespace internal {
 /// is a step from a halfedge across its face: the corner at the common vertex and the edge reached.
 struct Geodesic_step
 {
-  double base;         // length of the halfedge
-  double length;       // length of the edge reached
-  double cosine, sine; // of the corner
-  double turn;         // rotation of the frame
+  double base;             // length of the halfedge
+  double length;           // length of the edge reached
+  double cosine, sine;     // of the corner
+  double turn;             // rotation of the frame
+  bool has_parallel_paths; // among the windows
 };
 
 /// stands in for a denominator that is not negative; what is divided by it is beyond every edge. The division must not
@@ -115,6 +116,10 @@ inline void step_right(const Geodesic_window_list& in, std::size_t first, std::s
     q[i + 3 * co] = depth;
     q[i + 4 * co] = p[i + 4 * ci];
   }
+  if(columns == 7 && step.has_parallel_paths)
+    for(std::size_t i = 0; i < n; ++i)
+      if(in.is_parallel<columns>(first + i)) // the apex is the origin now
+        q[i + 4 * co] = in.distance<columns>(first + i, base - length * c, length * s);
   step_turns<columns>(in, first, n, out, step.turn);
 }
 
@@ -127,10 +132,11 @@ enum Geodesic_side {
 /// on which side of a point above the halfedge the rays of a window pass
 inline Geodesic_side side_of_rays(double a, double b, double x, double y, const Plane_point& point, double tolerance)
 {
-  const double height = point.y - y, foot = (x - point.x) * y;
-  if(foot > (b + tolerance - x) * height)
+  // so that nothing is lost if the image is far away
+  const double end = b + tolerance, begin = a - tolerance;
+  if((end - x) * point.y + (point.x - end) * y < 0.)
     return passes_left;
-  return foot < (a - tolerance - x) * height ? passes_right : covers;
+  return (begin - x) * point.y + (point.x - begin) * y > 0. ? passes_right : covers;
 }
 
 } // namespace internal

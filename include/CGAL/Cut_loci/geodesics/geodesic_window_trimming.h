@@ -36,11 +36,23 @@ inline bool is_alive(const Geodesic_window& w, double narrow)
   return w.b - w.a > narrow;
 }
 
+/// of the distances at the point `t`, which is `way` from the image
+inline double slope_at(const Geodesic_window& w, double t, double way)
+{
+  return w.is_parallel() ? w.way(1.) : (t - w.x) / way;
+}
+
+/// the depth below the halfedge at which the path to its point `t` begins
+inline double depth_of_image(const Geodesic_window& w, double t)
+{
+  return w.is_parallel() ? w.distance(t) * w.way(0., -1.) : w.y;
+}
+
 /// the point of `[low, high]` up to which `left` is better; `at_low` and `at_high`: how much further it is there
 inline double find_tie(const Geodesic_window& left, const Geodesic_window& right, double low, double high,
                        double at_low, double at_high)
 {
-  if(left.sigma == right.sigma)
+  if(left.sigma == right.sigma && !left.is_parallel() && !right.is_parallel())
   {
     // the bisector of two points
     const double t =
@@ -55,14 +67,13 @@ inline double find_tie(const Geodesic_window& left, const Geodesic_window& right
   double last_step = high - low;
   for(int i = 0; i < 100 && high - low > accuracy; ++i)
   {
-    const double dl = std::sqrt((t - left.x) * (t - left.x) + left.y * left.y);
-    const double dr = std::sqrt((t - right.x) * (t - right.x) + right.y * right.y);
+    const double dl = left.way(t), dr = right.way(t);
     const double difference = (left.sigma - right.sigma) + (dl - dr);
     if(difference < 0.)
       low = t;
     else
       high = t;
-    const double slope = (t - left.x) / dl - (t - right.x) / dr;
+    const double slope = slope_at(left, t, dl) - slope_at(right, t, dr);
     const double previous = t;
     t -= difference / slope;
     if(!(t > low && t < high)) // also if the slope is not a number
@@ -97,12 +108,11 @@ inline void resolve_overlap(Geodesic_window& left, Geodesic_window& right)
   const double slope_right = right.y < 0. ? (right.x - right.b) / right.y : 0.;
   double y = 0.;
   if(slope_right < slope_left)
-    y = (std::max)((left.a - right.b) / (slope_right - slope_left), (std::max)(left.y, right.y));
+    y = (std::max)((left.a - right.b) / (slope_right - slope_left),
+                   (std::max)(depth_of_image(left, left.a), depth_of_image(right, right.b)));
   const double x_left = left.a + slope_left * y, x_right = right.b + slope_right * y;
   const double x = 0.5 * (x_left + x_right);
-  const double dl = left.sigma + std::sqrt((x - left.x) * (x - left.x) + (y - left.y) * (y - left.y));
-  const double dr = right.sigma + std::sqrt((x - right.x) * (x - right.x) + (y - right.y) * (y - right.y));
-  if(dl <= dr)
+  if(left.distance(x, y) <= right.distance(x, y))
     right.b = right.a;
   else
     left.b = left.a;
@@ -115,10 +125,12 @@ inline bool are_mergeable(const Geodesic_window& left, const Geodesic_window& ri
 {
   constexpr bool has_error_for_turn = columns == 6;
   const double scale = std::fabs(left.x) + std::fabs(left.y) + length;
-  return left.sigma == right.sigma && std::fabs(left.x - right.x) <= 1e-12 * scale &&
-         std::fabs(left.y - right.y) <= 1e-12 * scale && right.a <= left.b + geodesic_cover * length &&
-         left.a <= right.b + geodesic_cover * length && left.origin == right.origin &&
-         (has_error_for_turn || std::fabs(left.turn - right.turn) <= 1e-9);
+  const bool is_alike = left.is_parallel() && right.is_parallel()
+                          ? std::fabs(left.sigma - right.sigma) <= 1e-12 * (std::fabs(left.sigma) + length)
+                          : left.sigma == right.sigma;
+  return is_alike && std::fabs(left.x - right.x) <= 1e-12 * scale && std::fabs(left.y - right.y) <= 1e-12 * scale &&
+         right.a <= left.b + geodesic_cover * length && left.a <= right.b + geodesic_cover * length &&
+         left.origin == right.origin && (has_error_for_turn || std::fabs(left.turn - right.turn) <= 1e-9);
 }
 
 /// what becomes of the errors if `w` is joined to a window with the same image
