@@ -10,6 +10,8 @@
 #include "test_meshes.h"
 
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/ways/Straight_waves.h>
+#include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Cut_loci/ways/Way_forest.h>
 #include <CGAL/Cut_loci/laplacian/homology.h>
 #include <CGAL/Cut_loci/laplacian/region_growing_tree.h>
@@ -20,6 +22,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <random>
@@ -32,6 +36,14 @@ namespace {
 
 using namespace CGAL::Cut_loci;
 using Mesh = CGAL::Cut_loci::Indexed_triangle_mesh;
+
+std::vector<unsigned char> edges_crossed_by_ways(const Mesh& mesh, const Mesh_connectivity& connectivity,
+                                                 const std::vector<double>& distance, const Source_roots& roots)
+{
+  internal::Way_forest forest(mesh, connectivity, roots, distance);
+  forest.grow({});
+  return forest.ways([](Index) { return true; }).is_crossed;
+}
 
 void expect_room(const Mesh& mesh, const std::vector<double>& distance, const Indexed_source& source)
 {
@@ -172,6 +184,63 @@ TEST(Way_forest, leads_ways_along_edges_beside_fans)
     SCOPED_TRACE(v);
     EXPECT_LT(longest_detour_from(v, mesh), 1.5);
   }
+}
+
+// The mean error of the lengths of ways that approximate distances lead to, and of the same straightened, in mean edge lengths.
+std::array<double, 2> errors_of_ways(const Mesh& mesh, Index v)
+{
+  const Mesh_connectivity connectivity(mesh);
+  Indexed_source source;
+  source.vertex = v;
+  source.location = internal::location_of_vertex(connectivity, v);
+  internal::Exact_geodesic_propagation exact(mesh);
+  exact.run({source.location});
+  CGAL::Graph_geodesic_solver graph;
+  graph.set_mesh(mesh);
+  std::vector<double> distance;
+  graph.compute_distances({source}, distance);
+  const Source_roots roots(mesh, connectivity, {source});
+  internal::Way_forest forest(mesh, connectivity, roots, distance);
+  forest.grow({});
+  const std::vector<double> lengths = forest.lengths();
+  std::vector<double> straightened = lengths, before(lengths.size(), internal::Straight_waves::infinity());
+  for(Index w = 0; w < lengths.size(); ++w)
+    if(forest.starts_at(w))
+      before[w] = 0.;
+  internal::Straight_waves(mesh, connectivity, before, straightened);
+  std::array<double, 2> result = {{0., 0.}};
+  for(Index w = 0; w < lengths.size(); ++w)
+  {
+    EXPECT_LE(straightened[w], lengths[w]);
+    result[0] += std::abs(lengths[w] - exact.distance(w));
+    result[1] += std::abs(straightened[w] - exact.distance(w));
+  }
+  for(double& r : result)
+    r /= static_cast<double>(lengths.size()) * connectivity.mean_edge_length;
+  return result;
+}
+
+// On coarse meshes ways are as good: what circles err by is the curvature of the surface.
+TEST(Straight_waves, shorten_ways_that_bend_as_their_faces_do)
+{
+  for(std::size_t n : {40, 80})
+    for(const Mesh& mesh : {test_meshes::indexed(test_meshes::irregular_bumpy_sphere(n, 0.1, 3)),
+                            test_meshes::indexed(test_meshes::torus(1., 0.4, 3 * n, n, 0.2, 5)),
+                            test_meshes::indexed(test_meshes::jittered_sphere(n, 0.15, 3))})
+    {
+      SCOPED_TRACE(n);
+      const std::array<double, 2> error = errors_of_ways(mesh, 7);
+      EXPECT_LT(error[1], error[0]);
+      EXPECT_LT(error[1], 0.15);
+    }
+}
+
+// In the plane waves are circles, but where a face has a corner behind that is reached later.
+TEST(Straight_waves, are_circles_in_the_plane)
+{
+  const std::array<double, 2> error = errors_of_ways(test_meshes::indexed(test_meshes::square(80, 0.2, 3)), 3000);
+  EXPECT_GT(error[0], 0.1);
+  EXPECT_LT(error[1], 0.02);
 }
 
 } // namespace

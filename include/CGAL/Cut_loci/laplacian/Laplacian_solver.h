@@ -25,6 +25,7 @@
 #include <CGAL/Cut_loci/laplacian/homology.h>
 #include <CGAL/Cut_loci/laplacian/region_growing_tree.h>
 #include <CGAL/Cut_loci/laplacian/smoothing.h>
+#include <CGAL/Cut_loci/ways/Straight_waves.h>
 #include <CGAL/Cut_loci/laplacian/thinning.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
 #include <CGAL/Cut_loci/method/distances_from_lines.h>
@@ -163,8 +164,8 @@ public:
     for(Index& owner : owners)
       if(owner != null_index && owner >= roots_.points().size())
         owner = null_index;
-    return smoothed_cut_locus(mesh_, connectivity_, distance_, arrivals_, crossed_, cut_locus, parameters, progress_,
-                              owners);
+    return Cut_locus_smoother(mesh_, connectivity_, distance_, *forest_, crossed_, cut_locus, owners)(parameters,
+                                                                                                      progress_);
   }
 
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
@@ -199,15 +200,32 @@ public:
   }
 
 private:
-  // The ways on the surface to which the distances lead. Those of heat are smoothed, at the cut locus most of all, and those on
-  // a graph are longer: there, the lengths of the ways tell more, and take their place.
   void grow_forest(const Progress& progress)
   {
-    crossed_ = edges_crossed_by_ways(mesh_, connectivity_, distance_, roots_, progress,
-                                     nearest_source_.empty() ? &nearest_source_ : nullptr, &arrivals_);
-    for(Index v = 0; v < arrivals_.size() && is_approximate_; ++v)
-      if(arrivals_[v].halfedge != null_index && !is_source_[v])
-        distance_[v] = arrivals_[v].length;
+    forest_.reset(new Way_forest(mesh_, connectivity_, roots_, distance_));
+    forest_->grow(progress);
+    crossed_ = forest_->ways([](Index) { return true; }).is_crossed;
+    if(nearest_source_.empty() && roots_.number_of_sources() > 1)
+      nearest_source_ = forest_->nearest_sources();
+    if(is_approximate_)
+      measure_ways();
+  }
+
+  // Distances of heat are smoothed, at the cut locus most of all, and those on a graph are longer: the lengths of the ways to
+  // which they lead tell more, and take their place.
+  void measure_ways()
+  {
+    std::vector<double> lengths = forest_->lengths(), before(lengths.size(), Straight_waves::infinity());
+    for(Index v = 0; v < lengths.size(); ++v)
+      if(is_source_[v])
+        lengths[v] = before[v] = distance_[v];
+      else if(forest_->starts_at(v))
+      {
+        const Way_arrival way = forest_->arrival_at(v, lengths[v]);
+        before[v] = way.length - way.straight;
+      }
+    Straight_waves(mesh_, connectivity_, std::move(before), lengths);
+    distance_ = std::move(lengths);
   }
 
   // A source is not it even if all distances are equal, unless all vertices are sources.
@@ -411,7 +429,7 @@ private:
   std::vector<float> slope_error_;
   float laplacian_noise_ = 0.f;
   std::vector<unsigned char> crossed_; // edges, by short ways to vertices
-  std::vector<Way_arrival> arrivals_;  // of short ways, at vertices
+  std::unique_ptr<Way_forest> forest_; // of these ways
   Spanning_tree spanning_tree_;
   Spanning_tree tree_; // the same, thinned
   Branch_filter filter_;

@@ -8,10 +8,12 @@
 #define CGAL_CUT_LOCI_LAPLACIAN_WAVE_ARRIVALS_H
 
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/ways/Straight_waves.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/ways/Way_arrival.h>
+#include <CGAL/Cut_loci/ways/Way_forest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,9 +75,8 @@ class Wave_arrivals
 {
 public:
   Wave_arrivals(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                const std::vector<double>& distance, const std::vector<Way_arrival>& ways,
-                const Indexed_cut_locus& graph)
-    : mesh_(mesh), connectivity_(connectivity), distance_(distance), arrivals_(ways),
+                const std::vector<double>& distance, const Way_forest& ways, const Indexed_cut_locus& graph)
+    : mesh_(mesh), connectivity_(connectivity), distance_(distance), arrivals_(distance.size()),
       side_(mesh.number_of_halfedges(), 0)
   {
     std::vector<unsigned char> is_edge(connectivity.number_of_edges(), 0);
@@ -92,6 +93,8 @@ public:
     std::sort(vertices.begin(), vertices.end(),
               [&](Index v, Index w) { return std::tie(distance[v], v) < std::tie(distance[w], w); });
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    for(Index v : vertices)
+      arrivals_[v] = ways.arrival_at(v, distance[v]);
     for(Index v : vertices)
       look_around(v);
   }
@@ -152,14 +155,8 @@ private:
       offer(left, of_left);
     if(!is_right_known || !is_left_known)
       return;
-    const double length = norm(left - right);
-    const Planar_vector along = (1. / length) * (left - right), behind = {{along[1], -along[0]}};
-    const double x = 0.5 * (length + (of_right - of_left) * (of_right + of_left) / length);
-    const double y = std::sqrt((std::max)(0., of_right * of_right - x * x));
-    for(const double side : {y, -y}) // the second one is seen if the source is in this face
-      if(const Planar_vector from = right + x * along + side * behind;
-         cross(right, from) >= 0. && cross(from, left) >= 0.)
-        offer(from, 0.);
+    if(Planar_vector from; find_virtual_source(right, left, of_right, of_left, from))
+      offer(from, 0.);
   }
 
   const Indexed_triangle_mesh& mesh_;

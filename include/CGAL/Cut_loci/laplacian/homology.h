@@ -156,7 +156,7 @@ private:
  * A part of the border that is a source is one node, too. With k sources, the cotree is a forest with one tree for each of
  * them, there are 2g - 1 + k generators, and the union leaves k open disks.
  *
- * @param crossed edges that are in the cotree first, as `edges_crossed_by_ways()` gives them: none of `tree`
+ * @param crossed edges that are in the cotree first, as `Way_forest` gives them: none of `tree`
  * @param source_of_face if not null, becomes the source in whose disk each face is
  */
 inline std::vector<Index> homology_generators(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,

@@ -112,7 +112,7 @@ inline Spanning_tree rooted_tree(const Mesh_connectivity& connectivity, Index ro
  * Ties are broken by index. The root is none of the sources. O(n log n).
  *
  * @param sources what is not on the cut locus, of each source
- * @param crossed the edges that are not taken, as `edges_crossed_by_ways()` gives them; none if it is empty
+ * @param crossed the edges that are not taken, as `Way_forest` gives them; none if it is empty
  */
 template <typename Key>
 Spanning_tree region_growing_tree(const Mesh_connectivity& connectivity, const Key& key, Index root,

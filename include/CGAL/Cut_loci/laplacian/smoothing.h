@@ -16,7 +16,7 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
-#include <CGAL/Cut_loci/ways/Way_arrival.h>
+#include <CGAL/Cut_loci/ways/Way_forest.h>
 #include <CGAL/Cut_loci/ways/Ways_across_edges.h>
 
 #include <algorithm>
@@ -30,14 +30,35 @@ namespace Cut_loci {
 
 namespace internal {
 
+// Moves a cut locus from the edges of the mesh onto the smooth curves it stands for, through the faces.
+//
+// The branches stay as they are and meet as they did. Each edge of the result lies in one face and tells the edge of the graph
+// that it comes from; no edge has length zero. Distances are those along the shortest paths to the vertices next to a node,
+// taken straight on.
+//
+// No shortest path crosses the cut locus. So a vertex of the graph belongs to the side from which the path to it arrives, as
+// its way or the distances next to it tell, whichever agrees better with its own. The curve is pushed off it to the others,
+// where it crosses the edges at the vertex. These points are nodes, and move along their edges alone: so no order changes,
+// segments between them meet nowhere, and the complement stays an open disk. Nor do nodes move beyond where a short way to a
+// vertex crosses their edge: where faces are slim, the distances of their corners tell less than the ways.
+//
+// The scheme is that of Mancinelli, Livesu and Puppo \cgalCite{cgal:mlp-pccld-21}: nodes move in iterations, and a relaxation
+// comes last. In the paper, the step is the component of the gradient along the normal; but a gradient estimated across the
+// cut locus averages both sides. Here a node moves to where the distances of both ends of its edge, taken straight on along
+// their paths, are equal. So the damping leaves 0.5 of the way at first, and half of that with each iteration, where the
+// paper's takes it. Where the paths do not converge, the node follows its neighbors.
+//
+// Linear in the size of the mesh, for tables, and of the graph, for everything else.
 class Cut_locus_smoother
 {
 public:
+  // `crossed` are the edges that ways cross; `source_of_face` the source whose faces each one belongs to, which the curve does
+  // not enter, or null.
   Cut_locus_smoother(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                     const std::vector<double>& distance, const std::vector<Way_arrival>& ways,
+                     const std::vector<double>& distance, const Way_forest& ways,
                      const std::vector<unsigned char>& crossed, const Indexed_cut_locus& input,
                      const std::vector<Index>& source_of_face)
-    : mesh_(mesh), connectivity_(connectivity), distance_(distance), ways_(mesh, connectivity, ways, crossed),
+    : mesh_(mesh), connectivity_(connectivity), distance_(distance), ways_(mesh, connectivity, ways, distance, crossed),
       input_(input), arrivals_(mesh, connectivity, distance, ways, input),
       curve_(mesh, connectivity, arrivals_, input, source_of_face)
   {
@@ -240,46 +261,6 @@ private:
 };
 
 } // namespace internal
-
-/*
- * moves a cut locus from the edges of the mesh onto the smooth curves it stands for, through the faces.
- *
- * The branches stay as they are and meet as they did. Each edge of the result lies in one face and tells the edge of
- * `cut_locus` that it comes from; no edge has length zero. Distances are those along the shortest paths to the vertices next to a
- * node, taken straight on.
- *
- * No shortest path crosses the cut locus. So a vertex of the graph belongs to the side from which the path to it arrives,
- * as its way or the distances next to it tell, whichever agrees better with its own. The curve is pushed off it to the others,
- * where it crosses the edges at the vertex. These points are nodes, and move along their edges alone: so no order changes,
- * segments between them meet nowhere, and the complement stays an open disk. Nor do nodes move beyond where a short way to
- * a vertex crosses their edge: where faces are slim, the distances of their corners tell less than the ways.
- *
- * The scheme is that of Mancinelli, Livesu and Puppo \cgalCite{cgal:mlp-pccld-21}: nodes move in iterations, and a
- * relaxation comes last. In the paper, the step is the component of the gradient along the normal; but a gradient
- * estimated across the cut locus averages both sides. Here a node moves to where the distances of both ends of its edge,
- * taken straight on along their paths, are equal. So the damping leaves 0.5 of the way at first, and half of that with each
- * iteration, where the paper's takes it. Where the paths do not converge, the node follows its neighbors.
- *
- * @param distance the distance of each vertex to the source
- * @param arrivals how the ways to the vertices arrive, as `edges_crossed_by_ways()` tells
- * @param crossed what that returns: the edges that ways cross
- * @param cut_locus a graph of mesh edges
- * @param source_of_face the source whose faces each one belongs to, which the curve does not enter, or `null_index`; or
- *        empty
- *
- * The time is linear in the size of the mesh, for tables, and in the size of `cut_locus`, for everything else.
- */
-inline Indexed_cut_locus
-smoothed_cut_locus(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                   const std::vector<double>& distance, const std::vector<Way_arrival>& arrivals,
-                   const std::vector<unsigned char>& crossed, const Indexed_cut_locus& cut_locus,
-                   const Smoothing_parameters& parameters = Smoothing_parameters(),
-                   const internal::Progress& progress = {}, const std::vector<Index>& source_of_face = {})
-{
-  return internal::Cut_locus_smoother(mesh, connectivity, distance, arrivals, crossed, cut_locus,
-                                      source_of_face)(parameters, progress);
-}
-
 } // namespace Cut_loci
 } // namespace CGAL
 

@@ -49,7 +49,7 @@ public:
   // another one for the same mesh, which shares what depends on it alone, also in another thread
   virtual std::unique_ptr<Laplacian_method> for_other_sources() const = 0;
   // comes first; `distance` is that to the nearest source, of which the points come first, and `nearest` which that is
-  // for each vertex; empty if it has to be found. Lengths of ways take the place of approximate distances.
+  // for each vertex; empty if it has to be found. Straightened lengths of ways take the place of approximate distances.
   virtual void set_distance(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
                             std::vector<double> distance, std::vector<Index> nearest, bool is_approximate) = 0;
   // the result is made of edges of the mesh if there are no iterations of smoothing

@@ -40,7 +40,7 @@ struct Branch_thresholds
   double minimum_length = 0.; ///< branches that are shorter are removed
 };
 
-// holds the parameters of `smoothed_cut_locus()`.
+// holds the parameters of `Cut_locus_smoother`.
 struct Smoothing_parameters
 {
   Index number_of_iterations = 4;

@@ -146,8 +146,8 @@ public:
     return (std::max)(0., (std::min)(1., share)) * edge_length(mesh_, r.entry);
   }
 
-  // how the way of a row arrives at its corner, or at an end of a halfedge at a source
-  Way_arrival arrival(Index row) const
+  // how the way of a row arrives at its corner, or at an end of a halfedge at a source, which have the given distance
+  Way_arrival arrival(Index row, double distance) const
   {
     const Row& r = rows_[row];
     Way_arrival result;
@@ -163,7 +163,6 @@ public:
       result.halfedge = mesh_.previous(r.entry);
       along = rows_[r.left].position - r.position;
     }
-    const double distance = distance_[mesh_.source(result.halfedge)];
     const Index from = start_of_straight_piece(row, distance);
     const Planar_vector back = rows_[from].position - r.position;
     result.length = r.length + r.late;

@@ -48,6 +48,12 @@ struct Ways_through_faces
 // way to the corner, or the shortest so far, all faces of the row are linked: from then on, they are entered as in this row
 // and by no other. Else a row goes on unlinked, for a face that is wrong for its own corner may be right for what is behind:
 // where several ways pass a slim face, each to another side. As soon as a face of it has been linked otherwise, it ends.
+//
+// Given distances only tell which faces to leave to others. As each face is entered in one way, some ways are longer than
+// shortest paths, on slim faces by up to one or two mean edges. No shortest path crosses the cut locus: so that is looked for
+// among the edges that no way crosses. These hold a tree of all vertices and 2g edges more on a surface of genus g, each
+// border loop being one node. Of several sources, no tree of the forest has more than one. O(n log n) if unlinked rows are
+// short, which they are.
 class Way_forest
 {
 public:
@@ -115,12 +121,23 @@ public:
     return result;
   }
 
-  std::vector<Way_arrival> arrivals() const
+  // lengths of the ways; where there is none, what is given
+  std::vector<double> lengths() const
   {
-    std::vector<Way_arrival> result;
-    for(Index row : way_)
-      result.push_back(row != null_index ? rows_.arrival(row) : Way_arrival());
+    std::vector<double> result(distance_);
+    for(Index v = 0; v < way_.size(); ++v)
+      if(way_[v] != null_index)
+        result[v] = arrival(way_[v]);
     return result;
+  }
+
+  // whether the way to a vertex crosses no face but one at a source
+  bool starts_at(Index v) const { return way_[v] != null_index && rows_.is_root(way_[v]); }
+
+  // how the way to a vertex of a distance arrives, if there is one
+  Way_arrival arrival_at(Index v, double distance) const
+  {
+    return way_[v] != null_index ? rows_.arrival(way_[v], distance) : Way_arrival();
   }
 
 private:
@@ -313,41 +330,6 @@ private:
 };
 
 } // namespace internal
-
-/*
- * grows a forest of faces with short ways to all vertices, and tells for each edge whether one of these crosses it. No
- * shortest path crosses the cut locus: so the cut locus is looked for among the other edges.
- *
- * The ways are those of rows of faces that are laid out in the plane, whatever the given distances come from: these tell
- * which faces to leave to others. As each face is entered in one way, where shortest paths to several vertices pass it in
- * several ways, some of them become longer, on slim faces by up to one or two mean edges.
- *
- * The faces and the edges that are crossed form a forest, so that the other edges hold a tree of all vertices and 2g edges
- * more on a surface of genus g, each border loop being one node. Of several sources, no tree of that forest has more than
- * one. O(n log n) if unlinked rows are short, which they are.
- *
- * @param nearest_sources if not null, becomes the number of the source from which the way to each vertex comes, or
- *        `null_index`; empty if there is one source
- * @param arrivals if not null, becomes how the way to each vertex arrives
- *
- * @return for each edge of `connectivity`, 1 if it is crossed into the face of its `halfedge_of_edge`, 2 if into the other
- *         one, 0 if it is not
- */
-inline std::vector<unsigned char> edges_crossed_by_ways(const Indexed_triangle_mesh& mesh,
-                                                        const Mesh_connectivity& connectivity,
-                                                        const std::vector<double>& distance, const Source_roots& roots,
-                                                        const internal::Progress& progress = {},
-                                                        std::vector<Index>* nearest_sources = nullptr,
-                                                        std::vector<Way_arrival>* arrivals = nullptr)
-{
-  internal::Way_forest forest(mesh, connectivity, roots, distance);
-  forest.grow(progress);
-  if(nearest_sources != nullptr)
-    *nearest_sources = roots.number_of_sources() > 1 ? forest.nearest_sources() : std::vector<Index>();
-  if(arrivals != nullptr)
-    *arrivals = forest.arrivals();
-  return forest.ways([](Index) { return true; }).is_crossed;
-}
 
 } // namespace Cut_loci
 } // namespace CGAL

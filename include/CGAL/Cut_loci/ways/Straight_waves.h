@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Surface_mesh_cut_locus authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Surface_mesh_cut_locus authors
+
+#ifndef CGAL_CUT_LOCI_WAYS_STRAIGHT_WAVES_H
+#define CGAL_CUT_LOCI_WAYS_STRAIGHT_WAVES_H
+
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Cut_loci {
+namespace internal {
+
+// Where a wave comes from that is as old as told at two points: behind them as seen from the origin, from which they are in
+// counterclockwise order. False if there is no such point, or the origin sees it past them.
+inline bool find_virtual_source(const Planar_vector& right, const Planar_vector& left, double of_right, double of_left,
+                                Planar_vector& from)
+{
+  const double length = norm(left - right);
+  const Planar_vector along = (1. / length) * (left - right), behind = {{along[1], -along[0]}};
+  const double x = 0.5 * (length + (of_right - of_left) * (of_right + of_left) / length);
+  const double square = of_right * of_right - x * x;
+  if(!(square > 0.))
+    return false;
+  from = right + x * along + std::sqrt(square) * behind;
+  return cross(right, from) >= 0. && cross(from, left) >= 0.;
+}
+
+// Lengths of ways, which bend where their rows of faces do, straightened: a vertex is as far as a wave says that comes across
+// one of its faces, from where circles around the other two corners meet, or around one of them, or as its way if that is
+// shorter. One sweep in the order of the lengths.
+//
+// Virtual sources behind faces are those of Trettner, Bommes and Kobbelt \cgalCite{cgal:tbk-gdvsp-21}. On a smooth surface
+// they err by the difference between the curvature of a wave and that of a circle in the plane.
+class Straight_waves
+{
+public:
+  // `before` is the distance of the virtual source for vertices that are reached from their source with no face in between,
+  // which is far below zero if waves are lines; infinite for others.
+  Straight_waves(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, std::vector<double> before,
+                 std::vector<double>& distance)
+    : mesh_(mesh), connectivity_(connectivity), before_(std::move(before)), distance_(distance)
+  {
+    std::vector<Index> vertices;
+    for(Index v = 0; v < distance.size(); ++v)
+      if(before_[v] == infinity())
+        vertices.push_back(v);
+    std::sort(vertices.begin(), vertices.end(),
+              [&](Index v, Index w) { return std::tie(distance[v], v) < std::tie(distance[w], w); });
+    for(Index v : vertices)
+      straighten(v);
+  }
+
+  static constexpr double infinity() { return (std::numeric_limits<double>::infinity)(); }
+
+private:
+  struct Wave
+  {
+    double distance, before;
+    Index around = null_index; // the vertex that it passes
+  };
+
+  void straighten(Index v)
+  {
+    Wave best = {infinity(), 0.};
+    for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
+      if(const Index h = connectivity_.ring_halfedge[k]; mesh_.source(h) == v)
+        look_across(h, best);
+    before_[v] = best.around != null_index && bends(best.around) ? distance_[best.around] : best.before;
+    distance_[v] = (std::min)(distance_[v], best.distance);
+  }
+
+  // Where two waves meet, that of the earlier source is older, and goes on: the other one is but beside it.
+  void look_across(Index h, Wave& best) const
+  {
+    const auto offer = [&](double distance, double before, Index around = null_index)
+    {
+      if(distance < (1. - 1e-9) * best.distance) // by more than rounding
+        best = {distance, before, around};
+    };
+    const Index a = mesh_.target(h), b = mesh_.source(mesh_.previous(h));
+    const Planar_vector left = apex(mesh_, h), right = {{edge_length(mesh_, h), 0.}};
+    const double before = (std::min)(before_[a], before_[b]);
+    Planar_vector from;
+    if(before < infinity() && find_virtual_source(right, left, distance_[a] - before, distance_[b] - before, from))
+      offer(before + norm(from), before);
+    for(const auto& [u, length] : {std::pair<Index, double>(a, right[0]), std::pair<Index, double>(b, norm(left))})
+      if(before_[u] < infinity())
+        offer(distance_[u] + length, before_[u], u);
+  }
+
+  // Paths bend around saddles, and at the border.
+  bool bends(Index v) const
+  {
+    double angle = 0.;
+    for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
+      if(const Index h = connectivity_.ring_halfedge[k]; mesh_.source(h) == v)
+      {
+        const Planar_vector top = apex(mesh_, h);
+        angle += std::atan2(top[1], top[0]);
+      }
+    return connectivity_.is_border(v) || angle > 2. * 3.14159265358979;
+  }
+
+  const Indexed_triangle_mesh& mesh_;
+  const Mesh_connectivity& connectivity_;
+  std::vector<double> before_;
+  std::vector<double>& distance_;
+};
+
+} // namespace internal
+} // namespace Cut_loci
+} // namespace CGAL
+
+#endif // CGAL_CUT_LOCI_WAYS_STRAIGHT_WAVES_H
