@@ -220,27 +220,25 @@ std::array<double, 2> errors_of_ways(const Mesh& mesh, Index v)
   return result;
 }
 
-// On coarse meshes ways are as good: what circles err by is the curvature of the surface.
+// On coarser meshes ways are as good: what circles err by is the curvature of the surface.
 TEST(Straight_waves, shorten_ways_that_bend_as_their_faces_do)
 {
-  for(std::size_t n : {40, 80})
-    for(const Mesh& mesh : {test_meshes::indexed(test_meshes::irregular_bumpy_sphere(n, 0.1, 3)),
-                            test_meshes::indexed(test_meshes::torus(1., 0.4, 3 * n, n, 0.2, 5)),
-                            test_meshes::indexed(test_meshes::jittered_sphere(n, 0.15, 3))})
-    {
-      SCOPED_TRACE(n);
-      const std::array<double, 2> error = errors_of_ways(mesh, 7);
-      EXPECT_LT(error[1], error[0]);
-      EXPECT_LT(error[1], 0.15);
-    }
+  for(const Mesh& mesh : {test_meshes::indexed(test_meshes::irregular_bumpy_sphere(80, 0.1, 3)),
+                          test_meshes::indexed(test_meshes::torus(1., 0.4, 240, 80, 0.2, 5)),
+                          test_meshes::indexed(test_meshes::jittered_sphere(80, 0.15, 3))})
+  {
+    const std::array<double, 2> error = errors_of_ways(mesh, 7);
+    EXPECT_LT(error[1], 0.8 * error[0]);
+    EXPECT_LT(error[1], 0.1);
+  }
 }
 
-// In the plane waves are circles, but where a face has a corner behind that is reached later.
+// In the plane waves are circles.
 TEST(Straight_waves, are_circles_in_the_plane)
 {
   const std::array<double, 2> error = errors_of_ways(test_meshes::indexed(test_meshes::square(80, 0.2, 3)), 3000);
   EXPECT_GT(error[0], 0.1);
-  EXPECT_LT(error[1], 0.02);
+  EXPECT_LT(error[1], 1e-3);
 }
 
 } // namespace

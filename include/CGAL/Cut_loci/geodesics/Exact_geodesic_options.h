@@ -16,9 +16,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// is an edge on the border all of whose points are sources, and the number of the set of sources that it belongs to.
 struct Geodesic_line
@@ -64,8 +62,6 @@ inline void set_lines(const std::vector<Geodesic_line>& lines, Exact_geodesic_op
   options.parallel_waves = true;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_EXACT_GEODESIC_OPTIONS_H

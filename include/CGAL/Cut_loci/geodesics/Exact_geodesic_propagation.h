@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// is shown the windows while they are propagated.
 class Geodesic_window_observer
@@ -209,9 +207,7 @@ private:
   Progress progress_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #ifndef CGAL_CUT_LOCI_SEPARATE_COMPILATION
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation_impl.h>

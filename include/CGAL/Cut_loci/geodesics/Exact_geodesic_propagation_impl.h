@@ -18,9 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 CGAL_CUT_LOCI_INLINE void Exact_geodesic_propagation::run(const std::vector<Indexed_location>& sources,
                                                           const Exact_geodesic_options& options,
@@ -155,8 +153,6 @@ inline void Exact_geodesic_propagation::prefetch(Index far, Index near) const
   }
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_EXACT_GEODESIC_PROPAGATION_IMPL_H

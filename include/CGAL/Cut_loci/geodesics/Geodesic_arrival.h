@@ -9,9 +9,7 @@
 
 #include <CGAL/Cut_loci/Index.h>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// is the end of a shortest path: its last straight piece, in the frame of a halfedge of the face in which it ends.
 struct Geodesic_arrival
@@ -31,8 +29,6 @@ struct Geodesic_arrival_direction
   double angle;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_ARRIVAL_H

@@ -12,9 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * is a priority queue that orders its items by their keys up to the width of a bucket, first in first out within one.
@@ -114,8 +112,6 @@ private:
   double first_inverse_width_, inverse_width_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_BUCKET_QUEUE_H

@@ -21,9 +21,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // How windows cross a face.
 
@@ -258,8 +256,6 @@ inline bool Exact_geodesic_propagation::goes_right(std::size_t w, const Apex_vie
   return side == passes_right || (side == covers && w >= view.winner);
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_CROSSING_IMPL_H

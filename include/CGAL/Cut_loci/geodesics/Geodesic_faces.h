@@ -19,9 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 constexpr double geodesic_pi = 3.14159265358979323846;
 
@@ -309,8 +307,6 @@ private:
   double mean_edge_length_ = 1.;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_FACES_H

@@ -23,9 +23,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * finds the shortest path to any point after a run, which has kept no windows.
@@ -302,8 +300,6 @@ private:
   double shortest_ = infinity; // of all paths that have been seen
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_POINT_SEARCH_H

@@ -16,9 +16,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// is a point with its distance and the last piece of its path, in whose face it is given.
 struct Geodesic_query
@@ -73,8 +71,6 @@ private:
   Compressed_rows<Index> by_face_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_QUERIES_H

@@ -18,9 +18,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Where paths start: at sources, and at vertices at which they bend.
 
@@ -234,8 +232,6 @@ inline void Exact_geodesic_propagation::bend(Index v)
   }
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_STARTS_IMPL_H

@@ -11,9 +11,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * holds the windows of an edge that many batches have brought, around a spike or in a fan of slim faces.
@@ -51,8 +49,6 @@ private:
   std::vector<Geodesic_window_list*> lists_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOW_LISTS_H

@@ -16,9 +16,7 @@
 #include <new>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * is an interval of a halfedge with the straight paths that reach it, in the frame of the halfedge.
@@ -246,8 +244,6 @@ private:
   std::size_t current_ = 0, next_ = 0; // the chunk in use, and its first line not in use
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOWS_H

@@ -16,9 +16,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// is a piece of an isoline in a face: a circular arc, counterclockwise around an image, which has what is nearer on its left;
 /// or, of parallel paths, a segment.
@@ -196,8 +194,6 @@ private:
   std::vector<Isoline_arc> arcs_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_ISOLINE_ARCS_H

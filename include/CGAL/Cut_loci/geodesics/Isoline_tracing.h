@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// is an isoline, with what is nearer on its left; if it is closed, it ends where it begins.
 struct Indexed_isoline
@@ -302,8 +300,6 @@ private:
   std::vector<Token> tokens_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_ISOLINE_TRACING_H

@@ -15,9 +15,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * walks straight, from face to face, as accurately as rounding allows: at a vertex it goes on as if it had passed on one
@@ -222,8 +220,6 @@ inline Indexed_location end_of_straight_walk(const Geodesic_results& geodesics, 
   return end;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_STRAIGHT_WALK_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Windows at the ends of a list are removed if a path through a vertex is shorter: one along the halfedge from its
 // source or target, or one from the vertex `v` behind the halfedge, past which all windows go on the same side.
@@ -105,8 +103,6 @@ void filter_distance(Geodesic_window_list& list, double maximum_distance)
   list.end = to;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOW_FILTERS_H

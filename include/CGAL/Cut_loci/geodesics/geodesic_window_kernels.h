@@ -21,9 +21,7 @@
 #define CGAL_CUT_LOCI_INDEPENDENT_ITERATIONS
 #endif
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /// is a step from a halfedge across its face: the corner at the common vertex and the edge reached.
 struct Geodesic_step
@@ -139,8 +137,6 @@ inline Geodesic_side side_of_rays(double a, double b, double x, double y, const 
   return (begin - x) * point.y + (point.x - begin) * y > 0. ? passes_right : covers;
 }
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOW_KERNELS_H

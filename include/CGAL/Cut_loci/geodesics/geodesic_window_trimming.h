@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // The windows of a list are in the order of their rays: where two of them overlap, the rays of the first come from
 // further left. The difference of their distances then grows from left to right, so that the first is the better one
@@ -364,8 +362,6 @@ private:
   double narrow_ = 0.;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOW_TRIMMING_H

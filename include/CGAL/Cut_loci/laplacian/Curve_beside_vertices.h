@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // A graph of mesh edges, pushed off its vertices to where no shortest path to a vertex arrives.
 //
@@ -321,8 +319,6 @@ private:
   Index root_ = 0;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_LAPLACIAN_CURVE_BESIDE_VERTICES_H

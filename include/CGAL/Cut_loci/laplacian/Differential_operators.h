@@ -22,8 +22,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /*
  * holds the Riemannian gradient and the Laplacian of functions sampled at the vertices of a mesh, as sparse matrices.
@@ -175,7 +174,6 @@ private:
   }
 };
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_LAPLACIAN_DIFFERENTIAL_OPERATORS_H

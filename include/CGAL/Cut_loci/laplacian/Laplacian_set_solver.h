@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * runs the method for sets of sources: for points on the mesh, and for curves on the mesh cut open along them, each of
@@ -256,8 +254,6 @@ private:
   Progress progress_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_LAPLACIAN_LAPLACIAN_SET_SOLVER_H

@@ -42,9 +42,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // The pipeline of the paper on one connected component: the stages in their order, on dense indices. Sources are points,
 // and parts of the border, which are numbered behind them.
@@ -438,8 +436,6 @@ private:
   Progress progress_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_LAPLACIAN_LAPLACIAN_SOLVER_H

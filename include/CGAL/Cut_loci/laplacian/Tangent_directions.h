@@ -17,8 +17,7 @@
 #include <complex>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /*
  * holds the polar angle of each edge in the tangent plane of each of its ends, as a unit complex number, where the
@@ -95,7 +94,6 @@ private:
   static double pi() { return 3.14159265358979323846; }
 };
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_LAPLACIAN_TANGENT_DIRECTIONS_H

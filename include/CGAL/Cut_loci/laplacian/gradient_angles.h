@@ -18,8 +18,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 /*
  * computes for each vertex the largest angle, in radians in [0, pi], between two gradients at its neighbors,
@@ -75,7 +74,6 @@ inline std::vector<float> gradient_angles(const Mesh_connectivity& connectivity,
   return angle;
 }
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_LAPLACIAN_GRADIENT_ANGLES_H

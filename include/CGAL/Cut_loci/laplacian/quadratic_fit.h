@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Fits z = a0 u + a1 v + (a2 u^2 + 2 a3 u v + a4 v^2) / 2 to the surface and to a function around a vertex, and turns
 // the derivatives into the Riemannian gradient and the Laplacian: with the metric g of the graph of z and W^2 = det g,
@@ -281,8 +279,6 @@ private:
   std::vector<Small_vector<5>> derivatives_; // the same by node
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_LAPLACIAN_QUADRATIC_FIT_H

@@ -18,9 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Rows of faces that are laid out in the plane, where they may overlap, from the face of a source on, and the shortest ways
 // in them.
@@ -250,8 +248,6 @@ private:
   std::vector<Row> rows_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_WAYS_ROWS_OF_FACES_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 /*!
  * tells which faces of the mesh belong to the cell of a source because they are at it, wherever the cut locus runs: for a
@@ -169,8 +167,6 @@ private:
   std::vector<Index> source_of_face_, tried_; // by face
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_WAYS_SOURCE_FACES_H

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Where a wave comes from that is as old as told at two points: behind them as seen from the origin, from which they are in
 // counterclockwise order. False if there is no such point, or the origin sees it past them.
@@ -81,23 +79,45 @@ private:
     distance_[v] = (std::min)(distance_[v], best.distance);
   }
 
-  // Where two waves meet, that of the earlier source is older, and goes on: the other one is but beside it.
+  static void offer(double distance, double before, Index around, Wave& best)
+  {
+    if(distance < (1. - 1e-9) * best.distance) // by more than rounding
+      best = {distance, before, around};
+  }
+
   void look_across(Index h, Wave& best) const
   {
-    const auto offer = [&](double distance, double before, Index around = null_index)
-    {
-      if(distance < (1. - 1e-9) * best.distance) // by more than rounding
-        best = {distance, before, around};
-    };
     const Index a = mesh_.target(h), b = mesh_.source(mesh_.previous(h));
     const Planar_vector left = apex(mesh_, h), right = {{edge_length(mesh_, h), 0.}};
-    const double before = (std::min)(before_[a], before_[b]);
-    Planar_vector from;
-    if(before < infinity() && find_virtual_source(right, left, distance_[a] - before, distance_[b] - before, from))
-      offer(before + norm(from), before);
+    look_between(mesh_.next(h), right, left, distance_[mesh_.source(h)], best);
     for(const auto& [u, length] : {std::pair<Index, double>(a, right[0]), std::pair<Index, double>(b, norm(left))})
       if(before_[u] < infinity())
-        offer(distance_[u] + length, before_[u], u);
+        offer(distance_[u] + length, before_[u], u, best);
+  }
+
+  // Across a halfedge, from behind it. Where its ends are seen under an obtuse angle, two waves that meet in between could
+  // pass for a shorter one. So there, what is seen through the edge parts them, as in fast marching \cgalCite{cgal:ks-cgpm-98},
+  // unless it is farther than the source.
+  void look_between(Index h, const Planar_vector& right, const Planar_vector& left, double way, Wave& best) const
+  {
+    const Index a = mesh_.source(h), b = mesh_.target(h), o = mesh_.opposite[h];
+    if(dot(right, left) >= 0.)
+    {
+      // where two waves meet, that of the earlier source goes on: the other one is but beside it
+      const double before = (std::min)(before_[a], before_[b]);
+      Planar_vector from;
+      if(before < infinity() && find_virtual_source(right, left, distance_[a] - before, distance_[b] - before, from))
+        offer(before + norm(from), before, null_index, best);
+      return;
+    }
+    if(o == null_index)
+      return;
+    const Planar_vector top = apex(mesh_, o), base = right - left, along = (1. / norm(base)) * base;
+    const Planar_vector behind = left + top[0] * along + top[1] * Planar_vector{{-along[1], along[0]}};
+    if(cross(right, behind) <= 0. || cross(behind, left) <= 0. || norm(behind) > way)
+      return;
+    look_between(mesh_.next(o), right, behind, way, best);
+    look_between(mesh_.previous(o), behind, left, way, best);
   }
 
   // Paths bend around saddles, and at the border.
@@ -119,8 +139,6 @@ private:
   std::vector<double>& distance_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_WAYS_STRAIGHT_WAVES_H

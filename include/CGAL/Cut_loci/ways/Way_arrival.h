@@ -9,8 +9,7 @@
 
 #include <CGAL/Cut_loci/Index.h>
 
-namespace CGAL {
-namespace Cut_loci {
+namespace CGAL::Cut_loci {
 
 // tells how a way arrives at a vertex: through which face, from which direction, and how far its last straight piece
 // goes back.
@@ -23,7 +22,6 @@ struct Way_arrival
   double error = 0.;           ///< by which the way is longer or shorter than given
 };
 
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci
 
 #endif // CGAL_CUT_LOCI_WAYS_WAY_ARRIVAL_H

@@ -17,9 +17,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Cut_loci {
-namespace internal {
+namespace CGAL::Cut_loci::internal {
 
 // Where ways to the vertices behind an edge cross that. Near the cut locus, they are few.
 class Ways_across_edges
@@ -105,8 +103,6 @@ private:
   const std::vector<unsigned char>& crossed_;
 };
 
-} // namespace internal
-} // namespace Cut_loci
-} // namespace CGAL
+} // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_WAYS_WAYS_ACROSS_EDGES_H
