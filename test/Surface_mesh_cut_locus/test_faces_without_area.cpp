@@ -274,12 +274,13 @@ TEST(Faces_without_area, are_taken_by_laplacian_with_any_distances)
     {
       const Built flat(with_flat_faces(data, 12, seed));
       const std::vector<double> exact = distances(flat, 0);
+      const double h = test_meshes::mean_edge_length(data);
       const std::vector<double> by_exact = laplacian_by(flat, CGAL::Exact_geodesic_solver()),
                                 by_graph = laplacian_by(flat, CGAL::Graph_geodesic_solver());
       for(std::size_t v = 0; v < exact.size(); ++v)
       {
         EXPECT_NEAR(by_exact[v], exact[v], 1e-12);
-        EXPECT_GE(by_graph[v], exact[v] - 1e-5); // paths of the surface, in single precision
+        EXPECT_NEAR(by_graph[v], exact[v], 0.5 * h); // straightened ways, measured: 0.22 at most
       }
     }
 }
