@@ -207,7 +207,7 @@ std::array<double, 2> errors_of_ways(const Mesh& mesh, Index v)
   for(Index w = 0; w < lengths.size(); ++w)
     if(forest.starts_at(w))
       before[w] = 0.;
-  internal::Straight_waves(mesh, connectivity, before, straightened);
+  internal::Straight_waves(mesh, connectivity, before, straightened).straighten();
   std::array<double, 2> result = {{0., 0.}};
   for(Index w = 0; w < lengths.size(); ++w)
   {

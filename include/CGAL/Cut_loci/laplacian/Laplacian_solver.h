@@ -222,7 +222,7 @@ private:
         const Way_arrival way = forest_->arrival_at(v, lengths[v]);
         before[v] = way.length - way.straight;
       }
-    Straight_waves(mesh_, connectivity_, std::move(before), lengths);
+    Straight_waves(mesh_, connectivity_, std::move(before), lengths).straighten();
     distance_ = std::move(lengths);
   }
 

@@ -50,12 +50,16 @@ public:
                  std::vector<double>& distance)
     : mesh_(mesh), connectivity_(connectivity), before_(std::move(before)), distance_(distance)
   {
+  }
+
+  void straighten()
+  {
     std::vector<Index> vertices;
-    for(Index v = 0; v < distance.size(); ++v)
+    for(Index v = 0; v < distance_.size(); ++v)
       if(before_[v] == infinity())
         vertices.push_back(v);
     std::sort(vertices.begin(), vertices.end(),
-              [&](Index v, Index w) { return std::tie(distance[v], v) < std::tie(distance[w], w); });
+              [&](Index v, Index w) { return std::tie(distance_[v], v) < std::tie(distance_[w], w); });
     for(Index v : vertices)
       straighten(v);
   }
