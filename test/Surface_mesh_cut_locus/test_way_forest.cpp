@@ -148,9 +148,7 @@ double longest_detour(const Mesh& mesh, const Mesh_connectivity& connectivity, I
 double longest_detour_from(Index v, const Mesh& mesh)
 {
   const Mesh_connectivity connectivity(mesh);
-  Indexed_source source;
-  source.vertex = v;
-  source.location = internal::location_of_vertex(connectivity, v);
+  const Indexed_source source = test_meshes::at_vertex(mesh, v);
   internal::Exact_geodesic_propagation exact(mesh);
   exact.run({source.location});
   const std::vector<double> distance = exact.distances();
@@ -190,9 +188,7 @@ TEST(Way_forest, leads_ways_along_edges_beside_fans)
 std::array<double, 2> errors_of_ways(const Mesh& mesh, Index v)
 {
   const Mesh_connectivity connectivity(mesh);
-  Indexed_source source;
-  source.vertex = v;
-  source.location = internal::location_of_vertex(connectivity, v);
+  const Indexed_source source = test_meshes::at_vertex(mesh, v);
   internal::Exact_geodesic_propagation exact(mesh);
   exact.run({source.location});
   CGAL::Graph_geodesic_solver graph;

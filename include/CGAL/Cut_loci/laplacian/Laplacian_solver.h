@@ -210,7 +210,7 @@ private:
   }
 
   // Distances of heat are smoothed, at the cut locus most of all, and those on a graph are longer: the lengths of the ways to
-  // which they lead tell more, and take their place.
+  // which they lead tell more, and take their place, straightened.
   void measure_ways()
   {
     std::vector<double> lengths = forest_->lengths(), before(lengths.size(), Straight_waves::infinity());
@@ -363,17 +363,7 @@ private:
 
   // Whether shortest paths to a curve fan out at one of its vertices by more than a right angle: no gradient stands for
   // all of them. At other vertices, the distance is as smooth as where the curve is straight.
-  bool has_tip(Index v) const
-  {
-    double angle = 0.;
-    for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
-      if(const Index h = connectivity_.ring_halfedge[k]; mesh_.source(h) == v)
-      {
-        const Planar_vector top = apex(mesh_, h);
-        angle += std::atan2(top[1], top[0]);
-      }
-    return angle > 1.5 * 3.14159265358979;
-  }
+  bool has_tip(Index v) const { return angle_around(mesh_, connectivity_, v) > 1.5 * 3.14159265358979; }
 
   // The farthest vertex is on the cut locus of a closed surface. A border vertex may be farthest without being on it:
   // then the lowest Laplacian is the best guess.

@@ -35,6 +35,19 @@ inline bool find_virtual_source(const Planar_vector& right, const Planar_vector&
   return cross(right, from) >= 0. && cross(from, left) >= 0.;
 }
 
+// the sum of the angles of faces at a vertex
+inline double angle_around(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, Index v)
+{
+  double result = 0.;
+  for(Index k = connectivity.ring_begin[v]; k < connectivity.ring_begin[v + 1]; ++k)
+    if(const Index h = connectivity.ring_halfedge[k]; mesh.source(h) == v)
+    {
+      const Planar_vector top = apex(mesh, h);
+      result += std::atan2(top[1], top[0]);
+    }
+  return result;
+}
+
 // Lengths of ways, which bend where their rows of faces do, straightened: a vertex is as far as a wave says that comes across
 // one of its faces, from where circles around the other two corners meet, or around one of them, or as its way if that is
 // shorter. One sweep in the order of the lengths.
@@ -127,14 +140,7 @@ private:
   // Paths bend around saddles, and at the border.
   bool bends(Index v) const
   {
-    double angle = 0.;
-    for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
-      if(const Index h = connectivity_.ring_halfedge[k]; mesh_.source(h) == v)
-      {
-        const Planar_vector top = apex(mesh_, h);
-        angle += std::atan2(top[1], top[0]);
-      }
-    return connectivity_.is_border(v) || angle > 2. * 3.14159265358979;
+    return connectivity_.is_border(v) || angle_around(mesh_, connectivity_, v) > 2. * 3.14159265358979;
   }
 
   const Indexed_triangle_mesh& mesh_;
