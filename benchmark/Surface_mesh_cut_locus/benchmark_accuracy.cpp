@@ -50,17 +50,20 @@ void run(const std::string& solver_name, const Solver& solver, const Case& test,
   const Mesh::Vertex_index source = snap_vertex(mesh, test.source);
   const double h = mean_edge_length(mesh);
   CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(
-    mesh, params::geodesic_solver(solver).cut_locus_method(CGAL::Cut_loci::Method::LAPLACIAN));
+    mesh, params::geodesic_solver(solver).cut_locus_method(CGAL::Cut_loci::Laplacian_method()));
   cut_loci.set_source(source);
-  const double angle = t.angle.value_or(cut_loci.default_gradient_angle_threshold());
+  const double angle = t.angle.value_or(CGAL::Cut_loci::Laplacian_method().gradient_angle_threshold());
   const double laplacian = t.laplacian.value_or(-1e300);
   const Polylines truth = test.truth(h / 5.);
   for(unsigned int iterations : t.smoothing)
   {
-    const Cut_locus result = cut_loci.cut_locus(params::gradient_angle_threshold(angle)
-                                                  .laplacian_threshold(laplacian)
-                                                  .minimum_branch_edges(t.minimum_edges)
-                                                  .number_of_iterations(iterations));
+    const Cut_locus result = cut_loci.cut_locus(
+      params::cut_locus_method(CGAL::Cut_loci::Laplacian_method()
+                                 .gradient_angle_threshold(angle)
+                                 .laplacian_threshold(laplacian)
+                                 .minimum_branch_edges(t.minimum_edges)
+                                 .number_of_iterations(iterations == 0 ? 1 : iterations))
+        .cut_locus_curve(iterations == 0 ? CGAL::Cut_loci::Curve::MESH_EDGES : CGAL::Cut_loci::Curve::THROUGH_FACES));
     const Polylines estimate = segments_of(result);
     const Deviation e = deviation(estimate, truth, h / 5.), m = deviation(truth, estimate, h / 5.);
     std::printf("%-22s %7u %8.5f  %-10s %9u %5.2f %9.3g  %7.3f %7.2f  %7.3f %7.2f\n", test.name.c_str(),

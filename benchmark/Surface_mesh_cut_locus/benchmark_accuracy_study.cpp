@@ -18,6 +18,7 @@
 #include "shot_cut_locus.h"
 #include "stretched_mesh.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
 
 #include <boost/program_options.hpp>
@@ -171,7 +172,9 @@ CGAL::Cut_loci::Method method_named(const std::string& name)
 {
   if(name != "direction" && name != "laplacian")
     throw std::runtime_error("there is no method " + name);
-  return name == "direction" ? CGAL::Cut_loci::Method::DIRECTION : CGAL::Cut_loci::Method::LAPLACIAN;
+  if(name == "direction")
+    return CGAL::Cut_loci::Default_method();
+  return CGAL::Cut_loci::Laplacian_method();
 }
 
 bool is_wanted(const std::vector<std::string>& wanted, const std::string& name)

@@ -45,6 +45,8 @@ namespace {
 
 namespace params = CGAL::parameters;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using CGAL::Cut_loci::Default_method;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
 using CGAL::Cut_loci::Stage;
 
@@ -116,16 +118,17 @@ std::vector<Solver_case> solver_cases()
   using Heat = CGAL::Heat_method_geodesic_solver<>;
   using Direct_heat = CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct>;
   const std::size_t any = 10000000;
-  return {{"exact-direction", any,
-           [](std::size_t n, int k) { return measure(n, CGAL::Exact_geodesic_solver(), Method::DIRECTION, k); }},
-          {"exact-laplacian", any,
-           [](std::size_t n, int k) { return measure(n, CGAL::Exact_geodesic_solver(), Method::LAPLACIAN, k); }},
-          {"graph", any,
-           [](std::size_t n, int k) { return measure(n, CGAL::Graph_geodesic_solver(), Method::LAPLACIAN, k); }},
-          {"heat-direct", 300000, [](std::size_t n, int k) { return measure(n, Direct_heat(), Method::LAPLACIAN, k); }},
-          {"heat", 300000, [](std::size_t n, int k) { return measure(n, Heat(), Method::LAPLACIAN, k); }},
-          {"cgal-exact", 100000,
-           [](std::size_t n, int) { return measure(n, CGAL::Shortest_path_geodesic_solver(), Method::LAPLACIAN, 1); }}};
+  return {
+    {"exact-direction", any,
+     [](std::size_t n, int k) { return measure(n, CGAL::Exact_geodesic_solver(), Default_method(), k); }},
+    {"exact-laplacian", any,
+     [](std::size_t n, int k) { return measure(n, CGAL::Exact_geodesic_solver(), Laplacian_method(), k); }},
+    {"graph", any,
+     [](std::size_t n, int k) { return measure(n, CGAL::Graph_geodesic_solver(), Laplacian_method(), k); }},
+    {"heat-direct", 300000, [](std::size_t n, int k) { return measure(n, Direct_heat(), Laplacian_method(), k); }},
+    {"heat", 300000, [](std::size_t n, int k) { return measure(n, Heat(), Laplacian_method(), k); }},
+    {"cgal-exact", 100000,
+     [](std::size_t n, int) { return measure(n, CGAL::Shortest_path_geodesic_solver(), Laplacian_method(), 1); }}};
 }
 
 // In a process of its own. Returns false if it has failed.

@@ -10,6 +10,7 @@
 #include "command_line.h"
 #include "measuring.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
@@ -20,12 +21,16 @@
 #include <functional>
 #include <malloc.h>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using CGAL::Cut_loci::Default_method;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Polyhedral_method;
 using CGAL::Cut_loci::Stage;
 
 // bytes that are allocated
@@ -72,9 +77,9 @@ private:
 
 void measure(const std::string& name, const Mesh& mesh, Method method, double error)
 {
-  const char* const method_name = method == Method::DIRECTION    ? "direction"
-                                  : method == Method::POLYHEDRAL ? "polyhedral"
-                                                                 : "laplacian";
+  const char* const method_name = std::holds_alternative<Default_method>(method)      ? "direction"
+                                  : std::holds_alternative<Polyhedral_method>(method) ? "polyhedral"
+                                                                                      : "laplacian";
   Memory_of_stages memory(name, method_name, error, mesh.number_of_faces());
   CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, CGAL::parameters::cut_locus_method(method).visitor(std::ref(memory)));
   solver.set_source(Mesh::Vertex_index(17), CGAL::parameters::maximum_relative_error(error));
@@ -100,11 +105,11 @@ int main(int argc, char** argv)
     tori.push_back(faces);
   const auto measure_all = [&](const std::string& name, const Mesh& mesh)
   {
-    measure(name, mesh, Method::DIRECTION, 0.);
-    measure(name, mesh, Method::DIRECTION, 1e-5);
-    measure(name, mesh, Method::LAPLACIAN, 0.);
+    measure(name, mesh, Default_method(), 0.);
+    measure(name, mesh, Default_method(), 1e-5);
+    measure(name, mesh, Laplacian_method(), 0.);
     if(values.count("polyhedral"))
-      measure(name, mesh, Method::POLYHEDRAL, 0.);
+      measure(name, mesh, Polyhedral_method(), 0.);
   };
   command_line::for_each_mesh<Mesh>(tori, files, measure_all);
 }

@@ -29,6 +29,7 @@
 #include <fstream>
 #include <functional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace {
@@ -36,6 +37,8 @@ namespace {
 using namespace analytic;
 namespace params = CGAL::parameters;
 using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::Default_method;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
 using Vertex = Mesh::Vertex_index;
 
@@ -84,10 +87,10 @@ void run(const std::string& solver_name, const Solver& solver, Method method, co
   {
     const Polylines estimate = segments_of(is_smooth ? through_faces : along_edges);
     const Deviation there = deviation(estimate, truth, h / 5.), back = deviation(truth, estimate, h / 5.);
-    std::printf("%s,%u,%.5f,%s,%s,%s,%.2e,%.2e,%.3f,%.3f,%.3f,%.3f\n", test.name.c_str(),
-                unsigned(mesh.number_of_faces()), h, solver_name.c_str(),
-                method == Method::DIRECTION ? "direction" : "laplacian", is_smooth ? "faces" : "edges", error_mean,
-                error_max, there.mean / h, there.max / h, back.mean / h, back.max / h);
+    std::printf(
+      "%s,%u,%.5f,%s,%s,%s,%.2e,%.2e,%.3f,%.3f,%.3f,%.3f\n", test.name.c_str(), unsigned(mesh.number_of_faces()), h,
+      solver_name.c_str(), std::holds_alternative<Default_method>(method) ? "direction" : "laplacian",
+      is_smooth ? "faces" : "edges", error_mean, error_max, there.mean / h, there.max / h, back.mean / h, back.max / h);
   }
   std::fflush(stdout);
 }
@@ -116,11 +119,11 @@ int main(int argc, char** argv)
     const Mesh mesh = torus_mesh(torus, length, cache);
     for(const Case& c : cases)
     {
-      run("exact", CGAL::Exact_geodesic_solver(), Method::DIRECTION, c, mesh);
-      run("exact", CGAL::Exact_geodesic_solver(), Method::LAPLACIAN, c, mesh);
-      run("heat", CGAL::Heat_method_geodesic_solver<>(), Method::LAPLACIAN, c, mesh);
-      run("heat-direct", CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct>(), Method::LAPLACIAN, c, mesh);
-      run("graph", CGAL::Graph_geodesic_solver(), Method::LAPLACIAN, c, mesh);
+      run("exact", CGAL::Exact_geodesic_solver(), Default_method(), c, mesh);
+      run("exact", CGAL::Exact_geodesic_solver(), Laplacian_method(), c, mesh);
+      run("heat", CGAL::Heat_method_geodesic_solver<>(), Laplacian_method(), c, mesh);
+      run("heat-direct", CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct>(), Laplacian_method(), c, mesh);
+      run("graph", CGAL::Graph_geodesic_solver(), Laplacian_method(), c, mesh);
     }
   }
 }

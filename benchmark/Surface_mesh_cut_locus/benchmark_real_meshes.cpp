@@ -37,13 +37,17 @@
 #include <memory>
 #include <numeric>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace {
 
 namespace params = CGAL::parameters;
 using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::Default_method;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Polyhedral_method;
 using Vertex = Mesh::Vertex_index;
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
 
@@ -61,16 +65,16 @@ Configuration configuration(const std::string& method_name, const std::string& s
           [method](const Mesh& mesh) {
     return std::make_unique<Solver>(mesh, params::geodesic_solver(GeodesicSolver()).cut_locus_method(method));
           },
-          method == Method::LAPLACIAN};
+          std::holds_alternative<Laplacian_method>(method)};
 }
 
 std::vector<Configuration> all_configurations()
 {
-  return {configuration<CGAL::Exact_geodesic_solver>("direction", "exact", Method::DIRECTION),
-          configuration<CGAL::Exact_geodesic_solver>("laplacian", "exact", Method::LAPLACIAN),
+  return {configuration<CGAL::Exact_geodesic_solver>("direction", "exact", Default_method()),
+          configuration<CGAL::Exact_geodesic_solver>("laplacian", "exact", Laplacian_method()),
           configuration<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Intrinsic_Delaunay>>("laplacian", "heat",
-                                                                                                    Method::LAPLACIAN),
-          configuration<CGAL::Graph_geodesic_solver>("laplacian", "graph", Method::LAPLACIAN)};
+                                                                                                    Laplacian_method()),
+          configuration<CGAL::Graph_geodesic_solver>("laplacian", "graph", Laplacian_method())};
 }
 
 struct Settings
@@ -194,7 +198,7 @@ private:
       result.width = 1.1 * pruned.minimum_branch_width() * diagonal;
       result.gap = 1.1 * pruned.minimum_branch_gap();
       result.tree = std::make_unique<const Cut_locus>(
-        CGAL::compute_cut_locus(mesh, source, faces.cut_locus_method(Method::POLYHEDRAL)));
+        CGAL::compute_cut_locus(mesh, source, faces.cut_locus_method(Polyhedral_method())));
     }
     catch(const std::exception&)
     {
@@ -228,9 +232,11 @@ private:
             continue;
           }
           for(const double angle : settings_.angles)
-            print(mesh, source, c, curve, shortest(angle),
-                  solver->cut_locus(params::cut_locus_curve(curve).gradient_angle_threshold(angle)), trusted, seconds,
-                  exact);
+            print(
+              mesh, source, c, curve, shortest(angle),
+              solver->cut_locus(
+                params::cut_locus_method(Laplacian_method().gradient_angle_threshold(angle)).cut_locus_curve(curve)),
+              trusted, seconds, exact);
         }
       }
       catch(const std::exception& error)

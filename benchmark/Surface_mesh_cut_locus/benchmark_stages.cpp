@@ -107,7 +107,7 @@ int main(int argc, char** argv)
     {
       const double before = measuring::reset_peak_memory();
       CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(
-        mesh, params::visitor(std::ref(times)).cut_locus_method(CGAL::Cut_loci::Method::LAPLACIAN));
+        mesh, params::visitor(std::ref(times)).cut_locus_method(CGAL::Cut_loci::Laplacian_method()));
       cut_loci.set_source(source, params::vertex_distance_map(distance));
       memory = measuring::peak_memory() - before;
       // a slider that moves over the range in which branches come and go
@@ -116,8 +116,10 @@ int main(int argc, char** argv)
             {CGAL::Cut_loci::Filter_policy::PRUNING, CGAL::Cut_loci::Filter_policy::GROWING})
         {
           const Clock::time_point start = Clock::now();
-          const auto result =
-            cut_loci.cut_locus(params::gradient_angle_threshold(angle).filter_policy(policy).number_of_iterations(0));
+          const auto result = cut_loci.cut_locus(
+            params::cut_locus_method(
+              CGAL::Cut_loci::Laplacian_method().gradient_angle_threshold(angle).filter_policy(policy))
+              .cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
           thresholds.push_back(seconds_since(start));
           cycles = num_edges(result.graph()) + 1 - num_vertices(result.graph());
         }

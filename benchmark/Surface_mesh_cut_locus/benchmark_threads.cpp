@@ -11,6 +11,7 @@
 #include "command_line.h"
 #include "measuring.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
@@ -33,6 +34,8 @@
 namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using CGAL::Cut_loci::Default_method;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
 using CGAL::Cut_loci::Stage;
 namespace params = CGAL::parameters;
@@ -101,7 +104,7 @@ std::map<std::string, Times> times_of_run(const Mesh& mesh, Method method, int t
 void measure(const std::string& name, const Mesh& mesh, const std::vector<int>& threads, int runs)
 {
   for(const auto& method :
-      {std::make_pair(Method::DIRECTION, "direction"), std::make_pair(Method::LAPLACIAN, "laplacian")})
+      {std::make_pair(Method(Default_method()), "direction"), std::make_pair(Method(Laplacian_method()), "laplacian")})
   {
     std::map<std::pair<int, std::string>, std::array<std::vector<double>, 3>> times;
     for(int run = 0; run < runs; ++run)

@@ -23,6 +23,7 @@
 #include <sstream>
 #include <typeinfo>
 #include <utility>
+#include <variant>
 
 namespace po = boost::program_options;
 
@@ -241,37 +242,42 @@ void check_overwriting(const po::variables_map& given, const Options& options)
   }
 }
 
+bool is_laplacian(const Options& options)
+{
+  return std::holds_alternative<CGAL::Cut_loci::Laplacian_method>(options.method);
+}
+
 void read_method(const std::string& name, Options& options)
 {
   using CGAL::Cut_loci::Method;
-  options.method = name == "auto"         ? default_method(options.solver)
-                   : name == "direction"  ? Method::DIRECTION
-                   : name == "polyhedral" ? Method::POLYHEDRAL
-                                          : Method::LAPLACIAN;
-  options.method_name = options.method == Method::DIRECTION   ? "direction"
-                        : options.method == Method::LAPLACIAN ? "laplacian"
-                                                              : "polyhedral";
-  if(options.method != Method::LAPLACIAN && options.solver != "exact")
+  const std::pair<const char*, Method> methods[] = {{"direction", CGAL::Cut_loci::Default_method()},
+                                                    {"polyhedral", CGAL::Cut_loci::Polyhedral_method()},
+                                                    {"laplacian", CGAL::Cut_loci::Laplacian_method()}};
+  options.method = default_method(options.solver);
+  for(const auto& [method_name, method] : methods)
+    if(name == method_name)
+      options.method = method;
+  options.method_name = methods[options.method.index()].first;
+  if(!is_laplacian(options) && options.solver != "exact")
     throw Usage_error("--method " + name + " needs the paths of --solver exact");
 }
 
 // An option of another method would be ignored.
 void check_options_of_method(const po::variables_map& given, const Options& options)
 {
-  using CGAL::Cut_loci::Method;
   const auto refuse = [&](const char* option, const std::string& methods)
   {
     if(given.count(option))
       throw Usage_error(std::string("--") + option + " is for --method " + methods + ", and here the method is " +
                         options.method_name + (given["method"].defaulted() ? ", the default for these distances" : ""));
   };
-  if(options.method != Method::LAPLACIAN)
+  if(!is_laplacian(options))
     for(const char* option : {"angle", "laplacian", "policy"})
       refuse(option, "laplacian");
-  if(options.method != Method::LAPLACIAN && given.count("smooth"))
+  if(!is_laplacian(options) && given.count("smooth"))
     throw Usage_error("--smooth is for --method laplacian: the method " + options.method_name +
                       " needs no smoothing, --curve faces gives its curve through the faces");
-  if(options.method == Method::LAPLACIAN)
+  if(is_laplacian(options))
     for(const char* option : {"min-branch-gap", "min-branch-width", "min-branch-curvature"})
       refuse(option, "direction or polyhedral");
 }
@@ -280,7 +286,7 @@ void check_maximum_relative_error(const Options& options)
 {
   if(options.maximum_relative_error && options.solver != "exact")
     throw Usage_error("--max-relative-error is for --solver exact");
-  if(options.maximum_relative_error && options.method == CGAL::Cut_loci::Method::POLYHEDRAL)
+  if(options.maximum_relative_error && std::holds_alternative<CGAL::Cut_loci::Polyhedral_method>(options.method))
     throw Usage_error("--max-relative-error: --method polyhedral needs exact distances");
 }
 
@@ -408,7 +414,7 @@ Options parse_command_line(int argc, char* argv[])
   read_method(text("method"), options);
   check_options_of_method(given, options);
   for(const char* name : {"min-branch-edges", "min-branch-length"})
-    if(has_curves(options) && options.method != CGAL::Cut_loci::Method::LAPLACIAN && given.count(name) &&
+    if(has_curves(options) && !is_laplacian(options) && given.count(name) &&
        (!given.count("curve") || text("curve") != "edges"))
       throw Usage_error("--" + std::string(name) +
                         " is for a cut locus along edges of the mesh, which sources that are curves have with "

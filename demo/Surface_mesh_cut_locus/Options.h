@@ -46,7 +46,7 @@ struct Options
   std::optional<double> minimum_branch_width;
   std::optional<std::size_t> smoothing;       // iterations
   std::optional<CGAL::Cut_loci::Curve> curve; // null: see `curve_of()`
-  CGAL::Cut_loci::Method method = CGAL::Cut_loci::Method::DIRECTION;
+  CGAL::Cut_loci::Method method;              // which one; its options are below
   std::string method_name;
   std::vector<std::string> outputs;
   std::optional<std::array<double, 3>> view; // the direction from which pictures look

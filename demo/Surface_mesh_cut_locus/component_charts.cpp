@@ -18,6 +18,7 @@
 #include <memory>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 namespace {
 
@@ -48,8 +49,9 @@ double stretch_of(const Charts& charts)
 // Whether the detail is for the program to choose. Other parameterizations may flip faces, whatever the detail.
 bool may_refine(const Options& options)
 {
-  return options.method == CGAL::Cut_loci::Method::DIRECTION && options.parameterization == "injective" &&
-         !options.minimum_branch_width && !options.minimum_branch_gap && !options.minimum_branch_curvature;
+  return std::holds_alternative<CGAL::Cut_loci::Default_method>(options.method) &&
+         options.parameterization == "injective" && !options.minimum_branch_width && !options.minimum_branch_gap &&
+         !options.minimum_branch_curvature;
 }
 
 // Each width is half of the one before, and the last one zero, where branches would be as narrow as an edge is long.

@@ -40,7 +40,7 @@
 namespace {
 
 using CGAL::Cut_loci::Curve;
-using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Polyhedral_method;
 
 Unfolding unfolded(const Mesh& mesh, const Cut_locus& cut_locus)
 {
@@ -63,17 +63,21 @@ std::string component_note(const Options& options, const Input_mesh& input, cons
 Completeness check_completeness(const Options& options, const Input_mesh& input, const Cut_locus& cut_locus)
 {
   const bool has_threads = options.threads > 1;
-  const auto full = make_solver("exact", Method::POLYHEDRAL, input.mesh, nullptr, has_threads);
+  const auto full = make_solver("exact", Polyhedral_method(), input.mesh, nullptr, has_threads);
   set_source(options, input, *full);
   double width = options.minimum_branch_width.value_or(0.);
   if(width == 0.)
   {
-    const auto usual = make_solver("exact", Method::DIRECTION, input.mesh, nullptr, has_threads);
+    const auto usual = make_solver("exact", CGAL::Cut_loci::Default_method(), input.mesh, nullptr, has_threads);
     set_source(options, input, *usual);
     width = usual->minimum_branch_width();
   }
-  return {width, share_near(input.mesh, full->cut_locus(CGAL::parameters::minimum_branch_width(width)), cut_locus),
-          share_near(input.mesh, cut_locus, full->cut_locus())};
+  return {
+    width,
+    share_near(input.mesh,
+               full->cut_locus(CGAL::parameters::cut_locus_method(Polyhedral_method().minimum_branch_width(width))),
+               cut_locus),
+    share_near(input.mesh, cut_locus, full->cut_locus())};
 }
 
 // What is computed beside the cut locus, as far as it is asked for.
@@ -180,8 +184,8 @@ bool run(const Options& given)
 std::string as_options(std::string message)
 {
   const std::pair<const char*, const char*> words[] = {
-    {"cut_locus_method(Cut_loci::Method::DIRECTION)", "--method direction"},
-    {"cut_locus_method(Cut_loci::Method::LAPLACIAN)", "--method laplacian"},
+    {"cut_locus_method(Cut_loci::Default_method())", "--method direction"},
+    {"cut_locus_method(Cut_loci::Laplacian_method())", "--method laplacian"},
     {"cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)", "--curve faces"},
     {"cut_locus_curve(Cut_loci::Curve::MESH_EDGES)", "--curve edges"}};
   for(const auto& [parameter, option] : words)

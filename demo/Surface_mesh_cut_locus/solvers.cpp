@@ -21,13 +21,13 @@ struct Solver_entry
 {
   const char* name;
   const char* description;
-  std::unique_ptr<Cut_locus_solver> (*make)(const Mesh&, CGAL::Cut_loci::Method, Progress*, bool has_threads);
+  std::unique_ptr<Cut_locus_solver> (*make)(const Mesh&, const CGAL::Cut_loci::Method&, Progress*, bool has_threads);
   CGAL::Cut_loci::Method method;
 };
 
 // Without the tag, TBB is not called: it starts threads even if it is told that there is one.
 template <typename GeodesicSolver>
-std::unique_ptr<Cut_locus_solver> make(const Mesh& mesh, CGAL::Cut_loci::Method method, Progress* progress,
+std::unique_ptr<Cut_locus_solver> make(const Mesh& mesh, const CGAL::Cut_loci::Method& method, Progress* progress,
                                        bool has_threads)
 {
   const auto parameters =
@@ -88,7 +88,7 @@ std::string solver_descriptions()
 CGAL::Cut_loci::Method default_method(const std::string& solver)
 {
   const Solver_entry* const found = find_solver(solver);
-  return found == nullptr ? CGAL::Cut_loci::Method::LAPLACIAN : found->method;
+  return found == nullptr ? CGAL::Cut_loci::Laplacian_method() : found->method;
 }
 
 std::string default_methods()
@@ -96,14 +96,14 @@ std::string default_methods()
   std::string direction, laplacian;
   for(const Solver_entry& s : solvers)
   {
-    std::string& names = s.method == CGAL::Cut_loci::Method::DIRECTION ? direction : laplacian;
+    std::string& names = std::holds_alternative<CGAL::Cut_loci::Default_method>(s.method) ? direction : laplacian;
     names += (names.empty() ? "" : ", ") + std::string(s.name);
   }
   return "direction with the solver " + direction + ", laplacian with " + laplacian;
 }
 
-std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, CGAL::Cut_loci::Method method, const Mesh& mesh,
-                                              Progress* progress, bool has_threads)
+std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, const CGAL::Cut_loci::Method& method,
+                                              const Mesh& mesh, Progress* progress, bool has_threads)
 {
   const Solver_entry* const solver = find_solver(name);
   if(solver == nullptr)

@@ -26,7 +26,7 @@ CGAL::Cut_loci::Method default_method(const std::string& solver);
 std::string default_methods(); // "direction with the solver a, laplacian with b and c"
 
 // `progress` may be null.
-std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, CGAL::Cut_loci::Method method, const Mesh& mesh,
-                                              Progress* progress, bool has_threads);
+std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, const CGAL::Cut_loci::Method& method,
+                                              const Mesh& mesh, Progress* progress, bool has_threads);
 
 #endif // SURFACE_MESH_CUT_LOCUS_DEMO_SOLVERS_H

@@ -6,33 +6,43 @@
 
 #include "thresholds.h"
 
-#include <limits>
 #include <string>
+#include <variant>
 
 using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
 
 namespace {
 
-CGAL::Cut_loci::internal::Curve_parameters curve_parameters(const Options& options)
+template <typename Path_method>
+Method options_of(const Options& options, Path_method method)
 {
-  return CGAL::Cut_loci::internal::curve_parameters(options.curve, options.smoothing);
+  method.minimum_branch_edges(static_cast<long>(options.minimum_branch_edges.value_or(0)))
+    .minimum_branch_length(options.minimum_branch_length.value_or(0.));
+  if(options.minimum_branch_gap)
+    method.minimum_branch_gap(*options.minimum_branch_gap);
+  if(options.minimum_branch_width)
+    method.minimum_branch_width(*options.minimum_branch_width);
+  if(options.minimum_branch_curvature)
+    method.minimum_branch_curvature(*options.minimum_branch_curvature);
+  return method;
 }
 
-// Gap or width replace the defaults of all three, the curvature its own.
-template <typename NamedParameters>
-Cut_locus apply_exact_thresholds(const Options& options, const Cut_locus_solver& solver, const NamedParameters& np)
+Method options_of(const Options& options, Laplacian_method method)
 {
-  const auto with_curvature = [&](const auto& parameters)
-  {
-    return options.minimum_branch_curvature
-             ? solver.cut_locus(parameters.minimum_branch_curvature(*options.minimum_branch_curvature))
-             : solver.cut_locus(parameters);
-  };
-  return options.minimum_branch_gap || options.minimum_branch_width
-           ? with_curvature(np.minimum_branch_gap(options.minimum_branch_gap.value_or(0.))
-                              .minimum_branch_width(options.minimum_branch_width.value_or(0.)))
-           : with_curvature(np);
+  using CGAL::Cut_loci::Filter_policy;
+  method.filter_policy(options.grow.value_or(false) ? Filter_policy::GROWING : Filter_policy::PRUNING)
+    .minimum_branch_length(options.minimum_branch_length.value_or(0.));
+  if(options.angle)
+    method.gradient_angle_threshold(*options.angle);
+  if(options.laplacian)
+    method.laplacian_threshold(*options.laplacian);
+  if(options.minimum_branch_edges)
+    method.minimum_branch_edges(static_cast<long>(*options.minimum_branch_edges));
+  if(options.smoothing.value_or(0) > 0)
+    method.number_of_iterations(static_cast<long>(*options.smoothing));
+  return method;
 }
 
 } // namespace
@@ -57,12 +67,14 @@ Options fill_in_defaults(Options options, const Cut_locus_solver& solver)
     if(!option)
       option = value;
   };
-  const bool is_laplacian = options.method == Method::LAPLACIAN;
+  const bool is_laplacian = std::holds_alternative<Laplacian_method>(options.method);
   if(is_laplacian)
   {
-    fill_in(options.angle, solver.default_gradient_angle_threshold());
+    const Laplacian_method by_default;
+    fill_in(options.angle, by_default.gradient_angle_threshold());
     fill_in(options.grow, false);
-    fill_in(options.smoothing, curve_parameters(options).iterations);
+    fill_in(options.smoothing, curve_of(options) == Curve::MESH_EDGES ? 0 : by_default.number_of_iterations());
+    fill_in(options.minimum_branch_edges, by_default.minimum_branch_edges());
   }
   else if(options.minimum_branch_gap || options.minimum_branch_width)
   {
@@ -75,38 +87,30 @@ Options fill_in_defaults(Options options, const Cut_locus_solver& solver)
     options.minimum_branch_width = solver.minimum_branch_width();
     fill_in(options.minimum_branch_curvature, solver.minimum_branch_curvature());
   }
-  fill_in(options.minimum_branch_edges, is_laplacian ? solver.default_minimum_branch_edges() : 0);
+  fill_in(options.minimum_branch_edges, 0);
   fill_in(options.minimum_branch_length, 0.);
   return options;
 }
 
 Cut_locus apply_thresholds(const Options& options, const Cut_locus_solver& solver)
 {
-  using CGAL::Cut_loci::Filter_policy;
-  const auto part =
-    CGAL::parameters::kept_part(options.kept).minimum_branch_length(options.minimum_branch_length.value_or(0.));
-  const auto curve = curve_parameters(options);
-  if(options.method != Method::LAPLACIAN)
-    return apply_exact_thresholds(
-      options, solver,
-      part.minimum_branch_edges(options.minimum_branch_edges.value_or(0)).cut_locus_curve(curve.curve));
+  const Method method = std::visit([&](const auto& m) { return options_of(options, m); }, options.method);
   return solver.cut_locus(
-    part.gradient_angle_threshold(options.angle.value_or(solver.default_gradient_angle_threshold()))
-      .laplacian_threshold(options.laplacian.value_or(-std::numeric_limits<double>::infinity()))
-      .filter_policy(options.grow.value_or(false) ? Filter_policy::GROWING : Filter_policy::PRUNING)
-      .minimum_branch_edges(options.minimum_branch_edges.value_or(solver.default_minimum_branch_edges()))
-      .number_of_iterations(curve.iterations));
+    CGAL::parameters::cut_locus_method(method).cut_locus_curve(curve_of(options)).kept_part(options.kept));
 }
 
 Cut_locus voronoi_diagram(const Options& options, const Cut_locus_solver& solver)
 {
-  const auto curve = curve_parameters(options);
-  const auto part = CGAL::parameters::kept_part(Kept_part::VORONOI);
-  return options.method == Method::LAPLACIAN ? solver.cut_locus(part.number_of_iterations(curve.iterations))
-                                             : solver.cut_locus(part.cut_locus_curve(curve.curve));
+  Options all;
+  all.method = options.method;
+  all.curve = options.curve;
+  all.smoothing = options.smoothing;
+  all.kept = Kept_part::VORONOI;
+  return apply_thresholds(all, solver);
 }
 
+// no smoothing leaves edges of the mesh
 Curve curve_of(const Options& options)
 {
-  return curve_parameters(options).curve;
+  return options.curve.value_or(options.smoothing == std::size_t(0) ? Curve::MESH_EDGES : Curve::THROUGH_FACES);
 }

@@ -33,7 +33,7 @@ int main()
   CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
 
   // a polyhedron, of which nothing is left out: also the branches from its corners
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
   solver.set_sources(Vertices(), params::source_border(true));
   const auto medial_axis = solver.cut_locus();
   std::cout << "The medial axis has the length " << CGAL::Cut_loci::compute_statistics(medial_axis).length

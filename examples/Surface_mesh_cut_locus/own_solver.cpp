@@ -7,6 +7,7 @@
 // A geodesic solver of one's own: two functions on a mesh in arrays. This one walks along edges, from vertex to vertex; a
 // better one would be put here in the same way.
 
+#include <CGAL/Cut_loci/Laplacian_method.h> // the method that takes any distances
 #include <CGAL/compute_cut_locus.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -10,7 +10,7 @@
 #include <CGAL/Cut_loci/Default_visitor.h>
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/compute_cut_locus.h>
-#include <CGAL/refine_along_cut_locus.h>
+#include <CGAL/cut_along_cut_locus.h>
 
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -95,7 +95,7 @@ int main(int argc, char* argv[])
       argc > 1 ? Kernel::Point_3(std::stod(argv[2]), std::stod(argv[3]), std::stod(argv[4])) : Kernel::Point_3(0, 0, 1);
     const auto source = PMP::locate(query, mesh); // a face and barycentric coordinates
     const auto cut_locus = CGAL::compute_cut_locus(mesh, source, CGAL::parameters::visitor(Progress()));
-    CGAL::cut_along_curve(mesh, cut_locus, disk);
+    CGAL::cut_along_cut_locus(mesh, cut_locus, disk);
   }
   catch(const std::invalid_argument& error) // Cut_loci::Invalid_input is one: it names the cause and the element
   {

@@ -32,7 +32,7 @@ int main()
 
   const std::pair<Mesh::Face_index, std::array<double, 3>> source(*cube.faces().begin(), {{0.5, 0.2, 0.3}});
   const auto cut_locus =
-    CGAL::compute_cut_locus(cube, source, CGAL::parameters::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+    CGAL::compute_cut_locus(cube, source, CGAL::parameters::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
   const auto& graph = cut_locus.graph();
   std::size_t corners = 0;
   for(auto v : CGAL::make_range(vertices(graph)))

@@ -41,7 +41,8 @@ int main(int argc, char* argv[])
       for(double factor : {0.1, 0.5, 1., 2.})
       {
         const double width = factor * solver.minimum_branch_width();
-        const auto cut_locus = solver.cut_locus(CGAL::parameters::minimum_branch_width(width));
+        const auto cut_locus = solver.cut_locus(
+          CGAL::parameters::cut_locus_method(CGAL::Cut_loci::Default_method().minimum_branch_width(width)));
         std::cout << "source " << source << ", branches of width " << width
                   << " or more: " << num_edges(cut_locus.graph()) << " edges\n";
       }

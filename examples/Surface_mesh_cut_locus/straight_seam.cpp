@@ -7,6 +7,7 @@
 // Splits the faces along the cut locus, for seams that do not zigzag along the edges of the mesh.
 
 #include <CGAL/compute_cut_locus.h>
+#include <CGAL/cut_along_cut_locus.h>
 #include <CGAL/refine_along_cut_locus.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -42,6 +43,6 @@ int main(int argc, char* argv[])
             << " edges on the cut locus.\n";
 
   Mesh disk;
-  CGAL::cut_along_curve(mesh, cut_locus, disk);
+  CGAL::cut_along_cut_locus(mesh, cut_locus, disk);
   return CGAL::IO::write_polygon_mesh("disk.off", disk) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

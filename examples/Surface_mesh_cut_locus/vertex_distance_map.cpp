@@ -5,8 +5,9 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 // Distances that one has: here those of CGAL's heat method, computed elsewhere, and one by one for each vertex in a property
-// map. No solver runs, and the method is Cut_loci::Method::LAPLACIAN, which takes any distances.
+// map. No solver runs, and the method is Cut_loci::Laplacian_method, which takes any distances.
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
@@ -45,7 +46,8 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   // smoothed distances meet at narrower angles than exact ones
-  const auto cut_locus = solver.cut_locus(CGAL::parameters::gradient_angle_threshold(0.4));
+  const auto cut_locus = solver.cut_locus(
+    CGAL::parameters::cut_locus_method(CGAL::Cut_loci::Laplacian_method().gradient_angle_threshold(0.4)));
   std::cout << "From distances that were given: " << num_edges(cut_locus.graph()) << " edges, by "
             << name_of(solver.method()) << ".\n";
   return EXIT_SUCCESS;

@@ -58,17 +58,17 @@ struct Cut_locus_edge
   /// a halfedge on the edge of the mesh it follows, or `null_halfedge()`
   halfedge_descriptor mesh_halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
   /// the largest on the branch from here to its tips, in the unit of the filter: radians for an angle of gradients, or
-  /// for the gap, unless the method is `Cut_loci::Method::LAPLACIAN`. Within the cell of a curve it is the angle at which
+  /// for the gap, unless the method is `Cut_loci::Laplacian_method`. Within the cell of a curve it is the angle at which
   /// paths meet. Between two sources, where the paths part nowhere and no threshold applies, it is 2 pi
   double strength = 0.;
   /// the largest separation of the two shortest paths to a point of the edge, a length, up to a hundredth of it where it
-  /// changes steadily along the branch; zero with `Cut_loci::Method::LAPLACIAN`. Between two sources it is the length of the
+  /// changes steadily along the branch; zero with `Cut_loci::Laplacian_method`. Between two sources it is the length of the
   /// way from one to the other through the edge
   double width = 0.;
   /// the curvature that the two shortest paths to a point of the edge enclose, on that side of them where it is less, in
   /// radians: the sum of the angles at which they part and meet there. By default an edge is there for its width, for this,
   /// or for what is behind it, see `Surface_mesh_cut_locus::minimum_branch_curvature()`. Zero with
-  /// `Cut_loci::Method::LAPLACIAN`, and between two sources
+  /// `Cut_loci::Laplacian_method`, and between two sources
   double curvature = 0.;
   /// the numbers of the sources nearest to the points on its two sides, the smaller one first: they differ on the Voronoi
   /// diagram of several sources, and are the same within the cell of one
@@ -131,7 +131,7 @@ public:
   /// the graph
   const Graph& graph() const { return graph_; }
 
-  /// the vertex of the graph at which its tree of branches starts. With `Cut_loci::Method::LAPLACIAN` it is, on a closed
+  /// the vertex of the graph at which its tree of branches starts. With `Cut_loci::Laplacian_method` it is, on a closed
   /// surface, the one farthest from the source
   vertex_descriptor root() const { return 0; }
 
@@ -180,7 +180,7 @@ public:
 
   /// how many corridors between branches are narrower than a face, so that a curve of mesh edges closes them, and is open
   /// beside them instead: shortest paths through these cross the curve, and what is behind them is reached by a detour.
-  /// It is 0 for a curve through the faces, and with `Cut_loci::Method::LAPLACIAN`, which does not know them
+  /// It is 0 for a curve through the faces, and with `Cut_loci::Laplacian_method`, which does not know them
   std::size_t number_of_narrow_corridors() const { return number_of_narrow_corridors_; }
 
   /// the distance within which no point has several shortest paths, whatever the thresholds; see
@@ -192,7 +192,7 @@ public:
   /// and source, or a regular grid. The curve runs on one side of the region, as if the source were a little beside it, in
   /// a direction that depends on the shape of the surface alone. The injectivity radius and the length are those of this
   /// curve. For sources that are symmetric to each other they are equal, but where the curve follows edges of the mesh in a
-  /// second plane of symmetry. It is not looked for with `Cut_loci::Method::LAPLACIAN`, `maximum_relative_error` or curves
+  /// second plane of symmetry. It is not looked for with `Cut_loci::Laplacian_method`, `maximum_relative_error` or curves
   /// as sources
   bool is_one_of_several() const { return is_one_of_several_; }
 

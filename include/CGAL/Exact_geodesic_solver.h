@@ -31,7 +31,7 @@ class Exact_geodesic_solver
 {
 public:
   /// the default of the parameter `cut_locus_method`: with these distances come the directions of the shortest paths
-  static Cut_loci::Method cut_locus_method() { return Cut_loci::Method::DIRECTION; }
+  static Cut_loci::Default_method cut_locus_method() { return {}; }
 
   void set_mesh(const Cut_loci::Indexed_triangle_mesh& mesh)
   {

@@ -7,6 +7,7 @@
 #ifndef CGAL_GRAPH_GEODESIC_SOLVER_H
 #define CGAL_GRAPH_GEODESIC_SOLVER_H
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/internal/Compressed_rows.h>
 #include <CGAL/Cut_loci/internal/monotone_queue.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>

@@ -8,6 +8,7 @@
 #define CGAL_HEAT_METHOD_GEODESIC_SOLVER_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/polyhedral/sources/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/face_graph/intrinsic_flips.h>
 #include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>

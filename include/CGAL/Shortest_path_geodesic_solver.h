@@ -7,6 +7,7 @@
 #ifndef CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
 #define CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/polyhedral/sources/Mesh_with_sources.h>
 #include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -28,7 +29,7 @@ namespace CGAL {
  * computes exact geodesic distances with `CGAL::Surface_mesh_shortest_path` \cgalCite{Xin2009Improvingchenandhan}.
  * Exact on the polyhedron, and slow: a sequence tree for 100 000 faces takes many seconds.
  *
- * It gives no directions, so the default of the parameter `cut_locus_method` is `Cut_loci::Method::LAPLACIAN`:
+ * It gives no directions, so the default of the parameter `cut_locus_method` is `Cut_loci::Laplacian_method`:
  * directions that are estimated from distances put the ends of branches off by up to 2.8 edges, where those of
  * `Exact_geodesic_solver` put them off by up to 1.1.
  *

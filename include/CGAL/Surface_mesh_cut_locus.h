@@ -38,6 +38,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -54,9 +55,9 @@ namespace CGAL {
  * its result, so that it follows a slider.
  *
  * With the default solver, the cut locus of the polyhedron is computed from the windows of exact geodesics. Branches that
- * are there only because of the mesh and its noise are left out (`Cut_loci::Method::DIRECTION`). No shortest path crosses
+ * are there only because of the mesh and its noise are left out (`Cut_loci::Default_method`). No shortest path crosses
  * what is left. Otherwise the method is that of Mancinelli, Livesu and Puppo
- * \cgalCite{cgal:mlp-pccld-21} (`Cut_loci::Method::LAPLACIAN`), which takes any distances: a spanning tree is grown
+ * \cgalCite{cgal:mlp-pccld-21} (`Cut_loci::Laplacian_method`), which takes any distances: a spanning tree is grown
  * from the vertex farthest from the source along the valleys of the Laplacian of the distance, thinned, completed by
  * homology generators, and its weak branches are removed. The parameter `cut_locus_method` chooses one of them.
  *
@@ -106,7 +107,7 @@ public:
    *     \cgalParamType{a class model of `ReadablePropertyMap` with
    *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a number as value type}
    *     \cgalParamDefault{the distances between the points}
-   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN` and other solvers, which need points. What is in units of
+   *     \cgalParamExtra{not for `Cut_loci::Laplacian_method` and other solvers, which need points. What is in units of
    *                     the diagonal of the bounding box is then in units of the square root of the area, and the width of
    *                     a branch is found from the angles at which paths part and meet, see Section
    *                     \ref Surface_mesh_cut_locus_lengths.}
@@ -116,20 +117,14 @@ public:
    *     \cgalParamType{a model of `GeodesicSolver`}
    *     \cgalParamDefault{`Exact_geodesic_solver()`}
    *   \cgalParamNEnd
-   *   \cgalParamNBegin{laplacian_operator}
-   *     \cgalParamDescription{the discretization of the Laplace-Beltrami operator}
-   *     \cgalParamType{`Cut_loci::Laplacian_operator`}
-   *     \cgalParamDefault{`Cut_loci::Laplacian_operator::QUADRATIC_FIT`}
-   *     \cgalParamExtra{for `Cut_loci::Method::LAPLACIAN` only}
-   *   \cgalParamNEnd
    *   \cgalParamNBegin{cut_locus_method}
-   *     \cgalParamDescription{how the cut locus is found}
-   *     \cgalParamType{`Cut_loci::Method`}
-   *     \cgalParamDefault{what the distances of a source allow: `Cut_loci::Method::DIRECTION` with
-   *                       `Exact_geodesic_solver`, and
-   *                       `Cut_loci::Method::LAPLACIAN` with all others and with a `vertex_distance_map`}
-   *     \cgalParamExtra{`Cut_loci::Method::DIRECTION` and `Cut_loci::Method::POLYHEDRAL` need the paths of the package's
-   *                     own exact solver, and not distances alone.}
+   *     \cgalParamDescription{how the cut locus is found, with the options of the method}
+   *     \cgalParamType{`Cut_loci::Default_method`, `Cut_loci::Polyhedral_method`, `Cut_loci::Laplacian_method`, or
+   *                    `Cut_loci::Method`}
+   *     \cgalParamDefault{what the distances of a source allow: `Cut_loci::Default_method` with `Exact_geodesic_solver`, and
+   *                       `Cut_loci::Laplacian_method` with all others and with a `vertex_distance_map`}
+   *     \cgalParamExtra{The first two need the paths of the package's own exact solver, and not distances alone. For the
+   *                     others, `CGAL/Cut_loci/Laplacian_method.h` has to be included.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{concurrency_tag}
    *     \cgalParamDescription{whether several threads are used, by TBB, for what depends on the mesh and for strengths. Most
@@ -147,28 +142,23 @@ public:
    * \cgalNamedParamsEnd
    *
    * @throws Cut_loci::Invalid_input if the mesh has no vertices or no faces, a face is not a triangle, a coordinate is
-   *         not finite, lengths are no lengths of triangles, or a parameter is given that has no meaning for the method
+   *         not finite, or lengths are no lengths of triangles
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Surface_mesh_cut_locus(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
     : tm_(tm), vpm_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                  get_const_property_map(vertex_point, tm))),
-      laplacian_operator_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::laplacian_operator),
-                                                       Cut_loci::Laplacian_operator::QUADRATIC_FIT)),
-      has_own_solver_(
-        !std::is_same<typename internal_np::Lookup_named_param_def<internal_np::geodesic_solver_t, CGAL_NP_CLASS,
-                                                                   Exact_geodesic_solver>::type,
-                      Exact_geodesic_solver>::value),
+      has_own_solver_(has_own_solver<CGAL_NP_CLASS>()),
       solver_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_solver),
                                            Exact_geodesic_solver()))
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
-    has_fixed_method_ = Cut_loci::internal::is_given<CGAL_NP_CLASS, internal_np::cut_locus_method_t>();
-    fixed_method_ = choose_parameter(get_parameter(np, internal_np::cut_locus_method), fixed_method_);
+    Cut_loci::internal::refuse_parameters_of_distances<CGAL_NP_CLASS>();
+    if constexpr(Cut_loci::internal::is_given<CGAL_NP_CLASS, internal_np::cut_locus_method_t>())
+      fixed_method_ = get_parameter(np, internal_np::cut_locus_method);
     method_ = method_for(np);
     admit_laplacian<CGAL_NP_CLASS>();
-    Cut_loci::internal::refuse_parameters_of_other_methods(method_, np);
     constexpr bool has_lengths = Cut_loci::internal::has_edge_lengths<CGAL_NP_CLASS>();
     if(has_lengths && has_own_solver_)
       Cut_loci::internal::refuse_lengths("the geodesic_solver");
@@ -195,11 +185,10 @@ public:
    * A geodesic solver and a visitor are copied, too; one that is held by `std::ref()` is then used by several threads.
    */
   Surface_mesh_cut_locus(const Surface_mesh_cut_locus& other)
-    : tm_(other.tm_), vpm_(other.vpm_), laplacian_operator_(other.laplacian_operator_),
-      make_laplacian_(other.make_laplacian_), has_fixed_method_(other.has_fixed_method_),
-      fixed_method_(other.fixed_method_), method_(other.method_), has_own_solver_(other.has_own_solver_),
-      solver_(other.solver_), visitor_(other.visitor_), read_(other.read_),
-      component_of_face_(other.component_of_face_), number_of_components_(other.number_of_components_)
+    : tm_(other.tm_), vpm_(other.vpm_), make_laplacian_(other.make_laplacian_), fixed_method_(other.fixed_method_),
+      method_(other.method_), has_own_solver_(other.has_own_solver_), solver_(other.solver_), visitor_(other.visitor_),
+      read_(other.read_), component_of_face_(other.component_of_face_),
+      number_of_components_(other.number_of_components_)
   {
     for(const auto& component : other.components_)
       components_[component.first].reset(new Component(*component.second));
@@ -224,7 +213,6 @@ public:
   {
     const Cut_loci::Method method = method_for(np);
     admit_laplacian<CGAL_NP_CLASS>();
-    Cut_loci::internal::refuse_parameters_of_other_methods(method, np);
     for(const auto& source : Cut_loci::internal::read_sources(tm_, *read_, sources, snapping_tolerance(np), true))
       component_at((*component_of_face_)[source.location.face], method);
   }
@@ -241,14 +229,14 @@ public:
    *     \cgalParamType{a class model of `ReadablePropertyMap` with `vertex_descriptor` as key type and a number as
    *                    value type}
    *     \cgalParamExtra{Only the values in the component of the source are read. Unless the constructor was given a
-   *                     `cut_locus_method`, this source is treated by `Cut_loci::Method::LAPLACIAN`.}
+   *                     `cut_locus_method`, this source is treated by `Cut_loci::Laplacian_method`.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{maximum_relative_error}
    *     \cgalParamDescription{by how much distances may be longer than the exact ones, as a share of their length, from 0
    *                           to 0.1. Time and memory then grow nearly linearly with the number of faces.}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{0}
-   *     \cgalParamExtra{for `Exact_geodesic_solver`, and not for `Cut_loci::Method::POLYHEDRAL`. On smooth meshes of
+   *     \cgalParamExtra{for `Exact_geodesic_solver`, and not for `Cut_loci::Polyhedral_method`. On smooth meshes of
    *                     100 000 to a million faces, 1e-5 moves the curve by less than a hundredth of an edge in the mean,
    *                     see Section \ref Surface_mesh_cut_locus_error.}
    *   \cgalParamNEnd
@@ -263,11 +251,10 @@ public:
    * Faces without area are taken: see Section \ref Surface_mesh_cut_locus_robustness.
    *
    * @throws Cut_loci::Invalid_input if the source is null, isolated or not in the mesh, if no face of its component
-   *         has an area, if a vertex of its component is not manifold, if a distance is not a
-   *         finite number, if a `vertex_distance_map` has the same one everywhere, if a parameter is given that has no
-   *         meaning for the method, or if there is a `maximum_relative_error` or `snapping_tolerance` that is out of its
-   *         range, or an error that is not zero where the distances are not those of `Exact_geodesic_solver` or the method
-   *         is `Cut_loci::Method::POLYHEDRAL`
+   *         has an area, if a vertex of its component is not manifold, if a distance is not a finite number, if a
+   *         `vertex_distance_map` has the same one everywhere, or if there is a `maximum_relative_error` or
+   *         `snapping_tolerance` that is out of its range, or an error that is not zero where the distances are not those
+   *         of `Exact_geodesic_solver` or the method is `Cut_loci::Polyhedral_method`
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_source(vertex_descriptor v, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -304,7 +291,7 @@ public:
    *
    * A set of one source is treated as by `set_source()`.
    *
-   * `Cut_loci::Method::LAPLACIAN` takes any distances. If the solver takes one source only, there is a run for each of them. A
+   * `Cut_loci::Laplacian_method` takes any distances. If the solver takes one source only, there is a run for each of them. A
    * `vertex_distance_map` has the distances to the nearest source. Each source must have a face to itself. The cell of a
    * vertex is that of the source which the solver says is nearest, or from which a shortest way through faces comes.
    *
@@ -313,7 +300,7 @@ public:
    * loops.
    *
    * Edges of the mesh stay off the curves. Where all ways lead along them, as between two curves that are one face or one edge
-   * of the border apart, `cut_locus()` throws. `Cut_loci::Method::LAPLACIAN`, which starts with edges of the mesh, throws
+   * of the border apart, `cut_locus()` throws. `Cut_loci::Laplacian_method`, which starts with edges of the mesh, throws
    * there with either kind of curve. With other solvers than `Exact_geodesic_solver`, its distances are those to the
    * vertices of the curves.
    *
@@ -322,19 +309,11 @@ public:
    *
    * @param sources the sources that are points, which must be different points of the same component of the mesh; with curves,
    *        there may be none
-   * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+   * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `set_source()`, of which a
+   *        `vertex_distance_map` has the distances to the nearest source and `snapping_tolerance` is also how much the
+   *        coordinates of one point may differ, and the ones listed below
    *
    * \cgalNamedParamsBegin
-   *   \cgalParamNBegin{maximum_relative_error}
-   *     \cgalParamDescription{as for `set_source()`}
-   *     \cgalParamType{`double`}
-   *     \cgalParamDefault{0}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{vertex_distance_map}
-   *     \cgalParamDescription{as for `set_source()`: the distance of each vertex to the nearest source}
-   *     \cgalParamType{a class model of `ReadablePropertyMap` with `vertex_descriptor` as key type and a number as
-   *                    value type}
-   *   \cgalParamNEnd
    *   \cgalParamNBegin{source_curves}
    *     \cgalParamDescription{sources that are curves: for each one the edges of the mesh that it is made of}
    *     \cgalParamType{a model of `ConstRange` of models of `ConstRange` with
@@ -349,18 +328,12 @@ public:
    *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`false`}
    *   \cgalParamNEnd
-   *   \cgalParamNBegin{snapping_tolerance}
-   *     \cgalParamDescription{a barycentric coordinate of a source up to this value is taken for zero, and sources whose
-   *                           coordinates differ by no more for the same point}
-   *     \cgalParamType{`FT`}
-   *     \cgalParamDefault{1e-10}
-   *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
    * @throws Cut_loci::Invalid_input where `set_source()` throws it for one of the sources, and if there is none, if two
-   *         are at the same point, closer to each other than 1e-5 of an edge, or in different components, or if the method is `Cut_loci::Method::LAPLACIAN` and one of
-   *         several has no face to itself; for curves, also if one has no edges or is not connected, if there is a
-   *         `maximum_relative_error`, or if the mesh has no border that could be a source
+   *         are at the same point, closer to each other than 1e-5 of an edge, or in different components, or if the method is
+   *         `Cut_loci::Laplacian_method` and one of several has no face to itself; for curves, also if one has no edges or
+   *         is not connected, if there is a `maximum_relative_error`, or if the mesh has no border that could be a source
    */
   template <typename SourceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
   void set_sources(const SourceRange& sources, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -376,7 +349,7 @@ public:
 
   /*!
    * returns the part of the cut locus that passes the thresholds, in time proportional to its size. `set_source()` or
-   * `set_sources()` must have been called. Each method has thresholds of its own: one of another method is refused, not ignored.
+   * `set_sources()` must have been called.
    *
    * The result depends on the mesh, the sources and these parameters alone, and not on earlier calls. Several threads may
    * call it at once; one waits for the other, so copies of the object are faster.
@@ -384,87 +357,20 @@ public:
    * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
    *
    * \cgalNamedParamsBegin
-   *   \cgalParamNBegin{minimum_branch_width}
-   *     \cgalParamDescription{the least value, over the points of a branch, of the largest separation of the two shortest
-   *                           paths to them, in units of the diagonal of the bounding box of the source's component, and
-   *                           1 at most, or, with an `edge_length_map`, in units of the square root of its area: how
-   *                           large what the branch goes around is}
-   *     \cgalParamType{`double`}
-   *     \cgalParamDefault{with `Cut_loci::Method::DIRECTION` what the mesh and its noise explain, see
-   *                       `minimum_branch_width()`: about three edges on a smooth mesh, or a quarter of that where the
-   *                       two paths enclose more curvature than the mesh and noise do, as in a limb or a corner; with
-   *                       `Cut_loci::Method::POLYHEDRAL`, or if there is a `minimum_branch_gap`, 0}
-   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. All branches that pass it are kept; by default, low ones are
-   *                     left out where they meet others. A smaller one than the default takes a computation for the source once
+   *   \cgalParamNBegin{cut_locus_method}
+   *     \cgalParamDescription{the method that is in force, with other options: thresholds, mostly}
+   *     \cgalParamType{`Cut_loci::Default_method`, `Cut_loci::Polyhedral_method`, `Cut_loci::Laplacian_method`, or
+   *                    `Cut_loci::Method`}
+   *     \cgalParamDefault{the method that is in force, with the options that the constructor was given}
+   *     \cgalParamExtra{A smaller `minimum_branch_width` than at the constructor takes a computation for the source once
    *                     more, which is kept for those of about its size.}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{minimum_branch_curvature}
-   *     \cgalParamDescription{the curvature that the two shortest paths to the points of a branch have to enclose, on both
-   *                           sides, for the branch to be kept at a quarter of the width: in radians in [0, 4 pi]; a
-   *                           limb encloses almost 2 pi, the corner of a box pi / 2}
-   *     \cgalParamType{`double`}
-   *     \cgalParamDefault{see `minimum_branch_curvature()`; if there is a `minimum_branch_width` or `minimum_branch_gap`,
-   *                       the width alone counts}
-   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{minimum_branch_gap}
-   *     \cgalParamDescription{the least angle at the source, or where they part, between the two shortest paths to the
-   *                           points of a branch, in radians in [0, pi]; it grows from the tips of branches inward}
-   *     \cgalParamType{`double`}
-   *     \cgalParamDefault{0}
-   *     \cgalParamExtra{not for `Cut_loci::Method::LAPLACIAN`. With both thresholds, a branch must pass both.}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{gradient_angle_threshold}
-   *     \cgalParamDescription{the angle at which shortest paths must meet, in radians in [0, pi]; a larger one
-   *                           removes weaker branches}
-   *     \cgalParamType{`double`}
-   *     \cgalParamDefault{`default_gradient_angle_threshold()`}
-   *     \cgalParamExtra{for `Cut_loci::Method::LAPLACIAN` only}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{laplacian_threshold}
-   *     \cgalParamDescription{the least value of minus the Laplacian of the distance, times the mean edge length}
-   *     \cgalParamType{`double`}
-   *     \cgalParamDefault{minus infinity}
-   *     \cgalParamExtra{for `Cut_loci::Method::LAPLACIAN` only. With both thresholds, a branch must pass both.}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{filter_policy}
-   *     \cgalParamDescription{whether weak branches are pruned from the leaves or the tree is grown from the root}
-   *     \cgalParamType{`Cut_loci::Filter_policy`}
-   *     \cgalParamDefault{`Cut_loci::Filter_policy::PRUNING`}
-   *     \cgalParamExtra{for `Cut_loci::Method::LAPLACIAN` only}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{minimum_branch_edges}
-   *     \cgalParamDescription{branches of fewer edges of the graph are removed: edges of the mesh, or segments through
-   *                           its faces. Where branches meet, the longest continues, and at the root and on cycles all
-   *                           of them end}
-   *     \cgalParamType{`std::size_t`}
-   *     \cgalParamDefault{with `Cut_loci::Method::LAPLACIAN` 3, as in the paper; with the
-   *                       others, which judge branches as a whole, 0}
-   *     \cgalParamExtra{With `Cut_loci::Method::LAPLACIAN` they are edges of the mesh, also if the curve moves into the
-   *                     faces then. With the others, of sources that are curves, for
-   *                     `Cut_loci::Curve::MESH_EDGES` only.}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{minimum_branch_length}
-   *     \cgalParamDescription{branches that are shorter are removed; in units of the diagonal of the bounding box of
-   *                           the source's component}
-   *     \cgalParamType{`double`}
-   *     \cgalParamDefault{0}
-   *     \cgalParamExtra{as of `minimum_branch_edges`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{cut_locus_curve}
    *     \cgalParamDescription{whether the result is made of edges of the mesh or of segments through its faces}
    *     \cgalParamType{`Cut_loci::Curve`}
-   *     \cgalParamDefault{`Cut_loci::Curve::THROUGH_FACES`, unless `number_of_iterations` is 0}
+   *     \cgalParamDefault{`Cut_loci::Curve::THROUGH_FACES`}
    *     \cgalParamExtra{All of the result is about this curve; the other one is not computed. What needs edges of the mesh,
    *                     such as `cut_along_cut_locus()`, refuses a curve through the faces.}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{number_of_iterations}
-   *     \cgalParamDescription{the number of steps that move the curves from the edges of the mesh onto the cut locus,
-   *                           through the faces}
-   *     \cgalParamType{`unsigned int`}
-   *     \cgalParamDefault{4, or 0 if `cut_locus_curve` is `Cut_loci::Curve::MESH_EDGES`}
-   *     \cgalParamExtra{for `Cut_loci::Method::LAPLACIAN` only: the others find the curve through the faces at once. Each
-   *                     step leaves half of the way that the one before has left; 4 are enough.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{kept_part}
    *     \cgalParamDescription{which part of the cut locus of several sources is kept}
@@ -481,9 +387,8 @@ public:
    * \cgalNamedParamsEnd
    *
    * @throws Cut_loci::Invalid_input if there is no source, if a threshold is not a number or out of its range, if
-   *         a parameter is given that has no meaning for the method, such as a `gradient_angle_threshold` for
-   *         `Cut_loci::Method::DIRECTION`, or if `cut_locus_curve` asks for edges of the mesh that leave no way between
-   *         the sources
+   *         another method than the one in force is given, or if `cut_locus_curve` asks for edges of the mesh that leave no
+   *         way between the sources
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   Result cut_locus(const CGAL_NP_CLASS& np = parameters::default_values()) const
@@ -492,29 +397,28 @@ public:
     if(!source_result_)
       throw Cut_loci::Invalid_input(Cut_loci::Cause::NO_SOURCE,
                                     "there is no source: set_source() comes before cut_locus()");
-    refuse_parameters_of_other_methods(method_, np);
-    const Curve_parameters curve = read_curve(np);
-    refuse_map_of_other_curve(np, curve.curve);
+    refuse_parameters_of_distances<CGAL_NP_CLASS>();
+    const Cut_loci::Method options = read_options(np, method_);
+    const Cut_loci::Curve curve = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::cut_locus_curve), Cut_loci::Curve::THROUGH_FACES);
+    const Cut_loci::Kept_part part =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::kept_part), Cut_loci::Kept_part::ALL);
+    refuse_map_of_other_curve(np, curve);
 
     std::unique_lock<std::mutex> lock(component_->in_use); // what has been measured once is kept
     const Stage_scope scope(visitor_, Cut_loci::Stage::FILTER);
     report(*component_, Cut_loci::Stage::FILTER); // what has been left out may be computed
     Cut_loci::Indexed_cut_locus found;
-    if(method_ == Cut_loci::Method::LAPLACIAN)
-    {
-      Cut_loci::Smoothing_parameters smoothing;
-      smoothing.number_of_iterations = static_cast<Index>(curve.iterations);
-      found =
-        component_->laplacian->filter(read_branch_thresholds(np, default_gradient_angle_threshold(),
-                                                             default_minimum_branch_edges(), component_->diagonal),
-                                      smoothing, read_kept_part(np));
-    }
+    if(const auto* laplacian = std::get_if<Cut_loci::Laplacian_method>(&options))
+      found = component_->laplacian->filter(read_branch_thresholds(*laplacian, component_->diagonal),
+                                            read_smoothing(*laplacian, curve), part);
     else
     {
-      const Exact_tree_thresholds thresholds = thresholds_of(*component_, np);
+      Exact_tree_thresholds thresholds = thresholds_of(*component_, options);
+      thresholds.part = part;
       if(!curves_.empty())
-        refuse_short_branches(thresholds, curve.curve);
-      found = component_->exact_tree->filter(thresholds, curve.curve);
+        refuse_short_branches(thresholds, curve);
+      found = component_->exact_tree->filter(thresholds, curve);
     }
     lock.unlock();
     mark_edges(found, parameters::get_parameter(np, internal_np::edge_is_constrained));
@@ -523,12 +427,7 @@ public:
 
   /// the method that is in force: for the current source, or, if there is none, for one without a
   /// `vertex_distance_map`
-  Cut_loci::Method method() const { return method_; }
-  /// the default of `gradient_angle_threshold`, in radians
-  static double default_gradient_angle_threshold()
-  {
-    return Cut_loci::internal::Laplacian_method::default_gradient_angle_threshold();
-  }
+  const Cut_loci::Method& method() const { return method_; }
   /// the default of `minimum_branch_width` for the current source, if it has one: for paths as long as the surface. On noisy
   /// meshes shorter ones need less by default, while a number that is given is for all.
   double minimum_branch_width() const
@@ -541,16 +440,12 @@ public:
   /// the default of `minimum_branch_gap` for the current source
   double minimum_branch_gap() const { return has_exact_tree() ? default_thresholds(*component_->exact_tree).gap : 0.; }
   /// the curvature, in radians, that two shortest paths as long as the surface have to enclose for a branch of a quarter of the
-  /// default width to be shown by default with `Cut_loci::Method::DIRECTION`, or of no width at the corners of a polyhedron;
+  /// default width to be shown by default with `Cut_loci::Default_method`, or of no width at the corners of a polyhedron;
   /// else 0
   double minimum_branch_curvature() const
   {
-    return has_exact_tree() && method_ == Cut_loci::Method::DIRECTION
-             ? default_thresholds(*component_->exact_tree).enclosed
-             : 0.;
+    return has_exact_tree() && !is_polyhedral() ? default_thresholds(*component_->exact_tree).enclosed : 0.;
   }
-  /// the default of `minimum_branch_edges` with `Cut_loci::Method::LAPLACIAN`
-  static std::size_t default_minimum_branch_edges() { return 3; }
 
 private:
   using Index = Cut_loci::Index;
@@ -564,22 +459,42 @@ private:
   template <typename NamedParameters>
   Cut_loci::Method method_for(const NamedParameters&) const
   {
-    using Cut_loci::internal::is_given;
-    if(has_fixed_method_)
-      return fixed_method_;
-    return is_given<NamedParameters, internal_np::vertex_distance_map_t>() ? Cut_loci::Method::LAPLACIAN
-                                                                           : solver_.cut_locus_method();
+    if(fixed_method_)
+      return *fixed_method_;
+    return Cut_loci::internal::is_given<NamedParameters, internal_np::vertex_distance_map_t>()
+             ? Cut_loci::Method(Cut_loci::Laplacian_method())
+             : solver_.cut_locus_method();
   }
 
-  // Who passes none of these parameters does not compile `Method::LAPLACIAN`.
+  // whether the method can be `Cut_loci::Laplacian_method`, by the types of these parameters
+  template <typename NamedParameters>
+  static constexpr bool may_be_laplacian()
+  {
+    using Cut_loci::internal::is_given;
+    using internal_np::Lookup_named_param_def;
+    using Given =
+      typename Lookup_named_param_def<internal_np::cut_locus_method_t, NamedParameters, Cut_loci::Default_method>::type;
+    if constexpr(is_given<NamedParameters, internal_np::cut_locus_method_t>())
+      return !std::is_same<Given, Cut_loci::Default_method>::value &&
+             !std::is_same<Given, Cut_loci::Polyhedral_method>::value;
+    else
+      return has_own_solver<NamedParameters>() || is_given<NamedParameters, internal_np::vertex_distance_map_t>();
+  }
+
+  template <typename NamedParameters>
+  static constexpr bool has_own_solver()
+  {
+    return !std::is_same<typename internal_np::Lookup_named_param_def<internal_np::geodesic_solver_t, NamedParameters,
+                                                                      Exact_geodesic_solver>::type,
+                         Exact_geodesic_solver>::value;
+  }
+
   template <typename NamedParameters>
   void admit_laplacian()
   {
-    using Cut_loci::internal::is_given;
-    if constexpr(is_given<NamedParameters, internal_np::cut_locus_method_t>() ||
-                 is_given<NamedParameters, internal_np::geodesic_solver_t>() ||
-                 is_given<NamedParameters, internal_np::vertex_distance_map_t>())
-      make_laplacian_ = &Cut_loci::internal::make_laplacian_solver;
+    using Method = std::conditional_t<may_be_laplacian<NamedParameters>(), Cut_loci::Laplacian_method, void>;
+    if constexpr(!std::is_void<Method>::value)
+      make_laplacian_ = Cut_loci::internal::Code_of<Method>::make_solver;
   }
 
   template <typename NamedParameters>
@@ -601,20 +516,25 @@ private:
     return result;
   }
 
-  bool has_exact_tree() const { return source_result_ && method_ != Cut_loci::Method::LAPLACIAN; }
+  bool has_exact_tree() const { return source_result_ && !Cut_loci::internal::is_laplacian(method_); }
+  bool is_polyhedral() const { return std::holds_alternative<Cut_loci::Polyhedral_method>(method_); }
 
   Cut_loci::internal::Exact_tree_thresholds
   default_thresholds(const Cut_loci::internal::Exact_tree_method& solver) const
   {
-    return method_ == Cut_loci::Method::POLYHEDRAL ? Cut_loci::internal::Exact_tree_thresholds()
-                                                   : solver.default_thresholds();
+    return is_polyhedral() ? Cut_loci::internal::Exact_tree_thresholds() : solver.default_thresholds();
   }
 
-  template <typename NamedParameters>
-  Cut_loci::internal::Exact_tree_thresholds thresholds_of(const Component& component, const NamedParameters& np) const
+  Cut_loci::internal::Exact_tree_thresholds thresholds_of(const Component& component,
+                                                          const Cut_loci::Method& options) const
   {
-    Cut_loci::internal::Exact_tree_thresholds result = Cut_loci::internal::read_exact_tree_thresholds(
-      np, default_thresholds(*component.exact_tree), component.diagonal, component.mesh->is_intrinsic);
+    const auto read = [&](const auto& method)
+    {
+      return Cut_loci::internal::read_exact_tree_thresholds(method, default_thresholds(*component.exact_tree),
+                                                            component.diagonal, component.mesh->is_intrinsic);
+    };
+    const auto* polyhedral = std::get_if<Cut_loci::Polyhedral_method>(&options);
+    auto result = polyhedral != nullptr ? read(*polyhedral) : read(std::get<Cut_loci::Default_method>(options));
     result.width = (std::max)(result.width, component.least_width);
     result.narrow = (std::max)(result.narrow, component.least_width);
     return result;
@@ -638,7 +558,7 @@ private:
   {
     const Cut_loci::Method method = method_for(np);
     admit_laplacian<NamedParameters>();
-    Cut_loci::internal::refuse_parameters_of_other_methods(method, np);
+    Cut_loci::internal::refuse_parameters_of_distances<NamedParameters>();
     const double error = Cut_loci::internal::read_maximum_relative_error(np);
     refuse_lengths(read_->mesh.is_intrinsic, method);
     if(!curves.empty())
@@ -659,17 +579,17 @@ private:
     if(error > 0. && !runs_solver)
       Cut_loci::internal::refuse_error();
     maximum_relative_error_ = error;
-    if(method_ != Cut_loci::Method::LAPLACIAN)
+    if(!Cut_loci::internal::is_laplacian(method_))
     {
       component.exact_tree->set_maximum_relative_error(error);
       component.exact_tree->set_curves(curves_);
-      component.exact_tree->expect(thresholds_of(component, parameters::default_values()));
+      component.exact_tree->expect(thresholds_of(component, method_));
     }
     {
       const Stage_scope scope(visitor_, Cut_loci::Stage::DISTANCE);
       report(component, Cut_loci::Stage::DISTANCE);
       const auto map = parameters::get_parameter(np, internal_np::vertex_distance_map);
-      if(method_ == Cut_loci::Method::LAPLACIAN)
+      if(Cut_loci::internal::is_laplacian(method_))
         set_distances(component, *component.laplacian, map);
       else
         set_distances(component, *component.exact_tree, map);
@@ -683,9 +603,9 @@ private:
     component.solver(method_)->report_to(visitor_.progress(stage));
   }
 
-  static void refuse_lengths(bool has_lengths, Cut_loci::Method method)
+  static void refuse_lengths(bool has_lengths, const Cut_loci::Method& method)
   {
-    if(has_lengths && method == Cut_loci::Method::LAPLACIAN)
+    if(has_lengths && Cut_loci::internal::is_laplacian(method))
       Cut_loci::internal::refuse_lengths("the method " + std::string(Cut_loci::name_of(method)));
   }
 
@@ -722,7 +642,7 @@ private:
   }
 
   template <typename VertexDistanceMap>
-  void set_distances(Component& component, Cut_loci::internal::Laplacian_method& solver, const VertexDistanceMap& map)
+  void set_distances(Component& component, Cut_loci::internal::Laplacian_stages& solver, const VertexDistanceMap& map)
   {
     std::vector<double> distance;
     std::vector<Index> nearest;
@@ -746,7 +666,7 @@ private:
     Cut_loci::internal::refuse_distances(method_);
   }
 
-  Component& component_at(Index id, Cut_loci::Method method)
+  Component& component_at(Index id, const Cut_loci::Method& method)
   {
     std::unique_ptr<Component>& component = components_[id];
     if(component && component->solver(method) != nullptr)
@@ -755,7 +675,7 @@ private:
     if(!component)
       component.reset(new Component(read_->mesh, *component_of_face_, id, number_of_components_));
     visitor_.progress(Cut_loci::Stage::PREPROCESSING)(0.);
-    component->make_solver(method, make_laplacian_, laplacian_operator_, threads_, read_->mesh, read_->positions,
+    component->make_solver(method, make_laplacian_, threads_, read_->mesh, read_->positions,
                            visitor_.progress(Cut_loci::Stage::PREPROCESSING));
     return *component;
   }
@@ -801,13 +721,11 @@ private:
 
   const TriangleMesh& tm_;
   Vertex_point_map vpm_;
-  Cut_loci::Laplacian_operator laplacian_operator_;
   decltype(&Cut_loci::internal::make_laplacian_solver) make_laplacian_ = nullptr; // unless that method can be in force
-  bool has_fixed_method_ = false;                                                 // by the named parameter
-  Cut_loci::Method fixed_method_ = Cut_loci::Method::DIRECTION;
-  Cut_loci::Method method_ = Cut_loci::Method::DIRECTION; // in force
-  bool has_own_solver_;                                   // another one than the package's exact one
-  Solver_handle solver_;                                  // as given; each component has its own
+  std::optional<Cut_loci::Method> fixed_method_;                                  // by the named parameter
+  Cut_loci::Method method_;                                                       // in force
+  bool has_own_solver_;  // another one than the package's exact one
+  Solver_handle solver_; // as given; each component has its own
   Cut_loci::internal::Visitor_handle visitor_;
   Cut_loci::internal::Threads threads_; // not of copies
 

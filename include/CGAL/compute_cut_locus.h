@@ -42,9 +42,9 @@ struct Is_range<T, std::void_t<decltype(std::declval<const T&>().begin()), declt
  * source after another on a mesh, or with several thresholds for a source, use the class: it does the work that they
  * share only once.
  *
- * Unless `cut_locus_method` is given, the method depends on the distances. It is `Cut_loci::Method::DIRECTION` with the
- * default solver, and `Cut_loci::Method::LAPLACIAN` with others and with a `vertex_distance_map`. All methods take one or
- * several points, curves, and the border. A threshold of another method is refused.
+ * Unless `cut_locus_method` is given, the method depends on the distances. It is `Cut_loci::Default_method` with the
+ * default solver, and `Cut_loci::Laplacian_method` with others and with a `vertex_distance_map`. All methods take one or
+ * several points, curves, and the border.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  * @tparam Source `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or a pair of a face and barycentric
@@ -57,14 +57,12 @@ struct Is_range<T, std::void_t<decltype(std::declval<const T&>().begin()), declt
  * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters", which are explained where the class takes
  *        them
  *        - the mesh and the method, see \link Surface_mesh_cut_locus::Surface_mesh_cut_locus() the constructor\endlink:
- *          `vertex_point_map`, `edge_length_map`, `geodesic_solver`, `laplacian_operator`, `cut_locus_method`,
+ *          `vertex_point_map`, `edge_length_map`, `geodesic_solver`, `cut_locus_method`, which has the thresholds,
  *          `concurrency_tag`, `visitor`
  *        - the sources, see `Surface_mesh_cut_locus::set_source()` and `Surface_mesh_cut_locus::set_sources()`:
  *          `vertex_distance_map`, `maximum_relative_error`, `snapping_tolerance`, `source_curves`, `source_border`
- *        - what is kept, see `Surface_mesh_cut_locus::cut_locus()`: `minimum_branch_width`, `minimum_branch_curvature`,
- *          `minimum_branch_gap`, `gradient_angle_threshold`, `laplacian_threshold`, `filter_policy`,
- *          `minimum_branch_edges`, `minimum_branch_length`, `kept_part`
- *        - how it is drawn, there too: `cut_locus_curve`, `number_of_iterations`, `edge_is_constrained_map`
+ *        - the result, see `Surface_mesh_cut_locus::cut_locus()`: `cut_locus_curve`, `kept_part`,
+ *          `edge_is_constrained_map`
  *
  * @return the graph of the cut locus, and the distances to the source, or to the nearest one
  *

@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/output_maps.h>
+#include <CGAL/Cut_loci/face_graph/snapping_of_curves.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_locus.h>
 
@@ -26,7 +27,11 @@ namespace CGAL {
  * \ingroup PkgSurfaceMeshCutLocusRef
  *
  * cuts a surface open along a cut locus, to one topological disk with one border loop. A vertex of the mesh becomes
- * as many vertices of the result as there are fans of faces between the seams at it.
+ * as many vertices of the result as there are fans of faces between the seams at it. Faces that the curve runs through are
+ * split as by `refine_along_cut_locus()`, so that seams are straight; along edges of the mesh, none is.
+ *
+ * Parts of a curve that touch after rounding, and so enclose faces, are opened. Where a part has come off the border or
+ * off the rest, the shortest ways over edges are cut, too.
  *
  * The result has the component of the source alone: the others have no cut locus. Edges of the cut locus on the border
  * of `tm` are not cut. If the component has no border and the cut locus has fewer than two edges, as on a sphere where
@@ -38,7 +43,7 @@ namespace CGAL {
  * @tparam OutputMesh a model of `MutableFaceGraph`
  *
  * @param tm the triangle mesh of which the cut locus was computed
- * @param cut_locus a cut locus of edges of the mesh, as with `Cut_loci::Curve::MESH_EDGES`
+ * @param cut_locus a cut locus on it, of one source
  * @param output the mesh to which the disk is added; it should be empty
  * @param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
@@ -50,15 +55,16 @@ namespace CGAL {
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_to_vertex_map}
- *     \cgalParamDescription{tells for each vertex of `output` the vertex of `tm` that it is a copy of. As a vertex of
- *                           `tm` may have several copies, the keys are the vertices of `output`.}
+ *     \cgalParamDescription{tells for each vertex of `output` the vertex of `tm` that it is a copy of, or `null_vertex()`
+ *                           if it is new. As a vertex of `tm` may have several copies, the keys are the vertices of
+ *                           `output`.}
  *     \cgalParamType{a class model of `WritablePropertyMap` with
  *                    `boost::graph_traits<OutputMesh>::%vertex_descriptor` as key type and
  *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as value type}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_to_face_map}
- *     \cgalParamDescription{tells for each face of `output` the face of `tm`. Their halfedges start at the same
- *                           vertex.}
+ *     \cgalParamDescription{tells for each face of `output` the face of `tm` that it is, or is a part of. If it is one,
+ *                           their halfedges start at the same vertex.}
  *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor` as
  *                    key type and `boost::graph_traits<TriangleMesh>::%face_descriptor` as value type}
  *   \cgalParamNEnd
@@ -69,6 +75,11 @@ namespace CGAL {
  *   \cgalParamNBegin{face_to_face_output_iterator}
  *     \cgalParamDescription{an output iterator for pairs of a face of `tm` and one of `output`}
  *     \cgalParamExtra{If it is given, `face_to_face_map` is not used.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{snapping_tolerance}
+ *     \cgalParamDescription{as of `refine_along_cut_locus()`}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{1 / 256}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
@@ -83,8 +94,8 @@ namespace CGAL {
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * @throws Cut_loci::Invalid_input if a face of `tm` is not a triangle, if the cut locus is not one of `tm`, or if it is
- *         not made of edges of the mesh: then see `cut_along_curve()`
+ * @throws Cut_loci::Invalid_input if a face of `tm` is not a triangle, or if the cut locus is not one of `tm`, or that of
+ *         several sources
  */
 template <typename TriangleMesh, typename Point_3, typename OutputMesh,
           typename NamedParametersIn = parameters::Default_named_parameters,
@@ -98,22 +109,20 @@ void cut_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh, P
   namespace internal = Cut_loci::internal;
   using Cut_loci::Index;
 
-  const auto vpm =
-    choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
-  const auto read = internal::read_triangle_mesh(tm, vpm);
-  const internal::Curve_on_component on =
-    internal::on_component(read.mesh, internal::curve_on_mesh(read, tm, cut_locus));
-  internal::throw_unless_of_one_source(on.curve);
-  internal::throw_unless_of_mesh_edges(on.curve);
-  const Cut_loci::Mesh_connectivity connectivity = internal::manifold_connectivity(on.component.mesh);
-  const Cut_loci::Cut_mesh cut = internal::cut_open_to_disk(
-    on.component.mesh, internal::seams_of_mesh_edges(on.component.mesh, connectivity, on.curve));
+  const Index resolution = internal::resolution_of(
+    choose_parameter(get_parameter(np_in, internal_np::snapping_tolerance), internal::default_snapping_of_curves));
+  const auto read = internal::read_triangle_mesh(
+    tm, choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm)));
+  const internal::Disk_of_curve disk =
+    internal::cut_along(read.mesh, internal::curve_on_mesh(read, tm, cut_locus), resolution);
+  const internal::Mesh_component& component = disk.on.component;
 
-  std::vector<Index> vertices;
-  vertices.reserve(cut.vertices.size());
-  for(Index v : cut.vertices)
-    vertices.push_back(on.component.vertices[v]);
-  internal::output_mesh(tm, read, cut.mesh, vertices, on.component.faces, output, np_in, np_out);
+  std::vector<Index> vertices, faces;
+  for(Index v : disk.cut.vertices)
+    vertices.push_back(v < component.vertices.size() ? component.vertices[v] : Cut_loci::null_index);
+  for(Index f : disk.refined.faces)
+    faces.push_back(component.faces[f]);
+  internal::output_mesh(tm, read, disk.cut.mesh, vertices, faces, output, np_in, np_out);
 }
 
 /*!
@@ -139,7 +148,7 @@ void cut_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh, P
  * @return a halfedge of `tm` on a seam, or, if the surface is a disk without any, on its border. Its counterpart on the
  *         border of the `Seam_mesh` is what the functions of `Surface_mesh_parameterization` ask for.
  *
- * @throws Cut_loci::Invalid_input as `cut_along_cut_locus()`
+ * @throws Cut_loci::Invalid_input as `cut_along_cut_locus()`, and if the curve runs through faces
  */
 template <typename TriangleMesh, typename Point_3, typename SeamEdgeMap, typename SeamVertexMap>
 typename boost::graph_traits<TriangleMesh>::halfedge_descriptor

@@ -82,32 +82,8 @@ exact_geodesic_distances(const TriangleMesh& tm, const SourceRange& sources, Ver
  * @param tm a triangle mesh
  * @param source a vertex of `tm`
  * @param vdm the output: the distance of each vertex
- * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{vertex_point_map}
- *     \cgalParamDescription{a property map associating points to the vertices of `tm`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
- *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
- *     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t` must be
- *                     available in `TriangleMesh`.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{edge_length_map}
- *     \cgalParamDescription{the lengths of the edges, which are the metric then: an intrinsic triangulation, or a metric
- *                           without an embedding. The points are for output only.}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a number as value type}
- *     \cgalParamDefault{the distances between the points}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{face_is_excluded_map}
- *     \cgalParamDescription{the faces that no path may cross. What is left is the surface: the rim of an excluded region
- *                           becomes border, and two regions that touch at a vertex leave no way between them.}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `bool` as value type}
- *     \cgalParamDefault{no face is excluded}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
+ *        `Surface_mesh_exact_geodesics`
  *
  * \throws Cut_loci::Invalid_input if the mesh or the source cannot be used
  */

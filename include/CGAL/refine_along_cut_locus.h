@@ -111,47 +111,6 @@ void refine_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh
                          built, output, get_parameter(np_out, internal_np::face_patch));
 }
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusRef
- *
- * cuts a surface open along a cut locus that may run through the faces: it splits these as `refine_along_cut_locus()`
- * does, and then cuts along the edges of the result as `cut_along_cut_locus()` does. The result is one topological disk
- * with straight seams, the component of the source alone. Parameters and errors are those of these functions, except for
- * `edge_is_constrained_map`.
- *
- * Parts of the curve that touch after rounding, and so enclose faces, are opened. Where a part has come off the border
- * or off the rest, the shortest ways over edges are cut, too.
- */
-template <typename TriangleMesh, typename Point_3, typename OutputMesh,
-          typename NamedParametersIn = parameters::Default_named_parameters,
-          typename NamedParametersOut = parameters::Default_named_parameters>
-void cut_along_curve(const TriangleMesh& tm, const Cut_locus<TriangleMesh, Point_3>& cut_locus, OutputMesh& output,
-                     const NamedParametersIn& np_in = parameters::default_values(),
-                     const NamedParametersOut& np_out = parameters::default_values())
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  namespace internal = Cut_loci::internal;
-  using Cut_loci::Index;
-
-  const Index resolution = internal::resolution_of(
-    choose_parameter(get_parameter(np_in, internal_np::snapping_tolerance), internal::default_snapping_of_curves));
-  const auto read = internal::read_triangle_mesh(
-    tm, choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm)));
-  const internal::Disk_of_curve disk =
-    internal::cut_along(read.mesh, internal::curve_on_mesh(read, tm, cut_locus), resolution);
-  const internal::Curve_on_component& on = disk.on;
-  const Cut_loci::Refined_mesh& refined = disk.refined;
-  const Cut_loci::Cut_mesh& cut = disk.cut;
-
-  std::vector<Index> vertices, faces;
-  for(Index v : cut.vertices)
-    vertices.push_back(v < on.component.vertices.size() ? on.component.vertices[v] : Cut_loci::null_index);
-  for(Index f : refined.faces)
-    faces.push_back(on.component.faces[f]);
-  internal::output_mesh(tm, read, cut.mesh, vertices, faces, output, np_in, np_out);
-}
-
 } // namespace CGAL
 
 #endif // CGAL_REFINE_ALONG_CUT_LOCUS_H

@@ -34,7 +34,7 @@ namespace CGAL {
  * The surface stays the same except for the rounding of points, and each face of the result is a part of one of `tm`. The
  * points of the polylines are rounded first: their barycentric coordinates become multiples of the snapping tolerance, so
  * that a polyline goes through a vertex that it passes closely, and no face is degenerate. A straight line so gets corners
- * of about the tolerance; with `Cut_loci::Method::DIRECTION` the branches that start there are left out.
+ * of about the tolerance; with `Cut_loci::Default_method` the branches that start there are left out.
  *
  * Polylines may cross and touch each other, and end where they start. Time is O(n log k), for n faces and k points of
  * polylines.

@@ -93,17 +93,33 @@ py::tuple path_tuple(const Geodesic_path& path)
   return py::make_tuple(to_array(path.points, 3), to_array(path.faces), to_array(path.coordinates, 3));
 }
 
+// in the order of `Cut_loci::Method`
+enum class Method_name { DIRECTION, POLYHEDRAL, LAPLACIAN };
+
+loci::Method method_of(Method_name name)
+{
+  switch(name)
+  {
+  case Method_name::DIRECTION:
+    return loci::Default_method();
+  case Method_name::POLYHEDRAL:
+    return loci::Polyhedral_method();
+  default:
+    return loci::Laplacian_method();
+  }
+}
+
 // The library names its parameters as in C++.
 std::string in_python(std::string message)
 {
   const std::pair<const char*, const char*> words[] = {
-    {"cut_locus_method(Cut_loci::Method::LAPLACIAN)", "method=\"laplacian\""},
-    {"cut_locus_method(Cut_loci::Method::DIRECTION)", "method=\"direction\""},
+    {"cut_locus_method(Cut_loci::Laplacian_method())", "method=\"laplacian\""},
+    {"cut_locus_method(Cut_loci::Default_method())", "method=\"direction\""},
     {"cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)", "curve=\"faces\""},
     {"cut_locus_curve(Cut_loci::Curve::MESH_EDGES)", "curve=\"edges\""},
-    {"Cut_loci::Method::LAPLACIAN", "\"laplacian\""},
-    {"Cut_loci::Method::DIRECTION", "\"direction\""},
-    {"Cut_loci::Method::POLYHEDRAL", "\"polyhedral\""},
+    {"Cut_loci::Laplacian_method", "\"laplacian\""},
+    {"Cut_loci::Default_method", "\"direction\""},
+    {"Cut_loci::Polyhedral_method", "\"polyhedral\""},
     {"Cut_loci::Curve::THROUGH_FACES", "\"faces\""},
     {"Cut_loci::Curve::MESH_EDGES", "\"edges\""},
     {"set_directions() comes before compute()", "compute() takes directions=True"},
@@ -192,10 +208,10 @@ PYBIND11_MODULE(_core, m)
                            [](const Mesh_handle& handle) { return number_of_weldable_vertices(*handle.mesh); });
   m.def("weld", &weld_arrays, "vertices"_a, "faces"_a);
 
-  py::enum_<loci::Method>(m, "Method")
-    .value("direction", loci::Method::DIRECTION)
-    .value("polyhedral", loci::Method::POLYHEDRAL)
-    .value("laplacian", loci::Method::LAPLACIAN);
+  py::enum_<Method_name>(m, "Method")
+    .value("direction", Method_name::DIRECTION)
+    .value("polyhedral", Method_name::POLYHEDRAL)
+    .value("laplacian", Method_name::LAPLACIAN);
   py::enum_<loci::Curve>(m, "Curve").value("edges", loci::Curve::MESH_EDGES).value("faces", loci::Curve::THROUGH_FACES);
   py::enum_<loci::Filter_policy>(m, "FilterPolicy")
     .value("prune", loci::Filter_policy::PRUNING)
@@ -208,7 +224,7 @@ PYBIND11_MODULE(_core, m)
 
   py::class_<Computation>(m, "Computation")
     .def(py::init(
-           [](const Mesh_handle& mesh, const std::string& solver, std::optional<loci::Method> method,
+           [](const Mesh_handle& mesh, const std::string& solver, std::optional<Method_name> name,
               std::optional<loci::Laplacian_operator> laplacian_operator, const std::optional<py::array>& edge_lengths,
               const py::object& progress)
            {
@@ -218,7 +234,10 @@ PYBIND11_MODULE(_core, m)
       lengths = lengths_of_edges(*mesh.mesh, read_face_lengths(*edge_lengths, mesh.mesh->number_of_faces()));
     result->run(
       [&]
-      { result->solver = make_solver(solver, method, laplacian_operator, lengths, *result->mesh, *result->progress); });
+      {
+      const auto method = name ? std::optional<loci::Method>(method_of(*name)) : std::nullopt;
+      result->solver = make_solver(solver, method, laplacian_operator, lengths, *result->mesh, *result->progress);
+    });
     return result;
     }),
          "mesh"_a, "solver"_a, "method"_a, "laplacian_operator"_a, "edge_lengths"_a, "progress"_a)
@@ -285,9 +304,12 @@ PYBIND11_MODULE(_core, m)
       "gradient_angle_threshold"_a, "laplacian_threshold"_a, "filter_policy"_a, "minimum_branch_edges"_a,
       "number_of_iterations"_a, "minimum_branch_length"_a, "curve"_a, "voronoi"_a, "medial"_a)
     // they wait for what runs, as it may change them
-    .def_property_readonly("method", [](Computation& c) { return c.exclusive.run([&] { return c.solver->method(); }); })
-    .def_property_readonly("gradient_angle_threshold", [](Computation& c)
-                           { return c.exclusive.run([&] { return c.solver->default_gradient_angle_threshold(); }); })
+    .def_property_readonly("method",
+                           [](Computation& c) {
+    return c.exclusive.run([&] { return static_cast<Method_name>(c.solver->method().index()); });
+    })
+    .def_property_readonly("gradient_angle_threshold",
+                           [](Computation&) { return loci::Laplacian_method().gradient_angle_threshold(); })
     .def_property_readonly("minimum_branch_width", [](Computation& c)
                            { return c.exclusive.run([&] { return c.solver->minimum_branch_width(); }); })
     .def_property_readonly("minimum_branch_gap", [](Computation& c)

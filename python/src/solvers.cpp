@@ -8,16 +8,14 @@
 
 #include <CGAL/Graph_geodesic_solver.h>
 
-#include <cstddef>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <variant>
 
 namespace np = CGAL::parameters;
 using CGAL::Cut_loci::Curve;
-using CGAL::Cut_loci::Filter_policy;
 using CGAL::Cut_loci::Kept_part;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
 
 namespace {
@@ -48,19 +46,13 @@ struct Length_map
   friend double get(const Length_map& map, Mesh::Edge_index e) { return (*map.lengths)[e]; }
 };
 
-// What is given is passed on, so that the library refuses what has no meaning for the method. Each combination is a type.
+// Without a method, the library chooses one for each source.
 template <typename NamedParameters>
-std::unique_ptr<Solver> make_exact_solver(const Mesh& mesh, std::optional<Method> method,
-                                          std::optional<Laplacian_operator> laplacian_operator,
+std::unique_ptr<Solver> make_exact_solver(const Mesh& mesh, const std::optional<Method>& method,
                                           const NamedParameters& given)
 {
-  if(method && laplacian_operator)
-    return std::make_unique<Solver>(mesh, given.cut_locus_method(*method).laplacian_operator(*laplacian_operator));
-  if(method)
-    return std::make_unique<Solver>(mesh, given.cut_locus_method(*method));
-  if(laplacian_operator)
-    return std::make_unique<Solver>(mesh, given.laplacian_operator(*laplacian_operator));
-  return std::make_unique<Solver>(mesh, given);
+  return method ? std::make_unique<Solver>(mesh, given.cut_locus_method(*method))
+                : std::make_unique<Solver>(mesh, given);
 }
 
 template <typename NamedParameters>
@@ -69,23 +61,28 @@ void set_source(Solver& solver, const Source& source, const NamedParameters& par
   std::visit([&](const auto& point) { solver.set_source(point, parameters); }, source);
 }
 
-void refuse_thresholds_of_other_methods(Method method, const Thresholds& t)
+// A function of Python takes the options of all methods.
+void refuse_option(bool is_given, const char* name, const Method& in_force)
 {
-  using CGAL::Cut_loci::internal::refuse_parameters_of_other_methods;
-  if(t.minimum_branch_width)
-    refuse_parameters_of_other_methods(method, np::minimum_branch_width(0.));
-  if(t.minimum_branch_gap)
-    refuse_parameters_of_other_methods(method, np::minimum_branch_gap(0.));
-  if(t.minimum_branch_curvature)
-    refuse_parameters_of_other_methods(method, np::minimum_branch_curvature(0.));
-  if(t.gradient_angle_threshold)
-    refuse_parameters_of_other_methods(method, np::gradient_angle_threshold(0.));
-  if(t.laplacian_threshold)
-    refuse_parameters_of_other_methods(method, np::laplacian_threshold(0.));
-  if(t.filter_policy)
-    refuse_parameters_of_other_methods(method, np::filter_policy(Filter_policy::PRUNING));
-  if(t.number_of_iterations)
-    refuse_parameters_of_other_methods(method, np::number_of_iterations(0));
+  if(is_given)
+    throw CGAL::Cut_loci::Invalid_input(CGAL::Cut_loci::Cause::PARAMETER_OF_OTHER_METHOD,
+                                        "the parameter " + std::string(name) + " has no meaning for the method " +
+                                          name_of(in_force) + ", which is in force: leave it away, or pass " +
+                                          (std::holds_alternative<Laplacian_method>(in_force)
+                                             ? "method=\"direction\", which needs exact distances"
+                                             : "method=\"laplacian\""));
+}
+
+// No iterations leave edges of the mesh.
+Curve curve_of(const Thresholds& t)
+{
+  const Curve by_iterations = t.number_of_iterations == 0L ? Curve::MESH_EDGES : Curve::THROUGH_FACES;
+  if(t.curve && t.number_of_iterations && *t.curve != by_iterations)
+    throw CGAL::Cut_loci::Invalid_input(
+      CGAL::Cut_loci::Cause::INVALID_PARAMETER,
+      "the parameters curve and number_of_iterations contradict each other: no iterations leave edges of the mesh, and "
+      "one or more of them give a curve through the faces");
+  return t.curve.value_or(by_iterations);
 }
 
 Kept_part kept_part(const Thresholds& t)
@@ -98,66 +95,79 @@ Kept_part kept_part(const Thresholds& t)
   return is_voronoi ? Kept_part::VORONOI : is_medial ? Kept_part::MEDIAL : Kept_part::ALL;
 }
 
-template <typename NamedParameters>
-Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t, const NamedParameters& given)
+template <typename Options>
+void set_least_branch(const Thresholds& t, Options& options)
 {
-  const auto with_curvature = [&](const auto& parameters)
-  {
-    return t.minimum_branch_curvature
-             ? solver.cut_locus(parameters.minimum_branch_curvature(*t.minimum_branch_curvature))
-             : solver.cut_locus(parameters);
-  };
-  if(t.minimum_branch_width || t.minimum_branch_gap)
-    return with_curvature(given.minimum_branch_width(t.minimum_branch_width.value_or(0.))
-                            .minimum_branch_gap(t.minimum_branch_gap.value_or(0.)));
-  return with_curvature(given);
+  if(t.minimum_branch_edges)
+    options.minimum_branch_edges(*t.minimum_branch_edges);
+  options.minimum_branch_length(t.minimum_branch_length.value_or(0.));
 }
 
-Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& t, Curve curve)
+template <typename Path_method>
+Method options_of(const Thresholds& t, Path_method options)
 {
-  return exact_cut_locus(solver, t,
-                         np::cut_locus_curve(curve)
-                           .kept_part(kept_part(t))
-                           .minimum_branch_edges(t.minimum_branch_edges.value_or(0))
-                           .minimum_branch_length(t.minimum_branch_length.value_or(0.)));
+  refuse_option(t.gradient_angle_threshold.has_value(), "gradient_angle_threshold", options);
+  refuse_option(t.laplacian_threshold.has_value(), "laplacian_threshold", options);
+  refuse_option(t.filter_policy.has_value(), "filter_policy", options);
+  refuse_option(t.number_of_iterations.has_value(), "number_of_iterations", options);
+  set_least_branch(t, options);
+  if(t.minimum_branch_width)
+    options.minimum_branch_width(*t.minimum_branch_width);
+  if(t.minimum_branch_gap)
+    options.minimum_branch_gap(*t.minimum_branch_gap);
+  if(t.minimum_branch_curvature)
+    options.minimum_branch_curvature(*t.minimum_branch_curvature);
+  return options;
 }
 
-Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& t, std::size_t iterations)
+Method options_of(const Thresholds& t, Laplacian_method options)
 {
-  return solver.cut_locus(
-    np::gradient_angle_threshold(t.gradient_angle_threshold.value_or(solver.default_gradient_angle_threshold()))
-      .laplacian_threshold(t.laplacian_threshold.value_or(-std::numeric_limits<double>::infinity()))
-      .filter_policy(t.filter_policy.value_or(Filter_policy::PRUNING))
-      .minimum_branch_edges(t.minimum_branch_edges.value_or(static_cast<long>(Solver::default_minimum_branch_edges())))
-      .minimum_branch_length(t.minimum_branch_length.value_or(0.))
-      .kept_part(kept_part(t))
-      .number_of_iterations(iterations));
+  refuse_option(t.minimum_branch_width.has_value(), "minimum_branch_width", options);
+  refuse_option(t.minimum_branch_gap.has_value(), "minimum_branch_gap", options);
+  refuse_option(t.minimum_branch_curvature.has_value(), "minimum_branch_curvature", options);
+  set_least_branch(t, options);
+  if(t.gradient_angle_threshold)
+    options.gradient_angle_threshold(*t.gradient_angle_threshold);
+  if(t.laplacian_threshold)
+    options.laplacian_threshold(*t.laplacian_threshold);
+  if(t.filter_policy)
+    options.filter_policy(*t.filter_policy);
+  if(t.number_of_iterations.value_or(0) != 0)
+    options.number_of_iterations(*t.number_of_iterations);
+  return options;
 }
 
 } // namespace
 
-std::unique_ptr<Solver> make_solver(const std::string& name, std::optional<Method> method,
+std::unique_ptr<Solver> make_solver(const std::string& name, const std::optional<Method>& method,
                                     std::optional<Laplacian_operator> laplacian_operator,
                                     const std::vector<double>& edge_lengths, const Mesh& mesh, Progress& progress)
 {
+  const bool is_exact = name == "exact";
+  Method in_force = method.value_or(is_exact ? Method() : Laplacian_method());
+  Laplacian_method* const laplacian = std::get_if<Laplacian_method>(&in_force);
+  if(laplacian == nullptr)
+    refuse_option(laplacian_operator.has_value(), "laplacian_operator", in_force);
+  else if(laplacian_operator)
+    laplacian->laplacian_operator(*laplacian_operator);
   const auto visited = np::visitor(std::ref(progress));
-  if(name == "exact" && edge_lengths.empty())
-    return make_exact_solver(mesh, method, laplacian_operator, visited);
-  if(name == "exact")
-    return make_exact_solver(mesh, method, laplacian_operator, visited.edge_length_map(Length_map{&edge_lengths}));
+  const std::optional<Method> asked = method ? std::optional<Method>(in_force) : std::nullopt;
+  if(is_exact && edge_lengths.empty())
+    return make_exact_solver(mesh, asked, visited);
+  if(is_exact)
+    return make_exact_solver(mesh, asked, visited.edge_length_map(Length_map{&edge_lengths}));
   if(!edge_lengths.empty())
     CGAL::Cut_loci::internal::refuse_lengths("the geodesic_solver");
-  if(method && *method != Method::LAPLACIAN)
-    CGAL::Cut_loci::internal::refuse_distances(*method);
-  const Laplacian_operator type = laplacian_operator.value_or(Laplacian_operator::QUADRATIC_FIT);
+  if(laplacian == nullptr)
+    CGAL::Cut_loci::internal::refuse_distances(in_force);
   if(name == "cgal-exact")
-    return make_cgal_exact_solver(mesh, type, progress);
+    return make_cgal_exact_solver(mesh, *laplacian, progress);
   if(name == "heat")
-    return make_heat_solver(mesh, type, progress);
+    return make_heat_solver(mesh, *laplacian, progress);
   if(name == "heat-direct")
-    return make_heat_direct_solver(mesh, type, progress);
+    return make_heat_direct_solver(mesh, *laplacian, progress);
   if(name == "graph")
-    return make_laplacian_solver<CGAL::Graph_geodesic_solver>(mesh, type, progress);
+    return make_laplacian_solver<CGAL::Graph_geodesic_solver>(mesh, *laplacian, progress);
   throw std::invalid_argument("there is no solver '" + name + "'");
 }
 
@@ -183,12 +193,8 @@ void set_sources(Solver& solver, const std::vector<Source>& sources, const Sourc
 
 Cut_locus compute_cut_locus(const Solver& solver, const Thresholds& thresholds)
 {
-  namespace library = CGAL::Cut_loci::internal;
-  refuse_thresholds_of_other_methods(solver.method(), thresholds);
-  std::optional<std::size_t> steps;
-  if(thresholds.number_of_iterations)
-    steps = library::to_count(*thresholds.number_of_iterations, "number_of_iterations");
-  const library::Curve_parameters curve = library::curve_parameters(thresholds.curve, steps);
-  return solver.method() == Method::LAPLACIAN ? laplacian_cut_locus(solver, thresholds, curve.iterations)
-                                              : exact_cut_locus(solver, thresholds, curve.curve);
+  const Method options =
+    std::visit([&](const auto& method) { return options_of(thresholds, method); }, solver.method());
+  return solver.cut_locus(
+    np::cut_locus_method(options).cut_locus_curve(curve_of(thresholds)).kept_part(kept_part(thresholds)));
 }

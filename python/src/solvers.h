@@ -34,7 +34,7 @@ struct Thresholds
 
 // `name` is one of solver_names(); the lengths, one for each edge, are empty if they are the distances between the points.
 // Mesh and progress must outlive the solver.
-std::unique_ptr<Solver> make_solver(const std::string& name, std::optional<CGAL::Cut_loci::Method> method,
+std::unique_ptr<Solver> make_solver(const std::string& name, const std::optional<CGAL::Cut_loci::Method>& method,
                                     std::optional<CGAL::Cut_loci::Laplacian_operator> laplacian_operator,
                                     const std::vector<double>& edge_lengths, const Mesh& mesh, Progress& progress);
 
@@ -57,18 +57,16 @@ Cut_locus compute_cut_locus(const Solver& solver, const Thresholds& thresholds);
 
 // Those that take distances from CGAL are compiled on their own: they take long.
 using Laplacian_operator = CGAL::Cut_loci::Laplacian_operator;
-std::unique_ptr<Solver> make_cgal_exact_solver(const Mesh&, Laplacian_operator, Progress&);
-std::unique_ptr<Solver> make_heat_solver(const Mesh&, Laplacian_operator, Progress&);
-std::unique_ptr<Solver> make_heat_direct_solver(const Mesh&, Laplacian_operator, Progress&);
+std::unique_ptr<Solver> make_cgal_exact_solver(const Mesh&, const CGAL::Cut_loci::Laplacian_method&, Progress&);
+std::unique_ptr<Solver> make_heat_solver(const Mesh&, const CGAL::Cut_loci::Laplacian_method&, Progress&);
+std::unique_ptr<Solver> make_heat_direct_solver(const Mesh&, const CGAL::Cut_loci::Laplacian_method&, Progress&);
 
 template <typename GeodesicSolver>
-std::unique_ptr<Solver> make_laplacian_solver(const Mesh& mesh, Laplacian_operator laplacian_operator,
+std::unique_ptr<Solver> make_laplacian_solver(const Mesh& mesh, const CGAL::Cut_loci::Laplacian_method& method,
                                               Progress& progress)
 {
-  return std::make_unique<Solver>(mesh, CGAL::parameters::geodesic_solver(GeodesicSolver())
-                                          .cut_locus_method(CGAL::Cut_loci::Method::LAPLACIAN)
-                                          .laplacian_operator(laplacian_operator)
-                                          .visitor(std::ref(progress)));
+  return std::make_unique<Solver>(
+    mesh, CGAL::parameters::geodesic_solver(GeodesicSolver()).cut_locus_method(method).visitor(std::ref(progress)));
 }
 
 #endif // SURFACE_MESH_CUT_LOCUS_PYTHON_SOLVERS_H

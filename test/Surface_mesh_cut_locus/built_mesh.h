@@ -9,6 +9,7 @@
 
 #include "topology_checker.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 #include <CGAL/Dynamic_property_map.h>
@@ -23,6 +24,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 // A model of FaceListGraph made from plain arrays, with the way back to them.
@@ -173,7 +175,7 @@ topology_checker::Cut cut_of(const Built& built, const Result& result)
 template <typename Built, typename Result>
 std::string fault_of(const Built& built, const Result& result, std::size_t face,
                      const std::vector<std::size_t>& corners,
-                     CGAL::Cut_loci::Method method = CGAL::Cut_loci::Method::LAPLACIAN)
+                     CGAL::Cut_loci::Method method = CGAL::Cut_loci::Laplacian_method())
 {
   const topology_checker::Surface surface(built.data.triangles, face);
   const topology_checker::Cut cut = cut_of(built, result);
@@ -192,7 +194,7 @@ std::string fault_of(const Built& built, const Result& result, std::size_t face,
     return at_source;
   if(long(result.genus()) != surface.genus() || result.number_of_border_loops() != surface.number_of_loops)
     return "the genus or the number of border loops is wrong";
-  if(surface.number_of_loops == 0 && method == CGAL::Cut_loci::Method::LAPLACIAN)
+  if(surface.number_of_loops == 0 && std::holds_alternative<CGAL::Cut_loci::Laplacian_method>(method))
     for(std::size_t v : surface.vertices)
       if(result.distance(built.vertices[v]) > graph[result.root()].distance &&
          !(corners.size() == 1 && corners[0] == v)) // a distance map may be wrong there

@@ -8,9 +8,11 @@
 #define CURVE_SOURCES_CASES_H
 
 #include "built_mesh.h"
+#include "curve_length.h"
 #include "test_meshes.h"
 #include "topology_checker.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_cut_locus.h>
@@ -32,8 +34,12 @@ namespace curve_sources {
 
 using namespace test_meshes;
 using CGAL::Cut_loci::Cause;
+using CGAL::Cut_loci::Default_method;
 using CGAL::Cut_loci::Invalid_input;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Polyhedral_method;
+using curve_length::length;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Built = Built_mesh<Mesh>;
@@ -46,15 +52,6 @@ namespace params = CGAL::parameters;
 inline Point to_point(const Kernel::Point_3& p)
 {
   return {{p.x(), p.y(), p.z()}};
-}
-
-inline double length(const Result& result)
-{
-  double sum = 0.;
-  const auto& graph = result.graph();
-  for(const auto e : CGAL::make_range(edges(graph)))
-    sum += std::sqrt(CGAL::squared_distance(graph[source(e, graph)].point, graph[target(e, graph)].point));
-  return sum;
 }
 
 inline std::size_t number_of_leaves(const Result& result)
@@ -434,7 +431,9 @@ inline bool has_mesh_edges(const Built& built, const Vertices& points, const std
     return false;
   }
   const bool result = has_mesh_edges(built, solver, curves, params::kept_part(CGAL::Cut_loci::Kept_part::ALL), what);
-  EXPECT_EQ(has_mesh_edges(built, solver, curves, params::minimum_branch_edges(3), what + ", long branches"), result);
+  const Method long_branches = std::visit([](auto m) -> Method { return m.minimum_branch_edges(3); }, method);
+  EXPECT_EQ(has_mesh_edges(built, solver, curves, params::cut_locus_method(long_branches), what + ", long branches"),
+            result);
   return result;
 }
 

@@ -21,13 +21,17 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <variant>
 
 using namespace test_meshes;
 using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::Default_method;
 using CGAL::Cut_loci::Filter_policy;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Polyhedral_method;
 
-constexpr Method both_methods[] = {Method::LAPLACIAN, Method::DIRECTION};
+constexpr Method both_methods[] = {Laplacian_method(), Default_method()};
 
 using Reference_mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 
@@ -68,16 +72,16 @@ public:
   static void expect_valid_at_all_thresholds(const Built& built, const Solver& solver, const Place& place)
   {
     namespace params = CGAL::parameters;
-    if(solver.method() == Method::DIRECTION)
+    if(std::holds_alternative<Default_method>(solver.method()))
     {
       for(double width : {0.5, 0.2, 0.1, 0.05, 0.01, 0.})
         for(std::size_t edges : {0, 3, 10})
           for(double length : {0., 0.05, 0.3})
           {
-            const auto np =
-              params::minimum_branch_width(width).minimum_branch_edges(edges).minimum_branch_length(length);
+            const auto np = params::cut_locus_method(
+              Default_method().minimum_branch_width(width).minimum_branch_edges(edges).minimum_branch_length(length));
             const Result result = solver.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
-            expect_valid(built, result, place, Method::DIRECTION,
+            expect_valid(built, result, place, Default_method(),
                          "width " + std::to_string(width) + ", " + std::to_string(edges) + " edges, length " +
                            std::to_string(length));
             if(result.number_of_border_loops() > 0)
@@ -92,18 +96,19 @@ public:
     {
       for(double angle : {0., 0.05, 0.2, 0.5, 1., 2., 3., pi})
         for(std::size_t edges : {0, 3, 10})
-          expect_valid(built,
-                       solver.cut_locus(
-                         mesh_edges.gradient_angle_threshold(angle).filter_policy(policy).minimum_branch_edges(edges)),
-                       place, Method::LAPLACIAN,
-                       "angle " + std::to_string(angle) + ", " + std::to_string(edges) + " edges");
+          expect_valid(
+            built,
+            solver.cut_locus(mesh_edges.cut_locus_method(
+              Laplacian_method().gradient_angle_threshold(angle).filter_policy(policy).minimum_branch_edges(edges))),
+            place, Laplacian_method(), "angle " + std::to_string(angle) + ", " + std::to_string(edges) + " edges");
       for(double laplacian : {-1e9, -0.1, 0., 0.1, 0.5, 2., 1e9})
         expect_valid(built,
-                     solver.cut_locus(mesh_edges.laplacian_threshold(laplacian)
-                                        .gradient_angle_threshold(0.)
-                                        .filter_policy(policy)
-                                        .minimum_branch_length(0.05)),
-                     place, Method::LAPLACIAN, "Laplacian " + std::to_string(laplacian));
+                     solver.cut_locus(mesh_edges.cut_locus_method(Laplacian_method()
+                                                                    .laplacian_threshold(laplacian)
+                                                                    .gradient_angle_threshold(0.)
+                                                                    .filter_policy(policy)
+                                                                    .minimum_branch_length(0.05))),
+                     place, Laplacian_method(), "Laplacian " + std::to_string(laplacian));
     }
   }
 };
@@ -153,16 +158,17 @@ TYPED_TEST(Cut_locus_test, keeps_the_root_alone_or_the_homology_where_the_thresh
   {
     const auto cut_locus = CGAL::compute_cut_locus(
       sphere.mesh, sphere.vertices[3],
-      mesh_edges.cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(pi).filter_policy(policy));
+      mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(pi).filter_policy(policy)));
     EXPECT_EQ(num_vertices(cut_locus.graph()), 1u);
     EXPECT_EQ(num_edges(cut_locus.graph()), 0u);
     EXPECT_EQ(cut_locus.graph()[cut_locus.root()].mesh_vertex, cut_locus.farthest_vertex());
-    Fixture::expect_valid(sphere, cut_locus, Fixture::at_vertex(ball, 3), Method::LAPLACIAN);
+    Fixture::expect_valid(sphere, cut_locus, Fixture::at_vertex(ball, 3), Laplacian_method());
   }
-  const auto point = CGAL::compute_cut_locus(sphere.mesh, sphere.vertices[3], mesh_edges.minimum_branch_width(1.));
+  const auto point = CGAL::compute_cut_locus(sphere.mesh, sphere.vertices[3],
+                                             mesh_edges.cut_locus_method(Default_method().minimum_branch_width(1.)));
   EXPECT_EQ(num_vertices(point.graph()), 1u);
   EXPECT_EQ(num_edges(point.graph()), 0u);
-  Fixture::expect_valid(sphere, point, Fixture::at_vertex(ball, 3), Method::DIRECTION);
+  Fixture::expect_valid(sphere, point, Fixture::at_vertex(ball, 3), Default_method());
 
   const Mesh_data ring = torus(1., 0.4, 20, 10, 0.2, 2);
   const TypeParam built(ring);
@@ -175,8 +181,9 @@ TYPED_TEST(Cut_locus_test, keeps_the_root_alone_or_the_homology_where_the_thresh
     EXPECT_EQ(leaves, 0u);
   };
   expect_cycles_alone(CGAL::compute_cut_locus(
-    built.mesh, built.vertices[0], mesh_edges.cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(pi)));
-  expect_cycles_alone(CGAL::compute_cut_locus(built.mesh, built.vertices[0], mesh_edges.minimum_branch_width(1.)));
+    built.mesh, built.vertices[0], mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(pi))));
+  expect_cycles_alone(CGAL::compute_cut_locus(built.mesh, built.vertices[0],
+                                              mesh_edges.cut_locus_method(Default_method().minimum_branch_width(1.))));
 }
 
 TYPED_TEST(Cut_locus_test, can_have_its_source_inside_a_face_or_on_an_edge)
@@ -258,7 +265,7 @@ TYPED_TEST(Cut_locus_test, runs_through_the_faces_unless_edges_of_the_mesh_are_a
 {
   const TypeParam built(torus(1., 0.4, 20, 10, 0.2, 2));
   const auto null = TypeParam::Traits::null_vertex();
-  for(Method method : {Method::LAPLACIAN, Method::DIRECTION, Method::POLYHEDRAL})
+  for(Method method : {Method(Laplacian_method()), Method(Default_method()), Method(Polyhedral_method())})
     for(std::size_t k : {1, 3})
     {
       typename Cut_locus_test<TypeParam>::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(method));
@@ -356,7 +363,7 @@ TYPED_TEST(Cut_locus_test, of_distances_that_the_user_has_is_that_of_the_solver_
   using Fixture = Cut_locus_test<TypeParam>;
   const Mesh_data data = torus(1., 0.4, 20, 10, 0.2, 2);
   const TypeParam built(data);
-  typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(Method::LAPLACIAN));
+  typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(Laplacian_method()));
   solver.set_source(built.vertices[5]);
   const auto expected = solver.cut_locus(mesh_edges);
   auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
@@ -369,12 +376,12 @@ TYPED_TEST(Cut_locus_test, of_distances_that_the_user_has_is_that_of_the_solver_
   try
   {
     CGAL::compute_cut_locus(built.mesh, built.vertices[5],
-                            mesh_edges.vertex_distance_map(distance).cut_locus_method(Method::DIRECTION));
+                            mesh_edges.vertex_distance_map(distance).cut_locus_method(Default_method()));
     ADD_FAILURE() << "the exact tree needs paths";
   }
   catch(const CGAL::Cut_loci::Invalid_input& error)
   {
-    EXPECT_NE(std::string(error.what()).find("Cut_loci::Method::LAPLACIAN"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("Cut_loci::Laplacian_method"), std::string::npos) << error.what();
   }
 }
 
@@ -389,20 +396,20 @@ TYPED_TEST(Cut_locus_test, follows_the_distances_of_each_source_in_its_choice_of
       .edges;
   };
   typename Fixture::Solver solver(built.mesh);
-  EXPECT_TRUE(solver.method() == Method::DIRECTION);
+  EXPECT_TRUE(std::holds_alternative<Default_method>(solver.method()));
   solver.set_source(built.vertices[5]);
-  EXPECT_TRUE(solver.method() == Method::DIRECTION);
+  EXPECT_TRUE(std::holds_alternative<Default_method>(solver.method()));
   const auto first = solver.cut_locus(mesh_edges);
-  EXPECT_EQ(cut_of(built, first).edges, edges_by(Method::DIRECTION));
+  EXPECT_EQ(cut_of(built, first).edges, edges_by(Default_method()));
   auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
   for(const auto v : CGAL::make_range(vertices(built.mesh)))
     put(distance, v, first.distance(v));
   solver.set_source(built.vertices[5], CGAL::parameters::vertex_distance_map(distance));
-  EXPECT_TRUE(solver.method() == Method::LAPLACIAN);
-  EXPECT_EQ(cut_of(built, solver.cut_locus(mesh_edges)).edges, edges_by(Method::LAPLACIAN));
+  EXPECT_TRUE(std::holds_alternative<Laplacian_method>(solver.method()));
+  EXPECT_EQ(cut_of(built, solver.cut_locus(mesh_edges)).edges, edges_by(Laplacian_method()));
   solver.set_source(built.vertices[5]);
-  EXPECT_TRUE(solver.method() == Method::DIRECTION);
-  EXPECT_EQ(cut_of(built, solver.cut_locus(mesh_edges)).edges, edges_by(Method::DIRECTION));
+  EXPECT_TRUE(std::holds_alternative<Default_method>(solver.method()));
+  EXPECT_EQ(cut_of(built, solver.cut_locus(mesh_edges)).edges, edges_by(Default_method()));
 }
 
 TYPED_TEST(Cut_locus_test, is_a_cut_locus_by_its_topology_even_for_distances_that_are_nonsense)
@@ -414,7 +421,7 @@ TYPED_TEST(Cut_locus_test, is_a_cut_locus_by_its_topology_even_for_distances_tha
   {
     const TypeParam built(data);
     {
-      typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(Method::LAPLACIAN));
+      typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(Laplacian_method()));
       auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
       for(unsigned seed = 0; seed < 4; ++seed)
       {
@@ -484,12 +491,12 @@ TYPED_TEST(Cut_locus_test, is_the_same_on_every_mesh_type)
         EXPECT_EQ(cut_of(built, found).edges, cut_of(reference, expected).edges) << name_of(method);
         EXPECT_EQ(built.index(found.farthest_vertex()), reference.index(expected.farthest_vertex()));
       };
-      if(method == Method::LAPLACIAN)
+      if(std::holds_alternative<Laplacian_method>(method))
         for(double angle : {0., 0.1, 0.5, 2.})
-          expect_same(CGAL::parameters::gradient_angle_threshold(angle));
+          expect_same(CGAL::parameters::cut_locus_method(Laplacian_method().gradient_angle_threshold(angle)));
       else
         for(double width : {0.2, 0.05, 0.})
-          expect_same(CGAL::parameters::minimum_branch_width(width));
+          expect_same(CGAL::parameters::cut_locus_method(Default_method().minimum_branch_width(width)));
     }
   }
 }
@@ -500,13 +507,13 @@ TYPED_TEST(Cut_locus_test, does_not_depend_on_the_numbering)
       {jittered_sphere(7, 0.2, 1), torus(1., 0.4, 20, 10, 0.2, 2), perforated_plate(2, 1, 2, 5)})
   {
     const TypeParam built(data);
-    const auto np = CGAL::parameters::cut_locus_method(Method::LAPLACIAN);
+    const auto np = CGAL::parameters::cut_locus_method(Laplacian_method());
     const auto expected = cut_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[4],
                                                                 np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)))
                             .edges;
     // The curve by the other method: along edges of the mesh, it may go round a face on either side.
     const auto through_faces =
-      CGAL::parameters::cut_locus_method(Method::DIRECTION).cut_locus_curve(Curve::THROUGH_FACES);
+      CGAL::parameters::cut_locus_method(Default_method()).cut_locus_curve(Curve::THROUGH_FACES);
     const auto curve =
       CGAL::Cut_loci::compute_statistics(CGAL::compute_cut_locus(built.mesh, built.vertices[4], through_faces));
     for(unsigned seed = 0; seed < 2; ++seed)
@@ -551,11 +558,9 @@ TYPED_TEST(Cut_locus_test, does_not_depend_on_the_unit_of_length)
                 expected);
     }
   };
-  expect_same(params::cut_locus_method(Method::LAPLACIAN)
-                .gradient_angle_threshold(0.2)
-                .laplacian_threshold(0.1)
-                .minimum_branch_length(0.1));
-  expect_same(params::minimum_branch_width(0.05).minimum_branch_length(0.1));
+  expect_same(params::cut_locus_method(
+    Laplacian_method().gradient_angle_threshold(0.2).laplacian_threshold(0.1).minimum_branch_length(0.1)));
+  expect_same(params::cut_locus_method(Default_method().minimum_branch_width(0.05).minimum_branch_length(0.1)));
 }
 
 TYPED_TEST(Cut_locus_test, is_the_same_each_time_and_does_not_remember_the_source_before)
@@ -584,21 +589,21 @@ TYPED_TEST(Cut_locus_test, named_parameters_chain_in_any_order_with_those_of_cga
   auto is_constrained = get(CGAL::dynamic_edge_property_t<bool>(), built.mesh);
   const auto vpm = get(CGAL::vertex_point, built.mesh);
   const CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct> heat;
-  const auto first = CGAL::compute_cut_locus(built.mesh, built.vertices[4],
-                                             mesh_edges.vertex_point_map(vpm)
-                                               .geodesic_solver(heat)
-                                               .edge_is_constrained_map(is_constrained)
-                                               .gradient_angle_threshold(0.2)
-                                               .minimum_branch_edges(1));
-  const auto second = CGAL::compute_cut_locus(built.mesh, built.vertices[4],
-                                              mesh_edges.minimum_branch_edges(1)
-                                                .gradient_angle_threshold(0.2)
-                                                .edge_is_constrained_map(is_constrained)
-                                                .geodesic_solver(heat)
-                                                .vertex_point_map(vpm));
+  const auto first = CGAL::compute_cut_locus(
+    built.mesh, built.vertices[4],
+    mesh_edges.vertex_point_map(vpm)
+      .geodesic_solver(heat)
+      .edge_is_constrained_map(is_constrained)
+      .cut_locus_method(Laplacian_method().gradient_angle_threshold(0.2).minimum_branch_edges(1)));
+  const auto second = CGAL::compute_cut_locus(
+    built.mesh, built.vertices[4],
+    mesh_edges.cut_locus_method(Laplacian_method().minimum_branch_edges(1).gradient_angle_threshold(0.2))
+      .edge_is_constrained_map(is_constrained)
+      .geodesic_solver(heat)
+      .vertex_point_map(vpm));
   const auto other_solver = CGAL::compute_cut_locus(
     built.mesh, built.vertices[4],
-    mesh_edges.minimum_branch_edges(1).cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(0.2));
+    mesh_edges.cut_locus_method(Laplacian_method().minimum_branch_edges(1).gradient_angle_threshold(0.2)));
   EXPECT_EQ(cut_of(built, first).edges, cut_of(built, second).edges);
   EXPECT_NE(first.distance(built.vertices[20]), other_solver.distance(built.vertices[20])) << "the solver was not used";
 }
@@ -685,8 +690,10 @@ TYPED_TEST(Cut_locus_test, on_a_surface_with_boundary_joins_each_border_loop_onc
       {
         solver.set_source(built.vertices[v]);
         Fixture::expect_valid_at_all_thresholds(built, solver, Fixture::at_vertex(data, v));
-        const auto cut_locus = method == Method::LAPLACIAN ? solver.cut_locus(mesh_edges.gradient_angle_threshold(0.))
-                                                           : solver.cut_locus(mesh_edges.minimum_branch_width(0.));
+        const auto cut_locus =
+          std::holds_alternative<Laplacian_method>(method)
+            ? solver.cut_locus(mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(0.)))
+            : solver.cut_locus(mesh_edges.cut_locus_method(Default_method().minimum_branch_width(0.)));
         const auto& graph = cut_locus.graph();
         for(const auto e : CGAL::make_range(edges(graph)))
           EXPECT_EQ(graph[e].is_on_border, surface.border_edges.count(topology_checker::make_edge(
@@ -702,8 +709,8 @@ TYPED_TEST(Cut_locus_test, is_found_with_the_cotangent_laplacian_too)
   using Fixture = Cut_locus_test<TypeParam>;
   const Mesh_data data = torus(1., 0.4, 24, 12);
   const TypeParam built(data);
-  typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(Method::LAPLACIAN)
-                                                .laplacian_operator(CGAL::Cut_loci::Laplacian_operator::COTANGENT));
+  typename Fixture::Solver solver(built.mesh, CGAL::parameters::cut_locus_method(Laplacian_method().laplacian_operator(
+                                                CGAL::Cut_loci::Laplacian_operator::COTANGENT)));
   solver.set_source(built.vertices[0]);
   Fixture::expect_valid_at_all_thresholds(built, solver, Fixture::at_vertex(data, 0));
 }

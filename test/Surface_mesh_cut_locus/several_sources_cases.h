@@ -33,10 +33,14 @@ namespace several_sources {
 
 using namespace test_meshes;
 using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::Default_method;
 using CGAL::Cut_loci::Index;
 using CGAL::Cut_loci::Indexed_cut_locus;
 using CGAL::Cut_loci::Invalid_input;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Polyhedral_method;
+
 using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 using Built = Built_mesh<Mesh>;

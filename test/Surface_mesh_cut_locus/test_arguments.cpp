@@ -5,7 +5,9 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "built_mesh.h"
+#include "refusals.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
@@ -27,45 +29,35 @@ namespace test_arguments {
 namespace {
 
 using namespace test_meshes;
+using refusals::expect_refused;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Built = Built_mesh<Mesh>;
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
 using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
 using CGAL::Cut_loci::Cause;
+using CGAL::Cut_loci::Default_method;
 using CGAL::Cut_loci::Invalid_input;
-using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Laplacian_method;
 namespace params = CGAL::parameters;
 
 const double no_number = std::numeric_limits<double>::quiet_NaN();
 
-template <typename Function>
-void expect_refused(const Function& function, Cause cause)
-{
-  try
-  {
-    function();
-  }
-  catch(const Invalid_input& error)
-  {
-    EXPECT_EQ(error.cause(), cause) << error.what();
-    return;
-  }
-  ADD_FAILURE() << "nothing was thrown";
-}
-
 TEST(Arguments, thresholds_beyond_all_branches_are_refused)
 {
   const Built built(jittered_sphere(2, 0.2, 1));
-  Solver laplacian(built.mesh, params::cut_locus_method(Method::LAPLACIAN)), direction(built.mesh);
+  Solver laplacian(built.mesh, params::cut_locus_method(Laplacian_method())), direction(built.mesh);
   laplacian.set_source(built.vertices[0]);
   direction.set_source(built.vertices[0]);
   for(double angle : {9., 1e300, -1., no_number})
-    expect_refused([&] { laplacian.cut_locus(params::gradient_angle_threshold(angle)); }, Cause::INVALID_PARAMETER);
+    expect_refused(
+      [&] { laplacian.cut_locus(params::cut_locus_method(Laplacian_method().gradient_angle_threshold(angle))); },
+      Cause::INVALID_PARAMETER);
   for(double width : {5., 1e300, -1., no_number})
-    expect_refused([&] { direction.cut_locus(params::minimum_branch_width(width)); }, Cause::INVALID_PARAMETER);
+    expect_refused([&] { direction.cut_locus(params::cut_locus_method(Default_method().minimum_branch_width(width))); },
+                   Cause::INVALID_PARAMETER);
   for(double gap : {9., no_number})
-    expect_refused([&] { direction.cut_locus(params::minimum_branch_gap(gap)); }, Cause::INVALID_PARAMETER);
-  expect_refused([&] { direction.cut_locus(params::minimum_branch_edges(no_number)); }, Cause::INVALID_PARAMETER);
+    expect_refused([&] { direction.cut_locus(params::cut_locus_method(Default_method().minimum_branch_gap(gap))); },
+                   Cause::INVALID_PARAMETER);
   const Solver::Face_location inside(*built.mesh.faces_begin(), {{0.2, 0.3, 0.5}});
   for(double tolerance : {-1., 1., no_number})
     expect_refused([&] { direction.set_source(inside, params::snapping_tolerance(tolerance)); },
@@ -80,7 +72,8 @@ TEST(Arguments, the_default_width_can_be_asked_for)
     Solver solver(built.mesh);
     solver.set_source(built.vertices[0]);
     EXPECT_LE(solver.minimum_branch_width(), 1.);
-    EXPECT_NO_THROW(solver.cut_locus(params::minimum_branch_width(solver.minimum_branch_width())));
+    EXPECT_NO_THROW(
+      solver.cut_locus(params::cut_locus_method(Default_method().minimum_branch_width(solver.minimum_branch_width()))));
   }
 }
 

@@ -5,7 +5,9 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "built_mesh.h"
+#include "refusals.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
@@ -17,6 +19,8 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace test_bad_input {
@@ -27,47 +31,23 @@ namespace test_bad_input {
 using namespace test_meshes;
 using CGAL::Cut_loci::Cause;
 using CGAL::Cut_loci::Invalid_input;
+using refusals::expect_refused;
+using refusals::message_of;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Built = Built_mesh<Mesh>;
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
+using CGAL::Cut_loci::Default_method;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Polyhedral_method;
 namespace params = CGAL::parameters;
 
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::string message_of(const std::function<void()>& f)
-{
-  try
-  {
-    f();
-  }
-  catch(const Invalid_input& error)
-  {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
-
-// each of `words` is in the message
-void expect_refused(const std::function<void()>& f, Cause cause, const std::vector<std::string>& words)
-{
-  try
-  {
-    f();
-  }
-  catch(const Invalid_input& error)
-  {
-    EXPECT_EQ(error.cause(), cause) << error.what();
-  }
-  const std::string message = message_of(f);
-  for(const std::string& word : words)
-    EXPECT_NE(message.find(word), std::string::npos) << '"' << word << "\" is not in \"" << message << '"';
-}
 
 Mesh_data tetrahedron()
 {
@@ -92,7 +72,7 @@ Mesh_data octahedron()
 void expect_sound_from_everywhere(const Mesh_data& data, std::size_t number_of_faces = 20)
 {
   const Built built(data);
-  Solver by_laplacian(built.mesh, params::cut_locus_method(Method::LAPLACIAN)), by_direction(built.mesh);
+  Solver by_laplacian(built.mesh, params::cut_locus_method(Laplacian_method())), by_direction(built.mesh);
   const auto expect_finite = [](const Solver::Result& result)
   {
     for(const auto v : CGAL::make_range(vertices(result.graph())))
@@ -110,7 +90,8 @@ void expect_sound_from_everywhere(const Mesh_data& data, std::size_t number_of_f
     for(double angle : {0., 0.5, 3.14})
       for(auto policy : {CGAL::Cut_loci::Filter_policy::PRUNING, CGAL::Cut_loci::Filter_policy::GROWING})
       {
-        const auto np = params::gradient_angle_threshold(angle).filter_policy(policy);
+        const auto np =
+          params::cut_locus_method(Laplacian_method().gradient_angle_threshold(angle).filter_policy(policy));
         const auto result = by_laplacian.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
         EXPECT_EQ(fault_of(built, result, face, corners), "") << "source in face " << face;
         expect_finite(result);
@@ -120,9 +101,10 @@ void expect_sound_from_everywhere(const Mesh_data& data, std::size_t number_of_f
     for(double width : {1., 0.1, 0.})
       for(std::size_t edges : {0, 4})
       {
-        const auto np = params::minimum_branch_width(width).minimum_branch_edges(edges);
+        const auto np =
+          params::cut_locus_method(Default_method().minimum_branch_width(width).minimum_branch_edges(edges));
         const auto result = by_direction.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
-        EXPECT_EQ(fault_of(built, result, face, corners, Method::DIRECTION), "") << "source in face " << face;
+        EXPECT_EQ(fault_of(built, result, face, corners, Default_method()), "") << "source in face " << face;
         expect_finite(result);
         expect_finite(by_direction.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
       }
@@ -245,7 +227,7 @@ TEST(Bad_input, a_surface_without_area_is_refused_by_a_face)
   for(Point& p : all_in_one.points)
     p = {{1., 2., 3.}};
   const Built built(all_in_one);
-  for(Method method : {Method::DIRECTION, Method::LAPLACIAN})
+  for(Method method : {Method(Default_method()), Method(Laplacian_method())})
     expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], params::cut_locus_method(method)); },
                    Cause::FACE_WITHOUT_AREA, {"face #0", "(vertices ", "no area"});
 }
@@ -258,7 +240,7 @@ TEST(Bad_input, a_face_without_area_in_another_component_does_no_harm)
   const Mesh_data data = disjoint_union(flat, octahedron(), {{5., 0., 0.}});
   const Built built(data);
   EXPECT_EQ(
-    fault_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[5], mesh_edges), 4, {5}, Method::DIRECTION), "");
+    fault_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[5], mesh_edges), 4, {5}, Default_method()), "");
   expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, Cause::FACE_WITHOUT_AREA,
                  {"face #0", "no area"});
   // positions are those in the whole mesh
@@ -302,7 +284,7 @@ TEST(Bad_input, components_that_touch_in_a_vertex_are_surfaces_of_their_own)
     {
       const auto result = CGAL::compute_cut_locus(built.mesh, built.vertices[v], mesh_edges);
       const std::size_t seed = v == 0 ? 0 : f; // the vertex itself belongs to the component that its halfedge is in
-      EXPECT_EQ(fault_of(built, result, seed, {v}, Method::DIRECTION), "") << v;
+      EXPECT_EQ(fault_of(built, result, seed, {v}, Default_method()), "") << v;
       EXPECT_EQ(result.genus(), 0u);
     }
 }
@@ -310,127 +292,86 @@ TEST(Bad_input, components_that_touch_in_a_vertex_are_surfaces_of_their_own)
 TEST(Bad_input, thresholds_that_are_not_in_their_range_are_refused)
 {
   const Built built(octahedron());
-  Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
+  const auto expect = [&](const Method& method, const std::vector<std::string>& words)
+  {
+    Solver solver(built.mesh, params::cut_locus_method(
+                                std::visit([](const auto& m) { return Method(std::decay_t<decltype(m)>()); }, method)));
+    solver.set_source(built.vertices[0]);
+    expect_refused([&] { solver.cut_locus(params::cut_locus_method(method)); }, Cause::INVALID_PARAMETER, words);
+    EXPECT_EQ(message_of([&] { solver.cut_locus(); }), "nothing was thrown") << "the source was lost";
+  };
+  Solver solver(built.mesh);
   expect_refused([&] { solver.cut_locus(); }, Cause::NO_SOURCE, {"no source", "set_source()"});
-  solver.set_source(built.vertices[0]);
-  expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(not_a_number)); }, Cause::INVALID_PARAMETER,
-                 {"gradient angle", "from 0 to pi"});
-  expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(-0.1)); }, Cause::INVALID_PARAMETER,
-                 {"gradient angle", "from 0 to pi"});
-  expect_refused([&] { solver.cut_locus(params::laplacian_threshold(not_a_number)); }, Cause::INVALID_PARAMETER,
-                 {"Laplacian", "not a number"});
-  expect_refused([&] { solver.cut_locus(params::minimum_branch_length(not_a_number)); }, Cause::INVALID_PARAMETER,
-                 {"minimum length", "not negative"});
-  expect_refused([&] { solver.cut_locus(params::minimum_branch_length(-1.)); }, Cause::INVALID_PARAMETER,
-                 {"minimum length", "not negative"});
-  expect_refused([&] { solver.cut_locus(params::gradient_angle_threshold(3.15)); }, Cause::INVALID_PARAMETER,
-                 {"gradient angle", "from 0 to pi"});
-  EXPECT_EQ(message_of([&] { solver.cut_locus(params::laplacian_threshold(-infinity)); }), "nothing was thrown");
-  expect_refused([&] { solver.cut_locus(params::minimum_branch_edges(-1)); }, Cause::INVALID_PARAMETER,
-                 {"minimum_branch_edges", "negative"});
-  expect_refused([&] { solver.cut_locus(params::number_of_iterations(-1)); }, Cause::INVALID_PARAMETER,
-                 {"number_of_iterations", "negative"});
-
-  Solver by_direction(built.mesh);
-  by_direction.set_source(built.vertices[0]);
-  expect_refused([&] { by_direction.cut_locus(params::minimum_branch_width(not_a_number)); }, Cause::INVALID_PARAMETER,
-                 {"minimum width", "not negative"});
-  expect_refused([&] { by_direction.cut_locus(params::minimum_branch_width(1.1)); }, Cause::INVALID_PARAMETER,
-                 {"minimum width", "no larger than 1"});
-  expect_refused([&] { by_direction.cut_locus(params::minimum_branch_gap(4.)); }, Cause::INVALID_PARAMETER,
-                 {"minimum gap", "from 0 to pi"});
-  expect_refused([&] { by_direction.cut_locus(params::minimum_branch_length(-1.)); }, Cause::INVALID_PARAMETER,
-                 {"minimum length", "not negative"});
+  for(double angle : {not_a_number, -0.1, 3.15})
+    expect(Laplacian_method().gradient_angle_threshold(angle), {"gradient angle", "from 0 to pi"});
+  expect(Laplacian_method().laplacian_threshold(not_a_number), {"Laplacian", "not a number"});
+  for(double length : {not_a_number, -1.})
+  {
+    expect(Laplacian_method().minimum_branch_length(length), {"minimum length", "not negative"});
+    expect(Default_method().minimum_branch_length(length), {"minimum length", "not negative"});
+  }
+  expect(Laplacian_method().minimum_branch_edges(-1), {"minimum_branch_edges", "negative"});
+  expect(Laplacian_method().number_of_iterations(-1), {"number_of_iterations", "negative"});
+  expect(Laplacian_method().number_of_iterations(0), {"number_of_iterations", "Curve::MESH_EDGES"});
+  expect(Default_method().minimum_branch_width(not_a_number), {"minimum width", "not negative"});
+  expect(Default_method().minimum_branch_width(1.1), {"minimum width", "no larger than 1"});
+  expect(Polyhedral_method().minimum_branch_gap(4.), {"minimum gap", "from 0 to pi"});
 }
 
-// by the constructor, by set_source(), by cut_locus() and by the function
-template <typename NamedParameters, typename Parameter>
-void expect_refused_everywhere(const NamedParameters& method, const Parameter& parameter,
-                               const std::vector<std::string>& words)
+TEST(Bad_input, another_method_than_the_one_in_force_is_refused_with_what_to_do)
 {
   const Built built(octahedron());
-  expect_refused([&] { Solver solver(built.mesh, parameter(method)); }, Cause::PARAMETER_OF_OTHER_METHOD, words);
-  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], parameter(method)); },
-                 Cause::PARAMETER_OF_OTHER_METHOD, words);
-  Solver solver(built.mesh, method);
-  expect_refused([&] { solver.set_source(built.vertices[0], parameter(params::snapping_tolerance(1e-10))); },
-                 Cause::PARAMETER_OF_OTHER_METHOD, words);
-  solver.set_source(built.vertices[0]);
-  expect_refused([&] { solver.cut_locus(parameter(params::snapping_tolerance(1e-10))); },
-                 Cause::PARAMETER_OF_OTHER_METHOD, words);
-  EXPECT_EQ(message_of([&] { solver.cut_locus(); }), "nothing was thrown") << "the source was lost";
+  const auto expect_other = [&](Solver& solver, const Method& other, const std::vector<std::string>& words)
+  {
+    solver.set_source(built.vertices[0]);
+    expect_refused([&] { solver.cut_locus(params::cut_locus_method(other)); }, Cause::PARAMETER_OF_OTHER_METHOD, words);
+    EXPECT_EQ(message_of([&] { solver.cut_locus(); }), "nothing was thrown") << "the source was lost";
+  };
+  Solver by_default(built.mesh), laplacian(built.mesh, params::cut_locus_method(Laplacian_method()));
+  expect_other(by_default, Laplacian_method().gradient_angle_threshold(0.3),
+               {"Cut_loci::Laplacian_method()", "Cut_loci::Default_method", "constructor"});
+  expect_other(by_default, Polyhedral_method(), {"Cut_loci::Polyhedral_method()", "constructor"});
+  expect_other(laplacian, Default_method().minimum_branch_width(0.1), {"Cut_loci::Default_method()", "constructor"});
+  expect_other(laplacian, Laplacian_method().laplacian_operator(CGAL::Cut_loci::Laplacian_operator::COTANGENT),
+               {"Laplacian operator", "constructor"});
 }
 
-TEST(Bad_input, parameters_of_another_method_are_refused_with_what_to_do)
+TEST(Bad_input, options_of_the_constructor_are_those_of_each_cut_locus)
 {
-  const auto angle = [](const auto& np) { return np.gradient_angle_threshold(0.3); };
-  const auto laplacian = [](const auto& np) { return np.laplacian_threshold(0.3); };
-  const auto policy = [](const auto& np) { return np.filter_policy(CGAL::Cut_loci::Filter_policy::GROWING); };
-  const auto width = [](const auto& np) { return np.minimum_branch_width(0.1); };
-
-  const auto default_method = params::snapping_tolerance(1e-10);
-  const std::string remedy = "cut_locus_method(Cut_loci::Method::LAPLACIAN)", in_force = "Cut_loci::Method::DIRECTION";
-  expect_refused_everywhere(default_method, angle, {"gradient_angle_threshold", in_force, remedy});
-  expect_refused_everywhere(default_method, laplacian, {"laplacian_threshold", in_force, remedy});
-  expect_refused_everywhere(default_method, policy, {"filter_policy", in_force, remedy});
-  expect_refused_everywhere(params::cut_locus_method(Method::DIRECTION), angle, {"gradient_angle_threshold", remedy});
-  expect_refused_everywhere(
-    params::cut_locus_method(Method::LAPLACIAN), width,
-    {"minimum_branch_width", "Cut_loci::Method::LAPLACIAN", "cut_locus_method(Cut_loci::Method::DIRECTION)"});
-  // distances of the user are treated by the other method
-  const Built built(octahedron());
-  auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
-  for(std::size_t v = 0; v < built.vertices.size(); ++v)
-    put(distance, built.vertices[v], double(v));
-  const auto compute = [&](const auto& np)
-  { return message_of([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], np); }); };
-  EXPECT_EQ(compute(params::vertex_distance_map(distance).gradient_angle_threshold(0.3)), "nothing was thrown");
-  EXPECT_NE(compute(params::vertex_distance_map(distance).minimum_branch_gap(0.1)).find("minimum_branch_gap"),
-            std::string::npos);
-}
-
-TEST(Bad_input, parameters_that_contradict_each_other_about_the_curve_are_refused)
-{
-  using CGAL::Cut_loci::Curve;
-  const Built built(jittered_sphere(4, 0.2, 1));
-  Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
-  solver.set_source(built.vertices[0]);
-  expect_refused([&] { solver.cut_locus(params::cut_locus_curve(Curve::MESH_EDGES).number_of_iterations(4)); },
-                 Cause::INVALID_PARAMETER, {"cut_locus_curve", "number_of_iterations", "contradict"});
-  expect_refused([&] { solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES).number_of_iterations(0)); },
-                 Cause::INVALID_PARAMETER, {"cut_locus_curve", "number_of_iterations", "contradict"});
-  EXPECT_EQ(
-    message_of([&] { solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES).number_of_iterations(2)); }),
-    "nothing was thrown");
-}
-
-TEST(Bad_input, iterations_are_refused_by_methods_that_need_none)
-{
-  const Built built(jittered_sphere(4, 0.2, 1));
-  for(Method method : {Method::DIRECTION, Method::POLYHEDRAL})
+  const Built built(ellipsoid(1., 0.8, 0.6, 8, 0.2, 1));
+  for(const Method& method :
+      {Method(Default_method().minimum_branch_width(0.9)), Method(Laplacian_method().gradient_angle_threshold(3.1))})
   {
     Solver solver(built.mesh, params::cut_locus_method(method));
-    solver.set_source(built.vertices[0]);
-    for(int n : {0, 4})
-      expect_refused([&] { solver.cut_locus(params::number_of_iterations(n)); }, Cause::PARAMETER_OF_OTHER_METHOD,
-                     {"number_of_iterations", "THROUGH_FACES", "LAPLACIAN"});
+    solver.set_source(built.vertices[5]);
+    const std::size_t few = num_edges(solver.cut_locus().graph());
+    EXPECT_EQ(
+      num_edges(CGAL::compute_cut_locus(built.mesh, built.vertices[5], params::cut_locus_method(method)).graph()), few);
+    const Method plain = std::visit([](const auto& m) { return Method(std::decay_t<decltype(m)>()); }, method);
+    EXPECT_GT(num_edges(solver.cut_locus(params::cut_locus_method(plain)).graph()), few);
+    EXPECT_EQ(num_edges(solver.cut_locus().graph()), few) << "it is not remembered";
   }
 }
 
 TEST(Bad_input, the_largest_minimum_number_of_edges_removes_more_than_any_smaller_one)
 {
   const Built built(ellipsoid(1., 0.8, 0.6, 8, 0.2, 1));
-  for(Method method : {Method::LAPLACIAN, Method::DIRECTION})
+  for(Method method : {Method(Laplacian_method()), Method(Default_method())})
   {
     Solver solver(built.mesh, params::cut_locus_method(method));
     solver.set_source(built.vertices[0]);
     for(const auto& np : {mesh_edges, params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)})
     {
-      const auto edges_left = [&](std::size_t minimum)
-      { return num_edges(solver.cut_locus(np.minimum_branch_edges(minimum)).graph()); };
+      const auto edges_left = [&](long minimum)
+      {
+        return num_edges(solver
+                           .cut_locus(np.cut_locus_method(
+                             std::visit([&](auto m) -> Method { return m.minimum_branch_edges(minimum); }, method)))
+                           .graph());
+      };
       EXPECT_LT(edges_left(1000), edges_left(0));
-      EXPECT_EQ(edges_left(std::size_t(1) << 32), edges_left(1000));
-      EXPECT_EQ(edges_left((std::numeric_limits<std::size_t>::max)()), edges_left(1000));
+      EXPECT_EQ(edges_left(1L << 32), edges_left(1000));
+      EXPECT_EQ(edges_left((std::numeric_limits<long>::max)()), edges_left(1000));
     }
   }
 }
@@ -512,7 +453,7 @@ TEST(Odd_input, units_of_any_size_do_no_harm)
 {
   const Mesh_data sphere = jittered_sphere(4, 0.2, 1); // without ties, which rounding would decide
   const Built built(sphere);
-  for(Method method : {Method::LAPLACIAN, Method::DIRECTION, Method::POLYHEDRAL})
+  for(Method method : {Method(Laplacian_method()), Method(Default_method()), Method(Polyhedral_method())})
   {
     const auto np = params::cut_locus_method(method);
     const auto expected =

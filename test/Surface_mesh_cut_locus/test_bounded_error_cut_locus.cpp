@@ -31,11 +31,13 @@ namespace test_bounded_error_cut_locus {
 namespace {
 
 using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::Default_method;
 using CGAL::Cut_loci::Index;
 using CGAL::Cut_loci::Indexed_cut_locus;
 using CGAL::Cut_loci::Indexed_triangle_mesh;
 using CGAL::Cut_loci::Invalid_input;
-using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Laplacian_method;
+using CGAL::Cut_loci::Polyhedral_method;
 using direction_test::Solved;
 namespace params = CGAL::parameters;
 
@@ -170,7 +172,7 @@ TEST(Bounded_error_cut_locus, parameter_of_each_source)
     EXPECT_GT(largest, 1e-9) << "windows have been merged";
     if(curve == Curve::MESH_EDGES)
     {
-      EXPECT_EQ(fault_of(built, bounded, 0, {5}, Method::DIRECTION), "");
+      EXPECT_EQ(fault_of(built, bounded, 0, {5}, Default_method()), "");
     }
     solver.set_source(built.vertices[5]);
     const auto again = solver.cut_locus(params::cut_locus_curve(curve));
@@ -182,14 +184,14 @@ TEST(Bounded_error_cut_locus, parameter_of_each_source)
 TEST(Bounded_error_cut_locus, laplacian)
 {
   const Built built(test_meshes::torus(1., 0.4, 80, 32, 0.2, 3));
-  Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN)), exact(built.mesh);
+  Solver solver(built.mesh, params::cut_locus_method(Laplacian_method())), exact(built.mesh);
   exact.set_source(built.vertices[5]);
   const auto expected = exact.cut_locus();
   for(double error : {1e-4, 1e-2})
   {
     solver.set_source(built.vertices[5], params::maximum_relative_error(error));
     const auto result = solver.cut_locus(mesh_edges);
-    EXPECT_EQ(fault_of(built, result, 0, {5}, Method::LAPLACIAN), "");
+    EXPECT_EQ(fault_of(built, result, 0, {5}, Laplacian_method()), "");
     EXPECT_NE(result.distance(built.vertices[900]), expected.distance(built.vertices[900]));
     EXPECT_NEAR(result.distance(built.vertices[900]), expected.distance(built.vertices[900]),
                 error * expected.distance(built.vertices[900]));
@@ -219,15 +221,17 @@ TEST(Bounded_error_cut_locus, refusals)
   EXPECT_THROW(solver.set_sources(std::vector<Built::vertex_descriptor>{v}, params::maximum_relative_error(-1.)),
                Invalid_input);
 
-  Solver full(built.mesh, params::cut_locus_method(Method::POLYHEDRAL));
+  Solver full(built.mesh, params::cut_locus_method(Polyhedral_method()));
   EXPECT_THROW(full.set_source(v, params::maximum_relative_error(1e-3)), Invalid_input);
   full.set_source(v);
   EXPECT_GT(num_edges(full.cut_locus().graph()), 0u);
 
   solver.set_source(v, params::maximum_relative_error(1e-3));
-  EXPECT_THROW(solver.cut_locus(params::minimum_branch_width(0.)), Invalid_input);
-  EXPECT_EQ(fault_of(built, solver.cut_locus(mesh_edges), 0, {5}, Method::DIRECTION), "") << "nothing is lost by that";
-  EXPECT_EQ(fault_of(built, solver.cut_locus(mesh_edges.minimum_branch_width(1e-3)), 0, {5}, Method::DIRECTION), "");
+  EXPECT_THROW(solver.cut_locus(params::cut_locus_method(Default_method().minimum_branch_width(0.))), Invalid_input);
+  EXPECT_EQ(fault_of(built, solver.cut_locus(mesh_edges), 0, {5}, Default_method()), "") << "nothing is lost by that";
+  EXPECT_EQ(fault_of(built, solver.cut_locus(mesh_edges.cut_locus_method(Default_method().minimum_branch_width(1e-3))),
+                     0, {5}, Default_method()),
+            "");
 
   Solver heat(built.mesh, params::geodesic_solver(CGAL::Heat_method_geodesic_solver()));
   EXPECT_THROW(heat.set_source(v, params::maximum_relative_error(1e-3)), Invalid_input);

@@ -391,9 +391,10 @@ TEST(Branch_thresholds, Every_limb_has_its_branch)
       SCOPED_TRACE("noise " + std::to_string(noise) + ", source " + std::to_string(source));
       const auto faces = params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES);
       const auto all = CGAL::compute_cut_locus(built.mesh, built.vertices[source],
-                                               faces.cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
-      const auto strong = CGAL::compute_cut_locus(built.mesh, built.vertices[source],
-                                                  faces.minimum_branch_width(4. * h / diagonal_of(data)));
+                                               faces.cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
+      const auto strong = CGAL::compute_cut_locus(
+        built.mesh, built.vertices[source],
+        faces.cut_locus_method(CGAL::Cut_loci::Default_method().minimum_branch_width(4. * h / diagonal_of(data))));
       EXPECT_GE(length(strong, 0.), 0.99 * length(all, 4.4 * h));
       EXPECT_LE(length(strong, 0.), 1.1 * length(all, 3.6 * h));
     }
@@ -410,12 +411,15 @@ TEST(Branch_thresholds, What_encloses_enough_may_be_narrower)
   {
     SCOPED_TRACE(source);
     solver.set_source(built.vertices[source]);
-    const auto faces = params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES).minimum_branch_width(0.25);
-    double last = length(solver.cut_locus(faces), 0.);
+    const auto of = [&](const CGAL::Cut_loci::Default_method& method)
+    { return length(solver.cut_locus(params::cut_locus_method(method)), 0.); };
+    CGAL::Cut_loci::Default_method wide;
+    wide.minimum_branch_width(0.25);
+    double last = of(wide);
     const double of_width = last;
     for(double enclosed : {12., 6., 4., 2., 1., 0.1, 0.})
     {
-      const double now = length(solver.cut_locus(faces.minimum_branch_curvature(enclosed)), 0.);
+      const double now = of(wide.minimum_branch_curvature(enclosed));
       EXPECT_GE(now, (1. - 1e-6) * last) << enclosed;
       last = now;
       if(enclosed == 4.)
@@ -424,16 +428,19 @@ TEST(Branch_thresholds, What_encloses_enough_may_be_narrower)
       }
     }
     // at last a quarter of the width is what counts
-    const double narrow = length(
-      solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES).minimum_branch_width(0.0625)), 0.);
+    const double narrow = of(CGAL::Cut_loci::Default_method().minimum_branch_width(0.0625));
     EXPECT_NEAR(last, narrow, 0.05 * narrow);
     const auto by_default = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
-    const auto asked = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)
-                                          .minimum_branch_curvature(solver.minimum_branch_curvature()));
+    const auto asked =
+      solver.cut_locus(params::cut_locus_method(
+                         CGAL::Cut_loci::Default_method().minimum_branch_curvature(solver.minimum_branch_curvature()))
+                         .cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
     EXPECT_EQ(num_edges(by_default.graph()), num_edges(asked.graph()));
   }
   for(double wrong : {-1., 13., std::nan("")})
-    EXPECT_THROW(solver.cut_locus(params::minimum_branch_curvature(wrong)), CGAL::Cut_loci::Invalid_input);
+    EXPECT_THROW(
+      solver.cut_locus(params::cut_locus_method(CGAL::Cut_loci::Default_method().minimum_branch_curvature(wrong))),
+      CGAL::Cut_loci::Invalid_input);
 }
 
 // Paths along the edges of a mesh lead through vertices.
@@ -468,7 +475,7 @@ TEST(Branch_thresholds, A_polyhedron_shows_the_branches_of_its_vertices_up_to_th
       const auto faces = params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES);
       const auto by_default = CGAL::compute_cut_locus(built.mesh, built.vertices[source], faces);
       const auto all = CGAL::compute_cut_locus(built.mesh, built.vertices[source],
-                                               faces.cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+                                               faces.cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
       EXPECT_NEAR(length(by_default, 0.), length(all, 0.), 1e-4 * length(all, 0.));
     }
 }

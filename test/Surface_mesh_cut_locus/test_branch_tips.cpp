@@ -34,7 +34,7 @@ namespace {
 using namespace test_meshes;
 namespace params = CGAL::parameters;
 using CGAL::Cut_loci::Filter_policy;
-using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Laplacian_method;
 using Surface_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Built = Built_mesh<Surface_mesh>;
 using Solver = CGAL::Surface_mesh_cut_locus<Surface_mesh>;
@@ -111,11 +111,11 @@ void expect_conjugate_points(const Geodesic_solver& geodesics, double bound)
   {
     const Built built(spheroid(n, 0.));
     const double h = mean_edge_length(built.data);
-    Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN).geodesic_solver(geodesics));
+    Solver solver(built.mesh, params::cut_locus_method(Laplacian_method()).geodesic_solver(geodesics));
     solver.set_source(built.vertices[0]);
-    for(unsigned iterations : {0u, 4u})
+    for(const auto curve : {CGAL::Cut_loci::Curve::MESH_EDGES, CGAL::Cut_loci::Curve::THROUGH_FACES})
     {
-      const std::vector<Point> found = leaves(solver.cut_locus(params::number_of_iterations(iterations)));
+      const std::vector<Point> found = leaves(solver.cut_locus(params::cut_locus_curve(curve)));
       EXPECT_EQ(found.size(), 2u) << n;
       EXPECT_LT(distance_to_nearest(true_tips(), found), bound * h) << n;
     }
@@ -142,7 +142,7 @@ TEST(Branch_tips, are_not_passed_because_of_noise)
     {
       const Built built(spheroid(n, noise));
       const double h = mean_edge_length(built.data);
-      Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
+      Solver solver(built.mesh, params::cut_locus_method(Laplacian_method()));
       solver.set_source(built.vertices[0]);
       for(const Point& p : leaves(solver.cut_locus(mesh_edges)))
         EXPECT_LT(p[0], 3. * h) << noise << ", " << n; // measured: -0.9 h at most
@@ -165,7 +165,7 @@ TEST(Branch_tips, are_not_passed_because_of_smooth_errors)
           const double at = is_along_paths ? exact[v] : built.data.points[v][1];
           distance[v] = exact[v] * (1. + 0.05 * std::sin(frequency * at + phase));
         }
-        Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
+        Solver solver(built.mesh, params::cut_locus_method(Laplacian_method()));
         solver.set_source(built.vertices[0], params::vertex_distance_map(CGAL::make_property_map(distance)));
         for(const Point& p : leaves(solver.cut_locus(mesh_edges)))
           EXPECT_LT(p[0], 3. * h) << is_along_paths << ", " << frequency << ", " << phase; // measured: -1.0 h at most
@@ -179,13 +179,14 @@ TEST(Branch_tips, of_a_higher_threshold_are_on_the_curve_of_a_lower_one)
       {rough(bumpy_sphere(20, 0.5, 1), 0.1, 1), torus(1., 0.4, 50, 20, 0.15, 7), spheroid(14, 0.1)})
   {
     const Built built(data);
-    Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
+    Solver solver(built.mesh, params::cut_locus_method(Laplacian_method()));
     solver.set_source(built.vertices[0]);
     std::set<std::pair<std::size_t, std::size_t>> lower;
     for(double angle : {0.1, 0.3, 0.5, 0.7, 1., 1.5, 2.})
     {
       const auto edges =
-        edges_of(built, solver.cut_locus(mesh_edges.gradient_angle_threshold(angle).minimum_branch_edges(0)));
+        edges_of(built, solver.cut_locus(mesh_edges.cut_locus_method(
+                          Laplacian_method().gradient_angle_threshold(angle).minimum_branch_edges(0))));
       EXPECT_TRUE(angle == 0.1 || std::includes(lower.begin(), lower.end(), edges.begin(), edges.end())) << angle;
       lower = edges;
     }
@@ -196,11 +197,12 @@ TEST(Branch_tips, of_a_higher_threshold_are_on_the_curve_of_a_lower_one)
 TEST(Branch_tips, are_not_looked_for_when_growing)
 {
   const Built built(spheroid(40, 0.));
-  Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
+  Solver solver(built.mesh, params::cut_locus_method(Laplacian_method()));
   solver.set_source(built.vertices[0]);
   const auto pruned = edges_of(built, solver.cut_locus(mesh_edges));
-  for(const auto& less : {solver.cut_locus(mesh_edges.filter_policy(Filter_policy::GROWING)),
-                          solver.cut_locus(mesh_edges.gradient_angle_threshold(0.71))})
+  for(const auto& less :
+      {solver.cut_locus(mesh_edges.cut_locus_method(Laplacian_method().filter_policy(Filter_policy::GROWING))),
+       solver.cut_locus(mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(0.71)))})
   {
     const auto edges = edges_of(built, less);
     EXPECT_LT(edges.size() + 4, pruned.size());

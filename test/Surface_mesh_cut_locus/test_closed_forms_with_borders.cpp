@@ -9,6 +9,7 @@
 #include "built_mesh.h"
 #include "detour.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/statistics.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -30,6 +31,8 @@ using namespace test_meshes;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Cut_locus = CGAL::Cut_locus<Mesh, CGAL::Simple_cartesian<double>::Point_3>;
 using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::Default_method;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
 using Plane_point = std::array<double, 2>;
 namespace params = CGAL::parameters;
@@ -147,7 +150,7 @@ protected:
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Methods, Closed_form_with_border, ::testing::Values(Method::DIRECTION, Method::LAPLACIAN));
+INSTANTIATE_TEST_SUITE_P(Methods, Closed_form_with_border, ::testing::Values(Default_method(), Laplacian_method()));
 
 // A hemisphere is convex: the only point with several shortest paths is opposite to a source on its border.
 TEST_P(Closed_form_with_border, Hemisphere)

@@ -11,6 +11,7 @@
 #include "result_numbers.h"
 #include "test_meshes.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
@@ -21,13 +22,17 @@
 #include <cstddef>
 #include <memory>
 #include <thread>
+#include <variant>
 #include <vector>
 
 namespace test_copies {
 
 namespace {
 
+using CGAL::Cut_loci::Default_method;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Polyhedral_method;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
 namespace params = CGAL::parameters;
@@ -38,7 +43,7 @@ std::vector<double> solve(Solver& solver, Mesh::Vertex_index source)
   return result_numbers(solver.cut_locus());
 }
 
-constexpr std::array<Method, 3> methods = {{Method::DIRECTION, Method::POLYHEDRAL, Method::LAPLACIAN}};
+constexpr std::array<Method, 3> methods = {{Default_method(), Polyhedral_method(), Laplacian_method()}};
 
 TEST(Copies, Threads_find_what_one_finds_alone)
 {
@@ -92,12 +97,12 @@ TEST(Copies, A_copy_outlives_its_original_and_does_not_change_it)
 TEST(Copies, A_copy_has_the_parameters_of_its_original_and_no_source)
 {
   const Built_mesh<Mesh> built(test_meshes::two_tori());
-  Solver original(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
+  Solver original(built.mesh, params::cut_locus_method(Laplacian_method()));
   original.set_source(built.vertices[5]);
   Solver copy(original);
   EXPECT_THROW(copy.cut_locus(), CGAL::Cut_loci::Invalid_input);
   copy.set_source(built.vertices[5]);
-  EXPECT_EQ(copy.method(), Method::LAPLACIAN);
+  EXPECT_TRUE(std::holds_alternative<Laplacian_method>(copy.method()));
 }
 
 } // namespace

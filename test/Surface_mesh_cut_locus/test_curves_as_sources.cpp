@@ -6,7 +6,9 @@
 
 #include "curve_sources_cases.h"
 #include "detour.h"
+#include "refusals.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Surface_mesh.h>
@@ -23,6 +25,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace test_curves_as_sources {
@@ -31,7 +34,8 @@ namespace {
 
 using namespace curve_sources;
 
-constexpr Method methods[] = {Method::DIRECTION, Method::POLYHEDRAL};
+using refusals::expect_refused;
+constexpr Method methods[] = {Default_method(), Polyhedral_method()};
 // by which distances to an edge may be too short, in units of its length, and what moving its ends by 1e-5 adds
 constexpr double accuracy = 1. / 65536. + 1e-4;
 
@@ -54,7 +58,7 @@ TEST(Curves_as_sources, the_border_of_a_rectangle_has_its_medial_axis)
       for(const double jitter : {0., 0.2})
       {
         const Built built(rectangle(width, n, jitter, 3));
-        const Result result = cut_locus_of_border(built, Method::POLYHEDRAL);
+        const Result result = cut_locus_of_border(built, Polyhedral_method());
         const double h = mean_edge_length(built.data);
         const auto& graph = result.graph();
         std::size_t number_of_inexact = 0;
@@ -99,7 +103,7 @@ TEST(Curves_as_sources, the_border_of_a_convex_polygon_has_its_straight_skeleton
         m.points[k * 6 * sides + u] = r * side + (1. - r) * (0.11 * r) * Point{{0.3, 0.7, 0.}};
       }
     const Built built(m);
-    const Result result = cut_locus_of_border(built, Method::POLYHEDRAL);
+    const Result result = cut_locus_of_border(built, Polyhedral_method());
     const auto skeleton = CGAL::create_interior_straight_skeleton_2(polygon.vertices_begin(), polygon.vertices_end());
     double expected = 0.;
     for(auto h = skeleton->halfedges_begin(); h != skeleton->halfedges_end(); ++h)
@@ -134,7 +138,7 @@ TEST(Curves_as_sources, the_border_of_an_ellipse_has_a_segment_between_its_cente
     for(std::size_t u = 0; u < 6 * n; ++u) // the border is the ellipse
       m.points[u] = {{a * std::cos(pi * double(u) / double(3 * n)), b * std::sin(pi * double(u) / double(3 * n)), 0.}};
     const Built built(m);
-    const Result result = cut_locus_of_border(built, Method::DIRECTION);
+    const Result result = cut_locus_of_border(built, Default_method());
     double off = 0., low = 1., high = -1.;
     for(const auto v : CGAL::make_range(vertices(result.graph())))
     {
@@ -159,9 +163,10 @@ TEST(Curves_as_sources, the_borders_of_a_ring_have_the_circle_between_them)
 {
   for(const std::size_t nu : {12, 60, 91})
     for(const std::size_t nr : {4, 12, 13}) // with the circle along edges, or not
-      for(const Method method : {Method::DIRECTION, Method::POLYHEDRAL})
+      for(const Method method : {Method(Default_method()), Method(Polyhedral_method())})
       {
-        SCOPED_TRACE(testing::Message() << nu << " by " << nr << (method == Method::DIRECTION ? "" : ", polyhedral"));
+        SCOPED_TRACE(testing::Message() << nu << " by " << nr
+                                        << (std::holds_alternative<Default_method>(method) ? "" : ", polyhedral"));
         const Built built(annulus(0.5, 1.5, nu, nr));
         const Result result = cut_locus_of_border(built, method);
         EXPECT_EQ(result.number_of_sources(), 2u);
@@ -170,7 +175,8 @@ TEST(Curves_as_sources, the_borders_of_a_ring_have_the_circle_between_them)
         for(const auto e : CGAL::make_range(edges(graph)))
         {
           const bool is_between = graph[e].sources == (std::array<std::size_t, 2>{{0, 1}});
-          EXPECT_TRUE(is_between || method == Method::POLYHEDRAL) << "the corners have branches, too";
+          EXPECT_TRUE(is_between || std::holds_alternative<Polyhedral_method>(method))
+            << "the corners have branches, too";
           for(const auto v : {source(e, graph), target(e, graph)})
             if(is_between)
             {
@@ -217,7 +223,7 @@ TEST(Curves_as_sources, a_circle_on_a_sphere_has_its_two_centers)
   {
     const Built built(sphere_with_circle(2 * n, n));
     const std::vector<Edges> curves = {path(built, circle(2 * n, n / 4, 0, 2 * n))};
-    const Result result = cut_locus_of_curves(built, {}, curves, Method::DIRECTION);
+    const Result result = cut_locus_of_curves(built, {}, curves, Default_method());
     expect_topology(built, curves, result, "circle");
     double off = 0.;
     bool has_north = false, has_south = false;
@@ -273,7 +279,7 @@ TEST(Curves_as_sources, leave_a_point_where_all_branches_are_weak)
   Edges triangle;
   for(const Mesh::Halfedge_index h : built.mesh.halfedges_around_face(built.mesh.halfedge(built.faces[100])))
     triangle.push_back(built.mesh.edge(h));
-  const Result result = cut_locus_of_curves(built, {}, {triangle}, Method::DIRECTION);
+  const Result result = cut_locus_of_curves(built, {}, {triangle}, Default_method());
   std::size_t number_inside = 0;
   for(const auto v : CGAL::make_range(vertices(result.graph())))
     number_inside += result.graph()[v].location.first == built.faces[100];
@@ -291,7 +297,7 @@ TEST(Curves_as_sources, have_the_distances_and_cells_that_points_on_them_say)
   {
     const Built built(surfaces[i]);
     const std::vector<Edges> curves = random_curves(built, 3, 4, unsigned(i));
-    const Result result = cut_locus_of_curves(built, {}, curves, Method::DIRECTION);
+    const Result result = cut_locus_of_curves(built, {}, curves, Default_method());
     CGAL::Surface_mesh_exact_geodesics<Mesh> exact(built.mesh);
     std::vector<std::vector<double>> sampled;
     double longest = 0.;
@@ -466,7 +472,7 @@ TEST(Mesh_edges_beside_curves, name_the_sources_that_are_one_edge_apart)
     {{left, right}, "sources 0 and 1 are"},
     {{elsewhere, left, right}, "sources 1 and 2 are"},
     {{elsewhere, around}, "two ends of source 1 are"}};
-  for(const Method method : {Method::DIRECTION, Method::POLYHEDRAL, Method::LAPLACIAN})
+  for(const Method method : {Method(Default_method()), Method(Polyhedral_method()), Method(Laplacian_method())})
     for(const auto& [curves, words] : cases)
       try
       {
@@ -583,25 +589,10 @@ TEST(Mesh_edges_beside_curves, are_refused_where_there_is_no_way)
       along.push_back(k * nu + u % nu);
     lines.push_back(path(built, along));
   }
-  EXPECT_FALSE(has_mesh_edges(built, {}, lines, Method::DIRECTION, "lines"));
+  EXPECT_FALSE(has_mesh_edges(built, {}, lines, Default_method(), "lines"));
 }
 
 // -- the interface -----------------------------------------------------------------------------------------------------
-
-template <typename Function>
-void expect_refusal(const Function& function, Cause cause, const std::string& part)
-{
-  try
-  {
-    function();
-    FAIL() << "nothing about: " << part;
-  }
-  catch(const Invalid_input& error)
-  {
-    EXPECT_EQ(error.cause(), cause) << error.what();
-    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
-}
 
 TEST(Curves_as_sources, that_can_not_be_used_are_refused)
 {
@@ -610,30 +601,35 @@ TEST(Curves_as_sources, that_can_not_be_used_are_refused)
   Edges parts = first;
   parts.insert(parts.end(), apart.begin(), apart.end());
   const auto compute = [&](const Vertices& points, const std::vector<Edges>& curves)
-  { cut_locus_of_curves(built, points, curves, Method::DIRECTION); };
-  expect_refusal([&] { compute({}, {first, second}); }, Cause::SAME_SOURCES, "sources 0 and 1 have a vertex in common");
-  expect_refusal([&] { compute({built.vertices[9]}, {first}); }, Cause::SAME_SOURCES,
-                 "sources 0 and 1 have a point in common");
-  expect_refusal([&] { compute({}, {first, Edges()}); }, Cause::NO_SOURCE, "source curve 1: it has no edges");
-  expect_refusal([&] { compute({}, {parts}); }, Cause::INVALID_SOURCE, "source curve 0: it is not connected");
-  expect_refusal([&] { compute({}, {}); }, Cause::NO_SOURCE, "the range of sources is empty");
-  expect_refusal([&] { CGAL::compute_cut_locus(Built(sphere(4)).mesh, Vertices(), params::source_border(true)); },
-                 Cause::NO_SOURCE, "no border");
+  { cut_locus_of_curves(built, points, curves, Default_method()); };
+  expect_refused(
+    [&] {
+    compute({}, {first, second});
+    },
+    Cause::SAME_SOURCES, {"sources 0 and 1 have a vertex in common"});
+  expect_refused([&] { compute({built.vertices[9]}, {first}); }, Cause::SAME_SOURCES,
+                 {"sources 0 and 1 have a point in common"});
+  expect_refused([&] { compute({}, {first, Edges()}); }, Cause::NO_SOURCE, {"source curve 1: it has no edges"});
+  expect_refused([&] { compute({}, {parts}); }, Cause::INVALID_SOURCE, {"source curve 0: it is not connected"});
+  expect_refused([&] { compute({}, {}); }, Cause::NO_SOURCE, {"the range of sources is empty"});
+  expect_refused([&] { CGAL::compute_cut_locus(Built(sphere(4)).mesh, Vertices(), params::source_border(true)); },
+                 Cause::NO_SOURCE, {"no border"});
   Solver solver(built.mesh);
-  expect_refusal(
+  expect_refused(
     [&]
     { solver.set_sources(Vertices(), params::source_curves(std::vector<Edges>{first}).maximum_relative_error(0.01)); },
-    Cause::INVALID_PARAMETER, "exact distances");
+    Cause::INVALID_PARAMETER, {"exact distances"});
   solver.set_sources(Vertices(), params::source_curves(std::vector<Edges>{first}));
-  EXPECT_NO_THROW(solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES).minimum_branch_edges(3)));
-  expect_refusal([&] { solver.cut_locus(params::minimum_branch_edges(3)); }, Cause::INVALID_PARAMETER,
-                 "minimum_branch_edges");
+  EXPECT_NO_THROW(solver.cut_locus(params::cut_locus_method(Default_method().minimum_branch_edges(3))
+                                     .cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)));
+  expect_refused([&] { solver.cut_locus(params::cut_locus_method(Default_method().minimum_branch_edges(3))); },
+                 Cause::INVALID_PARAMETER, {"minimum_branch_edges"});
 }
 
 TEST(Curves_as_sources, are_forgotten_by_the_next_source)
 {
   const Built built(square(10, 0.2, 1));
-  Solver solver(built.mesh, params::cut_locus_method(Method::POLYHEDRAL));
+  Solver solver(built.mesh, params::cut_locus_method(Polyhedral_method()));
   const Vertices two = {built.vertices[12], built.vertices[80]};
   solver.set_sources(two);
   const double alone = length(solver.cut_locus());

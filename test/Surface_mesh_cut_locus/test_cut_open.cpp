@@ -8,6 +8,7 @@
 #include "cut_locus_by_hand.h"
 #include "disk_checker.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/compute_cut_locus.h>
 #include <CGAL/cut_along_cut_locus.h>
 
@@ -28,8 +29,9 @@ namespace {
 
 using namespace test_meshes;
 namespace params = CGAL::parameters;
+using CGAL::Cut_loci::Default_method;
 using CGAL::Cut_loci::Invalid_input;
-using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Laplacian_method;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
@@ -86,22 +88,23 @@ void expect_cut_open(const Mesh_data& data, std::size_t source)
 {
   Built_mesh<Mesh> built(data);
   {
-    Solver solver(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
+    Solver solver(built.mesh, params::cut_locus_method(Laplacian_method()));
     solver.set_source(built.vertices[source]);
     for(double angle : {0., 0.2, 0.7, 2., 3.14})
       for(std::size_t edges : {0, 3})
       {
         SCOPED_TRACE("angle " + std::to_string(angle) + ", " + std::to_string(edges) + " edges");
-        expect_cut_open(built.mesh,
-                        solver.cut_locus(mesh_edges.gradient_angle_threshold(angle).minimum_branch_edges(edges)));
+        expect_cut_open(built.mesh, solver.cut_locus(mesh_edges.cut_locus_method(
+                                      Laplacian_method().gradient_angle_threshold(angle).minimum_branch_edges(edges))));
       }
   }
-  Solver solver(built.mesh, params::cut_locus_method(Method::DIRECTION));
+  Solver solver(built.mesh, params::cut_locus_method(Default_method()));
   solver.set_source(built.vertices[source]);
   for(double width : {1., 0.1, 0.03, 0.})
   {
     SCOPED_TRACE("width " + std::to_string(width));
-    expect_cut_open(built.mesh, solver.cut_locus(mesh_edges.minimum_branch_width(width)));
+    expect_cut_open(built.mesh,
+                    solver.cut_locus(mesh_edges.cut_locus_method(Default_method().minimum_branch_width(width))));
   }
 }
 
@@ -150,7 +153,7 @@ TEST(Cut_open, Single_vertex_is_cut_by_two_edges_that_avoid_the_source)
     Mesh& mesh = built.mesh;
     const Mesh::Vertex_index source = built.vertices[3];
     const Cut_locus point = CGAL::compute_cut_locus(
-      mesh, source, mesh_edges.cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(3.14));
+      mesh, source, mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(3.14)));
     ASSERT_EQ(num_edges(point.graph()), 0u);
     Edge_map seam_edges = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam").first;
     Vertex_map seam_vertices = mesh.add_property_map<Mesh::Vertex_index, bool>("v:seam").first;
@@ -249,8 +252,20 @@ TEST(Cut_open, Bad_input_gives_an_error)
   EXPECT_NE(error(Mesh(), cut_locus), "");
 
   const Cut_locus through_faces = CGAL::compute_cut_locus(built.mesh, built.vertices[0]);
-  for(const char* way_out : {"cut_along_curve", "cut_locus_curve(Cut_loci::Curve::MESH_EDGES)"})
-    EXPECT_TRUE(contains(error(built.mesh, through_faces), way_out));
+  EXPECT_EQ(error(built.mesh, through_faces), "") << "faces are split";
+  std::map<Mesh::Edge_index, bool> seam_edges;
+  std::map<Mesh::Vertex_index, bool> seam_vertices;
+  try
+  {
+    CGAL::mark_cut_locus_seams(built.mesh, through_faces, boost::make_assoc_property_map(seam_edges),
+                               boost::make_assoc_property_map(seam_vertices));
+    ADD_FAILURE() << "seams are edges of the mesh";
+  }
+  catch(const CGAL::Cut_loci::Invalid_input& refusal)
+  {
+    for(const char* way_out : {"cut_along_cut_locus", "cut_locus_curve(Cut_loci::Curve::MESH_EDGES)"})
+      EXPECT_TRUE(contains(refusal.what(), way_out));
+  }
 
   // a graph of its own: empty, or a part of a cut locus
   const auto with_graph = [&](const Cut_locus::Graph& graph)

@@ -13,6 +13,7 @@
 #include "node_distances.h"
 #include "test_meshes.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -35,7 +36,8 @@ using namespace test_meshes;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Cut_locus = CGAL::Cut_locus<Mesh, CGAL::Simple_cartesian<double>::Point_3>;
 using Vertex = Mesh::Vertex_index;
-using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Laplacian_method;
+using CGAL::Cut_loci::Polyhedral_method;
 using curve_measures::Measures;
 namespace params = CGAL::parameters;
 
@@ -212,7 +214,7 @@ TEST(Detour, Of_curves_is_that_to_the_nearest_of_their_points)
 TEST(Detour, Vanishes_on_the_cut_locus_of_a_set)
 {
   const Built_mesh<Mesh> built(torus(1., 0.4, 24, 12, 0.2, 1));
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, params::cut_locus_method(Method::POLYHEDRAL));
+  CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, params::cut_locus_method(Polyhedral_method()));
   solver.set_sources(std::vector<Vertex>{built.vertices[3], built.vertices[77], built.vertices[200]});
   const Measures points = curve_measures::measure(built.mesh, solver.cut_locus());
   EXPECT_EQ(points.topology_fault + points.measuring_failed, "");
@@ -449,13 +451,14 @@ Measures worst_of_thresholds(const Mesh_data& data, std::size_t source, CGAL::Cu
                              bool through_faces = false)
 {
   const Built_mesh<Mesh> built(data);
-  CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
+  CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(built.mesh, params::cut_locus_method(Laplacian_method()));
   cut_loci.set_source(built.vertices[source]);
   std::vector<double> exact;
   Measures worst;
   for(double angle : {0., 0.3, 0.7, 1.5})
   {
-    const auto thresholds = params::gradient_angle_threshold(angle).filter_policy(policy);
+    const auto thresholds =
+      params::cut_locus_method(Laplacian_method().gradient_angle_threshold(angle).filter_policy(policy));
     const Measures m = curve_measures::measure(
       built.mesh,
       cut_loci.cut_locus(thresholds.cut_locus_curve(through_faces ? CGAL::Cut_loci::Curve::THROUGH_FACES
@@ -561,7 +564,7 @@ TEST(Laplacian_detour_of_slim_faces, Wavy_surface)
         data.triangles.push_back((i + j) % 2 == 1 ? Triangle{{a, c, d}} : Triangle{{b, c, d}});
       }
     const Built_mesh<Mesh> built(data);
-    CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
+    CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(built.mesh, params::cut_locus_method(Laplacian_method()));
     double mean = 0., max = 0.;
     for(std::size_t i : {1, 3, 5, 7})
     {
@@ -583,15 +586,17 @@ TEST(Laplacian_detour_of_slim_faces, Smoothing_beside_fans)
 {
   namespace lib = CGAL::Cut_loci::internal;
   const lib::Geodesic_mesh mesh = lib::surface_mesh_copy(indexed(torus_of_rings({3, 7, 50})));
-  CGAL::Surface_mesh_cut_locus<lib::Geodesic_mesh> cut_loci(mesh, params::cut_locus_method(Method::LAPLACIAN));
+  CGAL::Surface_mesh_cut_locus<lib::Geodesic_mesh> cut_loci(mesh, params::cut_locus_method(Laplacian_method()));
   for(unsigned v = 1; v < mesh.number_of_vertices(); v += 3)
   {
     SCOPED_TRACE(v);
     cut_loci.set_source(lib::Geodesic_mesh::Vertex_index(v));
     const auto longest = [&](CGAL::Cut_loci::Curve curve)
     {
-      return curve_measures::measure(mesh,
-                                     cut_loci.cut_locus(params::cut_locus_curve(curve).gradient_angle_threshold(0.3)))
+      return curve_measures::measure(
+               mesh,
+               cut_loci.cut_locus(
+                 params::cut_locus_method(Laplacian_method().gradient_angle_threshold(0.3)).cut_locus_curve(curve)))
         .max;
     };
     EXPECT_LT(longest(CGAL::Cut_loci::Curve::THROUGH_FACES), longest(CGAL::Cut_loci::Curve::MESH_EDGES) + 1.);
@@ -635,7 +640,7 @@ TEST(Laplacian_with_border, Closed_forms)
     {
       SCOPED_TRACE(row);
       const Built_mesh<Mesh> built(data);
-      CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
+      CGAL::Surface_mesh_cut_locus<Mesh> cut_loci(built.mesh, params::cut_locus_method(Laplacian_method()));
       cut_loci.set_source(built.vertices[row * n]);
       const Cut_locus result = cut_loci.cut_locus(mesh_edges);
       const Measures measures = curve_measures::measure(built.mesh, result);

@@ -28,7 +28,7 @@ namespace {
 using namespace analytic;
 namespace params = CGAL::parameters;
 using CGAL::Cut_loci::Curve;
-using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Default_method;
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
 
 struct Errors
@@ -41,7 +41,7 @@ Errors torus_errors(Mesh mesh, const Point& source, const std::function<Polyline
   const Torus torus;
   const Mesh::Vertex_index v = snap_vertex(mesh, source);
   const double h = mean_edge_length(mesh);
-  Solver solver(mesh, params::cut_locus_method(Method::DIRECTION));
+  Solver solver(mesh, params::cut_locus_method(Default_method()));
   solver.set_source(v);
   const auto result = solver.cut_locus(params::cut_locus_curve(curve));
   Polylines estimate = segments_of(result);
@@ -91,7 +91,7 @@ TEST(Direction_accuracy, ellipsoid_of_revolution)
   Mesh mesh = remeshed(oblate, 0.09);
   const double h = mean_edge_length(mesh);
   const Mesh::Vertex_index v = snap_vertex(mesh, Point(1., 0., 0.));
-  Solver solver(mesh, params::cut_locus_method(Method::DIRECTION));
+  Solver solver(mesh, params::cut_locus_method(Default_method()));
   solver.set_source(v);
   const auto result = solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES));
   Polylines estimate = segments_of(result), truth(1);
@@ -109,7 +109,7 @@ TEST(Direction_accuracy, ellipsoid_of_revolution)
 
   Mesh pole = remeshed(oblate, 0.09);
   const Mesh::Vertex_index p = snap_vertex(pole, Point(0., 0., 0.6));
-  Solver pole_solver(pole, params::cut_locus_method(Method::DIRECTION));
+  Solver pole_solver(pole, params::cut_locus_method(Default_method()));
   pole_solver.set_source(p);
   const auto point = pole_solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES));
   for(const auto& s : segments_of(point))

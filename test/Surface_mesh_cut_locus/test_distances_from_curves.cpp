@@ -8,6 +8,7 @@
 #include "detour.h"
 #include "distance_by_points.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/compute_cut_locus.h>
 
@@ -31,7 +32,7 @@ using namespace curve_sources;
 using Curves = std::vector<Edges>;
 
 constexpr double exact = 1e-6; // in units of the mean edge length
-constexpr Method methods[] = {Method::DIRECTION, Method::POLYHEDRAL};
+constexpr Method methods[] = {Default_method(), Polyhedral_method()};
 
 // -- what is true ------------------------------------------------------------------------------------------------------
 
@@ -289,7 +290,7 @@ TEST(Distances_from_curves, are_exact_at_vertices_for_the_other_method)
 {
   const Built built(hills(10, 0.1, 6));
   const Curves curves = {path(built, {24, 25, 36}), path(built, {84, 85})};
-  const Result result = cut_locus(built, curves, Method::LAPLACIAN);
+  const Result result = cut_locus(built, curves, Laplacian_method());
   const Distance_by_points<Built> distance(built, curves);
   for(const Mesh::Vertex_index v : built.mesh.vertices())
     EXPECT_NEAR(result.distance(v), distance(v), exact * mean_edge_length(built.data));

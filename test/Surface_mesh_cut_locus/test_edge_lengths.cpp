@@ -8,6 +8,7 @@
 // else have the cut loci that are known in closed form. The points of these meshes are at the origin or not finite.
 
 #include "built_mesh.h"
+#include "refusals.h"
 #include "test_meshes.h"
 
 #include <CGAL/Cut_loci/Invalid_input.h>
@@ -34,13 +35,17 @@ namespace test_edge_lengths {
 namespace {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
+using refusals::message_of;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Built = Built_mesh<Mesh>;
 using Vertex = Mesh::Vertex_index;
 using Edge = Mesh::Edge_index;
 using Location = std::pair<Mesh::Face_index, std::array<double, 3>>;
 using Lengths = Mesh::Property_map<Edge, double>;
+using CGAL::Cut_loci::Default_method;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Polyhedral_method;
 namespace params = CGAL::parameters;
 
 Lengths no_lengths(Mesh& mesh)
@@ -219,10 +224,10 @@ TEST(Edge_lengths, of_a_mesh_in_space_give_its_curve)
     for(const double gap : {0., 0.3})
     {
       const auto expected = CGAL::compute_cut_locus(
-        built.mesh, built.vertices[3], params::cut_locus_method(Method::POLYHEDRAL).minimum_branch_gap(gap));
+        built.mesh, built.vertices[3], params::cut_locus_method(Polyhedral_method().minimum_branch_gap(gap)));
       const auto found = CGAL::compute_cut_locus(
         built.mesh, built.vertices[3],
-        params::cut_locus_method(Method::POLYHEDRAL).minimum_branch_gap(gap).edge_length_map(lengths));
+        params::cut_locus_method(Polyhedral_method().minimum_branch_gap(gap)).edge_length_map(lengths));
       const auto &p = expected.graph(), &q = found.graph();
       ASSERT_EQ(num_vertices(p), num_vertices(q));
       ASSERT_EQ(num_edges(p), num_edges(q));
@@ -275,7 +280,7 @@ TEST(Edge_lengths, the_cut_locus_of_a_flat_torus_of_a_square_lattice_is_the_boun
 {
   const std::array<double, 2> a = {{1., 0.}}, b = {{0., 1.}};
   const Flat_surface torus = flat_torus(a, b, 8);
-  const auto full = params::cut_locus_method(Method::POLYHEDRAL).edge_length_map(torus.lengths);
+  const auto full = params::cut_locus_method(Polyhedral_method()).edge_length_map(torus.lengths);
   const Location source(Mesh::Face_index(37), {{0.23, 0.31, 0.46}});
   const auto found = CGAL::compute_cut_locus(torus.mesh, source, full);
   expect_dirichlet_polygon(torus, found, torus.position(source), a, b, 1, 0.5, std::sqrt(0.5), 2.);
@@ -285,7 +290,7 @@ TEST(Edge_lengths, the_cut_locus_of_a_flat_torus_of_a_hexagonal_lattice_is_the_b
 {
   const std::array<double, 2> a = {{1., 0.}}, b = {{-0.5, std::sqrt(0.75)}};
   const Flat_surface torus = flat_torus(a, b, 8);
-  const auto full = params::cut_locus_method(Method::POLYHEDRAL).edge_length_map(torus.lengths);
+  const auto full = params::cut_locus_method(Polyhedral_method()).edge_length_map(torus.lengths);
   const Location source(Mesh::Face_index(37), {{0.23, 0.31, 0.46}});
   const auto found = CGAL::compute_cut_locus(torus.mesh, source, full);
   expect_dirichlet_polygon(torus, found, torus.position(source), a, b, 2, 0.5, 1. / std::sqrt(3.), std::sqrt(3.));
@@ -304,7 +309,7 @@ TEST(Edge_lengths, the_cells_of_a_hexagonal_lattice_on_a_flat_torus_are_hexagons
     for(std::size_t j = 0; j < n; ++j)
       sources.emplace_back(Mesh::Face_index(static_cast<Mesh::size_type>(2 * (i * m * n * m + j * m))),
                            std::array<double, 3>{{0.23, 0.31, 0.46}});
-  for(const Method method : {Method::DIRECTION, Method::POLYHEDRAL})
+  for(const Method method : {Method(Default_method()), Method(Polyhedral_method())})
   {
     const auto found = CGAL::compute_cut_locus(torus.mesh, sources,
                                                params::cut_locus_method(method)
@@ -417,7 +422,7 @@ TEST(Edge_lengths, the_cut_locus_of_a_gluing_of_Alexandrov_is_that_of_its_polyhe
   EXPECT_NEAR(*std::max_element(distance.begin(), distance.end()), std::sqrt(0.5), 1e-12);
 
   const auto found = CGAL::compute_cut_locus(
-    square.mesh, corner, params::cut_locus_method(Method::POLYHEDRAL).edge_length_map(square.lengths));
+    square.mesh, corner, params::cut_locus_method(Polyhedral_method()).edge_length_map(square.lengths));
   const auto& graph = found.graph();
   EXPECT_EQ(num_edges(graph) + 1, num_vertices(graph));
   std::size_t leaves = 0;
@@ -442,7 +447,7 @@ TEST(Edge_lengths, the_cut_locus_of_a_doubly_covered_polygon_is_on_the_other_sid
   const std::size_t front = test_meshes::square(6).triangles.size();
   const Lengths lengths = lengths_in_space(built.mesh);
   const auto found = CGAL::compute_cut_locus(built.mesh, built.location<double>(20, {{0.3, 0.45, 0.25}}),
-                                             params::cut_locus_method(Method::POLYHEDRAL).edge_length_map(lengths));
+                                             params::cut_locus_method(Polyhedral_method()).edge_length_map(lengths));
   const auto& graph = found.graph();
   std::size_t leaves = 0;
   for(const auto v : CGAL::make_range(vertices(graph)))
@@ -474,7 +479,7 @@ TEST(Edge_lengths, the_cut_locus_of_a_doubly_covered_triangle_from_its_incenter_
     coordinates[(i + 2) % 3] = sides[i];
   }
   const auto found = CGAL::compute_cut_locus(mesh, Location(front, coordinates),
-                                             params::cut_locus_method(Method::POLYHEDRAL).edge_length_map(lengths));
+                                             params::cut_locus_method(Polyhedral_method()).edge_length_map(lengths));
   const auto& graph = found.graph();
   ASSERT_EQ(num_edges(graph), 3u);
   std::vector<double> distance;
@@ -495,7 +500,7 @@ TEST(Edge_lengths, several_sources_in_faces_divide_a_surface_of_lengths)
   const std::vector<Location> sources = {Location(Mesh::Face_index(3), {{0.2, 0.3, 0.5}}),
                                          Location(Mesh::Face_index(70), {{0.5, 0.5, 0.}})};
   const auto found = CGAL::compute_cut_locus(
-    torus.mesh, sources, params::cut_locus_method(Method::POLYHEDRAL).edge_length_map(torus.lengths));
+    torus.mesh, sources, params::cut_locus_method(Polyhedral_method()).edge_length_map(torus.lengths));
   const auto& graph = found.graph();
   EXPECT_EQ(num_edges(graph) + 1, num_vertices(graph) + 3); // 2 g - 1 + k cycles
   for(const auto v : CGAL::make_range(vertices(graph)))
@@ -507,19 +512,6 @@ TEST(Edge_lengths, several_sources_in_faces_divide_a_surface_of_lengths)
     std::sort(images.begin(), images.end());
     EXPECT_NEAR(images[0], images[1], 1e-5);
   }
-}
-
-std::string message_of(const std::function<void()>& call)
-{
-  try
-  {
-    call();
-  }
-  catch(const CGAL::Cut_loci::Invalid_input& error)
-  {
-    return error.what();
-  }
-  return std::string();
 }
 
 TEST(Edge_lengths, that_no_triangle_has_are_refused_by_the_name_of_the_face)
@@ -554,7 +546,7 @@ TEST(Edge_lengths, are_refused_by_name_where_points_are_needed)
     [&]
     {
     CGAL::compute_cut_locus(built.mesh, built.vertices[0],
-                            params::edge_length_map(lengths).cut_locus_method(Method::LAPLACIAN));
+                            params::edge_length_map(lengths).cut_locus_method(Laplacian_method()));
   }));
   by_name(message_of(
     [&]

@@ -6,6 +6,7 @@
 
 #include "curve_sources_cases.h"
 #include "distance_by_points.h"
+#include "refusals.h"
 
 #include <CGAL/exact_geodesic_distances.h>
 
@@ -31,6 +32,7 @@ namespace test_exact_geodesics_of_curves {
 
 namespace {
 
+using refusals::expect_words;
 using namespace curve_sources;
 using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
 using Location = Geodesics::Face_location;
@@ -257,26 +259,13 @@ TEST(Exact_geodesics_of_curves, may_meet)
   EXPECT_NO_THROW(geodesics.exponential_map({{0.1, 0.2}}));
 }
 
-void expect_refused(const std::string& text, const std::function<void()>& call)
-{
-  try
-  {
-    call();
-    FAIL() << text;
-  }
-  catch(const Invalid_input& error)
-  {
-    EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
-  }
-}
-
 TEST(Exact_geodesics_of_curves, are_refused_where_they_make_no_sense)
 {
   const Built built(icosahedron());
   Geodesics geodesics(built.mesh);
   const Edges edges(built.mesh.edges().begin(), built.mesh.edges().end());
-  expect_refused("source curve 0: it has no edges", [&] { geodesics.add_source_curve(Edges()); });
-  expect_refused("no border", [&] { geodesics.add_source_border(); });
+  expect_words([&] { geodesics.add_source_curve(Edges()); }, {"source curve 0: it has no edges"});
+  expect_words([&] { geodesics.add_source_border(); }, {"no border"});
   EXPECT_EQ(geodesics.number_of_sources(), 0u);
   const auto are_apart = [&](Mesh::Edge_index e)
   {
@@ -287,21 +276,21 @@ TEST(Exact_geodesics_of_curves, are_refused_where_they_make_no_sense)
     return true;
   };
   const Edges apart = {edges.front(), *std::find_if(edges.begin(), edges.end(), are_apart)};
-  expect_refused("source curve 0: it is not connected", [&] { geodesics.add_source_curve(apart); });
+  expect_words([&] { geodesics.add_source_curve(apart); }, {"source curve 0: it is not connected"});
   geodesics.add_source(Mesh::Vertex_index(0));
   geodesics.add_source_curve(Edges{edges.back()});
   geodesics.set_directions(true);
-  expect_refused("leave out the curves", [&] { geodesics.compute(); });
-  expect_refused("nothing has been computed", [&] { geodesics.distance(Mesh::Vertex_index(0)); });
+  expect_words([&] { geodesics.compute(); }, {"leave out the curves"});
+  expect_words([&] { geodesics.distance(Mesh::Vertex_index(0)); }, {"nothing has been computed"});
   geodesics.set_directions(false);
   geodesics.set_maximum_relative_error(0.01);
-  expect_refused("leave out the curves", [&] { geodesics.compute(); });
+  expect_words([&] { geodesics.compute(); }, {"leave out the curves"});
   geodesics.set_maximum_relative_error(0.);
   geodesics.compute();
   EXPECT_GT(geodesics.source_angle(0), 0.);
-  expect_refused("no source 1 that is a point", [&] { geodesics.source_angle(1); });
-  expect_refused("no source 1 that is a point", [&] { geodesics.source_halfedge(1); });
-  expect_refused("no source 1 that is a point", [&] { geodesics.exponential_map({{0., 0.}}, 1); });
+  expect_words([&] { geodesics.source_angle(1); }, {"no source 1 that is a point"});
+  expect_words([&] { geodesics.source_halfedge(1); }, {"no source 1 that is a point"});
+  expect_words([&] { geodesics.exponential_map({{0., 0.}}, 1); }, {"no source 1 that is a point"});
 }
 
 } // namespace

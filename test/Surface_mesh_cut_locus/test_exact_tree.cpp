@@ -7,11 +7,13 @@
 // The cut locus of polyhedra of any kind: with saddles, handles, borders and flat parts, from any source. What is on it
 // is told by an oracle that unfolds the surface on its own.
 
+#include "curve_length.h"
 #include "curve_topology.h"
 #include "detour.h"
 #include "polyhedral_oracle.h"
 #include "test_meshes.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -39,6 +41,7 @@ using CGAL::Cut_loci::Indexed_source;
 using CGAL::Cut_loci::Indexed_triangle_mesh;
 using CGAL::Cut_loci::null_index;
 using CGAL::Cut_loci::internal::Exact_tree_solver;
+using curve_length::length;
 using test_meshes::at_vertex;
 using test_meshes::in_face;
 using test_meshes::indexed;
@@ -219,13 +222,14 @@ TEST(Exact_tree, no_shortest_path_crosses_it)
   {
     SCOPED_TRACE(m.name);
     const Mesh mesh = to_surface_mesh(m.data);
-    CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+    CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
     for(int i : {0, 1, 2})
     {
       solver.set_source(Mesh::Vertex_index(Mesh::size_type(i * (mesh.number_of_vertices() - 1) / 2)));
       for(double width : {0., 0.02, 0.2})
       {
-        const auto cut_locus = solver.cut_locus(params::minimum_branch_width(width));
+        const auto cut_locus =
+          solver.cut_locus(params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method().minimum_branch_width(width)));
         const curve_measures::Measures measures = curve_measures::measure(mesh, cut_locus);
         EXPECT_EQ(measures.measuring_failed, "");
         EXPECT_LT(measures.max, 1e-3);
@@ -237,7 +241,7 @@ TEST(Exact_tree, no_shortest_path_crosses_it)
 // of all of the cut locus of some vertices
 curve_measures::Measures measures_of(const Mesh& mesh, const std::vector<std::size_t>& sources)
 {
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
   std::vector<Mesh::Vertex_index> vertices;
   for(std::size_t v : sources)
     vertices.push_back(Mesh::Vertex_index(Mesh::size_type(v)));
@@ -316,22 +320,6 @@ TEST(Exact_tree, thresholds_cut_branches_from_their_tips)
       more = graph.edges.size();
     }
   }
-}
-
-double length(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& graph)
-{
-  using namespace CGAL::Cut_loci::internal;
-  const auto point = [&](const Indexed_location& l)
-  {
-    Indexed_triangle_mesh::Point p = {{0., 0., 0.}};
-    for(std::size_t i = 0; i < 3; ++i)
-      p = p + l.coordinates[i] * mesh.points[mesh.triangles[l.face][i]];
-    return p;
-  };
-  double sum = 0.;
-  for(const Indexed_cut_locus::Edge& e : graph.edges)
-    sum += norm(point(graph.nodes[e.source].location) - point(graph.nodes[e.target].location));
-  return sum;
 }
 
 double length_of_tree(const Mesh_data& data, Index source)
@@ -534,16 +522,20 @@ TEST(Exact_tree, planar_positions)
 TEST(Exact_tree, needs_the_exact_solver)
 {
   const Mesh mesh = to_surface_mesh(test_meshes::cube(1));
-  const auto method = params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL);
+  const auto method = params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method());
   CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, method);
   std::vector<double> distances(mesh.number_of_vertices(), 1.);
   const auto map = boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, mesh));
   EXPECT_THROW(solver.set_source(Mesh::Vertex_index(0), params::vertex_distance_map(map)),
                CGAL::Cut_loci::Invalid_input);
   solver.set_source(Mesh::Vertex_index(0));
-  EXPECT_THROW(solver.cut_locus(params::minimum_branch_gap(-1.)), CGAL::Cut_loci::Invalid_input);
-  EXPECT_THROW(solver.cut_locus(params::minimum_branch_gap(4.)), CGAL::Cut_loci::Invalid_input);
-  EXPECT_THROW(solver.cut_locus(params::minimum_branch_width(-1.)), CGAL::Cut_loci::Invalid_input);
+  EXPECT_THROW(solver.cut_locus(params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method().minimum_branch_gap(-1.))),
+               CGAL::Cut_loci::Invalid_input);
+  EXPECT_THROW(solver.cut_locus(params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method().minimum_branch_gap(4.))),
+               CGAL::Cut_loci::Invalid_input);
+  EXPECT_THROW(
+    solver.cut_locus(params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method().minimum_branch_width(-1.))),
+    CGAL::Cut_loci::Invalid_input);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 
 // All of the cut locus of convex polyhedra, against what is known of it.
 
+#include "curve_length.h"
 #include "direction_results.h"
 #include "test_meshes.h"
 
@@ -17,6 +18,7 @@ namespace test_exact_tree_convex {
 
 namespace {
 
+using curve_length::length;
 using namespace direction_test;
 using namespace test_meshes;
 using namespace CGAL::Cut_loci;
@@ -87,15 +89,6 @@ TEST(Polyhedral_cut_locus, trees)
   }
 }
 
-double length(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& graph)
-{
-  using namespace CGAL::Cut_loci::internal;
-  double sum = 0.;
-  for(const auto& e : graph.edges)
-    sum += norm(point_at(mesh, graph.nodes[e.source].location) - point_at(mesh, graph.nodes[e.target].location));
-  return sum;
-}
-
 // From the middle of a face of the cube: the four edges that leave that face, and the diagonals of the opposite one.
 TEST(Polyhedral_cut_locus, cube_in_closed_form)
 {
@@ -122,7 +115,7 @@ TEST(Polyhedral_cut_locus, public_interface)
   Mesh mesh;
   CGAL::make_tetrahedron(Mesh::Point(0., 0., 0.), Mesh::Point(1., 0., 0.), Mesh::Point(0., 1., 0.),
                          Mesh::Point(0., 0., 1.), mesh);
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(Method::POLYHEDRAL));
+  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
   solver.set_source(*mesh.vertices().begin());
   const auto result = solver.cut_locus();
   EXPECT_EQ(num_edges(result.graph()) + 1, num_vertices(result.graph()));

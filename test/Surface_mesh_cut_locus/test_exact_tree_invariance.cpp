@@ -11,12 +11,13 @@
 #include "polyhedral_oracle.h"
 #include "test_meshes.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
 #include <CGAL/Cut_loci/statistics.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
-#include <CGAL/refine_along_cut_locus.h>
+#include <CGAL/cut_along_cut_locus.h>
 
 #include <gtest/gtest.h>
 
@@ -274,8 +275,8 @@ TEST(Exact_tree_corridors, are_counted_where_a_curve_of_mesh_edges_closes_them)
     const Mesh mesh = to_surface_mesh(is_rough ? test_meshes::torus(1., 0.5, 20, 12, 0.3, 7)
                                                : test_meshes::torus(1., 0.4, 48, 32, 0.1, 7));
     CGAL::Surface_mesh_cut_locus<Mesh> solver(
-      mesh,
-      params::cut_locus_method(is_rough ? CGAL::Cut_loci::Method::POLYHEDRAL : CGAL::Cut_loci::Method::DIRECTION));
+      mesh, params::cut_locus_method(is_rough ? CGAL::Cut_loci::Method(CGAL::Cut_loci::Polyhedral_method())
+                                              : CGAL::Cut_loci::Default_method()));
     for(Mesh::size_type v : {0u, 17u, 100u})
     {
       solver.set_source(Mesh::Vertex_index(v));
@@ -300,7 +301,7 @@ TEST(Exact_tree_of_squares, is_right_whatever_their_diagonals)
   for(unsigned seed = 1; seed <= 20; ++seed)
   {
     const Mesh mesh = to_surface_mesh(test_meshes::with_diagonals_at_random(test_meshes::cross_shape(1), seed));
-    CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+    CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
     for(const auto v : mesh.vertices())
     {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", from " + std::to_string(v));
@@ -322,7 +323,8 @@ Mesh_data octahedron()
 // On symmetric polyhedra the curve through the faces follows edges of the mesh.
 TEST(Exact_tree_along_edges, the_surface_is_cut_open_to_a_disk)
 {
-  for(const auto method : {CGAL::Cut_loci::Method::DIRECTION, CGAL::Cut_loci::Method::POLYHEDRAL})
+  for(const auto method : {CGAL::Cut_loci::Method(CGAL::Cut_loci::Default_method()),
+                           CGAL::Cut_loci::Method(CGAL::Cut_loci::Polyhedral_method())})
   {
     std::size_t along = 0;
     for(const Mesh_data& data : {test_meshes::cube(1), test_meshes::cube(2), test_meshes::cube(4), octahedron()})
@@ -337,7 +339,7 @@ TEST(Exact_tree_along_edges, the_surface_is_cut_open_to_a_disk)
         for(const auto e : CGAL::make_range(edges(curve.graph())))
           along += curve.graph()[e].mesh_halfedge != Mesh::null_halfedge();
         Mesh disk;
-        ASSERT_NO_THROW(CGAL::cut_along_curve(mesh, curve, disk));
+        ASSERT_NO_THROW(CGAL::cut_along_cut_locus(mesh, curve, disk));
         EXPECT_TRUE(disk.is_valid());
         EXPECT_EQ(disk.number_of_vertices() + disk.number_of_faces(), disk.number_of_edges() + 1);
         const curve_measures::Measures measures = curve_measures::measure(mesh, curve);

@@ -47,7 +47,10 @@ namespace {
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Built = Built_mesh<Mesh>;
+using CGAL::Cut_loci::Default_method;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Polyhedral_method;
 using test_meshes::Mesh_data;
 using test_meshes::Triangle;
 namespace params = CGAL::parameters;
@@ -155,7 +158,7 @@ TEST(Faces_without_area, leave_the_cut_locus_where_it_is)
     const auto curve = [](const Built& built, double width)
     {
       return CGAL::compute_cut_locus(built.mesh, built.vertices[0],
-                                     params::cut_locus_method(Method::POLYHEDRAL).minimum_branch_width(width));
+                                     params::cut_locus_method(Polyhedral_method().minimum_branch_width(width)));
     };
     // what is wide in one is in the other, where a little less is asked for
     EXPECT_LT(distance(curve(clean, 0.12), curve(flat, 0.1)), 1e-4);
@@ -174,7 +177,7 @@ TEST(Faces_without_area, at_which_paths_meet_leave_a_disk)
     add_needles(data, i / 3, i % 3);
     const Built built(data);
     const auto read = lib::read_triangle_mesh(built.mesh, get(CGAL::vertex_point, built.mesh));
-    CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, params::cut_locus_method(Method::POLYHEDRAL));
+    CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, params::cut_locus_method(Polyhedral_method()));
     for(const auto v : built.mesh.vertices())
     {
       solver.set_source(v);
@@ -214,7 +217,7 @@ TEST(Faces_without_area, or_nearly_so_block_hardly_a_path)
     for(std::size_t i = 0; i < 1 + seed % 5; ++i)
       add_beside(data, (first + i) % faces, share, engine);
     const Built built(data);
-    for(const Method method : {Method::DIRECTION, Method::POLYHEDRAL})
+    for(const Method method : {Method(Default_method()), Method(Polyhedral_method())})
     {
       const auto curve =
         CGAL::compute_cut_locus(built.mesh, built.vertices[engine() % built.vertices.size()],
@@ -244,7 +247,7 @@ TEST(Faces_without_area, or_nearly_so_hide_no_place_from_queries)
     fuzz_surfaces::add_thin_faces(surface, random);
     const Built built({surface.points, {surface.faces.begin(), surface.faces.end()}});
     const auto curve = CGAL::compute_cut_locus(built.mesh, built.vertices[random.below(built.vertices.size())],
-                                               params::cut_locus_method(Method::POLYHEDRAL));
+                                               params::cut_locus_method(Polyhedral_method()));
     EXPECT_LT(curve_measures::node_distance_errors(built.mesh, curve).max, 5e-5) << "seed " << seed;
   }
 }
@@ -254,10 +257,10 @@ template <typename GeodesicSolver>
 std::vector<double> laplacian_by(const Built& built, const GeodesicSolver& geodesic_solver)
 {
   CGAL::Surface_mesh_cut_locus<Mesh> solver(
-    built.mesh, params::cut_locus_method(Method::LAPLACIAN).geodesic_solver(geodesic_solver));
+    built.mesh, params::cut_locus_method(Laplacian_method()).geodesic_solver(geodesic_solver));
   solver.set_source(built.vertices[0]);
   const auto edges = solver.cut_locus(mesh_edges);
-  EXPECT_EQ(fault_of(built, edges, 0, {0}, Method::LAPLACIAN), "");
+  EXPECT_EQ(fault_of(built, edges, 0, {0}, Laplacian_method()), "");
   const auto straight = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
   for(const auto v : CGAL::make_range(vertices(straight.graph())))
     EXPECT_TRUE(std::isfinite(straight.graph()[v].point.x()) && std::isfinite(straight.graph()[v].distance));
@@ -333,7 +336,7 @@ TEST(Faces_without_area, can_be_cut_and_refined_along_a_cut_locus)
 {
   const Built flat(with_flat_faces(test_meshes::torus(1., 0.4, 12, 8, 0.15, 5), 8, 7));
   const auto edges = CGAL::compute_cut_locus(flat.mesh, flat.vertices[0], mesh_edges);
-  EXPECT_EQ(fault_of(flat, edges, 0, {0}, Method::DIRECTION), "");
+  EXPECT_EQ(fault_of(flat, edges, 0, {0}, Default_method()), "");
   Mesh disk;
   CGAL::cut_along_cut_locus(flat.mesh, edges, disk);
   EXPECT_EQ(disk.number_of_vertices() + disk.number_of_faces(), disk.number_of_edges() + 1);
@@ -342,7 +345,7 @@ TEST(Faces_without_area, can_be_cut_and_refined_along_a_cut_locus)
   Mesh refined, straight_disk;
   CGAL::refine_along_cut_locus(flat.mesh, curve, refined);
   EXPECT_EQ(refined.number_of_vertices() + refined.number_of_faces(), refined.number_of_edges());
-  CGAL::cut_along_curve(flat.mesh, curve, straight_disk);
+  CGAL::cut_along_cut_locus(flat.mesh, curve, straight_disk);
   EXPECT_EQ(straight_disk.number_of_vertices() + straight_disk.number_of_faces(), straight_disk.number_of_edges() + 1);
 }
 

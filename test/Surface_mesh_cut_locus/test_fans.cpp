@@ -8,9 +8,11 @@
 // from all around the rim cross. How they are triangulated is nothing to the surface.
 
 #include "built_mesh.h"
+#include "curve_length.h"
 #include "detour.h"
 #include "test_meshes.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -27,13 +29,17 @@ namespace test_fans {
 
 namespace {
 
+using curve_length::length;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Built = Built_mesh<Mesh>;
+using CGAL::Cut_loci::Default_method;
 using CGAL::Cut_loci::Index;
 using CGAL::Cut_loci::Indexed_cut_locus;
 using CGAL::Cut_loci::Indexed_source;
 using CGAL::Cut_loci::Indexed_triangle_mesh;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Polyhedral_method;
 using CGAL::Cut_loci::internal::Exact_tree_solver;
 using test_meshes::Flat_face;
 namespace params = CGAL::parameters;
@@ -67,7 +73,7 @@ TEST(Fans, distances_do_not_depend_on_how_flat_faces_are_triangulated)
 TEST(Fans, no_shortest_path_crosses_the_cut_locus)
 {
   for(const auto& built : cylinders(150))
-    for(Method method : {Method::DIRECTION, Method::POLYHEDRAL, Method::LAPLACIAN})
+    for(Method method : {Method(Default_method()), Method(Polyhedral_method()), Method(Laplacian_method())})
     {
       CGAL::Surface_mesh_cut_locus<Mesh> solver(built->mesh, params::cut_locus_method(method));
       solver.set_source(built->vertices[7]);
@@ -76,15 +82,6 @@ TEST(Fans, no_shortest_path_crosses_the_cut_locus)
       EXPECT_EQ(measures.topology_fault, "");
       EXPECT_LT(measures.max, 1e-9);
     }
-}
-
-double length(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& curve)
-{
-  using namespace CGAL::Cut_loci::internal;
-  double sum = 0.;
-  for(const Indexed_cut_locus::Edge& e : curve.edges)
-    sum += norm(position(mesh, curve.nodes[e.source].location) - position(mesh, curve.nodes[e.target].location));
-  return sum;
 }
 
 // By default weak cells are cut off in each face before anything is drawn.

@@ -11,7 +11,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_cut_locus.h>
 #include <CGAL/cut_along_cut_locus.h>
-#include <CGAL/refine_along_cut_locus.h>
 
 #include <gtest/gtest.h>
 
@@ -133,10 +132,10 @@ TEST(Flatten_disk, Seams_through_the_faces)
   {
     SCOPED_TRACE(name);
     Mesh mesh = build(surface), along_edges = cut_open(surface, 0), along_curve;
-    CGAL::cut_along_curve(mesh,
-                          CGAL::compute_cut_locus(mesh, *mesh.vertices().begin(),
-                                                  params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)),
-                          along_curve);
+    CGAL::cut_along_cut_locus(mesh,
+                              CGAL::compute_cut_locus(mesh, *mesh.vertices().begin(),
+                                                      params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)),
+                              along_curve);
     const double energy = expect_injective(along_edges).symmetric_dirichlet_energy;
     EXPECT_NEAR(expect_injective(along_curve).symmetric_dirichlet_energy, energy, 0.02 * energy);
   }

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <variant>
 
 namespace test_geodesic_solvers {
 
@@ -354,17 +355,18 @@ TEST(Geodesic_solver, can_be_written_by_the_user)
 
 TEST(Geodesic_solver, chooses_the_method_for_its_distances)
 {
-  using CGAL::Cut_loci::Method;
+  using CGAL::Cut_loci::Default_method;
+  using CGAL::Cut_loci::Laplacian_method;
   const Built built(jittered_sphere(5, 0.2, 1));
   const auto method_with = [&](const auto& geodesic_solver) {
     return CGAL::Surface_mesh_cut_locus<Mesh>(built.mesh, CGAL::parameters::geodesic_solver(geodesic_solver)).method();
   };
-  EXPECT_EQ(CGAL::Surface_mesh_cut_locus<Mesh>(built.mesh).method(), Method::DIRECTION);
-  EXPECT_EQ(method_with(CGAL::Exact_geodesic_solver()), Method::DIRECTION);
-  EXPECT_EQ(method_with(CGAL::Shortest_path_geodesic_solver()), Method::LAPLACIAN);
-  EXPECT_EQ(method_with(CGAL::Heat_method_geodesic_solver<>()), Method::LAPLACIAN);
-  EXPECT_EQ(method_with(CGAL::Graph_geodesic_solver()), Method::LAPLACIAN);
-  EXPECT_EQ(method_with(Euclidean_solver()), Method::LAPLACIAN);
+  EXPECT_TRUE(std::holds_alternative<Default_method>(CGAL::Surface_mesh_cut_locus<Mesh>(built.mesh).method()));
+  EXPECT_TRUE(std::holds_alternative<Default_method>(method_with(CGAL::Exact_geodesic_solver())));
+  EXPECT_TRUE(std::holds_alternative<Laplacian_method>(method_with(CGAL::Shortest_path_geodesic_solver())));
+  EXPECT_TRUE(std::holds_alternative<Laplacian_method>(method_with(CGAL::Heat_method_geodesic_solver<>())));
+  EXPECT_TRUE(std::holds_alternative<Laplacian_method>(method_with(CGAL::Graph_geodesic_solver())));
+  EXPECT_TRUE(std::holds_alternative<Laplacian_method>(method_with(Euclidean_solver())));
 }
 
 TEST(Geodesic_solver, gets_the_component_of_the_source_alone)
@@ -425,7 +427,7 @@ TEST(Visitor, is_told_of_each_stage_and_keeps_its_state_by_reference)
   EXPECT_EQ(visitor.started.back(), Stage::FILTER);
   EXPECT_EQ(visitor.started, visitor.ended);
   visitor.started.clear();
-  solver.cut_locus(CGAL::parameters::minimum_branch_width(0.3));
+  solver.cut_locus(CGAL::parameters::cut_locus_method(CGAL::Cut_loci::Default_method().minimum_branch_width(0.3)));
   EXPECT_EQ(visitor.started, std::vector<Stage>{Stage::FILTER}) << "a new threshold runs nothing else";
 }
 

@@ -7,6 +7,7 @@
 #include "built_mesh.h"
 #include "cut_locus_by_hand.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Cut_loci/statistics.h>
 #include <CGAL/compute_cut_locus.h>
@@ -21,6 +22,7 @@
 #include <functional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace test_injectivity_radius {
@@ -30,8 +32,11 @@ namespace {
 using namespace test_meshes;
 namespace params = CGAL::parameters;
 using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::Default_method;
 using CGAL::Cut_loci::injectivity_radius;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Polyhedral_method;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Cut_locus = CGAL::Cut_locus<Mesh, Kernel::Point_3>;
@@ -156,9 +161,7 @@ std::vector<Estimate> estimates(const Surface& surface, Method method, bool is_t
       CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, params::cut_locus_method(method));
       solver.set_source(built.vertices[nearest_vertex(data, surface.source)]);
       const auto radius = injectivity_radius(
-        method == Method::LAPLACIAN
-          ? solver.cut_locus(params::number_of_iterations(is_through_faces ? 4 : 0))
-          : solver.cut_locus(params::cut_locus_curve(is_through_faces ? Curve::THROUGH_FACES : Curve::MESH_EDGES)));
+        solver.cut_locus(params::cut_locus_curve(is_through_faces ? Curve::THROUGH_FACES : Curve::MESH_EDGES)));
       const double error = std::abs(radius.distance - surface.radius);
       result.back().error += error / number;
       if(seed == 0)
@@ -176,7 +179,7 @@ TEST(Injectivity_radius, Is_within_an_edge_by_the_method_of_directions)
     for(bool is_through_faces : {false, true})
     {
       SCOPED_TRACE(surface.name + (is_through_faces ? ", through faces" : ", edges of the mesh"));
-      const std::vector<Estimate> e = estimates(surface, Method::DIRECTION, is_through_faces, 4);
+      const std::vector<Estimate> e = estimates(surface, Default_method(), is_through_faces, 4);
       for(const Estimate& estimate : e)
         EXPECT_LT(estimate.first, (is_through_faces ? 0.5 : 1.1) * estimate.h);
       if(is_through_faces)
@@ -192,7 +195,7 @@ TEST(Injectivity_radius, Has_an_error_of_second_order_inside_a_curve_through_fac
   {
     if(!is_torus(surface))
       continue;
-    for(const Estimate& estimate : estimates(surface, Method::DIRECTION, true))
+    for(const Estimate& estimate : estimates(surface, Default_method(), true))
       EXPECT_LT(estimate.error, 0.5 * estimate.h * estimate.h) << surface.name;
   }
 }
@@ -206,7 +209,7 @@ TEST(Injectivity_radius, Converges_by_the_method_of_the_Laplacian_unless_a_thres
     if(surface.name == "flat spheroid, equator")
       continue;
     for(bool is_through_faces : {false, true})
-      for(const Estimate& estimate : estimates(surface, Method::LAPLACIAN, is_through_faces))
+      for(const Estimate& estimate : estimates(surface, Laplacian_method(), is_through_faces))
         EXPECT_LT(estimate.error, (is_torus(surface) ? 0.5 : 4.) * estimate.h)
           << surface.name << (is_through_faces ? ", through faces" : ", edges of the mesh");
   }
@@ -220,7 +223,7 @@ TEST(Farthest_node, Is_beyond_the_opposite_corner_of_a_box)
   {
     const Mesh_data data = cuboid({{1., 1., 2.}}, n);
     const Built_mesh<Mesh> built(data);
-    for(const Method method : {Method::DIRECTION, Method::POLYHEDRAL})
+    for(const Method method : {Method(Default_method()), Method(Polyhedral_method())})
     {
       CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, params::cut_locus_method(method));
       solver.set_source(built.vertices[nearest_vertex(data, {{0., 0., 0.}})]);
@@ -231,7 +234,7 @@ TEST(Farthest_node, Is_beyond_the_opposite_corner_of_a_box)
       EXPECT_NEAR(farthest.point.x(), 0.75, 1e-5);
       EXPECT_NEAR(farthest.point.y(), 0.75, 1e-5);
       // where all branches are asked for, the source may be moved by a part of its face, and the curve with it
-      const double moved = method == Method::POLYHEDRAL ? 1e-6 / n : 1e-12;
+      const double moved = std::holds_alternative<Polyhedral_method>(method) ? 1e-6 / n : 1e-12;
       EXPECT_LE(cut_locus.distance(cut_locus.farthest_vertex()), farthest.distance + moved);
     }
   }

@@ -34,7 +34,7 @@ using namespace curve_sources;
 using CGAL::Cut_loci::Curve;
 using CGAL::Cut_loci::Filter_policy;
 
-const auto laplacian = params::cut_locus_method(Method::LAPLACIAN);
+const auto laplacian = params::cut_locus_method(Laplacian_method());
 
 Result cut_locus_of_border(const Built& built, Curve curve)
 {
@@ -210,7 +210,9 @@ void expect_topology_of_solver(const GeodesicSolver& geodesics, const std::strin
         for(const double angle : {0., 1.5, 3.14})
           for(const Filter_policy policy : {Filter_policy::PRUNING, Filter_policy::GROWING})
             EXPECT_EQ(has_mesh_edges(built, solver, curves,
-                                     params::gradient_angle_threshold(angle).filter_policy(policy), what),
+                                     params::cut_locus_method(
+                                       Laplacian_method().gradient_angle_threshold(angle).filter_policy(policy)),
+                                     what),
                       is_there)
               << what << ", angle " << angle;
         if(is_there)
@@ -268,7 +270,7 @@ TEST(Laplacian_curves, have_exact_distances_and_cells_by_the_descent_of_them)
     const double edge = largest_edge(built);
     Solver solver(built.mesh, laplacian), exact(built.mesh);
     solver.set_sources(Vertices(), params::source_curves(curves));
-    const Result result = solver.cut_locus(params::gradient_angle_threshold(3.14));
+    const Result result = solver.cut_locus(params::cut_locus_method(Laplacian_method().gradient_angle_threshold(3.14)));
     std::vector<Result> alone;
     for(const Edges& curve : curves)
     {
@@ -294,12 +296,12 @@ TEST(Laplacian_curves, may_be_loops_that_separate_the_surface_or_do_not)
   const Built built(torus(1., 0.4, nu, nw)), ball(sphere_with_circle(24, 12));
   for(const std::vector<Edges>& curves : curves_of_torus(built, nu, nw))
   {
-    EXPECT_TRUE(has_mesh_edges(built, {}, curves, Method::LAPLACIAN, "torus"));
+    EXPECT_TRUE(has_mesh_edges(built, {}, curves, Laplacian_method(), "torus"));
     expect_topology(built, curves, CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(curves)),
                     "torus");
   }
   const std::vector<Edges> loops = {path(ball, circle(24, 3, 0, 24)), path(ball, circle(24, 8, 0, 24))};
-  EXPECT_TRUE(has_mesh_edges(ball, {}, loops, Method::LAPLACIAN, "ball"));
+  EXPECT_TRUE(has_mesh_edges(ball, {}, loops, Laplacian_method(), "ball"));
 }
 
 TEST(Laplacian_curves, may_be_borders_and_touch_them)
@@ -309,7 +311,7 @@ TEST(Laplacian_curves, may_be_borders_and_touch_them)
        punctured(torus(1., 0.4, 30, 16, 0.1, 2), {{{1.4, 0., 0.}}, {{-1., 0., 0.4}}}, 0.25)})
   {
     const Built built(data);
-    EXPECT_TRUE(has_mesh_edges(built, {}, border_loops(built), Method::LAPLACIAN, "border"));
+    EXPECT_TRUE(has_mesh_edges(built, {}, border_loops(built), Laplacian_method(), "border"));
     expect_topology(built, border_loops(built), cut_locus_of_border(built, Curve::THROUGH_FACES), "border");
   }
   std::size_t number_of_refused = 0, number = 0;
@@ -321,7 +323,7 @@ TEST(Laplacian_curves, may_be_borders_and_touch_them)
       const std::vector<Edges> curves = curves_at_border(built, 3, 6, seed);
       const std::string what = "seed " + std::to_string(seed);
       ++number;
-      if(has_mesh_edges(built, {}, curves, Method::LAPLACIAN, what))
+      if(has_mesh_edges(built, {}, curves, Laplacian_method(), what))
         expect_topology(built, curves, CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(curves)),
                         what);
       else
@@ -358,7 +360,8 @@ TEST(Laplacian_curves, and_points_mix_with_the_points_first)
                medial = solver.cut_locus(params::kept_part(CGAL::Cut_loci::Kept_part::MEDIAL));
   EXPECT_EQ(num_edges(voronoi.graph()) + num_edges(medial.graph()), num_edges(result.graph()));
   EXPECT_GT(num_edges(voronoi.graph()), 0u);
-  const Result strong = solver.cut_locus(mesh_edges.gradient_angle_threshold(3.14).minimum_branch_edges(1000));
+  const Result strong = solver.cut_locus(
+    mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(3.14).minimum_branch_edges(1000)));
   EXPECT_EQ(num_edges(strong.graph()),
             num_edges(solver.cut_locus(mesh_edges.kept_part(CGAL::Cut_loci::Kept_part::VORONOI)).graph()))
     << "no threshold removes what is between two";

@@ -33,7 +33,7 @@ namespace {
 
 using namespace several_sources;
 
-const auto laplacian = params::cut_locus_method(Method::LAPLACIAN);
+const auto laplacian = params::cut_locus_method(Laplacian_method());
 
 // cells and labels of the edges fit each other, and what is between two sources is one closed part of the graph
 void expect_labels(const Built& built, const Result& result, const std::string& what)
@@ -61,7 +61,7 @@ void expect_all(const Built& built, const Solver& solver, const std::string& wha
 {
   for(const double angle : {0., 0.7, 3.14})
   {
-    const auto np = params::gradient_angle_threshold(angle);
+    const auto np = params::cut_locus_method(Laplacian_method().gradient_angle_threshold(angle));
     const Result edges = solver.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
     ASSERT_EQ(fault_of_mesh_edges(built, edges), "") << what << ", angle " << angle;
     expect_labels(built, edges, what);
@@ -433,7 +433,8 @@ TEST(Laplacian_several_sources, no_threshold_removes_what_is_between_two)
   Solver solver(built.mesh, laplacian);
   solver.set_sources(random_sources(built, 6, 3));
   const std::size_t all = num_edges(solver.cut_locus(mesh_edges.kept_part(CGAL::Cut_loci::Kept_part::VORONOI)).graph());
-  const Result strong = solver.cut_locus(mesh_edges.gradient_angle_threshold(3.14).minimum_branch_edges(1000));
+  const Result strong = solver.cut_locus(
+    mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(3.14).minimum_branch_edges(1000)));
   EXPECT_EQ(num_edges(strong.graph()), all) << "on a sphere nothing else has to stay";
 }
 
@@ -450,7 +451,7 @@ TEST(Laplacian_several_sources, without_a_face_to_themselves_are_refused)
   catch(const Invalid_input& error)
   {
     EXPECT_EQ(error.cause(), CGAL::Cut_loci::Cause::NO_FACE_AT_SOURCE);
-    EXPECT_NE(std::string(error.what()).find("Method::DIRECTION"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("Default_method()"), std::string::npos) << error.what();
   }
 }
 

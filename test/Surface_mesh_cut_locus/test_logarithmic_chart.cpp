@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_exact_geodesics.h>
 #include <CGAL/compute_cut_locus.h>
-#include <CGAL/refine_along_cut_locus.h>
+#include <CGAL/cut_along_cut_locus.h>
 
 #include <gtest/gtest.h>
 
@@ -52,8 +52,8 @@ struct Chart
   Chart(const Mesh& mesh, const CutLocus& cut_locus)
   {
     const auto face = disk.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:origin").first;
-    CGAL::cut_along_curve(mesh, cut_locus, disk,
-                          params::snapping_tolerance(snapping).vertex_to_vertex_map(origin).face_to_face_map(face));
+    CGAL::cut_along_cut_locus(mesh, cut_locus, disk,
+                              params::snapping_tolerance(snapping).vertex_to_vertex_map(origin).face_to_face_map(face));
     std::vector<CGAL::Cut_loci::Index> faces;
     for(const Mesh::Face_index f : disk.faces())
       faces.push_back(face[f].idx());
@@ -79,7 +79,7 @@ TEST(Logarithmic_chart, is_isometric_on_convex_polyhedra)
     const Built built(random_convex_polyhedron(12 + seed, seed));
     const std::pair<Mesh::Face_index, std::array<double, 3>> source(Mesh::Face_index(seed), {{0.2, 0.5, 0.3}});
     const Chart chart(built.mesh, CGAL::compute_cut_locus(
-                                    built.mesh, source, params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL)));
+                                    built.mesh, source, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method())));
     for(const Mesh::Edge_index e : chart.disk.edges())
     {
       const Mesh::Vertex_index a = chart.disk.vertex(e, 0), b = chart.disk.vertex(e, 1);

@@ -7,6 +7,7 @@
 // Polylines through the faces, which become edges of a mesh and so sources.
 
 #include "built_mesh.h"
+#include "refusals.h"
 #include "test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -83,20 +84,6 @@ double length(const Mesh& mesh, const Edges& edges)
   for(const Mesh::Edge_index e : edges)
     sum += CGAL::Polygon_mesh_processing::edge_length(e, mesh);
   return sum;
-}
-
-std::string message_of(const Mesh& mesh, const std::vector<Polyline>& polylines)
-{
-  try
-  {
-    Mesh output;
-    CGAL::refine_along_polylines(mesh, polylines, output);
-  }
-  catch(const Invalid_input& error)
-  {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(Polylines_as_sources, become_edges_of_the_same_surface)
@@ -219,19 +206,22 @@ TEST(Polylines_as_sources, that_can_not_be_used_are_refused_by_their_points)
 {
   const Built built(square(6, 0.2, 3));
   Polyline line = line_across(built, 0.4);
-  EXPECT_EQ(message_of(built.mesh, {line}), "");
-  EXPECT_NE(message_of(built.mesh, {line, {line[0]}}).find("polyline 1 has less than two points"), std::string::npos);
-  EXPECT_NE(message_of(built.mesh, {{line[0], line[0]}}).find("polyline 0 is a point after rounding"),
-            std::string::npos);
+  const auto message = [&](const std::vector<Polyline>& polylines)
+  {
+    Mesh output;
+    return refusals::message_of([&] { CGAL::refine_along_polylines(built.mesh, polylines, output); });
+  };
+  EXPECT_EQ(message({line}), "nothing was thrown");
+  EXPECT_NE(message({line, {line[0]}}).find("polyline 1 has less than two points"), std::string::npos);
+  EXPECT_NE(message({{line[0], line[0]}}).find("polyline 0 is a point after rounding"), std::string::npos);
   Polyline gap = line;
   gap.erase(gap.begin() + 2);
-  EXPECT_NE(message_of(built.mesh, {line, gap}).find("polyline 1: points 1 and 2 are in no common face"),
-            std::string::npos);
+  EXPECT_NE(message({line, gap}).find("polyline 1: points 1 and 2 are in no common face"), std::string::npos);
   Polyline outside = line;
   outside[1].second = {{-0.5, 0.5, 1.}};
-  EXPECT_NE(message_of(built.mesh, {outside}).find("polyline 0: point 1: a barycentric coordinate"), std::string::npos);
+  EXPECT_NE(message({outside}).find("polyline 0: point 1: a barycentric coordinate"), std::string::npos);
   outside[1].first = Mesh::Face_index(99999);
-  EXPECT_NE(message_of(built.mesh, {outside}).find("its face is not a face of the mesh"), std::string::npos);
+  EXPECT_NE(message({outside}).find("its face is not a face of the mesh"), std::string::npos);
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Cut_loci/Default_visitor.h>
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
@@ -21,13 +22,17 @@
 #include <functional>
 #include <map>
 #include <stdexcept>
+#include <variant>
 #include <vector>
 
 namespace test_progress {
 
 namespace {
 
+using CGAL::Cut_loci::Default_method;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Polyhedral_method;
 using CGAL::Cut_loci::Stage;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
@@ -81,7 +86,7 @@ protected:
 
 TEST_F(Progress_of_stages, It_grows_from_zero_to_one)
 {
-  for(Method method : {Method::DIRECTION, Method::POLYHEDRAL, Method::LAPLACIAN})
+  for(Method method : {Method(Default_method()), Method(Polyhedral_method()), Method(Laplacian_method())})
   {
     Recording_visitor visitor;
     Solver solver(built.mesh, params::cut_locus_method(method).visitor(std::ref(visitor)));
@@ -91,7 +96,7 @@ TEST_F(Progress_of_stages, It_grows_from_zero_to_one)
     EXPECT_GT(visitor.shares[Stage::DISTANCE].back(), 0.9);
     for(Stage stage : {Stage::PREPROCESSING, Stage::STRENGTH, Stage::TREE})
       EXPECT_FALSE(visitor.shares[stage].empty());
-    EXPECT_EQ(visitor.shares[Stage::HOMOLOGY].empty(), method != Method::LAPLACIAN);
+    EXPECT_EQ(visitor.shares[Stage::HOMOLOGY].empty(), !std::holds_alternative<Laplacian_method>(method));
     solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
     EXPECT_FALSE(visitor.shares[Stage::FILTER].empty());
     for(const auto& [stage, shares] : visitor.shares)
@@ -105,13 +110,13 @@ TEST_F(Progress_of_stages, It_grows_from_zero_to_one)
 
 TEST_F(Progress_of_stages, What_is_thrown_leaves_no_source_and_an_object_that_can_be_used)
 {
-  for(Method method : {Method::DIRECTION, Method::POLYHEDRAL, Method::LAPLACIAN})
+  for(Method method : {Method(Default_method()), Method(Polyhedral_method()), Method(Laplacian_method())})
   {
     Solver untouched(built.mesh, params::cut_locus_method(method));
     untouched.set_source(source);
     const std::vector<double> expected = result_numbers(untouched.cut_locus());
     std::vector<Stage> stages = {Stage::DISTANCE, Stage::STRENGTH, Stage::TREE};
-    if(method == Method::LAPLACIAN)
+    if(std::holds_alternative<Laplacian_method>(method))
       stages.push_back(Stage::HOMOLOGY);
     Canceling_visitor visitor(Stage::DISTANCE, 0);
     Solver solver(built.mesh, params::cut_locus_method(method).visitor(std::ref(visitor)));
@@ -136,7 +141,7 @@ TEST_F(Progress_of_stages, What_is_thrown_leaves_no_source_and_an_object_that_ca
 TEST_F(Progress_of_stages, What_is_done_once_for_a_mesh_can_be_canceled_and_done_again)
 {
   const auto smooth = params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES);
-  for(Method method : {Method::DIRECTION, Method::LAPLACIAN})
+  for(Method method : {Method(Default_method()), Method(Laplacian_method())})
   {
     const auto parameters = params::cut_locus_method(method);
     Solver untouched(built.mesh, parameters);
@@ -170,7 +175,7 @@ TEST_F(Progress_of_stages, A_threshold_that_needs_more_can_be_canceled_too)
   solver.set_source(source);
   visitor.number = visitor.at; // not yet
   const std::vector<double> by_default = result_numbers(solver.cut_locus());
-  const auto all = params::minimum_branch_width(0.);
+  const auto all = params::cut_locus_method(Default_method().minimum_branch_width(0.));
   for(std::size_t at : {1, 3, 20})
   {
     visitor.at = at;

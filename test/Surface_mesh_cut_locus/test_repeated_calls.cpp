@@ -63,7 +63,7 @@ TEST(Repeated_calls, have_the_result_of_the_first_one)
       const std::vector<double> by_default = numbers(solver.cut_locus());
       for(double width : widths)
       {
-        const auto np = params::minimum_branch_width(width);
+        const auto np = params::cut_locus_method(CGAL::Cut_loci::Default_method().minimum_branch_width(width));
         first.set_source(built.vertices[s]);
         EXPECT_EQ(numbers(first.cut_locus(np)), numbers(solver.cut_locus(np))) << width << " from " << s;
         EXPECT_EQ(numbers(solver.cut_locus()), by_default) << "after " << width << " from " << s;
@@ -83,7 +83,8 @@ TEST(Repeated_calls, may_come_from_several_threads)
   {
     std::vector<std::vector<double>> all;
     for(double width : widths)
-      all.push_back(numbers(shared.cut_locus(params::minimum_branch_width(width))));
+      all.push_back(numbers(
+        shared.cut_locus(params::cut_locus_method(CGAL::Cut_loci::Default_method().minimum_branch_width(width)))));
     return all;
   };
   auto other = std::async(std::launch::async, ask);

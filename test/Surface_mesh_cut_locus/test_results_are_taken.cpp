@@ -40,7 +40,8 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Built = Built_mesh<Mesh>;
 using Location = std::pair<Mesh::Face_index, std::array<double, 3>>;
 using CGAL::Cut_loci::Curve;
-using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Default_method;
+using CGAL::Cut_loci::Polyhedral_method;
 using test_meshes::Mesh_data;
 namespace params = CGAL::parameters;
 
@@ -61,7 +62,7 @@ std::string fault_of_functions(const Mesh& mesh, const Result& result, double ar
   CGAL::refine_along_cut_locus(mesh, result, refined);
   if(std::fabs(PMP::area(refined) - PMP::area(mesh)) > 0.01 * PMP::area(mesh))
     return "refining has changed the area";
-  CGAL::cut_along_curve(mesh, result, disk);
+  CGAL::cut_along_cut_locus(mesh, result, disk);
   if(!is_disk(disk))
     return "what is cut along the curve is no disk";
   if(std::fabs(PMP::area(disk) - area_of_component) > 0.01 * area_of_component)
@@ -118,7 +119,7 @@ void expect_functions_on_all_sources(const Mesh_data& data)
   for(std::size_t f = 0; f < data.triangles.size(); ++f)
     for(const Location& source : sources_in(built, f))
     {
-      const auto full = CGAL::compute_cut_locus(built.mesh, source, params::cut_locus_method(Method::POLYHEDRAL));
+      const auto full = CGAL::compute_cut_locus(built.mesh, source, params::cut_locus_method(Polyhedral_method()));
       EXPECT_EQ(fault_of_functions(built.mesh, full, area), "") << f;
       const auto curve = CGAL::compute_cut_locus(built.mesh, source, params::cut_locus_curve(Curve::THROUGH_FACES));
       EXPECT_EQ(fault_of_functions(built.mesh, curve, area), "") << f;
@@ -165,7 +166,8 @@ void expect_length_of_edges(const Mesh_data& data, std::size_t corner, double le
   const Built built(data);
   const auto edges =
     CGAL::compute_cut_locus(built.mesh, built.vertices[corner],
-                            params::cut_locus_curve(Curve::MESH_EDGES).minimum_branch_gap(0.).minimum_branch_width(0.));
+                            params::cut_locus_method(Default_method().minimum_branch_gap(0.).minimum_branch_width(0.))
+                              .cut_locus_curve(Curve::MESH_EDGES));
   EXPECT_NEAR(CGAL::Cut_loci::compute_statistics(edges).length, length, 1e-12 * length) << corner;
 }
 
@@ -204,7 +206,7 @@ TEST(Results_are_taken, where_components_touch_in_a_vertex)
   for(const std::size_t f : {0, 1, 8, 13})
     for(const Location& source : sources_in(built, f))
     {
-      const auto full = CGAL::compute_cut_locus(built.mesh, source, params::cut_locus_method(Method::POLYHEDRAL));
+      const auto full = CGAL::compute_cut_locus(built.mesh, source, params::cut_locus_method(Polyhedral_method()));
       EXPECT_EQ(fault_of_functions(built.mesh, full, area), "") << f;
       const auto edges = CGAL::compute_cut_locus(built.mesh, source, mesh_edges);
       EXPECT_EQ(fault_of_functions_on_edges(built.mesh, edges), "") << f;

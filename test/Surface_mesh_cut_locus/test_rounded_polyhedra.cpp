@@ -126,7 +126,7 @@ TEST(Rounded_polyhedra, no_shortest_path_crosses_the_cut_locus)
 {
   for(const Named_mesh& m : meshes())
   {
-    CGAL::Surface_mesh_cut_locus<Mesh> solver(m.mesh, params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+    CGAL::Surface_mesh_cut_locus<Mesh> solver(m.mesh, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
     for(Mesh::Vertex_index source : sources(m.mesh))
     {
       SCOPED_TRACE(testing::Message() << m.name << ", from " << source);
@@ -174,7 +174,7 @@ TEST(Rounded_polyhedra, no_shortest_path_that_grazes_a_rim_crosses_the_cut_locus
     for(double opening : {0.5, 3.})
     {
       const Mesh mesh = part_of_a_ring(120, opening, has_seven_digits);
-      CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+      CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
       for(Mesh::size_type source = 0; source < mesh.number_of_vertices(); source += 7)
       {
         SCOPED_TRACE(testing::Message() << "opening " << opening << ", from " << source
@@ -234,7 +234,7 @@ TEST(Rounded_polyhedra, no_shortest_path_around_a_round_hole_crosses_the_cut_loc
   for(double height : {1., 0.3})
   {
     const Mesh mesh = plate_with_a_round_hole(40, 20., height);
-    CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+    CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
     for(Mesh::Vertex_index source : mesh.vertices())
     {
       SCOPED_TRACE(testing::Message() << "height " << height << ", from " << source);

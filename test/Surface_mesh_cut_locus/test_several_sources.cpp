@@ -4,8 +4,11 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
+#include "curve_length.h"
+#include "refusals.h"
 #include "several_sources_cases.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/cut_along_cut_locus.h>
 
 #include <gtest/gtest.h>
@@ -28,7 +31,9 @@ namespace {
 
 using namespace several_sources;
 
-constexpr Method methods[] = {Method::DIRECTION, Method::POLYHEDRAL};
+using curve_length::length;
+using refusals::message_of;
+constexpr Method methods[] = {Default_method(), Polyhedral_method()};
 
 // distances, cells and labels against runs with one source each
 void expect_voronoi_diagram(const Built& built, const std::vector<Source>& sources, const Result& result,
@@ -105,7 +110,7 @@ TEST(Several_sources, may_be_a_hundred_in_any_place)
   for(const Named_mesh& m : meshes())
   {
     const Built built(m.data);
-    expect_all(built, random_sources(built, 100, 7), Method::DIRECTION, m.name + ", 100 sources");
+    expect_all(built, random_sources(built, 100, 7), Default_method(), m.name + ", 100 sources");
   }
 }
 
@@ -220,15 +225,6 @@ std::vector<std::pair<Point, std::array<std::size_t, 2>>> voronoi_points(const R
       for(const auto v : {source(e, graph), target(e, graph)})
         points.push_back({{{graph[v].point.x(), graph[v].point.y(), graph[v].point.z()}}, graph[e].sources});
   return points;
-}
-
-double length(const Result& result)
-{
-  double sum = 0.;
-  const auto& graph = result.graph();
-  for(const auto e : CGAL::make_range(edges(graph)))
-    sum += std::sqrt(CGAL::squared_distance(graph[source(e, graph)].point, graph[target(e, graph)].point));
-  return sum;
 }
 
 TEST(Several_sources, have_a_straight_bisector_on_a_plate)
@@ -408,9 +404,11 @@ TEST(Several_sources, no_threshold_removes_what_is_between_two)
   for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
   {
     const auto number = [&](const Result& result) { return voronoi_points(result).size() / 2; };
-    const std::size_t all = number(solver.cut_locus(params::cut_locus_curve(curve).minimum_branch_width(0.1)));
+    const std::size_t all = number(
+      solver.cut_locus(params::cut_locus_method(Default_method().minimum_branch_width(0.1)).cut_locus_curve(curve)));
     EXPECT_GT(all, 0u);
-    for(const auto& np : {params::cut_locus_curve(curve).minimum_branch_width(1.).minimum_branch_edges(100)})
+    for(const auto& np : {params::cut_locus_method(Default_method().minimum_branch_width(1.).minimum_branch_edges(100))
+                            .cut_locus_curve(curve)})
     {
       const Result result = solver.cut_locus(np);
       EXPECT_EQ(number(result), all);
@@ -480,19 +478,6 @@ TEST(Several_sources, are_numbered_in_their_order)
     else
       EXPECT_EQ(result.source(i).location.first, std::get<Location>(sources[i]).first);
   }
-}
-
-std::string message_of(const std::function<void()>& function)
-{
-  try
-  {
-    function();
-  }
-  catch(const Invalid_input& error)
-  {
-    return error.what();
-  }
-  return "nothing was thrown";
 }
 
 TEST(Several_sources, that_can_not_be_used_are_refused_by_their_numbers)

@@ -402,8 +402,8 @@ TEST(Smoothing, is_reached_by_a_named_parameter)
   CGAL::Surface_mesh_cut_locus<Geodesic_mesh> solver(mesh, params::geodesic_solver(CGAL::Graph_geodesic_solver()));
   solver.set_source(*mesh.vertices().begin());
   const auto edges_of_mesh = solver.cut_locus(mesh_edges);
-  const auto none = solver.cut_locus(params::number_of_iterations(0));
-  const auto curves = solver.cut_locus(params::number_of_iterations(4));
+  const auto none = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+  const auto curves = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
   EXPECT_EQ(num_edges(none.graph()), num_edges(edges_of_mesh.graph()));
   EXPECT_EQ(num_edges(curves.graph()), num_vertices(curves.graph()) + 1);
   std::size_t in_faces = 0;

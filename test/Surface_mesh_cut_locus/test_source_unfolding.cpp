@@ -393,7 +393,7 @@ TEST(Source_unfolding, is_as_long_as_the_cut_locus)
   const Mesh mesh = built(random_convex_polyhedron(60, 3, {{1., 0.8, 0.5}}));
   const Location location(Mesh::Face_index(7), {{0.2, 0.5, 0.3}});
   const auto cut_locus =
-    CGAL::compute_cut_locus(mesh, location, CGAL::parameters::cut_locus_method(CGAL::Cut_loci::Method::POLYHEDRAL));
+    CGAL::compute_cut_locus(mesh, location, CGAL::parameters::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
   double expected = 0., sum = 0.;
   const auto& graph = cut_locus.graph();
   for(auto e : CGAL::make_range(edges(graph)))

@@ -11,6 +11,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Cut_loci/Default_visitor.h>
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_cut_loci.h>
@@ -38,7 +39,10 @@ namespace test_sources_in_threads {
 namespace {
 
 using CGAL::Cut_loci::Curve;
+using CGAL::Cut_loci::Default_method;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Polyhedral_method;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Cut_locus = CGAL::Surface_mesh_cut_locus<Mesh>::Result;
 using Face_location = CGAL::Surface_mesh_cut_locus<Mesh>::Face_location;
@@ -66,7 +70,7 @@ protected:
 TEST_F(Many_sources, Each_has_the_cut_locus_that_it_has_alone_in_threads_too)
 {
   const auto sources = some_vertices();
-  for(Method method : {Method::DIRECTION, Method::POLYHEDRAL, Method::LAPLACIAN})
+  for(Method method : {Method(Default_method()), Method(Polyhedral_method()), Method(Laplacian_method())})
     for(Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
     {
       const auto np = params::cut_locus_method(method).cut_locus_curve(curve);
@@ -200,11 +204,11 @@ TEST_F(One_source, Has_the_same_cut_locus_in_threads)
 {
   const Built_mesh<Mesh> torus(test_meshes::torus(1., 0.4, 180, 70, 0.2, 1));
   const auto faces = params::cut_locus_curve(Curve::THROUGH_FACES);
-  expect_the_same(torus.mesh, faces.cut_locus_method(Method::DIRECTION));
-  expect_the_same(torus.mesh, faces.cut_locus_method(Method::DIRECTION).maximum_relative_error(1e-4));
-  expect_the_same(torus.mesh, params::cut_locus_method(Method::LAPLACIAN));
+  expect_the_same(torus.mesh, faces.cut_locus_method(Default_method()));
+  expect_the_same(torus.mesh, faces.cut_locus_method(Default_method()).maximum_relative_error(1e-4));
+  expect_the_same(torus.mesh, params::cut_locus_method(Laplacian_method()));
   const Built_mesh<Mesh> smaller(test_meshes::torus(1., 0.4, 80, 30, 0.2, 1));
-  expect_the_same(smaller.mesh, faces.cut_locus_method(Method::POLYHEDRAL));
+  expect_the_same(smaller.mesh, faces.cut_locus_method(Polyhedral_method()));
 }
 
 TEST_F(One_source, Has_the_same_errors_in_threads)

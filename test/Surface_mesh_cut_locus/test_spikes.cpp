@@ -30,7 +30,8 @@ namespace {
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Built = Built_mesh<Mesh>;
 using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
-using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Default_method;
+using CGAL::Cut_loci::Polyhedral_method;
 using test_meshes::Mesh_data;
 namespace params = CGAL::parameters;
 
@@ -104,9 +105,9 @@ TEST(Spikes, have_cut_loci)
     {
       const Built built(octahedron(std::pow(10., k)));
       const auto found = CGAL::compute_cut_locus(built.mesh, built.vertices[source], mesh_edges);
-      EXPECT_EQ(fault_of(built, found, source == 0 ? 0 : 4, {source}, Method::DIRECTION), "") << k;
+      EXPECT_EQ(fault_of(built, found, source == 0 ? 0 : 4, {source}, Default_method()), "") << k;
       const auto full =
-        CGAL::compute_cut_locus(built.mesh, built.vertices[source], params::cut_locus_method(Method::POLYHEDRAL));
+        CGAL::compute_cut_locus(built.mesh, built.vertices[source], params::cut_locus_method(Polyhedral_method()));
       EXPECT_EQ(num_vertices(full.graph()), num_edges(full.graph()) + 1) << k;
     }
 }

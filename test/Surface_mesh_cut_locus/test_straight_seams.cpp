@@ -7,7 +7,9 @@
 #include "built_mesh.h"
 #include "disk_checker.h"
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/compute_cut_locus.h>
+#include <CGAL/cut_along_cut_locus.h>
 #include <CGAL/refine_along_cut_locus.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -25,7 +27,8 @@ namespace {
 using namespace test_meshes;
 namespace params = CGAL::parameters;
 using CGAL::Cut_loci::Curve;
-using CGAL::Cut_loci::Method;
+using CGAL::Cut_loci::Default_method;
+using CGAL::Cut_loci::Laplacian_method;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
@@ -119,7 +122,7 @@ void expect_disk(const Mesh& mesh, const Cut_locus& cut_locus, double tolerance)
 {
   Mesh disk;
   std::map<Mesh::Face_index, Mesh::Face_index> face_origin;
-  CGAL::cut_along_curve(
+  CGAL::cut_along_cut_locus(
     mesh, cut_locus, disk,
     params::snapping_tolerance(tolerance).face_to_face_map(boost::make_assoc_property_map(face_origin)));
   EXPECT_EQ(disk_checker::fault(disk), "");
@@ -131,8 +134,8 @@ void expect_straight_seams(const Mesh_data& data, const std::vector<std::size_t>
                            const std::vector<double>& tolerances = {1. / 256.})
 {
   const Built_mesh<Mesh> built(data);
-  Solver laplacian(built.mesh, params::cut_locus_method(Method::LAPLACIAN));
-  Solver direction(built.mesh, params::cut_locus_method(Method::DIRECTION));
+  Solver laplacian(built.mesh, params::cut_locus_method(Laplacian_method()));
+  Solver direction(built.mesh, params::cut_locus_method(Default_method()));
   const auto check = [&](const Cut_locus& cut_locus)
   {
     for(double tolerance : tolerances)
@@ -148,14 +151,15 @@ void expect_straight_seams(const Mesh_data& data, const std::vector<std::size_t>
     for(double angle : {0., 0.7, 3.14})
     {
       SCOPED_TRACE("angle " + std::to_string(angle));
-      check(laplacian.cut_locus(params::gradient_angle_threshold(angle).number_of_iterations(4)));
+      check(laplacian.cut_locus(params::cut_locus_method(Laplacian_method().gradient_angle_threshold(angle))));
     }
     check(laplacian.cut_locus());
     direction.set_source(built.vertices[s]);
     for(double width : {1., 0.1, 0.03, 0.})
     {
       SCOPED_TRACE("width " + std::to_string(width));
-      check(direction.cut_locus(params::minimum_branch_width(width).cut_locus_curve(Curve::THROUGH_FACES)));
+      check(direction.cut_locus(
+        params::cut_locus_method(Default_method().minimum_branch_width(width)).cut_locus_curve(Curve::THROUGH_FACES)));
     }
   }
 }
@@ -206,7 +210,7 @@ TEST(Straight_seams, Bad_input_gives_an_error)
   const Cut_locus curve = CGAL::compute_cut_locus(built.mesh, built.vertices[0],
                                                   params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
   Mesh output;
-  EXPECT_THROW(CGAL::cut_along_curve(other.mesh, curve, output), CGAL::Cut_loci::Invalid_input);
+  EXPECT_THROW(CGAL::cut_along_cut_locus(other.mesh, curve, output), CGAL::Cut_loci::Invalid_input);
   for(double tolerance : {-1., 0., 1e-9, 0.6, std::nan("")})
     EXPECT_THROW(CGAL::refine_along_cut_locus(built.mesh, curve, output, params::snapping_tolerance(tolerance)),
                  CGAL::Cut_loci::Invalid_input);

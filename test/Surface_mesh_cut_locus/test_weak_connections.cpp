@@ -7,6 +7,7 @@
 // What joins the strong branches of the cut locus to the holes of a surface, and around its handles, belongs to it however
 // weak it is. It is where shortest paths separate what it joins.
 
+#include "curve_length.h"
 #include "test_meshes.h"
 
 #include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
@@ -32,6 +33,7 @@ using CGAL::Cut_loci::internal::Branch_strength;
 using CGAL::Cut_loci::internal::Exact_tree_solver;
 using CGAL::Cut_loci::internal::Path_classes;
 using CGAL::Cut_loci::internal::Tree_graph;
+using curve_length::length;
 using test_meshes::indexed;
 using test_meshes::Mesh_data;
 
@@ -189,15 +191,6 @@ TEST(Weak_connections, cross_the_edges_whose_shortest_paths_separate_what_they_j
     }
   }
   EXPECT_GT(number_of_sure, 0.9 * number);
-}
-
-double length(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& graph)
-{
-  using namespace CGAL::Cut_loci::internal;
-  double sum = 0.;
-  for(const Indexed_cut_locus::Edge& e : graph.edges)
-    sum += norm(position(mesh, graph.nodes[e.source].location) - position(mesh, graph.nodes[e.target].location));
-  return sum;
 }
 
 TEST(Weak_connections, are_found_where_they_are_though_what_is_weak_is_not_looked_for)

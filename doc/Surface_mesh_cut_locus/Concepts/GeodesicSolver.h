@@ -14,6 +14,9 @@
  * A solver sees one connected component, manifold and orientable, in dense arrays, whatever the type of the user's
  * mesh. What it can prepare for all sources belongs in `set_mesh()` or in the first call of `compute_distances()`.
  *
+ * The cut locus is found by `CGAL::Cut_loci::Laplacian_method` then, whose header `CGAL/Cut_loci/Laplacian_method.h` has to
+ * be included.
+ *
  * \cgalRefines{CopyConstructible}
  *
  * \cgalHasModelsBegin

@@ -99,7 +99,7 @@ Point_3 point_at(const Mesh& mesh, const Location& location)
  * equally short, of which two are taken.
  *
  * The surface is cut open along the cut locus, whose barycentric coordinates are rounded to multiples of 2^-20, so that each
- * side of the point has its own path. Time is that of `cut_along_curve()` and `Surface_mesh_exact_geodesics::compute()`.
+ * side of the point has its own path. Time is that of `cut_along_cut_locus()` and `Surface_mesh_exact_geodesics::compute()`.
  *
  * @param tm the triangle mesh of which the cut locus was computed, with points
  * @param cut_locus the cut locus of one point, as exact as that of `Cut_loci::Curve::THROUGH_FACES`

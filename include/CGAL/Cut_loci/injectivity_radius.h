@@ -35,7 +35,7 @@ struct Injectivity_radius
   double distance = (std::numeric_limits<double>::infinity)();
   /// Within this distance no point of the polyhedron has several shortest paths, whatever the thresholds: branches that
   /// are left out begin no nearer. It is at most `distance`, and 0 if it is not known, as with
-  /// `Cut_loci::Method::LAPLACIAN`.
+  /// `Cut_loci::Laplacian_method`.
   double lower_bound = 0.;
   Point_3 point; ///< where it is reached
   /// the vertex of the graph that it is reached at, or the nearer end of `edge`
@@ -49,7 +49,7 @@ struct Injectivity_radius
  *
  * computes the injectivity radius of the exponential map at the source: the smallest distance on the cut locus, and
  * where it is reached. On the smooth surface, each point within this radius has one shortest path to the source. On the
- * polyhedron, this holds within `lower_bound`, which is the radius of the cut locus of `Cut_loci::Method::POLYHEDRAL`. That
+ * polyhedron, this holds within `lower_bound`, which is the radius of the cut locus of `Cut_loci::Polyhedral_method`. That
  * has a branch to each vertex of positive curvature: on a mesh of a smooth surface, where it is positive, the bound is the
  * distance of the nearest such vertex, about an edge, and says how little the polyhedron knows of the surface; on a
  * polyhedron that stands for itself, and where curvature is not positive, the two are equal, or near to each other. Beside
@@ -64,7 +64,7 @@ struct Injectivity_radius
  * A cut locus of edges of the mesh is off the true one by a part of an edge, and so is the radius. Where that matters,
  * use `Cut_loci::Curve::THROUGH_FACES`: where the radius is reached inside of a curve, the error then falls with the
  * square of the length of the edges. Ends of branches, where it is reached as often, remain off by a part of an edge,
- * and a threshold that shortens a branch removes them: `Cut_loci::Method::DIRECTION` finds them best. Take a slightly
+ * and a threshold that shortens a branch removes them: `Cut_loci::Default_method` finds them best. Take a slightly
  * smaller radius where injectivity must be certain.
  *
  * @throws Invalid_input if the cut locus has no vertices

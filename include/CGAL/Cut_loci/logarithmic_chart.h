@@ -39,7 +39,7 @@ namespace CGAL::Cut_loci {
  * @tparam VertexUVMap a model of `WritablePropertyMap` with `boost::graph_traits<Disk>::%vertex_descriptor` as key type and a
  *         point of the plane as value type
  *
- * @param disk the surface as `cut_along_curve()` or `cut_along_cut_locus()` gives it
+ * @param disk the surface as `cut_along_cut_locus()` gives it
  * @param source the source, on it
  * @param uv gets where each vertex is, in the unit of the points
  *

@@ -276,7 +276,7 @@ private:
  * the source to the nearest end of a branch, and starts with the corner at the source, which has this angle.
  *
  * A source that is placed so that shortest paths run along edges of the mesh, or many branches all but meet, may be
- * moved: by 1e-6 of its face, as with `Cut_loci::Method::POLYHEDRAL`, and by more, up to 3e-4, only where that is not
+ * moved: by 1e-6 of its face, as with `Cut_loci::Polyhedral_method`, and by more, up to 3e-4, only where that is not
  * enough. Then `Source_unfolding::is_source_moved` is `true`. The polygon is exact all the same, that of the source where
  * it is then: symmetries hold up to the way by which it has moved, and where more than three branches should meet there
  * are edges of such lengths. A source that is a vertex remains the corner at the origin.
@@ -289,7 +289,7 @@ private:
  * Faces without area are no part of the surface, and the polygon is what it is without them. Their edges lie on others, and
  * a fold line is given as a part of one of those.
  *
- * Time and space are those of the exact solver and the method `Cut_loci::Method::POLYHEDRAL`, and O(k log k) for a result
+ * Time and space are those of the exact solver and the method `Cut_loci::Polyhedral_method`, and O(k log k) for a result
  * of k corners and fold lines; k is O(n^2) for n faces, and on most meshes O(n).
  *
  * @tparam TriangleMesh a model of `FaceListGraph`

@@ -6,6 +6,7 @@
 
 // Compiled without the folder that adds the package's named parameters to CGAL's list.
 
+#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_cut_locus.h>
@@ -23,19 +24,19 @@ using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_ker
 TEST(Bare_headers, take_the_packages_named_parameters_in_front_of_those_of_cgal)
 {
   namespace params = CGAL::parameters;
-  using CGAL::Cut_loci::Method;
+  using CGAL::Cut_loci::Laplacian_method;
   Built_mesh<Mesh> built(test_meshes::jittered_sphere(5, 0.2, 1));
   const auto vpm = get(CGAL::vertex_point, built.mesh);
   const auto is_constrained = built.mesh.add_property_map<Mesh::Edge_index, bool>("e:cut", false).first;
-  const auto loose = CGAL::compute_cut_locus(built.mesh, built.vertices[4],
-                                             mesh_edges.cut_locus_method(Method::LAPLACIAN)
-                                               .gradient_angle_threshold(0.1)
-                                               .minimum_branch_edges(0)
-                                               .filter_policy(CGAL::Cut_loci::Filter_policy::PRUNING)
-                                               .vertex_point_map(vpm)
-                                               .edge_is_constrained_map(is_constrained));
+  const auto loose = CGAL::compute_cut_locus(
+    built.mesh, built.vertices[4],
+    mesh_edges
+      .cut_locus_method(Laplacian_method().gradient_angle_threshold(0.1).minimum_branch_edges(0).filter_policy(
+        CGAL::Cut_loci::Filter_policy::PRUNING))
+      .vertex_point_map(vpm)
+      .edge_is_constrained_map(is_constrained));
   const auto tight = CGAL::compute_cut_locus(
-    built.mesh, built.vertices[4], mesh_edges.cut_locus_method(Method::LAPLACIAN).gradient_angle_threshold(3.14));
+    built.mesh, built.vertices[4], mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(3.14)));
   EXPECT_EQ(num_vertices(tight.graph()), 1u);
   EXPECT_GT(num_vertices(loose.graph()), 1u);
   std::size_t marked = 0;

@@ -39,6 +39,7 @@ int main()
   CGAL::make_icosahedron(mesh, Point(0, 0, 0), 1.);
   const auto cut_locus =
     CGAL::compute_cut_locus(mesh, *vertices(mesh).begin(),
-                            CGAL::parameters::vertex_point_map(get(CGAL::vertex_point, mesh)).minimum_branch_edges(1));
+                            CGAL::parameters::vertex_point_map(get(CGAL::vertex_point, mesh))
+                              .cut_locus_method(CGAL::Cut_loci::Default_method().minimum_branch_edges(1)));
   return num_vertices(cut_locus.graph()) > 0 ? program_of_readme() : EXIT_FAILURE;
 }

@@ -40,8 +40,11 @@ std::vector<double> statistics_of(const Cut_locus& cut_locus)
 
 CGAL::Cut_loci::Method method_of(const std::string& name)
 {
-  using CGAL::Cut_loci::Method;
-  return name == "direction" ? Method::DIRECTION : name == "polyhedral" ? Method::POLYHEDRAL : Method::LAPLACIAN;
+  if(name == "direction")
+    return CGAL::Cut_loci::Default_method();
+  if(name == "polyhedral")
+    return CGAL::Cut_loci::Polyhedral_method();
+  return CGAL::Cut_loci::Laplacian_method();
 }
 
 } // namespace
@@ -205,7 +208,7 @@ void Session::read_source(const Cut_locus& cut_locus)
                     cut_locus.distance(farthest),
                     double(cut_locus.number_of_border_loops()),
                     double(cut_locus.genus()),
-                    solver_->default_gradient_angle_threshold(),
+                    CGAL::Cut_loci::Laplacian_method().gradient_angle_threshold(),
                     default_width(),
                     double(cut_locus.number_of_sources())};
   for(std::size_t i = 0; i < points_.size(); ++i)

@@ -10,7 +10,6 @@
 
 std::unique_ptr<Solver> make_heat_solver(const Mesh& mesh)
 {
-  return std::make_unique<Solver>(mesh, CGAL::parameters::geodesic_solver(CGAL::Heat_method_geodesic_solver<>())
-                                          .cut_locus_method(CGAL::Cut_loci::Method::LAPLACIAN)
-                                          .visitor(Stage_reporter()));
+  return std::make_unique<Solver>(
+    mesh, CGAL::parameters::geodesic_solver(CGAL::Heat_method_geodesic_solver<>()).visitor(Stage_reporter()));
 }

@@ -9,49 +9,47 @@
 #include <CGAL/Graph_geodesic_solver.h>
 
 #include <cmath>
-#include <cstddef>
-#include <limits>
+#include <variant>
 
 using CGAL::Cut_loci::Curve;
 using CGAL::Cut_loci::Filter_policy;
+using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Method;
 
 namespace {
 
-Cut_locus exact_cut_locus(const Solver& solver, const Thresholds& thresholds, Curve curve)
+template <typename Path_method>
+Method options_of(const Thresholds& thresholds, Path_method method)
 {
-  const auto parameters = CGAL::parameters::cut_locus_curve(curve).kept_part(thresholds.keeps);
-  if(std::isnan(thresholds.width))
-    return solver.cut_locus(parameters);
-  return solver.cut_locus(parameters.minimum_branch_width(thresholds.width));
+  if(!std::isnan(thresholds.width))
+    method.minimum_branch_width(thresholds.width);
+  return method;
 }
 
-Cut_locus laplacian_cut_locus(const Solver& solver, const Thresholds& thresholds, Curve curve)
+Method options_of(const Thresholds& thresholds, Laplacian_method method)
 {
   const auto given = [](double value, double otherwise) { return std::isnan(value) ? otherwise : value; };
-  return solver.cut_locus(
-    CGAL::parameters::gradient_angle_threshold(given(thresholds.angle, solver.default_gradient_angle_threshold()))
-      .laplacian_threshold(given(thresholds.laplacian, -std::numeric_limits<double>::infinity()))
-      .minimum_branch_edges(static_cast<std::size_t>(
-        given(thresholds.minimum_edges, static_cast<double>(Solver::default_minimum_branch_edges()))))
-      .minimum_branch_length(given(thresholds.minimum_length, 0.))
-      .kept_part(thresholds.keeps)
-      .filter_policy(thresholds.grows ? Filter_policy::GROWING : Filter_policy::PRUNING)
-      .number_of_iterations(curve == Curve::MESH_EDGES ? std::size_t(0) : std::size_t(thresholds.smoothing)));
+  if(thresholds.smoothing > 0)
+    method.number_of_iterations(thresholds.smoothing);
+  return method.gradient_angle_threshold(given(thresholds.angle, method.gradient_angle_threshold()))
+    .laplacian_threshold(given(thresholds.laplacian, method.laplacian_threshold()))
+    .minimum_branch_edges(
+      static_cast<long>(given(thresholds.minimum_edges, static_cast<double>(method.minimum_branch_edges()))))
+    .minimum_branch_length(given(thresholds.minimum_length, 0.))
+    .filter_policy(thresholds.grows ? Filter_policy::GROWING : Filter_policy::PRUNING);
 }
 
 } // namespace
 
-std::unique_ptr<Solver> make_exact_solver(const Mesh& mesh, Method method)
+std::unique_ptr<Solver> make_exact_solver(const Mesh& mesh, const Method& method)
 {
   return std::make_unique<Solver>(mesh, CGAL::parameters::cut_locus_method(method).visitor(Stage_reporter()));
 }
 
 std::unique_ptr<Solver> make_graph_solver(const Mesh& mesh)
 {
-  return std::make_unique<Solver>(mesh, CGAL::parameters::geodesic_solver(CGAL::Graph_geodesic_solver())
-                                          .cut_locus_method(Method::LAPLACIAN)
-                                          .visitor(Stage_reporter()));
+  return std::make_unique<Solver>(
+    mesh, CGAL::parameters::geodesic_solver(CGAL::Graph_geodesic_solver()).visitor(Stage_reporter()));
 }
 
 void set_sources(Solver& solver, const std::vector<Location>& points, const std::vector<Edge_curve>& curves,
@@ -62,6 +60,9 @@ void set_sources(Solver& solver, const std::vector<Location>& points, const std:
 
 Cut_locus cut_locus(const Solver& solver, const Thresholds& thresholds, Curve curve)
 {
-  return solver.method() == Method::LAPLACIAN ? laplacian_cut_locus(solver, thresholds, curve)
-                                              : exact_cut_locus(solver, thresholds, curve);
+  const Method options = std::visit([&](const auto& m) { return options_of(thresholds, m); }, solver.method());
+  const bool has_steps = !std::holds_alternative<Laplacian_method>(options) || thresholds.smoothing > 0;
+  return solver.cut_locus(CGAL::parameters::cut_locus_method(options)
+                            .cut_locus_curve(has_steps ? curve : Curve::MESH_EDGES)
+                            .kept_part(thresholds.keeps));
 }

@@ -25,7 +25,7 @@ struct Stage_reporter
 };
 
 // Each solver of distances is compiled on its own: they take long.
-std::unique_ptr<Solver> make_exact_solver(const Mesh& mesh, CGAL::Cut_loci::Method method);
+std::unique_ptr<Solver> make_exact_solver(const Mesh& mesh, const CGAL::Cut_loci::Method& method);
 std::unique_ptr<Solver> make_graph_solver(const Mesh& mesh);
 std::unique_ptr<Solver> make_heat_solver(const Mesh& mesh);
 
@@ -35,9 +35,9 @@ using CGAL::Cut_loci::Kept_part;
 // The thresholds of all methods: each takes its own. What is not a number stands for the default of the library.
 struct Thresholds
 {
-  double width; // of the methods `DIRECTION` and `POLYHEDRAL`, a part of the diagonal
+  double width; // of the methods that know the paths, a part of the diagonal
   Kept_part keeps;
-  double angle; // and these of the method `LAPLACIAN`
+  double angle; // and these of the other one
   double laplacian;
   double minimum_edges;
   double minimum_length;

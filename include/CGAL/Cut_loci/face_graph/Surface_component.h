@@ -26,6 +26,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace CGAL::Cut_loci::internal {
@@ -39,7 +40,7 @@ struct Surface_component
   std::shared_ptr<const Indexed_triangle_mesh> mollified; // if a face has no area
   double least_width = 0.; // of branches: those that are narrower come from faces without area
   double diagonal = 0.;    // or what it is of lengths alone, see `extent()`
-  std::unique_ptr<Laplacian_method> laplacian;
+  std::unique_ptr<Laplacian_stages> laplacian;
   std::unique_ptr<Exact_tree_method> exact_tree;
   Geodesic_solver_handle geodesic_solver;
   std::mutex in_use; // by a function that is const
@@ -123,21 +124,20 @@ struct Surface_component
   }
 
   // null if it has not been needed yet
-  Method_solver* solver(Method method) const
+  Method_solver* solver(const Method& method) const
   {
-    return method == Method::LAPLACIAN ? static_cast<Method_solver*>(laplacian.get()) : exact_tree.get();
+    return is_laplacian(method) ? static_cast<Method_solver*>(laplacian.get()) : exact_tree.get();
   }
 
   // `positions` of the vertices of the whole mesh, for messages.
-  void make_solver(Method method, decltype(&make_laplacian_solver) make_laplacian,
-                   Laplacian_operator laplacian_operator, const Threads& threads, const Indexed_triangle_mesh& whole,
-                   const std::vector<Index>& positions, const Progress& progress)
+  void make_solver(const Method& method, decltype(&make_laplacian_solver) make_laplacian, const Threads& threads,
+                   const Indexed_triangle_mesh& whole, const std::vector<Index>& positions, const Progress& progress)
   {
     name_faults(whole, positions,
                 [&]
                 {
-      if(method == Method::LAPLACIAN)
-        laplacian = make_laplacian(measured(), laplacian_operator, threads, progress);
+      if(const Laplacian_method* options = std::get_if<Laplacian_method>(&method))
+        laplacian = make_laplacian(measured(), operator_of(*options), threads, progress);
       else
         exact_tree = make_exact_tree_solver(measured(), threads, progress);
     });

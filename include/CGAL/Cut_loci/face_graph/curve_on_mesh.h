@@ -214,7 +214,7 @@ inline void throw_unless_of_mesh_edges(const Curve_on_mesh& curve)
   if(!curve.is_of_mesh_edges)
     throw Invalid_input(Cause::INVALID_CUT_LOCUS,
                         "the cut locus runs through faces: pass cut_locus_curve(Cut_loci::Curve::MESH_EDGES) to "
-                        "compute_cut_locus(), or cut by CGAL::cut_along_curve(), which splits faces");
+                        "compute_cut_locus(), or cut by CGAL::cut_along_cut_locus(), which splits faces");
 }
 
 inline Mesh_connectivity manifold_connectivity(const Indexed_triangle_mesh& mesh)
@@ -245,7 +245,7 @@ inline Cut_mesh cut_open_to_disk(const Indexed_triangle_mesh& mesh, const Seams&
   return result;
 }
 
-// A surface cut open along a curve through its faces, which are split.
+// A surface cut open along a curve: faces that it runs through are split.
 struct Disk_of_curve
 {
   Curve_on_component on;
@@ -260,7 +260,8 @@ inline Disk_of_curve cut_along(const Indexed_triangle_mesh& mesh, Curve_on_mesh 
   Refined_mesh& refined = result.refined;
   throw_unless_of_one_source(on.curve);
   refined = refine_along_curve(on.component.mesh, manifold_connectivity(on.component.mesh), on.curve.graph, resolution);
-  repair_seams(refined.mesh, refined.nodes.front(), refined.seams);
+  if(!on.curve.is_of_mesh_edges) // which are not rounded
+    repair_seams(refined.mesh, refined.nodes.front(), refined.seams);
   complete_seams(refined.mesh, Mesh_connectivity(refined.mesh), refined.nodes.front(), on.curve.sources.front().vertex,
                  refined.seams);
   result.cut = cut_open_to_disk(refined.mesh, refined.seams);

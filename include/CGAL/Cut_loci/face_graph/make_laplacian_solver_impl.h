@@ -14,12 +14,12 @@
 
 namespace CGAL::Cut_loci::internal {
 
-CGAL_CUT_LOCI_INLINE std::unique_ptr<Laplacian_method> make_laplacian_solver(const Indexed_triangle_mesh& mesh,
+CGAL_CUT_LOCI_INLINE std::unique_ptr<Laplacian_stages> make_laplacian_solver(const Indexed_triangle_mesh& mesh,
                                                                              Laplacian_operator type,
                                                                              const Threads& threads,
                                                                              const Progress& progress)
 {
-  return std::unique_ptr<Laplacian_method>(new Laplacian_set_solver(mesh, type, threads, progress));
+  return std::unique_ptr<Laplacian_stages>(new Laplacian_set_solver(mesh, type, threads, progress));
 }
 
 } // namespace CGAL::Cut_loci::internal

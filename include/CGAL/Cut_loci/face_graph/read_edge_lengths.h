@@ -88,7 +88,7 @@ inline void refuse_lengths(const std::string& who)
   throw Invalid_input(Cause::PARAMETER_OF_OTHER_METHOD,
                       who +
                         " needs the points of the mesh: edge_length_map is for the package's own exact solver and the "
-                        "methods Cut_loci::Method::DIRECTION and Cut_loci::Method::POLYHEDRAL; leave it away, or "
+                        "methods Cut_loci::Default_method and Cut_loci::Polyhedral_method; leave it away, or "
                         "geodesic_solver, vertex_distance_map and cut_locus_method");
 }
 

@@ -34,7 +34,7 @@ namespace CGAL::Cut_loci::internal {
  * component is a disk for each point, and for each part of the border that is a source an annulus, if that is a loop, or
  * else a disk; and the graph has 2g - 1 + k independent cycles for k of them together.
  */
-class Laplacian_set_solver : public Laplacian_method
+class Laplacian_set_solver : public Laplacian_stages
 {
 public:
   // once per mesh
@@ -44,9 +44,9 @@ public:
   {
   }
 
-  std::unique_ptr<Laplacian_method> for_other_sources() const override
+  std::unique_ptr<Laplacian_stages> for_other_sources() const override
   {
-    return std::unique_ptr<Laplacian_method>(new Laplacian_set_solver(*this));
+    return std::unique_ptr<Laplacian_stages>(new Laplacian_set_solver(*this));
   }
 
   void report_to(const Progress& progress) override { progress_ = progress; }

@@ -144,7 +144,7 @@ public:
     Branch_filter::Result filtered = filter_(mesh_, thresholds);
     // Growth ends where branches are weak, and who asks for a wider angle than the default wants strong parts only.
     if(thresholds.policy == Filter_policy::PRUNING &&
-       thresholds.gradient_angle <= Laplacian_method::default_gradient_angle_threshold())
+       thresholds.gradient_angle <= Laplacian_method().gradient_angle_threshold())
       Branch_tips(connectivity_, distance_, laplacian_, laplacian_noise_, slope_error_, filter_)(filtered);
     Indexed_cut_locus result = mesh_edge_graph(connectivity_, distance_, filtered);
     if(!roots_.parts().empty())
@@ -194,7 +194,7 @@ public:
   // where edges of the mesh do not separate sources
   static const char* remedy()
   {
-    return "ask for cut_locus_method(Cut_loci::Method::DIRECTION) and cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)";
+    return "ask for cut_locus_method(Cut_loci::Default_method()) and cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)";
   }
 
 private:

@@ -48,7 +48,7 @@ public:
   bool empty() const { return !model_; }
 
   // the method for distances of this solver
-  Method cut_locus_method() const { return method_; }
+  const Method& cut_locus_method() const { return method_; }
 
   // whether the solver says that its distances are
   bool is_approximate() const { return is_approximate_; }
@@ -190,7 +190,7 @@ private:
 
   std::unique_ptr<Concept> model_;
   const Indexed_triangle_mesh* mesh_ = nullptr; // if it is bound to one
-  Method method_ = Method::LAPLACIAN;           // which takes any distances, unless the solver names another one
+  Method method_ = Laplacian_method();          // which takes any distances, unless the solver names another one
   bool is_approximate_ = false;
 };
 

@@ -42,12 +42,12 @@ public:
   virtual std::vector<Index> nearest_sources() const { return {}; }
 };
 
-// for `Method::LAPLACIAN`
-class Laplacian_method : public Method_solver
+// for `Cut_loci::Laplacian_method`
+class Laplacian_stages : public Method_solver
 {
 public:
   // another one for the same mesh, which shares what depends on it alone, also in another thread
-  virtual std::unique_ptr<Laplacian_method> for_other_sources() const = 0;
+  virtual std::unique_ptr<Laplacian_stages> for_other_sources() const = 0;
   // comes first; `distance` is that to the nearest source, of which the points come first, and `nearest` which that is
   // for each vertex; empty if it has to be found. Straightened lengths of ways take the place of approximate distances.
   virtual void set_distance(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
@@ -55,11 +55,6 @@ public:
   // the result is made of edges of the mesh if there are no iterations of smoothing
   virtual Indexed_cut_locus filter(const Branch_thresholds& thresholds, const Smoothing_parameters& smoothing,
                                    Kept_part part) = 0;
-
-  // In radians. Around the end of a branch, gradients are focused before they cross: a few edges beyond the end they
-  // still meet at half a radian. On tori of 7 K to 113 K faces thresholds from 0.5 to 1 put the ends within 2.5
-  // edges.
-  static double default_gradient_angle_threshold() { return 0.7; }
 };
 
 // for the others

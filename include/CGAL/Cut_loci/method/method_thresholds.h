@@ -13,22 +13,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <variant>
 
 namespace CGAL::Cut_loci {
-
-/// \ingroup PkgSurfaceMeshCutLocusRef
-/// the discretization of the Laplace-Beltrami operator
-enum class Laplacian_operator {
-  QUADRATIC_FIT, ///< from a quadric fitted to the extended neighborhood of each vertex \cgalCite{cgal:wylc-dlbod-13}
-  COTANGENT      ///< the cotangent formula \cgalCite{cgal:pp-cdmsc-93} over a third of the area of the faces around
-};
-
-/// \ingroup PkgSurfaceMeshCutLocusRef
-/// how a threshold on the strength of the vertices selects a part of the tree
-enum class Filter_policy {
-  PRUNING, ///< weak leaves are removed again and again: a branch stays up to its last strong vertex, and on to its tip
-  GROWING  ///< the tree is followed from its root as long as the vertices are above the threshold
-};
 
 // holds the thresholds of `Branch_filter`.
 struct Branch_thresholds
@@ -49,6 +36,16 @@ struct Smoothing_parameters
 };
 
 namespace internal {
+
+inline bool is_laplacian(const Method& method)
+{
+  return std::holds_alternative<Laplacian_method>(method);
+}
+
+inline Laplacian_operator operator_of(const Laplacian_method& method)
+{
+  return method.laplacian_operator().value_or(Laplacian_operator::QUADRATIC_FIT);
+}
 
 /// is how strong a branch must be at least, to matter.
 struct Branch_strength

@@ -438,7 +438,7 @@ private:
         Cause::PARAMETER_OF_OTHER_METHOD,
         "all of the cut locus of a polyhedron needs exact distances: leave maximum_relative_error away, "
         "or ask for branches of some minimum_branch_width or minimum_branch_gap by "
-        "cut_locus_method(Cut_loci::Method::DIRECTION)");
+        "cut_locus_method(Cut_loci::Default_method())");
   }
 
   /*
