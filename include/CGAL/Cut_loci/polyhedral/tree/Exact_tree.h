@@ -99,12 +99,11 @@ public:
   }
 
   /// The same, with what `edges` need that are not known: `draw_ridges()` and what follows have to be called again. The
-  /// topology says how they are to be joined.
+  /// topology says how they are to be joined, and faces are looked at in which shortest paths separate what is to be joined.
   ///
   /// @param rings of faces around what is not known that are looked at, too
-  /// @param is_far whether also faces are, in which shortest paths separate what is to be joined
   /// @return false, and does nothing, if all is known in the faces that may matter
-  bool propagate_once_more(const std::vector<Tree_branches::Edge>& edges, Index rings, bool is_far)
+  bool propagate_once_more(const std::vector<Tree_branches::Edge>& edges, Index rings)
   {
     std::vector<unsigned char> is_drawn = changes_.drawn_faces();
     bool is_more = false;
@@ -115,17 +114,14 @@ public:
     };
     for(Index f : unknown_faces(edges, rings))
       draw(f);
-    if(is_far)
-    {
-      const Path_classes classes(mesh_, connectivity_, geodesics_, known_parts(edges));
-      for(Index h : connectivity_.halfedge_of_edge)
-        if(classes.separates(h))
-        {
-          draw(h / 3);
-          if(mesh_.opposite[h] != null_index)
-            draw(mesh_.opposite[h] / 3);
-        }
-    }
+    const Path_classes classes(mesh_, connectivity_, geodesics_, known_parts(edges));
+    for(Index h : connectivity_.halfedge_of_edge)
+      if(classes.separates(h))
+      {
+        draw(h / 3);
+        if(mesh_.opposite[h] != null_index)
+          draw(mesh_.opposite[h] / 3);
+      }
     if(!is_more)
       return false;
     is_drawn_.swap(is_drawn);
