@@ -358,7 +358,7 @@ private:
       if(c.stands_for == null_index)
         edge.strength = b.strength < (std::numeric_limits<float>::infinity)() ? b.strength : 0.f;
       edge.width = c.stands_for != null_index ? tree_.shown_width(c.stands_for) : 0.f;
-      edge.curvature = c.stands_for != null_index ? tree_.shown_curvature(c.stands_for) : 0.f;
+      edge.curvature = c.stands_for != null_index ? static_cast<float>(tree_.curvature(c.stands_for)) : 0.f;
       edge.sources = {{(std::min)(c.sources[0], c.sources[1]), (std::max)(c.sources[0], c.sources[1])}};
       if(is_between_sources(b.edge))
         edge.width = static_cast<float>(2. * (std::max)(distance_[outer], distance_[inner]));

@@ -571,7 +571,7 @@ private:
     Indexed_cut_locus::Edge edge{i, j, mesh_edge(graph.nodes[i].vertex, graph.nodes[j].vertex, e.face),
                                  e.is_between_sources() ? gap_between_sources : static_cast<float>(e.gap), null_index};
     edge.width = tree_.shown_width(widest);
-    edge.curvature = tree_.shown_curvature(widest);
+    edge.curvature = static_cast<float>(tree_.curvature(widest));
     edge.sources = e.sources;
     graph.edges.push_back(edge);
     face.push_back(e.face);

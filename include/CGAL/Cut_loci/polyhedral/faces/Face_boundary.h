@@ -127,17 +127,13 @@ private:
     return {p.x + c * x - s * y, p.y + s * x + c * y};
   }
 
-  /// the image of a label of `h`
-  Image image(Index h, const Path_label& label) const { return image(h, label, 0.5 * geodesics_->faces().length(h)); }
-
-  /// the same, where it is the point `t` of the halfedge to which it is known in which direction its path starts
-  Image image(Index h, const Path_label& label, double t) const
+  /// the image of a label of `h`, which has paths to all of it, or at least to its begin
+  Image image(Index h, const Path_label& label, bool is_of_edge = true) const
   {
     Plane_point p = to_face(h, label.x, label.y);
     fit_to_source(h, label, p);
-    Image result{p.x, p.y, label.sigma, label.origin, 0., label.rate};
-    result.direction = label.direction(t) - result.direction_to(to_face(h, t, 0.), corners_);
-    return result;
+    const double t = is_of_edge ? 0.5 * geodesics_->faces().length(h) : 0.;
+    return {p.x, p.y, label.sigma, label.origin, label.direction(t), label.rate, h % 3, is_of_edge};
   }
 
   /// The image of one of several sources that is in the face is the source itself, from whichever edge it is seen.
@@ -155,8 +151,7 @@ private:
   /// The same for a label right beside the begin of `h`, which may come from any side. From there itself, it comes to all of `h`.
   Image image_at_vertex(Index h, const Path_label& label) const
   {
-    const bool starts_there = std::fabs(label.x) + std::fabs(label.y) <= 1e-9 * geodesics_->faces().length(h);
-    return starts_there ? image(h, label) : image(h, label, 0.);
+    return image(h, label, std::fabs(label.x) + std::fabs(label.y) <= 1e-9 * geodesics_->faces().length(h));
   }
 
   void add_change_at_vertex(const Vertex_labels::Change& c)
@@ -398,14 +393,17 @@ private:
   void add_changes_on_edge(Index h)
   {
     const double length = geodesics_->faces().length(h);
+    Index known = null_index; // the label behind the last crossing
     changes_->for_each_crossing(h,
                                 [&](Index c, bool is_reversed)
                                 {
       const Edge_crossing& crossing = (*changes_)[c];
       const double t = is_reversed ? length - crossing.t : crossing.t;
-      local_changes_.push_back({to_face(h, t, 0.), h % 3, image(h, label_before(c, is_reversed)),
-                                image(h, label_after(c, is_reversed)), is_ray(c), crossing.is_shadow,
-                                geodesics_->is_approximate() ? crossing.gap : 0.});
+      const Image before = crossing.label + Index(is_reversed) == known ? local_changes_.back().after
+                                                                        : image(h, label_before(c, is_reversed));
+      known = crossing.label + Index(!is_reversed);
+      local_changes_.push_back({to_face(h, t, 0.), h % 3, before, image(h, label_after(c, is_reversed)), is_ray(c),
+                                crossing.is_shadow, geodesics_->is_approximate() ? crossing.gap : 0.});
       Place place;
       place.crossing = crossing.is_shadow ? null_index : c;
       place.is_weak = crossing.is_weak;

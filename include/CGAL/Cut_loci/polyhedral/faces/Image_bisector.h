@@ -23,8 +23,10 @@ struct Image
 {
   double x, y, sigma; // `sigma` is the distance of what it is the image of
   Index origin;
-  double direction; // in which a path to the center of the face leaves the origin
-  double rate = 1.; // by which that turns with the path
+  double direction;    // in which a path to some point of the boundary leaves the origin
+  double rate = 1.;    // by which that turns with the path
+  Index corner = 0;    // of the face: that point,
+  bool is_edge = true; // or the middle of the edge that starts there
 
   Plane_point place() const { return {x, y}; }
   double distance(const Plane_point& p) const
@@ -33,12 +35,12 @@ struct Image
   }
 
   /// The direction in which the path to a point of the face leaves the origin. An image is not inside of the face, unless the
-  /// source is: what it sees of the face is less than half a turn, on either side of the center.
+  /// source is: what it sees of the face is less than half a turn.
   double direction_to(const Plane_point& p, const Face_corners& corners) const
   {
-    const double ux = (corners[0].x + corners[1].x + corners[2].x) / 3. - x,
-                 uy = (corners[0].y + corners[1].y + corners[2].y) / 3. - y;
-    const double vx = p.x - x, vy = p.y - y;
+    const Plane_point &from = corners[corner], &to = corners[corner == 2 ? 0 : corner + 1];
+    const Plane_point known = is_edge ? between(from, to, 0.5) : from;
+    const double ux = known.x - x, uy = known.y - y, vx = p.x - x, vy = p.y - y;
     const double cross = ux * vy - uy * vx;
     return direction + rate * std::copysign(upper_angle(ux * vx + uy * vy, std::fabs(cross)), cross);
   }

@@ -251,6 +251,7 @@ private:
     for(const Edge_envelope::Piece& piece : pieces)
       labels.push_back(piece.label);
     ends.push_back({h, first, static_cast<Index>(labels.size() - 1)});
+    longest_edge_ = parting_angle_.longest_edge_at(h);
     for(Index i = 1; i < pieces.size(); ++i)
       add_crossing(h, first + i - 1, pieces[i].begin, pieces[i - 1].label, pieces[i].label);
   }
@@ -268,10 +269,9 @@ private:
       const bool is_bend = angle < 0.5 * geodesic_pi && get_apart(left, right, t) &&
                            (parting.angle < Parting_angle::least_angle ||
                             parting.angle * way <= Edge_envelope::least_width * faces_.length(h));
-      const bool is_shadow =
-        is_seam || is_bend ||
-        Parting_angle::is_same_path(angle, parting, left.distance(t), (std::max)(left.sigma, right.sigma),
-                                    parting_angle_.longest_edge_at(h));
+      const bool is_shadow = is_seam || is_bend ||
+                             Parting_angle::is_same_path(angle, parting, left.distance(t),
+                                                         (std::max)(left.sigma, right.sigma), longest_edge_);
       crossings.push_back(edge_crossing(geodesics_, least_, h, label, t, left, right, parting, angle, is_shadow));
     }
     else if(!is_same_family(geodesics_, angle, parting.angle))
@@ -294,7 +294,7 @@ private:
   Edge_envelope envelope_;
   Parting_angle parting_angle_;
   Branch_strength least_;
-  double slack_, front_ = 0.;
+  double slack_, front_ = 0., longest_edge_ = 0.;         // the last at the edge in work
   std::vector<Geodesic_window_list*> kept_;               // by halfedge: the first list
   std::unordered_map<Index, Geodesic_window_lists> more_; // and others
   std::vector<unsigned char> state_;

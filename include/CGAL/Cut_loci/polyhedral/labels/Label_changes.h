@@ -141,9 +141,11 @@ public:
   /// frees that of all else but which faces are drawn
   void forget_crossings()
   {
-    std::vector<unsigned char> is_drawn = std::move(is_drawn_);
-    *this = Label_changes();
-    is_drawn_ = std::move(is_drawn);
+    crossings_ = Growing_list<Edge_crossing>();
+    order_ = std::vector<Index>();
+    first_ = std::vector<Index>();
+    at_vertices_ = std::vector<Vertex_labels::Change>();
+    bend_ = std::vector<float>();
   }
 
 private:

@@ -482,26 +482,21 @@ private:
     return std::includes(not_found_.begin(), not_found_.end(), unknown.begin(), unknown.end());
   }
 
-  // A branch may leave the faces that are seen, and come back, mostly after a few: more and more are seen around it, and
-  // where shortest paths part after these few only, as it takes long to follow all of them.
-  static constexpr Index few_rings = 3;
+  // A branch may leave the faces that are seen, and come back, mostly after a few: more and more are seen around it. At once
+  // those are where shortest paths part, as to follow these takes less time than to draw all once more.
   void look_where_paths_part(std::vector<Tree_branches::Edge>& kept, const Branch_strength& asked,
                              const Progress& progress)
   {
     double done = 0.;
-    for(Index rings = few_rings; !tree_->is_known(kept); rings = 2 * rings + 1)
+    for(Index rings = 3; !tree_->is_known(kept); rings = 2 * rings + 1)
     {
       const Progress part = progress.part(done, 0.5 * (1. + done));
       report_to(part.part(0., 0.6));
       done = 0.5 * (1. + done);
-      const bool is_far = rings > few_rings;
-      if(tree_->propagate_once_more(kept, rings, is_far))
-      {
-        finish(part.part(0.6, 0.95));
-        kept = tree_->kept(asked, part.part(0.95, 1.));
-      }
-      else if(is_far)
+      if(!tree_->propagate_once_more(kept, rings))
         return;
+      finish(part.part(0.6, 0.95));
+      kept = tree_->kept(asked, part.part(0.95, 1.));
     }
   }
 

@@ -99,12 +99,11 @@ public:
   }
 
   /// The same, with what `edges` need that are not known: `draw_ridges()` and what follows have to be called again. The
-  /// topology says how they are to be joined.
+  /// topology says how they are to be joined, and faces are looked at in which shortest paths separate what is to be joined.
   ///
   /// @param rings of faces around what is not known that are looked at, too
-  /// @param is_far whether also faces are, in which shortest paths separate what is to be joined
   /// @return false, and does nothing, if all is known in the faces that may matter
-  bool propagate_once_more(const std::vector<Tree_branches::Edge>& edges, Index rings, bool is_far)
+  bool propagate_once_more(const std::vector<Tree_branches::Edge>& edges, Index rings)
   {
     std::vector<unsigned char> is_drawn = changes_.drawn_faces();
     bool is_more = false;
@@ -115,17 +114,14 @@ public:
     };
     for(Index f : unknown_faces(edges, rings))
       draw(f);
-    if(is_far)
-    {
-      const Path_classes classes(mesh_, connectivity_, geodesics_, known_parts(edges));
-      for(Index h : connectivity_.halfedge_of_edge)
-        if(classes.separates(h))
-        {
-          draw(h / 3);
-          if(mesh_.opposite[h] != null_index)
-            draw(mesh_.opposite[h] / 3);
-        }
-    }
+    const Path_classes classes(mesh_, connectivity_, geodesics_, known_parts(edges));
+    for(Index h : connectivity_.halfedge_of_edge)
+      if(classes.separates(h))
+      {
+        draw(h / 3);
+        if(mesh_.opposite[h] != null_index)
+          draw(mesh_.opposite[h] / 3);
+      }
     if(!is_more)
       return false;
     is_drawn_.swap(is_drawn);
@@ -221,22 +217,18 @@ public:
   /// they meet
   double curvature(Index e) const { return enclosed(e).curvature; }
 
-  /// finds what `shown_width()` and `shown_curvature()` return, for edges that are kept
+  /// finds what `shown_width()` returns, for edges that are kept
   void measure_widths(const std::vector<Tree_branches::Edge>& edges, const Progress& progress = {})
   {
     const auto measure = [this](Index e) { return static_cast<float>(width(e)); };
     // some faces: in each it crosses, a branch has about as many pieces as there are on average
     const std::size_t most = 1 + 16 * edges.size() / (std::max)(ridges_.number_of_faces(), Index(1));
     shown_width_.assign(graph_.edges.size(), 0.f);
-    shown_curvature_.assign(graph_.edges.size(), 0.f);
-    for(const Tree_branches::Edge& b : edges)
-      shown_curvature_[b.edge] = static_cast<float>(curvature(b.edge));
     const auto length_of = [this](Index e) { return length(e); };
     Branch_widths<decltype(measure), decltype(length_of)>(edges, static_cast<Index>(graph_.nodes.size()), most, measure,
                                                           length_of, shown_width_, progress);
   }
   float shown_width(Index edge) const { return shown_width_[edge]; }
-  float shown_curvature(Index edge) const { return shown_curvature_[edge]; }
 
   /// No point of the branches that are known, strong or weak, is nearer to the source than this. Where two paths meet
   /// head-on, their bisector is nearest; else the distance grows along it, so that it is least at an end.
@@ -540,7 +532,7 @@ private:
   std::vector<float> width_;              // of each edge, negative as long as nobody has asked for it
   std::vector<Tree_branches::Edge> kept_; // what `kept()` has returned at last
   std::optional<Branch_strength> kept_for_;
-  std::vector<float> shown_width_, shown_curvature_;
+  std::vector<float> shown_width_;
   std::unique_ptr<Digon_width> measure_;
   std::unique_ptr<Shot_width> shots_; // for distances with an error
 };
