@@ -18,6 +18,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
+#include <CGAL/compute_cut_locus.h>
 #include <CGAL/exact_geodesic_distances.h>
 
 #include <gtest/gtest.h>
@@ -442,6 +443,27 @@ TEST(Detour, Is_short_where_corridors_are_narrower_than_faces_are_long)
     const Measures m = curve_measures::measure(built.mesh, solver.cut_locus(mesh_edges));
     EXPECT_EQ(m.topology_fault + m.measuring_failed, "");
     EXPECT_LT(m.max, 1.);
+  }
+}
+
+// What the topology demands there leaves the faces that have been drawn, and has to be looked for in others.
+TEST(Detour, Is_none_on_rough_plates_with_many_holes)
+{
+  struct Case
+  {
+    Mesh_data plate;
+    std::size_t source;
+  };
+  for(const Case& c :
+      {Case{rough(perforated_plate(4, 4, 5, 1), 0.2, 1), 953}, Case{rough(perforated_plate(4, 4, 8, 3), 0.2, 3), 4896},
+       Case{rough(perforated_plate(6, 6, 6, 7), 0.1, 7), 11041}})
+  {
+    SCOPED_TRACE(c.source);
+    const Built_mesh<Mesh> built(c.plate);
+    const Measures m =
+      curve_measures::measure(built.mesh, CGAL::compute_cut_locus(built.mesh, built.vertices[c.source]));
+    EXPECT_EQ(m.topology_fault + m.measuring_failed, "");
+    EXPECT_LT(m.max, 1e-6);
   }
 }
 
