@@ -65,10 +65,10 @@ void measure(const std::string& name, const Mesh& mesh, const Settings& settings
     if(settings.compares)
     {
       exact.push_back(run(solver, v, 0.));
-      const double width = 1.5 * solver.minimum_branch_width(), gap = 1.5 * solver.minimum_branch_gap();
+      const double width = 1.5 * solver.minimum_branch_width();
       const auto curve = params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES);
       clear.push_back({solver.cut_locus(curve.cut_locus_method(
-                         CGAL::Cut_loci::Default_method().minimum_branch_width(width).minimum_branch_gap(gap))),
+                         CGAL::Cut_loci::Default_method().minimum_branch_width(width))),
                        0.});
     }
     for(double error : settings.errors)

@@ -181,7 +181,7 @@ private:
   struct Trusted
   {
     std::unique_ptr<const Cut_locus> tree, pruned;
-    double width = 0., gap = 0.;
+    double width = 0.;
   };
 
   Trusted find_trusted(const Mesh& mesh, Vertex source) const
@@ -196,7 +196,6 @@ private:
       const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
       const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
       result.width = 1.1 * pruned.minimum_branch_width() * diagonal;
-      result.gap = 1.1 * pruned.minimum_branch_gap();
       result.tree = std::make_unique<const Cut_locus>(
         CGAL::compute_cut_locus(mesh, source, faces.cut_locus_method(Polyhedral_method())));
     }
@@ -299,7 +298,7 @@ private:
     {
       const double reach = 2. * mean_edge_length(mesh);
       const double found = curve_measures::completeness(
-        *trusted.tree, [&](const auto& e) { return e.width >= trusted.width && e.strength >= trusted.gap; }, result,
+        *trusted.tree, [&](const auto& e) { return e.width >= trusted.width; }, result,
         reach);
       std::printf("%.3f,%.3f", found, curve_measures::completeness(result, *trusted.pruned, reach));
       kind.completeness.push_back(found);

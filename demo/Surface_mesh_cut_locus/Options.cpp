@@ -89,6 +89,12 @@ std::string listed(const std::vector<std::string>& words)
 }
 
 // What the descriptions allow: one of some words, or the name of a file with one of some extensions.
+// a word that stands for what was called otherwise before
+std::string current_word(const std::string& option, const std::string& word)
+{
+  return option == "repair" && word == "auto" ? "weld" : option == "method" && word == "direction" ? "default" : word;
+}
+
 void check_words(const po::variables_map& given)
 {
   const auto has = [](const std::vector<std::string>& words, const std::string& word)
@@ -101,7 +107,7 @@ void check_words(const po::variables_map& given)
         continue;
       const std::string value = given[name].as<std::string>();
       const std::vector<std::string> words = choices(*option), extensions = file_extensions(*option);
-      if(!has(words, value) && !(name == "repair" && value == "auto")) // as weld was called before
+      if(!has(words, current_word(name, value)))
         throw Usage_error("--" + name + " takes " + listed(words) + ", not '" + value + "'");
       if(value != standard_stream && !has(extensions, std::filesystem::path(value).extension().string()))
         throw Usage_error("--" + name + ": the extension of '" + value + "' must be " + listed(extensions));
@@ -250,12 +256,12 @@ bool is_laplacian(const Options& options)
 void read_method(const std::string& name, Options& options)
 {
   using CGAL::Cut_loci::Method;
-  const std::pair<const char*, Method> methods[] = {{"direction", CGAL::Cut_loci::Default_method()},
+  const std::pair<const char*, Method> methods[] = {{"default", CGAL::Cut_loci::Default_method()},
                                                     {"polyhedral", CGAL::Cut_loci::Polyhedral_method()},
                                                     {"laplacian", CGAL::Cut_loci::Laplacian_method()}};
   options.method = default_method(options.solver);
   for(const auto& [method_name, method] : methods)
-    if(name == method_name)
+    if(current_word("method", name) == method_name)
       options.method = method;
   options.method_name = methods[options.method.index()].first;
   if(!is_laplacian(options) && options.solver != "exact")
@@ -279,7 +285,7 @@ void check_options_of_method(const po::variables_map& given, const Options& opti
                       " needs no smoothing, --curve faces gives its curve through the faces");
   if(is_laplacian(options))
     for(const char* option : {"min-branch-gap", "min-branch-width", "min-branch-curvature"})
-      refuse(option, "direction or polyhedral");
+      refuse(option, "default or polyhedral");
 }
 
 void check_maximum_relative_error(const Options& options)

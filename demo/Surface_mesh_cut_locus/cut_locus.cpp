@@ -184,7 +184,7 @@ bool run(const Options& given)
 std::string as_options(std::string message)
 {
   const std::pair<const char*, const char*> words[] = {
-    {"cut_locus_method(Cut_loci::Default_method())", "--method direction"},
+    {"cut_locus_method(Cut_loci::Default_method())", "--method default"},
     {"cut_locus_method(Cut_loci::Laplacian_method())", "--method laplacian"},
     {"cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)", "--curve faces"},
     {"cut_locus_curve(Cut_loci::Curve::MESH_EDGES)", "--curve edges"}};

@@ -101,14 +101,14 @@ po::options_description method()
       ("geodesic distances by:\n" + solver_descriptions()).c_str());
   add("max-relative-error", text("E"),
       "lets the distances of the solver exact be longer by this share of their length, up to 0.1, with the methods "
-      "direction and laplacian: faster on smooth meshes of 100 000 faces and more, where 1e-5 moves the curve by a "
+      "default and laplacian: faster on smooth meshes of 100 000 faces and more, where 1e-5 moves the curve by a "
       "hundredth of an edge at most, in the mean (default: 0)");
-  add("method", text("auto|direction|polyhedral|laplacian")->default_value("auto"),
+  add("method", text("auto|default|polyhedral|laplacian")->default_value("auto"),
       ("how the cut locus is found:\n"
        "  auto: " +
        default_methods() +
        "\n"
-       "  direction: where the direction at the source jumps, without the branches of the mesh and its noise; with the "
+       "  default: where the direction at the source jumps, without the branches of the mesh and its noise; with the "
        "solver exact\n"
        "  polyhedral: all of the cut locus of the polyhedron; with the solver exact\n"
        "  laplacian: valleys of the Laplacian of the distance, with any solver")
@@ -129,12 +129,12 @@ po::options_description shown()
     "faces; edges with --edges, --seams, --uv and --smooth 0)");
   add("min-branch-width", text("W"),
       "the two shortest paths to a branch must be as far apart as this somewhere, in units of the diagonal of the "
-      "bounding box, at most 1, with the methods direction and polyhedral (default: with direction what the mesh "
+      "bounding box, at most 1, with the methods default and polyhedral (default: with default what the mesh "
       "resolves, or a quarter of that in limbs and at corners; 0 with polyhedral, or if there is a --min-branch-gap)");
   add(
     "min-branch-curvature", text("RAD"),
     "what encloses as much curvature is kept at a quarter of the width, in radians, at most 4 pi: a limb encloses "
-    "almost 2 pi, the corner of a box pi / 2, with the methods direction and polyhedral (default: what mesh and noise "
+    "almost 2 pi, the corner of a box pi / 2, with the methods default and polyhedral (default: what mesh and noise "
     "do not explain; the width alone counts if one is given)");
   add("min-branch-gap", text("RAD"),
       "least angle, in radians, between these paths where they part, at most pi (default: 0)");
@@ -195,7 +195,7 @@ po::options_description output()
     "max-stretch", text("S"),
     "a component is cut along finer branches as long as a chart of it is stretched more than this, in the mean; with "
     "the "
-    "method direction, --parameterization injective, and no --min-branch-width, -gap or -curvature (default: 2, where "
+    "method default, --parameterization injective, and no --min-branch-width, -gap or -curvature (default: 2, where "
     "lengths are doubled or halved)");
   add("parameterization", text("injective|arap|lscm|convex|logmap")->default_value("injective"),
       "how --uv flattens:\n"

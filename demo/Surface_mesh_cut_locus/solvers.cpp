@@ -93,13 +93,13 @@ CGAL::Cut_loci::Method default_method(const std::string& solver)
 
 std::string default_methods()
 {
-  std::string direction, laplacian;
+  std::string standard, laplacian;
   for(const Solver_entry& s : solvers)
   {
-    std::string& names = std::holds_alternative<CGAL::Cut_loci::Default_method>(s.method) ? direction : laplacian;
+    std::string& names = std::holds_alternative<CGAL::Cut_loci::Default_method>(s.method) ? standard : laplacian;
     names += (names.empty() ? "" : ", ") + std::string(s.name);
   }
-  return "direction with the solver " + direction + ", laplacian with " + laplacian;
+  return "default with the solver " + standard + ", laplacian with " + laplacian;
 }
 
 std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, const CGAL::Cut_loci::Method& method,

@@ -23,7 +23,7 @@ std::string solver_descriptions(); // a line for each
 
 // the method for the distances of a solver, as the library chooses it
 CGAL::Cut_loci::Method default_method(const std::string& solver);
-std::string default_methods(); // "direction with the solver a, laplacian with b and c"
+std::string default_methods(); // "default with the solver a, laplacian with b and c"
 
 // `progress` may be null.
 std::unique_ptr<Cut_locus_solver> make_solver(const std::string& name, const CGAL::Cut_loci::Method& method,

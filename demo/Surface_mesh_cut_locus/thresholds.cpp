@@ -76,16 +76,13 @@ Options fill_in_defaults(Options options, const Cut_locus_solver& solver)
     fill_in(options.smoothing, curve_of(options) == Curve::MESH_EDGES ? 0 : by_default.number_of_iterations());
     fill_in(options.minimum_branch_edges, by_default.minimum_branch_edges());
   }
-  else if(options.minimum_branch_gap || options.minimum_branch_width)
-  {
-    fill_in(options.minimum_branch_gap, 0.);
-    fill_in(options.minimum_branch_width, 0.);
-  }
   else
   {
-    options.minimum_branch_gap = solver.minimum_branch_gap();
-    options.minimum_branch_width = solver.minimum_branch_width();
-    fill_in(options.minimum_branch_curvature, solver.minimum_branch_curvature());
+    const bool is_given = options.minimum_branch_gap || options.minimum_branch_width;
+    fill_in(options.minimum_branch_width, is_given ? 0. : solver.minimum_branch_width());
+    fill_in(options.minimum_branch_gap, 0.);
+    if(!is_given)
+      fill_in(options.minimum_branch_curvature, solver.minimum_branch_curvature());
   }
   fill_in(options.minimum_branch_edges, 0);
   fill_in(options.minimum_branch_length, 0.);

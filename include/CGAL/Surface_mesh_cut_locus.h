@@ -437,8 +437,6 @@ public:
     const double width = default_thresholds(*component_->exact_tree).width / component_->diagonal;
     return component_->mesh->is_intrinsic ? width : (std::min)(width, 1.); // no branch is as wide, and none is wider
   }
-  /// the default of `minimum_branch_gap` for the current source
-  double minimum_branch_gap() const { return has_exact_tree() ? default_thresholds(*component_->exact_tree).gap : 0.; }
   /// the curvature, in radians, that two shortest paths as long as the surface have to enclose for a branch of a quarter of the
   /// default width to be shown by default with `Cut_loci::Default_method`, or of no width at the corners of a polyhedron;
   /// else 0

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._disk import Disk, disk_of
-from ._input import Curves, Sources, read_curves, read_mesh, read_sources, value_of
+from ._input import Curves, Sources, method_of, read_curves, read_mesh, read_sources, value_of
 
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
@@ -56,7 +56,7 @@ class Result:
 
     @property
     def method(self) -> str:
-        """The method in force: "direction", "polyhedral" or "laplacian"."""
+        """The method in force: "default", "polyhedral" or "laplacian"."""
         return self._method
 
     # -- the points of the graph
@@ -361,7 +361,7 @@ class CutLocus:
     solver : str
         Where distances come from: "exact" (default), "cgal-exact", "heat", "heat-direct" or "graph".
     method : str, optional
-        How the cut locus is found: "direction" (default with the solver "exact"; it needs no tuning), "polyhedral" (all
+        How the cut locus is found: "default" (default with the solver "exact"; it needs no tuning), "polyhedral" (all
         branches of the polyhedron) or "laplacian" (default with other solvers, and with `distances`).
     laplacian_operator : str, optional
         "quadratic-fit" (default) or "cotangent"; for the method "laplacian".
@@ -392,7 +392,7 @@ class CutLocus:
         if progress is not None and not callable(progress):
             raise TypeError(f"progress must be a function, and not {progress!r}")
         self._core = _core.Computation(
-            read_mesh(vertices, faces), solver, value_of(_core.Method, method, "method"),
+            read_mesh(vertices, faces), solver, method_of(method),
             value_of(_core.LaplacianOperator, laplacian_operator, "laplacian_operator"),
             None if edge_lengths is None else np.asarray(edge_lengths), progress)
         self._has_edge_lengths = edge_lengths is not None
@@ -499,11 +499,6 @@ class CutLocus:
     def minimum_branch_width(self) -> float:
         """The default of this threshold for the current source, in diagonals of the bounding box; 0 if it has none."""
         return self._core.minimum_branch_width
-
-    @property
-    def minimum_branch_gap(self) -> float:
-        """The default of this threshold for the current source, in radians; 0 if it has none."""
-        return self._core.minimum_branch_gap
 
     @property
     def minimum_branch_curvature(self) -> float:

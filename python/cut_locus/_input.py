@@ -148,6 +148,14 @@ def read_sources(sources: Sources) -> Tuple[List[Numbers], bool]:
     return result, True
 
 
+def method_of(name: Optional[str]) -> Any:
+    """The method that has a name, which may be its old one."""
+    if name == "direction":
+        warnings.warn('the method "direction" is called "default" now', DeprecationWarning, stacklevel=3)
+        name = "default"
+    return value_of(_core.Method, name, "method")
+
+
 def value_of(enum: Any, name: Optional[str], parameter: str) -> Any:
     """The value of an enumeration that has a name."""
     if name is None:

@@ -94,13 +94,13 @@ py::tuple path_tuple(const Geodesic_path& path)
 }
 
 // in the order of `Cut_loci::Method`
-enum class Method_name { DIRECTION, POLYHEDRAL, LAPLACIAN };
+enum class Method_name { DEFAULT, POLYHEDRAL, LAPLACIAN };
 
 loci::Method method_of(Method_name name)
 {
   switch(name)
   {
-  case Method_name::DIRECTION:
+  case Method_name::DEFAULT:
     return loci::Default_method();
   case Method_name::POLYHEDRAL:
     return loci::Polyhedral_method();
@@ -114,11 +114,11 @@ std::string in_python(std::string message)
 {
   const std::pair<const char*, const char*> words[] = {
     {"cut_locus_method(Cut_loci::Laplacian_method())", "method=\"laplacian\""},
-    {"cut_locus_method(Cut_loci::Default_method())", "method=\"direction\""},
+    {"cut_locus_method(Cut_loci::Default_method())", "method=\"default\""},
     {"cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)", "curve=\"faces\""},
     {"cut_locus_curve(Cut_loci::Curve::MESH_EDGES)", "curve=\"edges\""},
     {"Cut_loci::Laplacian_method", "\"laplacian\""},
-    {"Cut_loci::Default_method", "\"direction\""},
+    {"Cut_loci::Default_method", "\"default\""},
     {"Cut_loci::Polyhedral_method", "\"polyhedral\""},
     {"Cut_loci::Curve::THROUGH_FACES", "\"faces\""},
     {"Cut_loci::Curve::MESH_EDGES", "\"edges\""},
@@ -209,7 +209,7 @@ PYBIND11_MODULE(_core, m)
   m.def("weld", &weld_arrays, "vertices"_a, "faces"_a);
 
   py::enum_<Method_name>(m, "Method")
-    .value("direction", Method_name::DIRECTION)
+    .value("default", Method_name::DEFAULT)
     .value("polyhedral", Method_name::POLYHEDRAL)
     .value("laplacian", Method_name::LAPLACIAN);
   py::enum_<loci::Curve>(m, "Curve").value("edges", loci::Curve::MESH_EDGES).value("faces", loci::Curve::THROUGH_FACES);
@@ -312,8 +312,6 @@ PYBIND11_MODULE(_core, m)
                            [](Computation&) { return loci::Laplacian_method().gradient_angle_threshold(); })
     .def_property_readonly("minimum_branch_width", [](Computation& c)
                            { return c.exclusive.run([&] { return c.solver->minimum_branch_width(); }); })
-    .def_property_readonly("minimum_branch_gap", [](Computation& c)
-                           { return c.exclusive.run([&] { return c.solver->minimum_branch_gap(); }); })
     .def_property_readonly("minimum_branch_curvature", [](Computation& c)
                            { return c.exclusive.run([&] { return c.solver->minimum_branch_curvature(); }); });
 

@@ -69,7 +69,7 @@ void refuse_option(bool is_given, const char* name, const Method& in_force)
                                         "the parameter " + std::string(name) + " has no meaning for the method " +
                                           name_of(in_force) + ", which is in force: leave it away, or pass " +
                                           (std::holds_alternative<Laplacian_method>(in_force)
-                                             ? "method=\"direction\", which needs exact distances"
+                                             ? "method=\"default\", which needs exact distances"
                                              : "method=\"laplacian\""));
 }
 

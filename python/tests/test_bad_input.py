@@ -140,11 +140,11 @@ def test_sources_in_different_components():
 
 @pytest.mark.parametrize("parameters, cause", [
     ({"solver": "fast"}, "solver must be one of 'exact'.* not 'fast'"),
-    ({"method": "best"}, "method must be one of 'direction'"),
+    ({"method": "best"}, "method must be one of 'default'"),
     ({"curve": "straight"}, "curve must be one of 'edges'"),
     ({"filter_policy": "cut", "method": "laplacian"}, "filter_policy must be one of"),
     ({"laplacian_operator": "none", "method": "laplacian"}, "laplacian_operator must be one of 'quadratic-fit'"),
-    ({"gradient_angle_threshold": 1.}, 'gradient_angle_threshold has no meaning for the method "direction"'),
+    ({"gradient_angle_threshold": 1.}, 'gradient_angle_threshold has no meaning for the method "default"'),
     ({"laplacian_threshold": 1.}, "laplacian_threshold has no meaning"),
     ({"filter_policy": "grow"}, "filter_policy has no meaning"),
     ({"number_of_iterations": 2}, "number_of_iterations has no meaning"),
@@ -154,7 +154,7 @@ def test_sources_in_different_components():
     ({"method": "laplacian", "voronoi": True, "medial": True}, "exclude each other"),
     ({"method": "laplacian", "curve": "edges", "number_of_iterations": 2}, "contradict each other"),
     ({"method": "laplacian", "number_of_iterations": -1}, "must not be negative"),
-    ({"solver": "heat", "method": "direction"}, "needs the paths"),
+    ({"solver": "heat", "method": "default"}, "needs the paths"),
     ({"minimum_branch_width": -1.}, "width of a branch must be a number that is not negative"),
     ({"minimum_branch_gap": 4.}, "angle from 0 to pi"),
     ({"minimum_branch_curvature": 13.}, "angle from 0 to 4 pi"),
@@ -163,7 +163,7 @@ def test_sources_in_different_components():
     ({"minimum_branch_length": float("nan")}, "minimum length of a branch"),
     ({"distances": np.zeros(5)}, r"distances must be an array of the shape \(6,\), and not \(5,\)"),
     ({"distances": np.full(6, -1.)}, "distances hold a distance that is negative"),
-    ({"distances": np.zeros(6), "method": "direction"}, "needs the paths"),
+    ({"distances": np.zeros(6), "method": "default"}, "needs the paths"),
 ])
 def test_parameters(parameters, cause):
     with pytest.raises(cut_locus.InvalidInput, match=cause) as error:

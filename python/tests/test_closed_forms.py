@@ -28,7 +28,7 @@ def test_sphere_converges():
     assert 3.5 < errors[0] / errors[1] < 4.5 and 3.5 < errors[1] / errors[2] < 4.5  # the square of the edges
 
 
-@pytest.mark.parametrize("method", ["direction", "polyhedral"])
+@pytest.mark.parametrize("method", ["default", "polyhedral"])
 def test_flat_cylinder(method):
     columns, rows, height = 12, 9, 10.
     points, faces = meshes.cylinder(columns, rows, height)
@@ -45,7 +45,7 @@ def test_flat_cylinder(method):
     assert (result.border_loops, result.genus, result.leaves) == (2, 0, 2)
 
 
-@pytest.mark.parametrize("method", ["direction", "polyhedral"])
+@pytest.mark.parametrize("method", ["default", "polyhedral"])
 def test_cube(method):
     points, faces = meshes.cube()
     center = (0, (0.5, 0., 0.5))  # of the face z = 0: the diagonal of its two triangles

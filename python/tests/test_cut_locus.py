@@ -64,7 +64,7 @@ def test_arrays(bumpy, curve):
     assert result.distance[result.farthest_node] == result.distance.max()
     assert np.all(result.width > 0.) and np.all(result.strength > 0.)
     assert not result.is_on_border.any() and not result.edge_sources.any()
-    assert result.status == "branches" and result.method == "direction"
+    assert result.status == "branches" and result.method == "default"
     assert "edges" in repr(result)
 
 
@@ -143,7 +143,7 @@ def test_three_levels(bumpy):
     assert stages[-1] == "homology"
     stages.clear()
     default = computation.minimum_branch_width
-    assert default > 0. and computation.method == "direction"
+    assert default > 0. and computation.method == "default"
     results = [computation.cut_locus(minimum_branch_width=w) for w in (default, 2. * default, 4. * default)]
     assert set(stages) == {"filter"}  # nothing else is computed again
     lengths = [result.length for result in results]
@@ -156,12 +156,19 @@ def test_three_levels(bumpy):
     assert results[0].vertex_distance[0] == 0.  # a result keeps the distances to its source
 
 
+def test_the_old_name_of_the_default_method():
+    points, faces = meshes.torus(24, 12)
+    with pytest.warns(DeprecationWarning, match="default"):
+        result = cut_locus.compute(points, faces, 3, method="direction")
+    assert result.method == "default"
+
+
 @pytest.mark.parametrize("solver", ["exact", "cgal-exact", "heat", "heat-direct", "graph"])
 def test_solvers(solver):
     points, faces = meshes.torus(24, 12)
     exact = cut_locus.exact_geodesic_distances(points, faces, 3)
     result = cut_locus.compute(points, faces, 3, solver=solver)
-    assert result.method == ("direction" if solver == "exact" else "laplacian")
+    assert result.method == ("default" if solver == "exact" else "laplacian")
     assert result.cycles == 2 and result.components == 1
     error = np.abs(result.vertex_distance - exact).max()
     edge = meshes.length_of(points, faces[:, :2]).max()
@@ -195,7 +202,7 @@ def test_parameters_of_laplacian(bumpy):
     assert smooth.injectivity_lower_bound == 0. < smooth.injectivity_radius
 
 
-@pytest.mark.parametrize("method", ["direction", "polyhedral", "laplacian"])
+@pytest.mark.parametrize("method", ["default", "polyhedral", "laplacian"])
 @pytest.mark.parametrize("source", [3, [3, 50, 90]])
 def test_the_curve_runs_through_the_faces_unless_edges_are_asked_for(method, source):
     computation = cut_locus.CutLocus(*meshes.torus(16, 8), method=method)

@@ -27,11 +27,11 @@ def lengths_in_space(points, faces):
 # -- sources that are curves
 
 
-@pytest.mark.parametrize("method", ["direction", "polyhedral"])
+@pytest.mark.parametrize("method", ["default", "polyhedral"])
 def test_medial_axis_of_a_rectangle(method):
     points, faces = rectangle()
     # by default a branch into a corner ends where it is as narrow as the mesh may cause
-    gap = {"minimum_branch_gap": 0.5} if method == "direction" else {}
+    gap = {"minimum_branch_gap": 0.5} if method == "default" else {}
     result = cut_locus.compute(points, faces, source_border=True, method=method, **gap)
     edge = WIDTH / 16
     assert result.length == pytest.approx(WIDTH - HEIGHT + 2. * 2.**0.5, abs=1e-3 * edge)
@@ -127,7 +127,7 @@ def test_edges_of_the_mesh_beside_the_border():
     ({"source_border": True, "distances": np.full(153, -1.)}, "distances hold a distance that is negative"),
     ({"source_border": True, "distances": np.zeros(152)}, "distances must be an array"),
     ({"source": [], "distances": np.zeros(153)}, "the range of sources is empty"),
-    ({"source": [9, 40], "distances": np.zeros(153), "method": "direction"}, "needs the paths"),
+    ({"source": [9, 40], "distances": np.zeros(153), "method": "default"}, "needs the paths"),
     ({"source_border": True, "distances": np.zeros(153), "maximum_relative_error": 0.01}, "taken as they are"),
     ({"source": 9, "maximum_relative_error": 0.2}, "from 0 to 0.1"),
     ({"source": []}, "the range of sources is empty"),
@@ -186,7 +186,7 @@ def test_own_distances_to_the_border_and_a_point():
         assert result.cycles == total - 1
         # later sources have no such distances
         computation.set_source([0, 9])
-        assert computation.method == "direction"
+        assert computation.method == "default"
 
 
 @pytest.mark.parametrize("curve", ["faces", "edges"])

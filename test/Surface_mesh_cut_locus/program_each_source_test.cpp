@@ -158,7 +158,7 @@ TEST_F(Each_source, One_thread_is_one)
   for(int v = 1; v < number_of_vertices_; ++v)
     many << v << '\n';
   write("sources.txt", many.str());
-  for(const std::string method : {"laplacian", "direction"})
+  for(const std::string method : {"laplacian", "default"})
   {
     const Outcome outcome =
       run_on_torus(sources() + " -o " + quoted(path("x.jsonl")) + " --quiet --threads 1 --method " + method +

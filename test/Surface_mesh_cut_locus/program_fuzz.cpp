@@ -371,7 +371,7 @@ Words wrong_command_line(const fs::path& folder, Random& random, std::string& ki
                                "exact",       "heat",
                                "voronoi",     "medial",
                                "heat-direct", "cgal-exact",
-                               "graph",       "direction",
+                               "graph",       "default",
                                "polyhedral",  "laplacian",
                                "edges",       "faces",
                                "prune",       "grow",

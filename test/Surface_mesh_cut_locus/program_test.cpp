@@ -311,7 +311,7 @@ TEST_F(Program, Sources_and_thresholds)
   EXPECT_LE(report(laplacian + "--angle 0.05 --policy grow --min-branch-edges 0").at("edges"), loose.at("edges"));
   EXPECT_LE(report(laplacian + "--angle 0.05 --laplacian 0.5 --min-branch-edges 0").at("edges"), loose.at("edges"));
 
-  for(const std::string method : {"--method direction ", "--method polyhedral "})
+  for(const std::string method : {"--method default ", "--method polyhedral "})
   {
     SCOPED_TRACE(method);
     const auto narrow = report(method + "--min-branch-width 0"), wide = report(method + "--min-branch-width 1");
@@ -422,13 +422,13 @@ TEST_F(Program, One_curve)
     EXPECT_LE(bound, radius);
     EXPECT_EQ(bound > 0., report.at("method") != "laplacian");
     EXPECT_EQ(outcome.messages.find("with all weak branches at least") != std::string::npos,
-              bound > 0. && report.at("method") == "direction")
+              bound > 0. && report.at("method") == "default")
       << outcome.messages;
     const std::string words = report.at("curve") == "edges" ? "mesh edges" : "through faces";
     EXPECT_NE(outcome.messages.find(words), std::string::npos) << outcome.messages;
     return std::make_pair(report.at("curve").get<std::string>(), length);
   };
-  for(const std::string method : {"--method direction", "--method polyhedral", "--method laplacian", "--solver heat"})
+  for(const std::string method : {"--method default", "--method polyhedral", "--method laplacian", "--solver heat"})
   {
     SCOPED_TRACE(method);
     const auto edges = all(method + " --curve edges"), faces = all(method + " --curve faces");
@@ -471,23 +471,25 @@ TEST_F(Program, One_curve)
 
 TEST_F(Program, Default_methods)
 {
+  const auto expect = [&](const std::string& options, const std::string& method)
+  {
+    const Outcome outcome = run_on_torus("--quiet " + options + " --report " + quoted(path("r.json")));
+    ASSERT_EQ(outcome.status, 0) << outcome.messages;
+    EXPECT_EQ(nlohmann::json::parse(read_file(path("r.json"))).at("method"), method) << options;
+  };
   for(const auto& [solver, method] : std::map<std::string, std::string>{
-        {"exact", "direction"}, {"cgal-exact", "laplacian"}, {"heat", "laplacian"}, {"graph", "laplacian"}})
+        {"exact", "default"}, {"cgal-exact", "laplacian"}, {"heat", "laplacian"}, {"graph", "laplacian"}})
     for(const char* explicitly : {"", " --method auto"})
-    {
-      const Outcome outcome =
-        run_on_torus("--quiet --solver " + solver + explicitly + " --report " + quoted(path("r.json")));
-      ASSERT_EQ(outcome.status, 0) << outcome.messages;
-      EXPECT_EQ(nlohmann::json::parse(read_file(path("r.json"))).at("method"), method) << solver;
-    }
+      expect("--solver " + solver + explicitly, method);
+  expect("--method direction", "default"); // as it was called before
 }
 
 // The faces of the OBJ file are those of the mesh, with the vertices of the mesh; by the corners of the texture they
 // form one disk in the unit square.
 TEST_F(Program, Textured_mesh)
 {
-  for(const char* method : {"--method laplacian", "--method direction", "--method polyhedral",
-                            "--method laplacian --curve faces", "--method direction --curve faces"})
+  for(const char* method : {"--method laplacian", "--method default", "--method polyhedral",
+                            "--method laplacian --curve faces", "--method default --curve faces"})
     for(const char* parameterization : {"injective", "arap", "lscm", "convex"})
     {
       SCOPED_TRACE(std::string(method) + " " + parameterization);
@@ -956,23 +958,23 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--source"), "source");
   expect_failure(run_on_torus("--source one"), "--source takes");
   expect_failure(run_on_torus("--method laplace"), "--method takes");
-  for(const char* method : {"direction", "polyhedral"})
+  for(const char* method : {"default", "polyhedral"})
     for(const char* solver : {"heat", "graph", "cgal-exact"})
       expect_failure(run_on_torus(std::string("--method ") + method + " --solver " + solver),
                      "needs the paths of --solver exact");
-  expect_failure(run_on_torus("--method direction --angle 1"), "--angle is for --method laplacian");
-  expect_failure(run_on_torus("--method direction --policy grow"), "--policy is for --method laplacian");
-  expect_failure(run_on_torus("--angle 1"), "--angle is for --method laplacian, and here the method is direction");
+  expect_failure(run_on_torus("--method default --angle 1"), "--angle is for --method laplacian");
+  expect_failure(run_on_torus("--method default --policy grow"), "--policy is for --method laplacian");
+  expect_failure(run_on_torus("--angle 1"), "--angle is for --method laplacian, and here the method is default");
   expect_failure(run_on_torus("--laplacian 1"), "--laplacian is for --method laplacian");
   expect_failure(run_on_torus("--policy prune"), "--policy is for --method laplacian");
   expect_failure(run_on_torus("--method laplacian --min-branch-gap 1"),
-                 "--min-branch-gap is for --method direction or polyhedral");
+                 "--min-branch-gap is for --method default or polyhedral");
   expect_failure(run_on_torus("--solver heat --min-branch-width 0.1"),
-                 "--min-branch-width is for --method direction or polyhedral, and here the method is laplacian");
+                 "--min-branch-width is for --method default or polyhedral, and here the method is laplacian");
   expect_failure(run_on_torus("--min-branch-gap 3.5"), "--min-branch-gap takes a number from 0 to 3.14159");
   expect_failure(run_on_torus("--min-branch-curvature 13"), "--min-branch-curvature takes a number from 0 to 12.5");
   expect_failure(run_on_torus("--method laplacian --min-branch-curvature 1"),
-                 "--min-branch-curvature is for --method direction or polyhedral");
+                 "--min-branch-curvature is for --method default or polyhedral");
   for(const char* width : {"1.1", "5", "1e300"})
     expect_failure(run_on_torus(std::string("--min-branch-width ") + width),
                    "--min-branch-width takes a number from 0 to 1");
@@ -982,7 +984,7 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--method laplacian --angle 0"), "--angle takes an angle above 0");
   expect_failure(run_on_torus("--min-branch-length 1e300"), "--min-branch-length takes a number from 0 to 1000");
   expect_failure(run_on_torus("--min-branch-width=-1"), "--min-branch-width takes");
-  for(const char* method : {"", "--method direction ", "--method polyhedral "})
+  for(const char* method : {"", "--method default ", "--method polyhedral "})
     expect_failure(run_on_torus(std::string(method) + "--smooth 4"), "--smooth is for --method laplacian");
   for(const char* error : {"-1", "0.2", "nan", "x"})
     expect_failure(run_on_torus(std::string("--max-relative-error=") + error), "--max-relative-error takes");

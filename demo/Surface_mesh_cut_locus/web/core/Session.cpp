@@ -40,7 +40,7 @@ std::vector<double> statistics_of(const Cut_locus& cut_locus)
 
 CGAL::Cut_loci::Method method_of(const std::string& name)
 {
-  if(name == "direction")
+  if(name == "default")
     return CGAL::Cut_loci::Default_method();
   if(name == "polyhedral")
     return CGAL::Cut_loci::Polyhedral_method();

@@ -412,7 +412,7 @@ export class App {
   // The library computes branches from an angle at the source on, as its Exact_tree_solver says: for a width, in
   // percent, or for its default.
   angleFor(width) {
-    if (!this.defaults || this.state.method !== 'direction') return 0;
+    if (!this.defaults || this.state.method !== 'default') return 0;
     return width === null ? 0.125 * this.defaults.width : 0.5 * width / 100;
   }
 

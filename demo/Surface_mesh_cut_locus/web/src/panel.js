@@ -277,7 +277,7 @@ export class Panel {
     const note = method === 'polyhedral' ? 'Automatic: all branches.'
       : width > 0 ? `Automatic: ${percent} %, what this mesh resolves.`
         : 'Automatic: what the few, sharp corners of this mesh cause, however narrow.';
-    this.sliders.width.setInitial(width > 0 || method !== 'direction' ? 100 * width : NaN, note);
+    this.sliders.width.setInitial(width > 0 || method !== 'default' ? 100 * width : NaN, note);
   }
 
   setScale({ label }) {

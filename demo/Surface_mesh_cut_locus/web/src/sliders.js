@@ -92,7 +92,7 @@ export class Slider {
   }
 }
 
-const exact = ['direction', 'polyhedral'], laplacian = ['laplacian'];
+const exact = ['default', 'polyhedral'], laplacian = ['laplacian'];
 
 export const thresholds = [
   { id: 'width', methods: exact, isDetail: true, label: 'Detail: width, %', min: 0.01, max: 50, scale: 'log', initial: 1,

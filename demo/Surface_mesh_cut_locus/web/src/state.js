@@ -1,6 +1,6 @@
 // All that a link restores: the sample, the sources, the method with its thresholds, what is shown and how, and the view.
 
-export const methods = ['direction', 'polyhedral', 'laplacian'];
+export const methods = ['default', 'polyhedral', 'laplacian'];
 export const parameterizations = ['injective', 'logmap']; // as in the program
 export const keptParts = ['all', 'voronoi', 'medial']; // in the order of `Kept_part` in core/solvers.h
 export const maps = ['viridis', 'cividis', 'magma', 'grays']; // of distances to colors
@@ -15,7 +15,7 @@ export function defaultState() {
     sources: null, // of each { face, coordinates }
     border: 'no', // whether the border is a source: 'also' with these, or 'only'
     solver: 'exact',
-    method: 'direction',
+    method: 'default',
     // null is the default of the library
     parameters: {
       width: null, // in percent of the diagonal of the bounding box
@@ -139,7 +139,8 @@ const readers = {
   source: given(sourcesIn, (state, sources) => { state.sources = sources; }),
   border: oneOf(['no', 'also', 'only'], (state, text) => { state.border = text; }),
   solver: oneOf(['exact', 'heat', 'graph'], (state, text) => { state.solver = text; }),
-  method: oneOf(methods, (state, text) => { state.method = text; }),
+  // links of before say `direction`
+  method: oneOf(['direction', ...methods], (state, text) => { state.method = text === 'direction' ? 'default' : text; }),
   width: parameter('width', 0, 100),
   keep: oneOf(keptParts, (state, text) => { state.parameters.keep = text; }),
   angle: parameter('angle', 0, Math.PI),

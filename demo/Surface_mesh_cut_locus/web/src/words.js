@@ -42,10 +42,10 @@ export function doubts({ curve, lacksEdgeCurve, source, faceCount, state, defaul
   const result = [];
   const { method, parameters, solver } = state;
   const width = parameters.width === null ? null : parameters.width / 100;
-  if (method === 'direction' && width !== null && defaults.width > 0 && width < 0.6 * defaults.width)
+  if (method === 'default' && width !== null && defaults.width > 0 && width < 0.6 * defaults.width)
     result.push(`Branches narrower than ${number(100 * defaults.width)} % may come from the mesh instead of the shape. `
       + '“Auto” leaves them out.');
-  else if (method === 'direction' && faceCount < coarse && defaults.width > 0)
+  else if (method === 'default' && faceCount < coarse && defaults.width > 0)
     result.push(`With ${count(faceCount)} faces the shape is rough: branches are where they are to about an edge. A finer `
       + 'mesh says more.');
   if (method === 'polyhedral' && leaves > 40 && width === null)

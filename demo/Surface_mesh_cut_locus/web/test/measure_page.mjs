@@ -18,7 +18,7 @@ await page.setInputFiles('#file', mesh);
 await page.waitForFunction(() => window.cutLocusPage.app.state.file && window.cutLocusPage.app.isSolved, null, { timeout: 300000 });
 await page.waitForFunction(() => document.body.dataset.busy === 'false');
 
-for (const method of ['direction', 'laplacian']) {
+for (const method of ['default', 'laplacian']) {
   const row = await page.evaluate(async (name) => {
     const { app, viewer } = window.cutLocusPage;
     const median = (a) => Number(a.sort((x, y) => x - y)[a.length >> 1].toFixed(1));
@@ -35,7 +35,7 @@ for (const method of ['direction', 'laplacian']) {
     for (let i = 0; i < 20; ++i) {
       waitForPixels();
       const start = performance.now();
-      if (name === 'direction') await app.setParameter('width', 100 * app.defaults.width + 0.5 * i);
+      if (name === 'default') await app.setParameter('width', 100 * app.defaults.width + 0.5 * i);
       else await app.setParameter('angle', 0.3 + 0.05 * i);
       waitForPixels();
       clearTimeout(app.restTimer);

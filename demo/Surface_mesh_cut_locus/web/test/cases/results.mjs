@@ -115,7 +115,7 @@ export const tests = {
     await page.click('#defaults');
     await d.settle();
     assert.equal(await page.inputValue('#solver'), 'exact');
-    assert.equal(await page.inputValue('#method'), 'direction');
+    assert.equal(await page.inputValue('#method'), 'default');
     assert.ok(await page.isChecked('#width-auto'));
     assert.equal((await d.result()).edges, standard.edges);
   },
@@ -124,14 +124,14 @@ export const tests = {
     const { page } = d;
     const { leaves } = await d.result();
     for (const [solver, method] of [['exact', 'laplacian'], ['heat', null], ['graph', null], ['exact', 'polyhedral'],
-      ['exact', 'direction']]) {
+      ['exact', 'default']]) {
       await page.selectOption('#solver', solver);
       await d.settle();
       assert.equal(await page.locator('#method').isDisabled(), solver !== 'exact');
       if (method) await page.selectOption('#method', method);
       await d.settle();
       assert.equal(await page.inputValue('#method'), method || 'laplacian');
-      assert.equal(await page.locator('#width').isVisible(), ['direction', 'polyhedral'].includes(method));
+      assert.equal(await page.locator('#width').isVisible(), ['default', 'polyhedral'].includes(method));
       const found = await d.result();
       assert.deepEqual([solver, method, found.cycles], [solver, method, 2]);
       if (solver !== 'exact') assert.match(await page.innerText('#result-note'), /approximate/);
@@ -148,7 +148,7 @@ export const tests = {
     await page.selectOption('#solver', 'heat');
     await page.selectOption('#solver', 'exact');
     await d.settle();
-    assert.equal(await page.inputValue('#method'), 'direction');
+    assert.equal(await page.inputValue('#method'), 'default');
   },
 
   async 'a plain polyhedron stands for itself'(d) {
@@ -188,7 +188,7 @@ export const tests = {
   },
 
   async 'what makes a result doubtful is told, with what to do about it'() {
-    const told = ({ leaves = 4, corridors = 0, borderLoops = 0, faceCount = 5000, solver = 'exact', method = 'direction' }) => doubts({
+    const told = ({ leaves = 4, corridors = 0, borderLoops = 0, faceCount = 5000, solver = 'exact', method = 'default' }) => doubts({
       curve: { numbers: [100, 2, leaves, 2, 1, 1, 0, 0, 0, 0, corridors] }, source: { hasBorder: false, borderLoops }, faceCount,
       state: { method, solver, parameters: { width: null } }, defaults: { width: 0.03 } }).join(' ');
     assert.equal(told({}), '');
@@ -277,7 +277,7 @@ export const tests = {
     // another method, and back
     await page.click('#defaults');
     await d.settle();
-    assert.deepEqual([await page.inputValue('#method'), (await d.result()).sources], ['direction', 3]);
+    assert.deepEqual([await page.inputValue('#method'), (await d.result()).sources], ['default', 3]);
     await page.click('#undo');
     await d.settle();
     assert.deepEqual([await page.inputValue('#solver'), (await d.result()).sources], ['graph', 3]);
@@ -380,7 +380,7 @@ export const tests = {
       await d.settle();
       // the message stays, and the method is the former one
       assert.match(await page.innerText('#message-text'), /too close to each other/);
-      assert.deepEqual([await page.inputValue('#solver'), await page.inputValue('#method')], ['exact', 'direction']);
+      assert.deepEqual([await page.inputValue('#solver'), await page.inputValue('#method')], ['exact', 'default']);
       assert.ok(await d.app(({ app }) => app.isSolved));
       assert.equal((await d.result()).sources, 2);
       assert.match(await d.hash(), /method=direction/);
@@ -464,7 +464,7 @@ export const tests = {
     await page.selectOption('#border', 'only');
     await page.check('#show-edgeCurve');
     await d.settle();
-    for (const method of ['direction', 'polyhedral', 'laplacian']) {
+    for (const method of ['default', 'polyhedral', 'laplacian']) {
       await page.selectOption('#method', method);
       await d.settle();
       await d.noMessage();

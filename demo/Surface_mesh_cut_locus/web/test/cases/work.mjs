@@ -433,7 +433,7 @@ export const tests = {
         const parameters = { ...app.parameters, width: null };
         const { faces } = await engine.run('simplify', { faces: 200 });
         const preview = await engine.run('preview', {
-          solver: 'exact', method: 'direction', sources: app.state.sources, border: false, curve: 1, parameters, relativeError: 0, wantsValues: true,
+          solver: 'exact', method: 'default', sources: app.state.sources, border: false, curve: 1, parameters, relativeError: 0, wantsValues: true,
         });
         engine.worker.terminate();
         return { before: triangles.length / 3, after: faces, cycles: preview.numbers[1], found: preview.sourceNumbers.slice(4, 6), source: app.source };

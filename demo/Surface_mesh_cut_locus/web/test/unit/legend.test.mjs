@@ -47,7 +47,7 @@ test('whatever is shown, nothing has two names', () => {
       for (const name of Object.keys(s.state.show)) s.state.show[name] = pick([true, false]);
       s.state.look.color = pick(['plain', 'distance', 'cells', 'laplacian']);
       s.state.look.wireframe = pick([true, false]);
-      s.state.method = pick(['direction', 'laplacian']);
+      s.state.method = pick(['default', 'laplacian']);
       s.atlas = pick([null, {}]);
       s.hasWave = pick([true, false]);
       Object.assign(s.appearance, { gradient: pick([null, []]), hasDisk: pick([true, false]), laplacian: pick([null, []]) });

@@ -36,10 +36,10 @@ test('twelve sources have twelve colors', () => {
 });
 
 test('places on the scale of the branches are in the order of their numbers', () => {
-  for (const [method, values] of [['direction', [0, 0.001, 0.005, 0.05, 0.5, 1]], ['laplacian', [0, 1, 2, 3.1]]]) {
+  for (const [method, values] of [['default', [0, 0.001, 0.005, 0.05, 0.5, 1]], ['laplacian', [0, 1, 2, 3.1]]]) {
     const { place } = branchScale({ method });
     values.slice(1).forEach((value, i) => assert.ok(place(value) > place(values[i]), `${method} ${value}`));
   }
-  assert.ok(Math.abs(branchScale({ method: 'direction' }).place(0.005)) < 1e-12);
+  assert.ok(Math.abs(branchScale({ method: 'default' }).place(0.005)) < 1e-12);
   assert.ok(Math.abs(branchScale({ method: 'laplacian' }).place(Math.PI) - 1) < 1e-12);
 });

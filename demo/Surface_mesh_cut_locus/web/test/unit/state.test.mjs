@@ -14,7 +14,7 @@ function anyState({ next, pick }) {
       ({ face: Math.floor(1e5 * next()), coordinates: [0, 1, 2].map(() => number(next, 0, 1)) }));
   state.border = pick(['no', 'also', 'only']);
   state.solver = pick(['exact', 'heat', 'graph']);
-  state.method = state.solver === 'exact' ? pick(['direction', 'polyhedral', 'laplacian']) : 'laplacian';
+  state.method = state.solver === 'exact' ? pick(['default', 'polyhedral', 'laplacian']) : 'laplacian';
   const { parameters, show, look } = state;
   if (next() < 0.5) parameters.width = number(next, 0, 100);
   if (next() < 0.5) parameters.angle = number(next, 0, 3);
@@ -48,6 +48,10 @@ test('a link restores any state', () => {
     assert.deepEqual(read, state, toHash(state));
     assert.deepEqual(ignored, []);
   }
+});
+
+test('a link of before is read', () => {
+  assert.deepEqual(fromHash('#method=direction'), { state: defaultState(), ignored: [] });
 });
 
 test('what makes no sense in a link is as by default, and named', () => {

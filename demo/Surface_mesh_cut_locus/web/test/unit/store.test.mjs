@@ -18,7 +18,7 @@ test('views get what has changed, once, and the state as it is then', () => {
   const end = store.subscribe((state, changed) => told.push([changed, state.look.color, state.isCut]));
   store.set({ look: { color: 'cells' } });
   store.set({ look: { color: 'cells' }, isCut: false });
-  store.set({ isCut: true, look: { axes: false }, method: 'direction' });
+  store.set({ isCut: true, look: { axes: false }, method: 'default' });
   assert.deepEqual(told, [[['look'], 'cells', false], [['isCut', 'look'], 'cells', true]]);
   assert.equal(store.state.look.up, 'auto');
   end();

@@ -8,7 +8,7 @@ function radiusRow(radius, least, edges = 10) {
     curve: { numbers: [edges, 0, 2, 0, 3, radius, 0, 0, 0, 0, 0, least] },
     source: { total: 1, hasBorder: false, borderLoops: 0, genus: 0, farthestDistance: 2 },
     edgeLength: 0.01,
-    state: { method: 'direction', parameters: { width: null } },
+    state: { method: 'default', parameters: { width: null } },
     defaults: { width: 0 },
   });
   return rows.find(([name]) => name === 'injectivity radius');
