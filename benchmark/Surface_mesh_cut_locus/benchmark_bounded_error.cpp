@@ -67,9 +67,8 @@ void measure(const std::string& name, const Mesh& mesh, const Settings& settings
       exact.push_back(run(solver, v, 0.));
       const double width = 1.5 * solver.minimum_branch_width();
       const auto curve = params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES);
-      clear.push_back({solver.cut_locus(curve.cut_locus_method(
-                         CGAL::Cut_loci::Default_method().minimum_branch_width(width))),
-                       0.});
+      clear.push_back(
+        {solver.cut_locus(curve.cut_locus_method(CGAL::Cut_loci::Default_method().minimum_branch_width(width))), 0.});
     }
     for(double error : settings.errors)
     {

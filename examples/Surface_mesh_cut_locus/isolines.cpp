@@ -44,7 +44,7 @@ int main(int argc, char* argv[])
   for(int i = 1; i < 10; ++i)
     levels.push_back(0.1 * i * farthest);
   std::vector<Geodesics::Isoline> isolines;
-  geodesics.isolines(levels, std::back_inserter(isolines), CGAL::parameters::maximum_deviation(1e-4 * farthest));
+  geodesics.isolines(levels, std::back_inserter(isolines), 1e-4 * farthest);
 
   // one polyline a line: the number of points, and their coordinates
   std::ofstream out("isolines.polylines.txt");

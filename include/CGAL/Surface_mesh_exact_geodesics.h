@@ -33,6 +33,7 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -536,28 +537,20 @@ public:
    *
    * @param levels the distances, in the unit of the points
    * @param out where the isolines are written, level by level
-   * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
-   *
-   * \cgalNamedParamsBegin
-   *   \cgalParamNBegin{maximum_deviation}
-   *     \cgalParamDescription{how far chords may be from their arcs, in the unit of the points}
-   *     \cgalParamType{`double`}
-   *     \cgalParamDefault{a thousandth of the mean edge length: in pictures that show the edges, no corner is seen}
-   *   \cgalParamNEnd
-   * \cgalNamedParamsEnd
+   * @param maximum_deviation how far chords may be from their arcs, in the unit of the points; by default a thousandth of
+   *        the mean edge length: in pictures that show the edges, no corner is seen
    *
    * \pre isolines have been asked for
    * \throws Cut_loci::Invalid_input if they have not, if a level is not positive and finite, or above the maximum distance,
    *         or if the deviation is not positive
    */
-  template <typename LevelRange, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  template <typename LevelRange, typename OutputIterator>
   OutputIterator isolines(const LevelRange& levels, OutputIterator out,
-                          const CGAL_NP_CLASS& np = parameters::default_values()) const
+                          std::optional<FT> maximum_deviation = std::nullopt) const
   {
     const Cut_loci::internal::Exact_geodesic_propagation& geodesics = computed();
     const FT deviation =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_deviation),
-                                   default_deviation * geodesics.faces().mean_edge_length() * read_.unit);
+      maximum_deviation.value_or(default_deviation * geodesics.faces().mean_edge_length() * read_.unit);
     require_isolines(deviation);
     for(const auto& level : levels)
       require_level(FT(level));

@@ -176,10 +176,7 @@ std::vector<Geodesics::Isoline> Geodesics::isolines(const std::vector<double>& l
 {
   require_result();
   std::vector<CGAL::Surface_mesh_exact_geodesics<Mesh>::Isoline> lines;
-  if(maximum_deviation)
-    geodesics_.isolines(levels, std::back_inserter(lines), CGAL::parameters::maximum_deviation(*maximum_deviation));
-  else
-    geodesics_.isolines(levels, std::back_inserter(lines));
+  geodesics_.isolines(levels, std::back_inserter(lines), maximum_deviation);
   std::vector<Isoline> result;
   for(const auto& line : lines)
     result.push_back({line.level, path(line.locations), line.is_closed});

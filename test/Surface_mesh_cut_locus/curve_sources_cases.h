@@ -7,47 +7,14 @@
 #ifndef CURVE_SOURCES_CASES_H
 #define CURVE_SOURCES_CASES_H
 
-#include "built_mesh.h"
-#include "curve_length.h"
-#include "test_meshes.h"
-#include "topology_checker.h"
+#include "surface_test.h"
 
-#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/compute_cut_locus.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <map>
-#include <random>
-#include <set>
-#include <string>
-#include <vector>
 
 // What tests of sources that are curves share: curves, surfaces, and what must hold.
 namespace curve_sources {
 
-using namespace test_meshes;
-using CGAL::Cut_loci::Cause;
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Invalid_input;
-using CGAL::Cut_loci::Laplacian_method;
-using CGAL::Cut_loci::Method;
-using CGAL::Cut_loci::Polyhedral_method;
-using curve_length::length;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Built = Built_mesh<Mesh>;
-using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
-using Result = Solver::Result;
-using Vertices = std::vector<Mesh::Vertex_index>;
-using Edges = std::vector<Mesh::Edge_index>;
-namespace params = CGAL::parameters;
+using namespace surface_test;
 
 inline Point to_point(const Kernel::Point_3& p)
 {

@@ -7,32 +7,15 @@
 #ifndef CGAL_CUT_LOCI_TEST_DIRECTION_RESULTS_H
 #define CGAL_CUT_LOCI_TEST_DIRECTION_RESULTS_H
 
+#include "surface_test.h"
+
 #include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <functional>
-#include <memory>
-#include <set>
-#include <string>
-#include <vector>
 
 // Cut loci on dense arrays from the exact distances, and what must hold for every result.
 namespace direction_test {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using CGAL::Cut_loci::Index;
-using CGAL::Cut_loci::Indexed_cut_locus;
-using CGAL::Cut_loci::Indexed_triangle_mesh;
-using CGAL::Cut_loci::null_index;
-
-using test_meshes::at_vertex;
-using test_meshes::in_face;
+using namespace surface_test;
 
 inline std::array<double, 3> point_at(const Indexed_triangle_mesh& mesh,
                                       const CGAL::Cut_loci::Indexed_location& location)

@@ -9,46 +9,17 @@
 #ifndef SEVERAL_SOURCES_CASES_H
 #define SEVERAL_SOURCES_CASES_H
 
-#include "built_mesh.h"
+#include "surface_test.h"
 #include "curve_topology.h"
-#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_exact_geodesics.h>
-#include <CGAL/compute_cut_locus.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <map>
-#include <random>
-#include <set>
-#include <string>
-#include <variant>
-#include <vector>
 
 namespace several_sources {
 
-using namespace test_meshes;
-using CGAL::Cut_loci::Curve;
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Index;
-using CGAL::Cut_loci::Indexed_cut_locus;
-using CGAL::Cut_loci::Invalid_input;
-using CGAL::Cut_loci::Laplacian_method;
-using CGAL::Cut_loci::Method;
-using CGAL::Cut_loci::Polyhedral_method;
+using namespace surface_test;
 
 using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point_3>;
-using Built = Built_mesh<Mesh>;
-using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
-using Result = Solver::Result;
-using Location = Solver::Face_location;
 using Source = Solver::Source;
-namespace params = CGAL::parameters;
 
 // The curve in the dense indices in which the topology is checked.
 inline Indexed_cut_locus indexed_curve(const Result& result,
@@ -212,12 +183,6 @@ inline std::vector<Named_sources> close_sources(const Built& built)
             Location(f, {{0.3, 0.3, 0.4}})}},
           {"a vertex and a point right beside it", {v[0], Location(f, {{1. - 2e-6, 1e-6, 1e-6}})}}};
 }
-
-struct Named_mesh
-{
-  std::string name;
-  Mesh_data data;
-};
 
 inline std::vector<Named_mesh> meshes()
 {

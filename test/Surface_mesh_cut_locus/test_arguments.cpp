@@ -4,41 +4,15 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "built_mesh.h"
-#include "refusals.h"
-
-#include <CGAL/Cut_loci/Laplacian_method.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
-#include <CGAL/Surface_mesh_exact_geodesics.h>
-#include <CGAL/compute_cut_locus.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <iterator>
-#include <limits>
-#include <utility>
-#include <vector>
-
 // What no call can mean is refused, and what means the same has the same result.
+
+#include "surface_test.h"
 
 namespace test_arguments {
 
 namespace {
 
-using namespace test_meshes;
-using refusals::expect_refused;
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Built = Built_mesh<Mesh>;
-using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
-using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
-using CGAL::Cut_loci::Cause;
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Invalid_input;
-using CGAL::Cut_loci::Laplacian_method;
-namespace params = CGAL::parameters;
+using namespace surface_test;
 
 const double no_number = std::numeric_limits<double>::quiet_NaN();
 

@@ -4,45 +4,24 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "built_mesh.h"
-#include "refusals.h"
+#include "surface_test.h"
 
-#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/compute_cut_locus.h>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <string>
 #include <type_traits>
-#include <variant>
-#include <vector>
 
 namespace test_bad_input {
 
 // What can not be used is refused with a message that names it, in release builds, too; what is merely odd gives a cut
 // locus. Nothing loops, crashes or returns NaN.
 
-using namespace test_meshes;
-using CGAL::Cut_loci::Cause;
-using CGAL::Cut_loci::Invalid_input;
-using refusals::expect_refused;
-using refusals::message_of;
+using namespace surface_test;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Built = Built_mesh<Mesh>;
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Laplacian_method;
-using CGAL::Cut_loci::Method;
-using CGAL::Cut_loci::Polyhedral_method;
-namespace params = CGAL::parameters;
 
 namespace {
 
@@ -54,17 +33,6 @@ Mesh_data tetrahedron()
   Mesh_data data;
   data.points = {{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}};
   data.triangles = {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}};
-  return data;
-}
-
-Mesh_data octahedron()
-{
-  Mesh_data data;
-  data.points = {{{1., 0., 0.}}, {{-1., 0., 0.}}, {{0., 1., 0.}}, {{0., -1., 0.}}, {{0., 0., 1.}}, {{0., 0., -1.}}};
-  for(std::size_t x : {0, 1})
-    for(std::size_t y : {2, 3})
-      for(std::size_t z : {4, 5})
-        data.triangles.push_back((x + y + z) % 2 == 0 ? Triangle{{x, y, z}} : Triangle{{y, x, z}});
   return data;
 }
 

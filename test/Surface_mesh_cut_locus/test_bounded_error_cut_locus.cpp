@@ -6,40 +6,18 @@
 
 // Cut loci from distances with a maximum relative error.
 
-#include "built_mesh.h"
+#include "surface_test.h"
 #include "direction_results.h"
-#include "test_meshes.h"
 
-#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
 #include <CGAL/property_map.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <string>
-#include <vector>
 
 namespace test_bounded_error_cut_locus {
 
 namespace {
 
-using CGAL::Cut_loci::Curve;
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Index;
-using CGAL::Cut_loci::Indexed_cut_locus;
-using CGAL::Cut_loci::Indexed_triangle_mesh;
-using CGAL::Cut_loci::Invalid_input;
-using CGAL::Cut_loci::Laplacian_method;
-using CGAL::Cut_loci::Polyhedral_method;
+using namespace surface_test;
 using direction_test::Solved;
-namespace params = CGAL::parameters;
 
 constexpr double rounding = 1e-12;
 
@@ -146,10 +124,6 @@ TEST(Bounded_error_cut_locus, is_near_to_the_exact_one)
 }
 
 // -- the class -----------------------------------------------------------------------------------------------------------
-
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Built = Built_mesh<Mesh>;
-using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
 
 TEST(Bounded_error_cut_locus, parameter_of_each_source)
 {

@@ -6,41 +6,21 @@
 
 // What is left of the cut locus at a threshold: all that is as strong, and nothing that ends in anything weaker.
 
-#include "built_mesh.h"
-#include "test_meshes.h"
+#include "surface_test.h"
 
 #include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
 #include <CGAL/Iterator_range.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/compute_cut_locus.h>
 #include <CGAL/squared_distance_3.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <random>
-#include <string>
-#include <vector>
 
 namespace test_branch_thresholds {
 
 namespace {
 
-using CGAL::Cut_loci::Index;
-using CGAL::Cut_loci::Indexed_triangle_mesh;
-using CGAL::Cut_loci::null_index;
+using namespace surface_test;
 using CGAL::Cut_loci::internal::Branch_strength;
 using CGAL::Cut_loci::internal::Exact_tree;
 using CGAL::Cut_loci::internal::Exact_tree_solver;
 using CGAL::Cut_loci::internal::Tree_graph;
-using test_meshes::indexed;
-using test_meshes::Mesh_data;
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-namespace params = CGAL::parameters;
 
 // A body with limbs, of genus 0, and saddles between them: the widest place of its cut locus is anywhere. With noise,
 // the largest gap is anywhere, too.

@@ -4,26 +4,12 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "built_mesh.h"
-#include "test_meshes.h"
+#include "surface_test.h"
 
-#include <CGAL/Exact_geodesic_solver.h>
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
 #include <CGAL/exact_geodesic_distances.h>
 #include <CGAL/property_map.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <set>
-#include <utility>
-#include <vector>
 
 namespace test_branch_tips {
 
@@ -31,10 +17,7 @@ namespace test_branch_tips {
 
 namespace {
 
-using namespace test_meshes;
-namespace params = CGAL::parameters;
-using CGAL::Cut_loci::Filter_policy;
-using CGAL::Cut_loci::Laplacian_method;
+using namespace surface_test;
 using Surface_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Built = Built_mesh<Surface_mesh>;
 using Solver = CGAL::Surface_mesh_cut_locus<Surface_mesh>;

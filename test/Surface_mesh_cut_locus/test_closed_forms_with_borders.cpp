@@ -6,36 +6,17 @@
 
 // Surfaces with borders whose cut loci are known: by the default method and by the paper's.
 
-#include "built_mesh.h"
+#include "surface_test.h"
 #include "detour.h"
 
-#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/statistics.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace test_closed_forms_with_borders {
 
 namespace {
 
-using namespace test_meshes;
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Cut_locus = CGAL::Cut_locus<Mesh, CGAL::Simple_cartesian<double>::Point_3>;
-using CGAL::Cut_loci::Curve;
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Laplacian_method;
-using CGAL::Cut_loci::Method;
+using namespace surface_test;
 using Plane_point = std::array<double, 2>;
-namespace params = CGAL::parameters;
 
 double distance(const Plane_point& p, const Plane_point& q)
 {

@@ -7,35 +7,16 @@
 // Copies of a Surface_mesh_cut_locus share the mesh, also between threads, and nothing else. This is built once more with
 // the thread sanitizer.
 
-#include "built_mesh.h"
+#include "surface_test.h"
 #include "result_numbers.h"
-#include "test_meshes.h"
 
-#include <CGAL/Cut_loci/Laplacian_method.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <memory>
 #include <thread>
-#include <variant>
-#include <vector>
 
 namespace test_copies {
 
 namespace {
 
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Laplacian_method;
-using CGAL::Cut_loci::Method;
-using CGAL::Cut_loci::Polyhedral_method;
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
-namespace params = CGAL::parameters;
+using namespace surface_test;
 
 std::vector<double> solve(Solver& solver, Mesh::Vertex_index source)
 {

@@ -4,29 +4,13 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
+#include "surface_test.h"
 #include "curve_sources_cases.h"
 #include "detour.h"
-#include "refusals.h"
 
-#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_exact_geodesics.h>
-#include <CGAL/compute_cut_locus.h>
 #include <CGAL/create_straight_skeleton_2.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 
 namespace test_curves_as_sources {
 
@@ -34,7 +18,7 @@ namespace {
 
 using namespace curve_sources;
 
-using refusals::expect_refused;
+using namespace surface_test;
 constexpr Method methods[] = {Default_method(), Polyhedral_method()};
 // by which distances to an edge may be too short, in units of its length, and what moving its ends by 1e-5 adds
 constexpr double accuracy = 1. / 65536. + 1e-4;

@@ -4,38 +4,22 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "built_mesh.h"
+#include "surface_test.h"
 #include "cut_locus_by_hand.h"
 #include "disk_checker.h"
 
-#include <CGAL/Cut_loci/Laplacian_method.h>
-#include <CGAL/compute_cut_locus.h>
 #include <CGAL/cut_along_cut_locus.h>
 
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/generators.h>
-
-#include <gtest/gtest.h>
-
-#include <map>
 
 namespace test_cut_open {
 
 namespace {
 
-using namespace test_meshes;
-namespace params = CGAL::parameters;
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Invalid_input;
-using CGAL::Cut_loci::Laplacian_method;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
-using Cut_locus = Solver::Result;
+using namespace surface_test;
 
 using Edge_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 using Vertex_map = Mesh::Property_map<Mesh::Vertex_index, bool>;

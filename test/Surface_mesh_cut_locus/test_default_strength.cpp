@@ -7,29 +7,16 @@
 // What is shown by default: limbs and corners however narrow, and the same curve if a polyhedron is divided in its planes,
 // turned, or rounded.
 
+#include "surface_test.h"
 #include "direction_results.h"
-#include "test_meshes.h"
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace test_default_strength {
 
 namespace {
 
 using namespace direction_test;
-using namespace test_meshes;
+using namespace surface_test;
 using namespace CGAL::Cut_loci::internal;
-
-struct Named_mesh
-{
-  std::string name;
-  Mesh_data data;
-};
 
 Mesh_data turned(Mesh_data m, unsigned seed)
 {

@@ -4,25 +4,17 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "test_meshes.h"
+#include "surface_test.h"
 
 #include <CGAL/Cut_loci/laplacian/Differential_operators.h>
-
-#include <gtest/gtest.h>
-
-#include <functional>
-#include <string>
 
 namespace test_differential_operators {
 
 // Gradient and Laplacian against closed forms.
 
-using namespace test_meshes;
+using namespace surface_test;
 using CGAL::Cut_loci::Differential_operators;
-using CGAL::Cut_loci::Index;
-using CGAL::Cut_loci::Indexed_triangle_mesh;
 using CGAL::Cut_loci::Laplacian_operator;
-using CGAL::Cut_loci::Mesh_connectivity;
 
 namespace {
 

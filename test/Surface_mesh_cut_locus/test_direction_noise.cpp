@@ -6,26 +6,18 @@
 
 // Noise along the normals moves the cut locus a little; with its defaults the method neither loses it nor adds to it.
 
-#include "built_mesh.h"
+#include "surface_test.h"
 #include "direction_results.h"
-#include "test_meshes.h"
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-
-#include <algorithm>
-#include <limits>
-#include <random>
-#include <set>
 
 namespace test_direction_noise {
 
 namespace {
 
 using namespace direction_test;
-using namespace test_meshes;
+using namespace surface_test;
 using namespace CGAL::Cut_loci::internal;
 
 Indexed_triangle_mesh noisy(const Indexed_triangle_mesh& mesh, double amplitude, unsigned seed)

@@ -6,19 +6,17 @@
 
 // The topology of the direction method's results, on meshes chosen to break it.
 
+#include "surface_test.h"
 #include "direction_results.h"
-#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
-
-#include <random>
 
 namespace test_direction_topology {
 
 namespace {
 
 using namespace direction_test;
-using namespace test_meshes;
+using namespace surface_test;
 
 void check_all_kinds_of_sources(const Mesh_data& data, const std::string& name)
 {

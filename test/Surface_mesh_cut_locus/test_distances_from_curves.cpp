@@ -4,24 +4,12 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
+#include "surface_test.h"
 #include "curve_sources_cases.h"
 #include "detour.h"
 #include "distance_by_points.h"
 
-#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
-#include <CGAL/compute_cut_locus.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
 
 // The distance of each node of a cut locus of curves is the exact one at its place.
 namespace test_distances_from_curves {

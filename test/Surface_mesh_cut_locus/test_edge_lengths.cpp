@@ -7,46 +7,20 @@
 // Edge lengths alone: those of a mesh in space give its distances and its curve, and surfaces that are given by nothing
 // else have the cut loci that are known in closed form. The points of these meshes are at the origin or not finite.
 
-#include "built_mesh.h"
-#include "refusals.h"
-#include "test_meshes.h"
+#include "surface_test.h"
 
-#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Graph_geodesic_solver.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_exact_geodesics.h>
-#include <CGAL/compute_cut_locus.h>
 #include <CGAL/exact_geodesic_distances.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace test_edge_lengths {
 
 namespace {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
-using refusals::message_of;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Built = Built_mesh<Mesh>;
+using namespace surface_test;
 using Vertex = Mesh::Vertex_index;
 using Edge = Mesh::Edge_index;
-using Location = std::pair<Mesh::Face_index, std::array<double, 3>>;
 using Lengths = Mesh::Property_map<Edge, double>;
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Laplacian_method;
-using CGAL::Cut_loci::Method;
-using CGAL::Cut_loci::Polyhedral_method;
-namespace params = CGAL::parameters;
 
 Lengths no_lengths(Mesh& mesh)
 {

@@ -4,27 +4,11 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
+#include "surface_test.h"
 #include "curve_sources_cases.h"
 #include "distance_by_points.h"
-#include "refusals.h"
 
 #include <CGAL/exact_geodesic_distances.h>
-
-#include <CGAL/Polygon_mesh_processing/locate.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <iterator>
-#include <limits>
-#include <map>
-#include <random>
-#include <string>
-#include <vector>
 
 // Exact distances, nearest sources and paths from curves and borders, by the public class.
 
@@ -34,30 +18,9 @@ namespace {
 
 using refusals::expect_words;
 using namespace curve_sources;
-using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
-using Location = Geodesics::Face_location;
 
 // of the longest edge: what dense points on curves are off by
 constexpr double exact = 1e-9;
-
-double longest_edge(const Mesh& mesh)
-{
-  double result = 0.;
-  for(const Mesh::Edge_index e : mesh.edges())
-    result =
-      std::max(result, std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
-  return result;
-}
-
-Location random_location(const Mesh& mesh, std::mt19937& random)
-{
-  std::uniform_real_distribution<double> u(0.05, 1.);
-  std::array<double, 3> c = {{u(random), u(random), random() % 3 == 0 ? 0. : u(random)}};
-  const double sum = c[0] + c[1] + c[2];
-  for(double& x : c)
-    x /= sum;
-  return {Mesh::Face_index(static_cast<Mesh::size_type>(random() % mesh.number_of_faces())), c};
-}
 
 /// a walk along edges at random, which may meet itself
 Edges walk(const Mesh& mesh, std::size_t length, std::mt19937& random)
@@ -72,15 +35,6 @@ Edges walk(const Mesh& mesh, std::size_t length, std::mt19937& random)
     h = mesh.opposite(h);
   }
   return result;
-}
-
-double length(const Mesh& mesh, const std::vector<Location>& path)
-{
-  double sum = 0.;
-  for(std::size_t i = 0; i + 1 < path.size(); ++i)
-    sum += std::sqrt(CGAL::squared_distance(CGAL::Polygon_mesh_processing::construct_point(path[i], mesh),
-                                            CGAL::Polygon_mesh_processing::construct_point(path[i + 1], mesh)));
-  return sum;
 }
 
 /// whether a location is on one of the edges

@@ -7,48 +7,20 @@
 // The cut locus of polyhedra of any kind: with saddles, handles, borders and flat parts, from any source. What is on it
 // is told by an oracle that unfolds the surface on its own.
 
-#include "curve_length.h"
+#include "surface_test.h"
 #include "curve_topology.h"
 #include "detour.h"
 #include "polyhedral_oracle.h"
-#include "test_meshes.h"
 
-#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace test_exact_tree {
 
 namespace {
 
-using CGAL::Cut_loci::Index;
-using CGAL::Cut_loci::Indexed_cut_locus;
-using CGAL::Cut_loci::Indexed_location;
-using CGAL::Cut_loci::Indexed_source;
-using CGAL::Cut_loci::Indexed_triangle_mesh;
-using CGAL::Cut_loci::null_index;
+using namespace surface_test;
 using CGAL::Cut_loci::internal::Exact_tree_solver;
-using curve_length::length;
-using test_meshes::at_vertex;
-using test_meshes::in_face;
-using test_meshes::indexed;
-using test_meshes::Mesh_data;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-namespace params = CGAL::parameters;
 
 Indexed_cut_locus curve_of(Exact_tree_solver& solver, double gap = 0., double width = 0.)
 {
@@ -57,12 +29,6 @@ Indexed_cut_locus curve_of(Exact_tree_solver& solver, double gap = 0., double wi
   thresholds.width = width;
   return solver.filter(thresholds, CGAL::Cut_loci::Curve::THROUGH_FACES);
 }
-
-struct Named_mesh
-{
-  std::string name;
-  Mesh_data data;
-};
 
 // in no symmetric position
 std::vector<Named_mesh> generic_meshes()
@@ -202,17 +168,6 @@ TEST(Exact_tree, two_shortest_paths_lead_to_its_points_and_one_to_others)
       }
     }
   }
-}
-
-Mesh to_surface_mesh(const Mesh_data& data)
-{
-  Mesh mesh;
-  for(const auto& p : data.points)
-    mesh.add_vertex(Point(p[0], p[1], p[2]));
-  for(const auto& t : data.triangles)
-    mesh.add_face(Mesh::Vertex_index(Mesh::size_type(t[0])), Mesh::Vertex_index(Mesh::size_type(t[1])),
-                  Mesh::Vertex_index(Mesh::size_type(t[2])));
-  return mesh;
 }
 
 // The detour is measured on a mesh whose faces are split along the curve, rounded to 2^-16 of an edge.

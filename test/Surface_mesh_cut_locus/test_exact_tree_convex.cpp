@@ -6,21 +6,18 @@
 
 // All of the cut locus of convex polyhedra, against what is known of it.
 
-#include "curve_length.h"
+#include "surface_test.h"
 #include "direction_results.h"
-#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
 #include <CGAL/boost/graph/generators.h>
 
 namespace test_exact_tree_convex {
 
 namespace {
 
-using curve_length::length;
+using namespace surface_test;
 using namespace direction_test;
-using namespace test_meshes;
 using namespace CGAL::Cut_loci;
 
 struct Polyhedral

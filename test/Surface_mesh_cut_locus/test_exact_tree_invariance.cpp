@@ -7,51 +7,22 @@
 // The exact cut locus depends on the surface and the source alone: an independent oracle finds two shortest paths to its
 // points and one to others, and it stays where it is if the mesh is renumbered, moved, scaled or refined in its planes.
 
+#include "surface_test.h"
 #include "detour.h"
 #include "polyhedral_oracle.h"
-#include "test_meshes.h"
 
-#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
 #include <CGAL/Cut_loci/statistics.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
 #include <CGAL/cut_along_cut_locus.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace test_exact_tree_invariance {
 
 namespace {
 
-using CGAL::Cut_loci::Index;
-using CGAL::Cut_loci::Indexed_cut_locus;
-using CGAL::Cut_loci::Indexed_location;
-using CGAL::Cut_loci::Indexed_source;
-using CGAL::Cut_loci::Indexed_triangle_mesh;
+using namespace surface_test;
 using CGAL::Cut_loci::internal::Exact_tree_solver;
 using CGAL::Cut_loci::internal::Vector;
-using test_meshes::at_vertex;
-using test_meshes::indexed;
-using test_meshes::Mesh_data;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-namespace params = CGAL::parameters;
-
-struct Named_mesh
-{
-  std::string name;
-  Mesh_data data;
-};
 
 // in no symmetric position
 std::vector<Named_mesh> generic_meshes()
@@ -255,17 +226,6 @@ INSTANTIATE_TEST_SUITE_P(generic, Exact_tree_invariance, ::testing::Range(std::s
 
 // -- the two curves that are made of it --------------------------------------------------------------------------------
 
-Mesh to_surface_mesh(const Mesh_data& data)
-{
-  Mesh mesh;
-  for(const auto& p : data.points)
-    mesh.add_vertex(Point(p[0], p[1], p[2]));
-  for(const auto& t : data.triangles)
-    mesh.add_face(Mesh::Vertex_index(Mesh::size_type(t[0])), Mesh::Vertex_index(Mesh::size_type(t[1])),
-                  Mesh::Vertex_index(Mesh::size_type(t[2])));
-  return mesh;
-}
-
 // Every sharp vertex of a polyhedron has a branch: on a rough one they are closer to each other than faces are wide.
 TEST(Exact_tree_corridors, are_counted_where_a_curve_of_mesh_edges_closes_them)
 {
@@ -312,12 +272,6 @@ TEST(Exact_tree_of_squares, is_right_whatever_their_diagonals)
       EXPECT_LT(measures.max, 1e-6);
     }
   }
-}
-
-Mesh_data octahedron()
-{
-  return {{{{1., 0., 0.}}, {{-1., 0., 0.}}, {{0., 1., 0.}}, {{0., -1., 0.}}, {{0., 0., 1.}}, {{0., 0., -1.}}},
-          {{{0, 2, 4}}, {{2, 1, 4}}, {{1, 3, 4}}, {{3, 0, 4}}, {{2, 0, 5}}, {{1, 2, 5}}, {{3, 1, 5}}, {{0, 3, 5}}}};
 }
 
 // On symmetric polyhedra the curve through the faces follows edges of the mesh.

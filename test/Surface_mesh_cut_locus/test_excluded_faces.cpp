@@ -6,45 +6,24 @@
 
 // Regions that no path may cross: against meshes without their faces, closed forms, and what paths touch.
 
-#include "refusals.h"
-#include "test_meshes.h"
+#include "surface_test.h"
 
 #include <CGAL/exact_geodesic_distances.h>
 
 #include <CGAL/Polygon_mesh_processing/repair.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <iterator>
-#include <limits>
-#include <map>
-#include <random>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace test_excluded_faces {
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
+using namespace surface_test;
 using Point = Kernel::Point_3;
-using refusals::message_of;
-using Mesh = CGAL::Surface_mesh<Point>;
 using Vertex = Mesh::Vertex_index;
 using Face = Mesh::Face_index;
-using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
-using Location = Geodesics::Face_location;
 using Excluded = Mesh::Property_map<Face, bool>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -53,16 +32,6 @@ template <typename FaceMap>
 auto without(const FaceMap& excluded)
 {
   return CGAL::parameters::face_is_excluded_map(excluded);
-}
-
-Mesh built(const test_meshes::Mesh_data& data)
-{
-  Mesh mesh;
-  for(const test_meshes::Point& p : data.points)
-    mesh.add_vertex(Point(p[0], p[1], p[2]));
-  for(const test_meshes::Triangle& t : data.triangles)
-    mesh.add_face(Vertex(Mesh::size_type(t[0])), Vertex(Mesh::size_type(t[1])), Vertex(Mesh::size_type(t[2])));
-  return mesh;
 }
 
 template <typename Grid>
@@ -80,24 +49,6 @@ Point center(const Grid& mesh, typename boost::graph_traits<Grid>::face_descript
   const auto h = halfedge(f, mesh);
   const auto vpm = get(CGAL::vertex_point, mesh);
   return CGAL::centroid(get(vpm, source(h, mesh)), get(vpm, target(h, mesh)), get(vpm, target(next(h, mesh), mesh)));
-}
-
-double distance(const Point& p, const Point& q)
-{
-  return std::sqrt(CGAL::squared_distance(p, q));
-}
-
-Point point(const Mesh& mesh, const Location& location)
-{
-  std::array<double, 3> x = {{0., 0., 0.}};
-  auto h = mesh.halfedge(location.first);
-  for(double c : location.second)
-  {
-    for(int k = 0; k < 3; ++k)
-      x[std::size_t(k)] += c * mesh.point(mesh.source(h))[k];
-    h = mesh.next(h);
-  }
-  return Point(x[0], x[1], x[2]);
 }
 
 /// balls, or single faces, of a surface
@@ -154,9 +105,9 @@ struct Mesh_of_rest
 std::vector<Mesh> surfaces()
 {
   std::vector<Mesh> result;
-  result.push_back(built(test_meshes::irregular_bumpy_sphere(5, 0.3, 1)));
-  result.push_back(built(test_meshes::torus(1., 0.4, 24, 12, 0.2, 2)));
-  result.push_back(built(test_meshes::saddle(14, 0.4, 0.2, 3)));
+  result.push_back(to_surface_mesh(test_meshes::irregular_bumpy_sphere(5, 0.3, 1)));
+  result.push_back(to_surface_mesh(test_meshes::torus(1., 0.4, 24, 12, 0.2, 2)));
+  result.push_back(to_surface_mesh(test_meshes::saddle(14, 0.4, 0.2, 3)));
   return result;
 }
 

@@ -7,53 +7,28 @@
 // Faces without area, caps and needles, are no part of the surface: with them it has the distances and the cut locus that
 // it has without, up to the bound that the documentation states.
 
-#include "built_mesh.h"
+#include "surface_test.h"
 #include "curve_topology.h"
 #include "detour.h"
 #include "fuzz_surfaces.h"
 #include "node_distances.h"
-#include "test_meshes.h"
 
-#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/mollified_lengths.h>
-#include <CGAL/Exact_geodesic_solver.h>
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
-#include <CGAL/compute_cut_locus.h>
 #include <CGAL/cut_along_cut_locus.h>
 #include <CGAL/exact_geodesic_distances.h>
 #include <CGAL/refine_along_cut_locus.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <random>
-#include <utility>
-#include <vector>
 
 namespace test_faces_without_area {
 
 namespace {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Built = Built_mesh<Mesh>;
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Laplacian_method;
-using CGAL::Cut_loci::Method;
-using CGAL::Cut_loci::Polyhedral_method;
-using test_meshes::Mesh_data;
-using test_meshes::Triangle;
-namespace params = CGAL::parameters;
+using namespace surface_test;
 
 // A vertex on an edge of one of its two faces, which becomes two; a face without area is between it and the other one.
 void add_cap(Mesh_data& m, std::size_t face, std::size_t corner, double share)

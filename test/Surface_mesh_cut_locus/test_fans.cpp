@@ -7,42 +7,17 @@
 // Flat faces with many corners, as the ends of cylinders are, come as hundreds of slim triangles, each of which windows
 // from all around the rim cross. How they are triangulated is nothing to the surface.
 
-#include "built_mesh.h"
-#include "curve_length.h"
+#include "surface_test.h"
 #include "detour.h"
-#include "test_meshes.h"
 
-#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
-#include <CGAL/Surface_mesh_exact_geodesics.h>
-
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <memory>
-#include <vector>
 
 namespace test_fans {
 
 namespace {
 
-using curve_length::length;
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Built = Built_mesh<Mesh>;
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Index;
-using CGAL::Cut_loci::Indexed_cut_locus;
-using CGAL::Cut_loci::Indexed_source;
-using CGAL::Cut_loci::Indexed_triangle_mesh;
-using CGAL::Cut_loci::Laplacian_method;
-using CGAL::Cut_loci::Method;
-using CGAL::Cut_loci::Polyhedral_method;
+using namespace surface_test;
 using CGAL::Cut_loci::internal::Exact_tree_solver;
-using test_meshes::Flat_face;
-namespace params = CGAL::parameters;
 
 std::vector<std::unique_ptr<Built>> cylinders(std::size_t n)
 {

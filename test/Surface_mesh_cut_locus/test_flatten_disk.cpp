@@ -4,46 +4,22 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "test_meshes.h"
+#include "surface_test.h"
 
 #include <CGAL/Cut_loci/flatten_disk.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/compute_cut_locus.h>
 #include <CGAL/cut_along_cut_locus.h>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <map>
 #include <stdexcept>
-#include <string>
 
 namespace test_flatten_disk {
 
 namespace {
 
-using namespace test_meshes;
-namespace params = CGAL::parameters;
+using namespace surface_test;
 using CGAL::Cut_loci::flatten_disk;
-using CGAL::Cut_loci::Invalid_input;
 using CGAL::Cut_loci::Layout_quality;
-using Kernel = CGAL::Simple_cartesian<double>;
 using Point_2 = Kernel::Point_2;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using UV_map = Mesh::Property_map<Mesh::Vertex_index, Point_2>;
-
-Mesh build(const Mesh_data& data)
-{
-  Mesh mesh;
-  for(const Point& p : data.points)
-    mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
-  const auto vertex = [](std::size_t v) { return Mesh::Vertex_index(Mesh::size_type(v)); };
-  for(const Triangle& t : data.triangles)
-    mesh.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
-  return mesh;
-}
 
 UV_map add_uv_map(Mesh& disk)
 {
@@ -77,7 +53,7 @@ Layout_quality expect_injective(Mesh& disk)
 
 Mesh cut_open(const Mesh_data& data, std::size_t source)
 {
-  Mesh mesh = build(data), disk;
+  Mesh mesh = to_surface_mesh(data), disk;
   CGAL::cut_along_cut_locus(
     mesh, CGAL::compute_cut_locus(mesh, Mesh::Vertex_index(Mesh::size_type(source)), mesh_edges), disk);
   return disk;
@@ -131,7 +107,7 @@ TEST(Flatten_disk, Seams_through_the_faces)
   for(const auto& [name, surface] : surfaces)
   {
     SCOPED_TRACE(name);
-    Mesh mesh = build(surface), along_edges = cut_open(surface, 0), along_curve;
+    Mesh mesh = to_surface_mesh(surface), along_edges = cut_open(surface, 0), along_curve;
     CGAL::cut_along_cut_locus(mesh,
                               CGAL::compute_cut_locus(mesh, *mesh.vertices().begin(),
                                                       params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)),
@@ -149,7 +125,7 @@ TEST(Flatten_disk, Developable_surfaces_keep_their_shape)
     Mesh_data roll = square(10, 0.2, 1);
     for(Point& p : roll.points)
       p = {{unit * std::sin(p[0]), unit * std::cos(p[0]), unit * p[1]}};
-    Mesh disk = build(roll);
+    Mesh disk = to_surface_mesh(roll);
     // the chords of the roll turn at edges: it is flat up to the squares of their lengths
     const Layout_quality quality = expect_injective(disk);
     EXPECT_LT(quality.symmetric_dirichlet_energy, 1.001);
@@ -168,7 +144,7 @@ TEST(Flatten_disk, Developable_surfaces_keep_their_shape)
 // covered twice.
 TEST(Flatten_disk, Overlap_is_measured_and_avoided)
 {
-  Mesh disk = build(strip(1.5, 90, 0.02));
+  Mesh disk = to_surface_mesh(strip(1.5, 90, 0.02));
   UV_map uv = add_uv_map(disk);
   for(Mesh::Vertex_index v : disk.vertices())
     uv[v] = Point_2(disk.point(v).x(), disk.point(v).y());
@@ -185,7 +161,7 @@ TEST(Flatten_disk, Overlap_is_measured_and_avoided)
 // One that does not reach itself, and one that overlaps by less than the grid can see.
 TEST(Flatten_disk, Overlap_is_found_exactly)
 {
-  Mesh disk = build(strip(0.99, 90, 0.));
+  Mesh disk = to_surface_mesh(strip(0.99, 90, 0.));
   UV_map uv = add_uv_map(disk);
   const auto look_from_above = [&]
   {
@@ -210,7 +186,7 @@ TEST(Flatten_disk, Overlap_is_found_exactly)
 
 TEST(Flatten_disk, Flipped_faces_are_counted)
 {
-  Mesh disk = build(square(4));
+  Mesh disk = to_surface_mesh(square(4));
   UV_map uv = add_uv_map(disk);
   for(Mesh::Vertex_index v : disk.vertices())
     uv[v] = Point_2(disk.point(v).x(), -disk.point(v).y());
@@ -224,7 +200,7 @@ TEST(Flatten_disk, Flipped_faces_are_counted)
 // Distortion is infinite then, and not a number.
 TEST(Flatten_disk, Images_without_area)
 {
-  Mesh disk = build(square(4));
+  Mesh disk = to_surface_mesh(square(4));
   UV_map uv = add_uv_map(disk);
   for(bool is_partly : {false, true})
   {
@@ -245,7 +221,7 @@ TEST(Flatten_disk, Faces_without_area)
   for(double height : {0., 1e-300, 1e-12, 1e-3})
   {
     SCOPED_TRACE(height);
-    Mesh disk = build(square(8));
+    Mesh disk = to_surface_mesh(square(8));
     Mesh::size_type inner = 0;
     for(Mesh::Vertex_index v : disk.vertices())
       if(!disk.is_border(v) && inner++ % 5 == 0)
@@ -257,7 +233,7 @@ TEST(Flatten_disk, Faces_without_area)
     EXPECT_EQ(quality.faces_without_shape > 0, height < 1e-4);
     EXPECT_TRUE(std::isfinite(quality.symmetric_dirichlet_energy));
   }
-  Mesh point = build(square(3));
+  Mesh point = to_surface_mesh(square(3));
   for(Mesh::Vertex_index v : point.vertices())
     point.point(v) = Kernel::Point_3(1., 2., 3.);
   UV_map uv = add_uv_map(point);
@@ -267,7 +243,7 @@ TEST(Flatten_disk, Faces_without_area)
 // A long pocket whose only opening is the border: in the convex layout its end shrinks to about e^-24 of the disk.
 TEST(Flatten_disk, Deep_pocket)
 {
-  Mesh disk = build(punctured(capsule(12., 16, 120), {Point{{0., 0., 13.}}}, 1.));
+  Mesh disk = to_surface_mesh(punctured(capsule(12., 16, 120), {Point{{0., 0., 13.}}}, 1.));
   const Layout_quality quality = expect_injective(disk);
   EXPECT_LT(quality.symmetric_dirichlet_energy, 1e3);
 }
@@ -276,7 +252,7 @@ TEST(Flatten_disk, Deep_pocket)
 // layout of all of them.
 TEST(Flatten_disk, Long_tube)
 {
-  Mesh disk = build(punctured(capsule(40., 12, 120), {Point{{0., 0., 41.}}}, 1.));
+  Mesh disk = to_surface_mesh(punctured(capsule(40., 12, 120), {Point{{0., 0., 41.}}}, 1.));
   UV_map uv = add_uv_map(disk);
   const Layout_quality quality = flatten_disk(disk, uv);
   EXPECT_EQ(quality.flipped_faces, 0u);
@@ -299,7 +275,7 @@ struct Progress_log : public CGAL::Cut_loci::Default_visitor
 
 TEST(Flatten_disk, Progress_is_told_and_can_cancel)
 {
-  Mesh disk = build(smoothed(square(20, 0.2, 1), 1));
+  Mesh disk = to_surface_mesh(smoothed(square(20, 0.2, 1), 1));
   UV_map uv = add_uv_map(disk);
   Progress_log log;
   flatten_disk(disk, uv, params::visitor(std::ref(log)));
@@ -311,8 +287,8 @@ TEST(Flatten_disk, Progress_is_told_and_can_cancel)
 
 TEST(Flatten_disk, Bad_input)
 {
-  Mesh sphere = build(icosahedron()), cylindrical = build(cylinder(1., 8, 3, 0., 0)),
-       two = build(disjoint_union(square(2), square(2), {{5., 0., 0.}}));
+  Mesh sphere = to_surface_mesh(icosahedron()), cylindrical = to_surface_mesh(cylinder(1., 8, 3, 0., 0)),
+       two = to_surface_mesh(disjoint_union(square(2), square(2), {{5., 0., 0.}}));
   for(Mesh* mesh : {&sphere, &cylindrical, &two})
   {
     UV_map uv = add_uv_map(*mesh);
@@ -327,7 +303,7 @@ TEST(Flatten_disk, Bad_input)
       EXPECT_NE(std::string(e.what()).find("cut_along_cut_locus"), std::string::npos);
     }
   }
-  Mesh disk = build(square(2));
+  Mesh disk = to_surface_mesh(square(2));
   UV_map uv = add_uv_map(disk);
   uv[Mesh::Vertex_index(1)] = Point_2(std::nan(""), 0.);
   EXPECT_THROW(CGAL::Cut_loci::layout_quality(disk, uv), Invalid_input);

@@ -4,24 +4,10 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "built_mesh.h"
-#include "test_meshes.h"
+#include "surface_test.h"
 
 #include <CGAL/Cut_loci/geodesic_loop.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/compute_cut_locus.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
 
 // The two shortest paths to the nearest point of the cut locus.
 
@@ -29,12 +15,8 @@ namespace test_geodesic_loop {
 
 namespace {
 
-using namespace test_meshes;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Built = Built_mesh<Mesh>;
+using namespace surface_test;
 using Points = std::vector<Kernel::Point_3>;
-namespace params = CGAL::parameters;
 
 double length(const Points& points)
 {

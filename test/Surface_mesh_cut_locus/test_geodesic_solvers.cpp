@@ -4,32 +4,18 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "built_mesh.h"
+#include "surface_test.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/compute_cut_locus.h>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <variant>
 
 namespace test_geodesic_solvers {
 
 // The geodesic solvers against closed forms and each other, and solvers that a user writes.
 
-using namespace test_meshes;
-using CGAL::Cut_loci::Index;
-using CGAL::Cut_loci::Indexed_location;
-using CGAL::Cut_loci::Indexed_source;
-using CGAL::Cut_loci::Indexed_triangle_mesh;
-using CGAL::Cut_loci::null_index;
+using namespace surface_test;
 using Direct_heat = CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct>;
 using Intrinsic_heat = CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Intrinsic_Delaunay>;
 using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;

@@ -4,27 +4,20 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "test_meshes.h"
+#include "surface_test.h"
 
 #include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/insert_vertex.h>
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
-
-#include <gtest/gtest.h>
-
-#include <random>
 
 namespace test_graph_geodesic_solver {
 
 namespace {
 
-using namespace test_meshes;
-using CGAL::Cut_loci::Index;
+using namespace surface_test;
 using Mesh = CGAL::Cut_loci::Indexed_triangle_mesh;
-using CGAL::Cut_loci::Indexed_source;
 
 template <typename Solver>
 std::vector<double> distances(const Mesh& mesh, const Indexed_source& source)

@@ -6,22 +6,11 @@
 
 // Whatever the thresholds, the full tree of the polyhedron has no point nearer to the source than the lower bound.
 
+#include "surface_test.h"
 #include "curve_sources_cases.h"
 
-#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Cut_loci/statistics.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <random>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace test_injectivity_lower_bound {
 
@@ -30,12 +19,6 @@ namespace {
 using namespace curve_sources;
 using CGAL::Cut_loci::injectivity_radius;
 using Source = Solver::Source;
-
-struct Named_mesh
-{
-  std::string name;
-  Mesh_data data;
-};
 
 std::vector<Named_mesh> meshes()
 {
@@ -73,15 +56,6 @@ std::vector<Source> random_sources(const Built& built, std::size_t k, std::mt199
   return result;
 }
 
-double longest_edge(const Built& built)
-{
-  double result = 0.;
-  for(const Mesh::Edge_index e : built.mesh.edges())
-    result = (std::max)(result, std::sqrt(CGAL::squared_distance(built.mesh.point(built.mesh.vertex(e, 0)),
-                                                                 built.mesh.point(built.mesh.vertex(e, 1)))));
-  return result;
-}
-
 // of a result with all branches. Curves are moved, by 1e-4 of their edges at most, which bends what was flat as much.
 double least_distance(const Result& full)
 {
@@ -104,7 +78,7 @@ struct Counts
 void expect_bounds(const Built& built, const Solver& direction, const Result& full, Counts& counts)
 {
   const double rounding = 1e-9 * mean_edge_length(built.data), least = least_distance(full);
-  const double far = 2.5e-4 * longest_edge(built); // twice as far as any move
+  const double far = 2.5e-4 * longest_edge(built.mesh); // twice as far as any move
   const auto of_all = injectivity_radius(full);
   EXPECT_GE(of_all.lower_bound, of_all.distance - far);
   for(const Result& result :
@@ -190,12 +164,12 @@ TEST(Injectivity_lower_bound, is_the_radius_where_no_vertex_has_positive_curvatu
   {
     solver.set_source(built.vertices[v]);
     const auto radius = injectivity_radius(solver.cut_locus());
-    EXPECT_NEAR(radius.lower_bound, radius.distance, 2.5e-4 * longest_edge(built));
+    EXPECT_NEAR(radius.lower_bound, radius.distance, 2.5e-4 * longest_edge(built.mesh));
   }
   solver.set_sources(Vertices(), params::source_border(true));
   const auto radius = injectivity_radius(solver.cut_locus());
   EXPECT_NEAR(radius.distance, 1., 1e-5);
-  EXPECT_NEAR(radius.lower_bound, 1., 2.5e-4 * longest_edge(built));
+  EXPECT_NEAR(radius.lower_bound, 1., 2.5e-4 * longest_edge(built.mesh));
 }
 
 TEST(Injectivity_lower_bound, is_zero_where_it_is_not_known)

@@ -4,42 +4,18 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "built_mesh.h"
+#include "surface_test.h"
 #include "cut_locus_by_hand.h"
 
-#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Cut_loci/statistics.h>
-#include <CGAL/compute_cut_locus.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 
 namespace test_injectivity_radius {
 
 namespace {
 
-using namespace test_meshes;
-namespace params = CGAL::parameters;
-using CGAL::Cut_loci::Curve;
-using CGAL::Cut_loci::Default_method;
+using namespace surface_test;
 using CGAL::Cut_loci::injectivity_radius;
-using CGAL::Cut_loci::Laplacian_method;
-using CGAL::Cut_loci::Method;
-using CGAL::Cut_loci::Polyhedral_method;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Cut_locus = CGAL::Cut_locus<Mesh, Kernel::Point_3>;
 
 // ---- the minimum over a graph
 

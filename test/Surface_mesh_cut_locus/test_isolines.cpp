@@ -4,30 +4,9 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "built_mesh.h"
-#include "test_meshes.h"
+#include "surface_test.h"
 
-#include <CGAL/Polygon_mesh_processing/locate.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_exact_geodesics.h>
 #include <CGAL/refine_along_polylines.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <iterator>
-#include <limits>
-#include <map>
-#include <random>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 // Isolines: where they are known in closed form, and that they bound what is nearer on random surfaces.
 
@@ -35,46 +14,9 @@ namespace test_isolines {
 
 namespace {
 
-using namespace test_meshes;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Built = Built_mesh<Mesh>;
-using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
-using Location = Geodesics::Face_location;
+using namespace surface_test;
 using Isoline = Geodesics::Isoline;
 using Isolines = std::vector<Isoline>;
-using CGAL::Cut_loci::Invalid_input;
-namespace params = CGAL::parameters;
-
-constexpr double pi = 3.14159265358979323846;
-
-Kernel::Point_3 point(const Mesh& mesh, const Location& location)
-{
-  return CGAL::Polygon_mesh_processing::construct_point(location, mesh);
-}
-
-double distance(const Kernel::Point_3& p, const Kernel::Point_3& q)
-{
-  return std::sqrt(CGAL::squared_distance(p, q));
-}
-
-double length(const Mesh& mesh, const Isoline& line)
-{
-  double sum = 0.;
-  for(std::size_t i = 0; i + 1 < line.locations.size(); ++i)
-    sum += distance(point(mesh, line.locations[i]), point(mesh, line.locations[i + 1]));
-  return sum;
-}
-
-Location random_location(const Mesh& mesh, std::mt19937& random)
-{
-  std::uniform_real_distribution<double> u(0.05, 1.);
-  std::array<double, 3> c = {{u(random), random() % 3 == 0 ? 0. : u(random), u(random)}};
-  const double sum = c[0] + c[1] + c[2];
-  for(double& x : c)
-    x /= sum;
-  return {Mesh::Face_index(static_cast<Mesh::size_type>(random() % mesh.number_of_faces())), c};
-}
 
 double largest_distance(const Mesh& mesh, const Geodesics& geodesics)
 {
@@ -100,7 +42,7 @@ std::vector<double> levels_and_vertices(const Mesh& mesh, const Geodesics& geode
 Isolines isolines(const Geodesics& geodesics, const std::vector<double>& levels, double deviation)
 {
   Isolines result;
-  geodesics.isolines(levels, std::back_inserter(result), params::maximum_deviation(deviation));
+  geodesics.isolines(levels, std::back_inserter(result), deviation);
   return result;
 }
 
@@ -174,9 +116,9 @@ void expect_same_within(const Mesh& mesh, Geodesics& geodesics, const Isolines& 
     geodesics.compute();
     double expected = 0., found = 0.;
     for(const Isoline& line : lines)
-      expected += line.level == level ? length(mesh, line) : 0.;
+      expected += line.level == level ? length(mesh, line.locations) : 0.;
     for(const Isoline& line : isolines(geodesics, {level}, deviation))
-      found += length(mesh, line);
+      found += length(mesh, line.locations);
     EXPECT_NEAR(found, expected, deviation) << "level " << level; // the arcs may be divided elsewhere
   }
   geodesics.set_maximum_distance(std::numeric_limits<double>::infinity());
@@ -209,8 +151,8 @@ TEST(Isolines, of_a_plane_are_circles)
     {
       ASSERT_EQ(std::count_if(lines.begin(), lines.end(), [&](const Isoline& l) { return l.level == levels[k]; }), 1);
       EXPECT_TRUE(lines[k].is_closed);
-      EXPECT_LE(length(mesh, lines[k]), 2. * pi * levels[k] + 1e-12);
-      EXPECT_GE(length(mesh, lines[k]), 2. * pi * (levels[k] - deviation));
+      EXPECT_LE(length(mesh, lines[k].locations), 2. * pi * levels[k] + 1e-12);
+      EXPECT_GE(length(mesh, lines[k].locations), 2. * pi * (levels[k] - deviation));
     }
     for(const Isoline& line : lines)
     {
@@ -278,7 +220,7 @@ TEST(Isolines, of_a_cylinder_part_behind_it)
   for(const Isoline& line : lines)
   {
     EXPECT_TRUE(line.is_closed);
-    lengths[line.level].push_back(length(built.mesh, line));
+    lengths[line.level].push_back(length(built.mesh, line.locations));
   }
   for(const double level : levels)
     if(level < 0.5 * double(n))
@@ -316,7 +258,7 @@ TEST(Isolines, of_a_cone_are_as_long_as_its_angle)
     const Isolines lines = isolines(geodesics, {0.4}, 1e-7);
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_TRUE(lines[0].is_closed);
-    EXPECT_NEAR(length(built.mesh, lines[0]), 0.4 * geodesics.source_angle(), 1e-5);
+    EXPECT_NEAR(length(built.mesh, lines[0].locations), 0.4 * geodesics.source_angle(), 1e-5);
     expect_right_places(built.mesh, geodesics, lines, 1e-12);
   }
 }
@@ -337,7 +279,7 @@ TEST(Isolines, of_the_border_of_a_square_are_squares)
   for(const Isoline& line : lines)
   {
     EXPECT_TRUE(line.is_closed);
-    EXPECT_NEAR(length(built.mesh, line), 4. - 8. * line.level, 1e-4);
+    EXPECT_NEAR(length(built.mesh, line.locations), 4. - 8. * line.level, 1e-4);
   }
   expect_right_places(built.mesh, geodesics, lines, rounding);
 }
@@ -360,7 +302,7 @@ TEST(Isolines, of_the_border_of_a_cylinder_go_around)
   for(const Isoline& line : lines)
   {
     EXPECT_TRUE(line.is_closed);
-    EXPECT_NEAR(length(built.mesh, line), double(n), 0.01);
+    EXPECT_NEAR(length(built.mesh, line.locations), double(n), 0.01);
   }
   expect_right_places(built.mesh, geodesics, lines, rounding);
 }

@@ -4,26 +4,13 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "built_mesh.h"
-#include "test_meshes.h"
+#include "surface_test.h"
 
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/flatten_disk.h>
 #include <CGAL/Cut_loci/logarithmic_chart.h>
 #include <CGAL/Cut_loci/surface/location_in_part.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_exact_geodesics.h>
-#include <CGAL/compute_cut_locus.h>
 #include <CGAL/cut_along_cut_locus.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
 
 // The logarithmic map as a chart: isometric on convex polyhedra, and with exact distances on all surfaces.
 
@@ -31,11 +18,7 @@ namespace test_logarithmic_chart {
 
 namespace {
 
-using namespace test_meshes;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Built = Built_mesh<Mesh>;
-namespace params = CGAL::parameters;
+using namespace surface_test;
 namespace lib = CGAL::Cut_loci::internal;
 
 constexpr double snapping = 1. / (1 << 20); // of the curve, in parts of a face

@@ -4,25 +4,9 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "built_mesh.h"
-#include "test_meshes.h"
+#include "surface_test.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/Polygon_mesh_processing/locate.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_exact_geodesics.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <iterator>
-#include <limits>
-#include <random>
-#include <vector>
 
 // The logarithmic map: where it is known in closed form, and as the inverse of the exponential map.
 
@@ -30,15 +14,9 @@ namespace test_logarithmic_map {
 
 namespace {
 
-using namespace test_meshes;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Built = Built_mesh<Mesh>;
-using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
-using Location = Geodesics::Face_location;
+using namespace surface_test;
 using Halfedge = Mesh::Halfedge_index;
 using Place = std::array<double, 2>;
-using CGAL::Cut_loci::Invalid_input;
 
 Point point(const Mesh& mesh, const Location& location)
 {

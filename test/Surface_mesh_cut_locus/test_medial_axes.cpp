@@ -6,18 +6,8 @@
 
 // The medial axis of a border reaches its corners, and has no branches to the vertices that a smooth outline is made of.
 
+#include "surface_test.h"
 #include "curve_sources_cases.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <random>
-#include <string>
-#include <vector>
 
 namespace test_medial_axes {
 

@@ -6,15 +6,13 @@
 
 // What the writers write is read back and compared with the graph, number by number.
 
+#include "surface_test.h"
 #include "cut_locus_by_hand.h"
 
 #include <CGAL/Cut_loci/IO/edges.h>
 #include <CGAL/Cut_loci/IO/write_cut_locus.h>
 #include <CGAL/Cut_loci/statistics.h>
-#include <CGAL/Cut_locus.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 
 #include <boost/property_tree/ptree.hpp>
@@ -22,26 +20,14 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <fstream>
-#include <map>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace test_output_formats {
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
+using namespace surface_test;
 using Point_3 = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point_3>;
-using Cut_locus = CGAL::Cut_locus<Mesh, Point_3>;
 using Graph = Cut_locus::Graph;
 using Coordinates = std::array<double, 3>;
 using Segment = std::pair<Coordinates, Coordinates>;

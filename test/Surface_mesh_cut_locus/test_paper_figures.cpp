@@ -6,30 +6,17 @@
 
 // What the figures of "Practical Computation of the Cut Locus on Discrete Surfaces" show, as statements.
 
-#include "built_mesh.h"
-#include "test_meshes.h"
+#include "surface_test.h"
 
-#include <CGAL/Exact_geodesic_solver.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <iterator>
-#include <limits>
-#include <vector>
 
 namespace test_paper_figures {
 
 namespace {
 
-using namespace test_meshes;
-using CGAL::Cut_loci::Filter_policy;
-namespace params = CGAL::parameters;
+using namespace surface_test;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;

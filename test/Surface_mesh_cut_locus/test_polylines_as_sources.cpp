@@ -6,42 +6,17 @@
 
 // Polylines through the faces, which become edges of a mesh and so sources.
 
-#include "built_mesh.h"
-#include "refusals.h"
-#include "test_meshes.h"
+#include "surface_test.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_exact_geodesics.h>
-#include <CGAL/compute_cut_locus.h>
 #include <CGAL/refine_along_polylines.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <iterator>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace test_polylines_as_sources {
 
 namespace {
 
-using namespace test_meshes;
-using CGAL::Cut_loci::Invalid_input;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Built = Built_mesh<Mesh>;
-using Vertices = std::vector<Mesh::Vertex_index>;
-using Location = std::pair<Mesh::Face_index, std::array<double, 3>>;
+using namespace surface_test;
 using Polyline = std::vector<Location>;
-using Edges = std::vector<Mesh::Edge_index>;
-namespace params = CGAL::parameters;
 
 // The straight line from one side of the flat square to the other, at the height y.
 Polyline line_across(const Built& built, double y)

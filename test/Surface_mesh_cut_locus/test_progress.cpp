@@ -6,37 +6,19 @@
 
 // A visitor is told how far a stage is, and what it throws there leaves the computation, not the object.
 
-#include "built_mesh.h"
+#include "surface_test.h"
 #include "result_numbers.h"
-#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/Default_visitor.h>
-#include <CGAL/Cut_loci/Laplacian_method.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
 
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <functional>
-#include <map>
 #include <stdexcept>
-#include <variant>
-#include <vector>
 
 namespace test_progress {
 
 namespace {
 
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Laplacian_method;
-using CGAL::Cut_loci::Method;
-using CGAL::Cut_loci::Polyhedral_method;
+using namespace surface_test;
 using CGAL::Cut_loci::Stage;
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
-namespace params = CGAL::parameters;
 
 struct Recording_visitor : public CGAL::Cut_loci::Default_visitor
 {

@@ -4,17 +4,11 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "built_mesh.h"
+#include "surface_test.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
 
-#include <gtest/gtest.h>
-
-#include <cstddef>
 #include <future>
-#include <vector>
 
 // A cut locus is a function of the surface, the source and the thresholds: neither earlier calls nor other threads change it.
 
@@ -22,12 +16,11 @@ namespace test_repeated_calls {
 
 namespace {
 
-using namespace test_meshes;
+using namespace surface_test;
 using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 using Built = Built_mesh<Mesh>;
 using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
 using Result = Solver::Result;
-namespace params = CGAL::parameters;
 
 // all points and distances, and what they are joined to
 std::vector<double> numbers(const Result& result)

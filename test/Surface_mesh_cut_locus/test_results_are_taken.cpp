@@ -7,43 +7,22 @@
 // What compute_cut_locus() takes, every function on its result takes: the surface is cut open to a disk and refined along
 // the curve where it covers parts of edges, where components touch in a vertex, and on doubly covered triangles.
 
-#include "built_mesh.h"
-#include "test_meshes.h"
+#include "surface_test.h"
 
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Cut_loci/statistics.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/compute_cut_locus.h>
 #include <CGAL/cut_along_cut_locus.h>
 #include <CGAL/refine_along_cut_locus.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace test_results_are_taken {
 
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Built = Built_mesh<Mesh>;
-using Location = std::pair<Mesh::Face_index, std::array<double, 3>>;
-using CGAL::Cut_loci::Curve;
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Polyhedral_method;
-using test_meshes::Mesh_data;
-namespace params = CGAL::parameters;
+using namespace surface_test;
 
 bool is_disk(const Mesh& mesh)
 {
@@ -101,15 +80,6 @@ std::vector<Location> sources_in(const Built& built, std::size_t face)
                                                                           {{0.2, 0.3, 0.5}}})
     result.push_back(built.location<double>(face, c));
   return result;
-}
-
-Mesh_data octahedron()
-{
-  Mesh_data m;
-  m.points = {{{1., 0., 0.}}, {{-1., 0., 0.}}, {{0., 1., 0.}}, {{0., -1., 0.}}, {{0., 0., 1.}}, {{0., 0., -1.}}};
-  m.triangles = {{{0, 2, 4}}, {{2, 1, 4}}, {{1, 3, 4}}, {{3, 0, 4}},
-                 {{2, 0, 5}}, {{1, 2, 5}}, {{3, 1, 5}}, {{0, 3, 5}}};
-  return m;
 }
 
 void expect_functions_on_all_sources(const Mesh_data& data)

@@ -8,37 +8,21 @@
 // are quite coplanar, each vertex has a branch along which two paths differ by less than rounding in one place or another,
 // and paths pass vertices by less than windows are accurate.
 
+#include "surface_test.h"
 #include "detour.h"
-#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Face_ridges.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Image_bisector.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Path_label.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace test_rounded_polyhedra {
 
 namespace {
 
-namespace params = CGAL::parameters;
+using namespace surface_test;
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 
 struct Named_mesh
@@ -250,7 +234,6 @@ TEST(Rounded_polyhedra, no_shortest_path_around_a_round_hole_crosses_the_cut_loc
 // -- in a face --------------------------------------------------------------------------------------------------------
 
 namespace lib = CGAL::Cut_loci::internal;
-using CGAL::Cut_loci::Index;
 using lib::Plane_point;
 
 // of an origin of that number

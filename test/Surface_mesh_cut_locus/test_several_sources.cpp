@@ -4,26 +4,12 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "curve_length.h"
-#include "refusals.h"
+#include "surface_test.h"
 #include "several_sources_cases.h"
 
-#include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/cut_along_cut_locus.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
 #include <optional>
-#include <random>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 
 namespace test_several_sources {
 
@@ -31,8 +17,7 @@ namespace {
 
 using namespace several_sources;
 
-using curve_length::length;
-using refusals::message_of;
+using namespace surface_test;
 constexpr Method methods[] = {Default_method(), Polyhedral_method()};
 
 // distances, cells and labels against runs with one source each

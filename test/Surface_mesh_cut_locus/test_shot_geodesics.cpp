@@ -4,23 +4,9 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "built_mesh.h"
-#include "test_meshes.h"
+#include "surface_test.h"
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_exact_geodesics.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <optional>
-#include <random>
-#include <string>
-#include <vector>
 
 // The logarithmic map against geodesics that are shot here: vectors in space, turned around the edges that they cross, with
 // nothing of the package but the mesh.
@@ -29,12 +15,7 @@ namespace test_shot_geodesics {
 
 namespace {
 
-using namespace test_meshes;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Built = Built_mesh<Mesh>;
-using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
-using Location = Geodesics::Face_location;
+using namespace surface_test;
 using Halfedge = Mesh::Halfedge_index;
 using Coordinates = std::array<double, 3>;
 

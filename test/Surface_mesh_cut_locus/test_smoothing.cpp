@@ -4,7 +4,7 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "test_meshes.h"
+#include "surface_test.h"
 
 #include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
 #include <CGAL/Cut_loci/laplacian/Laplacian_solver.h>
@@ -13,28 +13,16 @@
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
 
-#include <gtest/gtest.h>
-
-#include <map>
 #include <numeric>
-#include <random>
-#include <set>
 
 namespace test_smoothing {
 
 namespace {
 
-using namespace test_meshes;
-using CGAL::Cut_loci::Index;
+using namespace surface_test;
 using Mesh = CGAL::Cut_loci::Indexed_triangle_mesh;
 using namespace CGAL::Cut_loci::internal;
-using CGAL::Cut_loci::Indexed_cut_locus;
-using CGAL::Cut_loci::Indexed_location;
-using CGAL::Cut_loci::Indexed_source;
-using CGAL::Cut_loci::Mesh_connectivity;
-using CGAL::Cut_loci::null_index;
 
 void expect_valid(const Mesh& mesh, const Indexed_location& x)
 {

@@ -6,27 +6,18 @@
 
 // Source unfoldings: that they are the polyhedron when glued, and do not overlap.
 
-#include "test_meshes.h"
+#include "surface_test.h"
 
 #include <CGAL/Cut_loci/source_unfolding.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/compute_cut_locus.h>
 #include <CGAL/convex_hull_3.h>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace test_source_unfolding {
 
 namespace {
 
-using namespace test_meshes;
+using namespace surface_test;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex_index = Mesh::Vertex_index;

@@ -6,48 +6,28 @@
 
 // The cut loci of many sources, and what is computed for one, in one thread and, where TBB is linked, in several.
 
-#include "built_mesh.h"
+#include "surface_test.h"
 #include "result_numbers.h"
-#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/Default_visitor.h>
-#include <CGAL/Cut_loci/Laplacian_method.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_cut_loci.h>
-#include <CGAL/compute_cut_locus.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
-
-#include <gtest/gtest.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
 
-#include <array>
 #include <atomic>
-#include <cstddef>
-#include <functional>
-#include <iterator>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace test_sources_in_threads {
 
 namespace {
 
-using CGAL::Cut_loci::Curve;
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Laplacian_method;
-using CGAL::Cut_loci::Method;
-using CGAL::Cut_loci::Polyhedral_method;
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Cut_locus = CGAL::Surface_mesh_cut_locus<Mesh>::Result;
+using namespace surface_test;
 using Face_location = CGAL::Surface_mesh_cut_locus<Mesh>::Face_location;
 using Source = CGAL::Surface_mesh_cut_locus<Mesh>::Source;
-namespace params = CGAL::parameters;
 
 class Many_sources : public testing::Test
 {

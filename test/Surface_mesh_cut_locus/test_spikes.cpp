@@ -7,43 +7,15 @@
 // Spikes, however long: straight lines wind around them, as often as they are longer than wide, but the work does not
 // grow with that.
 
-#include "built_mesh.h"
-#include "test_meshes.h"
+#include "surface_test.h"
 
-#include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_exact_geodesics.h>
-#include <CGAL/compute_cut_locus.h>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <string>
 
 namespace test_spikes {
 
 namespace {
 
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Built = Built_mesh<Mesh>;
-using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Polyhedral_method;
-using test_meshes::Mesh_data;
-namespace params = CGAL::parameters;
-
-// vertex 4 is the top, 5 the bottom
-Mesh_data octahedron(double height)
-{
-  Mesh_data m;
-  m.points = {{{1., 0., 0.}}, {{-1., 0., 0.}}, {{0., 1., 0.}}, {{0., -1., 0.}}, {{0., 0., height}}, {{0., 0., -1.}}};
-  m.triangles = {{{0, 2, 4}}, {{2, 1, 4}}, {{1, 3, 4}}, {{3, 0, 4}},
-                 {{2, 0, 5}}, {{1, 2, 5}}, {{3, 1, 5}}, {{0, 3, 5}}};
-  return m;
-}
+using namespace surface_test;
 
 Mesh_data sphere_with_outlier(double height)
 {

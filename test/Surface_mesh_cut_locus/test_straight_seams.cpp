@@ -4,35 +4,17 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "built_mesh.h"
+#include "surface_test.h"
 #include "disk_checker.h"
 
-#include <CGAL/Cut_loci/Laplacian_method.h>
-#include <CGAL/compute_cut_locus.h>
 #include <CGAL/cut_along_cut_locus.h>
 #include <CGAL/refine_along_cut_locus.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <map>
 
 namespace test_straight_seams {
 
 namespace {
 
-using namespace test_meshes;
-namespace params = CGAL::parameters;
-using CGAL::Cut_loci::Curve;
-using CGAL::Cut_loci::Default_method;
-using CGAL::Cut_loci::Laplacian_method;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
-using Cut_locus = Solver::Result;
+using namespace surface_test;
 
 Point to_array(const Kernel::Point_3& p)
 {

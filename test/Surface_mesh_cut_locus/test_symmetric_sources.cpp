@@ -7,30 +7,17 @@
 // Sources that a symmetry of the surface takes to each other have the same radius, whatever rounding does, and where other
 // curves are as right, the result says so.
 
-#include "built_mesh.h"
+#include "surface_test.h"
 #include "node_distances.h"
-#include "test_meshes.h"
 
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Cut_loci/statistics.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cut_locus.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <vector>
 
 namespace test_symmetric_sources {
 
 namespace {
 
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Built = Built_mesh<Mesh>;
-namespace params = CGAL::parameters;
-using test_meshes::Mesh_data;
+using namespace surface_test;
 
 struct Range
 {

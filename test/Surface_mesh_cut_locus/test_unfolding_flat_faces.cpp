@@ -6,36 +6,17 @@
 
 // Source unfoldings of convex polyhedra with faces that have no area: the polygon is that of the polyhedron without them.
 
-#include "built_mesh.h"
-#include "test_meshes.h"
+#include "surface_test.h"
 
 #include <CGAL/Cut_loci/source_unfolding.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <random>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace test_unfolding_flat_faces {
 
 namespace {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Built = Built_mesh<Mesh>;
-using Location = std::pair<Mesh::Face_index, std::array<double, 3>>;
+using namespace surface_test;
 using Unfolding = CGAL::Cut_loci::Source_unfolding<Mesh, Point>;
-using test_meshes::Mesh_data;
-using test_meshes::Triangle;
 
 /*
  * An edge becomes a hole: on each of its sides there are points on it, which divide the face there. What is in between is

@@ -4,24 +4,13 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
+#include "surface_test.h"
 #include "curve_sources_cases.h"
 
 #include <CGAL/Cut_loci/voronoi_neighbors.h>
-#include <CGAL/Surface_mesh_exact_geodesics.h>
-#include <CGAL/compute_cut_locus.h>
 #include <CGAL/refine_along_cut_locus.h>
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
 #include <numeric>
-#include <random>
-#include <set>
-#include <string>
-#include <vector>
 
 // The dual graph of geodesic Voronoi diagrams, and the areas of their cells.
 
@@ -103,13 +92,6 @@ TEST(Voronoi_neighbors, of_one_point_are_none)
 {
   const Built built(torus(2., 0.8, 24, 14));
   EXPECT_TRUE(CGAL::Cut_loci::voronoi_neighbors(CGAL::compute_cut_locus(built.mesh, built.vertices[0])).empty());
-}
-
-double area(const Mesh& mesh, const Mesh::Face_index f)
-{
-  const Mesh::Halfedge_index h = mesh.halfedge(f);
-  return std::sqrt(
-    CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))));
 }
 
 /// sources in a square whose cells are known polygons: between parallel lines, and in quarters

@@ -7,35 +7,20 @@
 // What joins the strong branches of the cut locus to the holes of a surface, and around its handles, belongs to it however
 // weak it is. It is where shortest paths separate what it joins.
 
-#include "curve_length.h"
-#include "test_meshes.h"
+#include "surface_test.h"
 
 #include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Path_classes.h>
-
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <random>
-#include <string>
-#include <vector>
 
 namespace test_weak_connections {
 
 namespace {
 
-using CGAL::Cut_loci::Index;
-using CGAL::Cut_loci::Indexed_cut_locus;
-using CGAL::Cut_loci::Indexed_source;
-using CGAL::Cut_loci::Indexed_triangle_mesh;
-using CGAL::Cut_loci::null_index;
+using namespace surface_test;
 using CGAL::Cut_loci::internal::Branch_strength;
 using CGAL::Cut_loci::internal::Exact_tree_solver;
 using CGAL::Cut_loci::internal::Path_classes;
 using CGAL::Cut_loci::internal::Tree_graph;
-using curve_length::length;
-using test_meshes::indexed;
-using test_meshes::Mesh_data;
 
 struct Case
 {

@@ -83,8 +83,6 @@ constexpr void refuse_parameters_of_distances()
   static_assert(!is_given<NamedParameters, internal_np::face_is_excluded_map_t>(),
                 "face_is_excluded_map is for exact distances alone: use Surface_mesh_exact_geodesics, or a mesh "
                 "without these faces");
-  static_assert(!is_given<NamedParameters, internal_np::maximum_deviation_t>(),
-                "maximum_deviation is for isolines: use Surface_mesh_exact_geodesics");
 }
 
 // The options for a cut locus: those of the method in force unless others are given.

@@ -14,7 +14,6 @@ CGAL_add_named_parameter(edge_length_map_t, edge_length_map, edge_length_map)
 CGAL_add_named_parameter(source_curves_t, source_curves, source_curves)
 CGAL_add_named_parameter(source_border_t, source_border, source_border)
 CGAL_add_named_parameter(maximum_relative_error_t, maximum_relative_error, maximum_relative_error)
-CGAL_add_named_parameter(maximum_deviation_t, maximum_deviation, maximum_deviation)
 CGAL_add_named_parameter(face_is_excluded_map_t, face_is_excluded_map, face_is_excluded_map)
 #if CGAL_VERSION_NR < 1060000000 // has it itself since then
 CGAL_add_named_parameter(concurrency_tag_t, concurrency_tag, concurrency_tag)
