@@ -4,7 +4,7 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include "topology_checker.h"
+#include "surface_test.h"
 
 #include <CGAL/Cut_loci/laplacian/Branch_filter.h>
 #include <CGAL/Cut_loci/laplacian/Differential_operators.h>
@@ -14,16 +14,13 @@
 #include <CGAL/Cut_loci/laplacian/region_growing_tree.h>
 #include <CGAL/Cut_loci/laplacian/thinning.h>
 
-#include <gtest/gtest.h>
-
-#include <functional>
 #include <queue>
 
 namespace test_stages {
 
 // Each stage alone, against naive implementations.
 
-using namespace test_meshes;
+using namespace surface_test;
 using namespace CGAL::Cut_loci;
 using topology_checker::make_edge;
 
@@ -548,8 +545,8 @@ struct Filter_case
   // Takes the weak end at the root from what `naive()` selects on a surface with a border; returns the root that is left.
   Index trim(std::set<Index>& selected, const Branch_thresholds& t) const
   {
-    Index root = trees.extended.root;
     const std::map<Index, Index> parent = joined();
+    Index root = trees.extended.root;
     while(f.connectivity.number_of_border_loops > 0 && !f.connectivity.is_border(root))
     {
       std::vector<Index> children;
@@ -565,6 +562,45 @@ struct Filter_case
       root = children.front();
     }
     return root;
+  }
+
+  // Branches hang on what is always kept; the longest of those that meet continues.
+  std::set<Index> without_short_branches(const std::set<Index>& all, const Branch_thresholds& t) const
+  {
+    const std::map<Index, Index> parent = joined();
+    std::map<Index, std::vector<Index>> children;
+    for(Index v : all)
+      if(v != trees.extended.root)
+        children[parent.at(v)].push_back(v);
+    const std::set<Index> always = kept();
+    struct Branch
+    {
+      double length = 0.;
+      Index edges = 0;
+      std::set<Index> left; // of it, if it is left
+    };
+    const auto is_long = [&](const Branch& b) { return b.edges >= t.minimum_edges && b.length >= t.minimum_length; };
+    const std::function<Branch(Index)> branch_at = [&](Index v) // that starts with the edge above v
+    {
+      Branch longest;
+      std::set<Index> left = {v};
+      for(Index w : children[v])
+      {
+        const Branch b = branch_at(w);
+        if(is_long(b))
+          left.insert(b.left.begin(), b.left.end());
+        if(b.length > longest.length)
+          longest = b;
+      }
+      left.insert(longest.left.begin(), longest.left.end());
+      return Branch{longest.length + norm(f.mesh.points[v] - f.mesh.points[parent.at(v)]), longest.edges + 1, left};
+    };
+    std::set<Index> result = always;
+    for(Index v : all)
+      if(v != trees.extended.root && !always.count(v) && always.count(parent.at(v)))
+        if(const Branch b = branch_at(v); is_long(b))
+          result.insert(b.left.begin(), b.left.end());
+    return result;
   }
 
   Fixture f;
@@ -612,7 +648,7 @@ TEST(Branch_filter, selects_what_a_walk_over_the_tree_selects_at_any_threshold)
           t.policy = policy;
           t.gradient_angle = angle;
           t.laplacian = laplacian;
-          const Branch_filter::Result result = c.filter(c.f.mesh, t);
+          const Branch_filter::Result result = c.filter(c.f.mesh, c.f.connectivity, t);
           std::set<Index> expected = c.naive(t);
           EXPECT_EQ(result.vertices.front(), c.trim(expected, t));
           EXPECT_EQ(std::set<Index>(result.vertices.begin(), result.vertices.end()), expected)
@@ -635,7 +671,7 @@ TEST(Branch_filter, a_higher_threshold_selects_a_subset)
           t.policy = policy;
           t.gradient_angle = by_angle ? pi * i / 20. : 0.;
           t.laplacian = by_angle ? t.laplacian : -1. + i / 10.;
-          const Branch_filter::Result result = c.filter(c.f.mesh, t);
+          const Branch_filter::Result result = c.filter(c.f.mesh, c.f.connectivity, t);
           const std::set<Index> now(result.vertices.begin(), result.vertices.end());
           if(i > 0)
           {
@@ -653,9 +689,9 @@ TEST(Branch_filter, growing_selects_a_part_of_what_pruning_selects)
     {
       Branch_thresholds t;
       t.gradient_angle = angle;
-      const std::vector<Index> pruned = c.filter(c.f.mesh, t).vertices;
+      const std::vector<Index> pruned = c.filter(c.f.mesh, c.f.connectivity, t).vertices;
       t.policy = Filter_policy::GROWING;
-      const std::vector<Index> grown = c.filter(c.f.mesh, t).vertices;
+      const std::vector<Index> grown = c.filter(c.f.mesh, c.f.connectivity, t).vertices;
       const std::set<Index> all(pruned.begin(), pruned.end());
       for(Index v : grown)
         EXPECT_TRUE(all.count(v));
@@ -672,7 +708,7 @@ TEST(Branch_filter, an_edge_has_the_largest_strength_from_there_to_the_tips_of_i
     for(const auto& [v, unused] : parent)
       for(Index w = v; w != null_index && !c.f.connectivity.is_border(v); w = parent.at(w))
         strongest[w] = (std::max)(strongest[w], c.angle[v]);
-    const Branch_filter::Result result = c.filter(c.f.mesh, Branch_thresholds());
+    const Branch_filter::Result result = c.filter(c.f.mesh, c.f.connectivity, Branch_thresholds());
     for(std::size_t i = 0; i + c.generators.size() < result.edges.size(); ++i)
       EXPECT_EQ(result.edges[i].strength, strongest[result.edges[i].vertex]);
   }
@@ -686,64 +722,12 @@ TEST(Branch_filter, removes_short_branches_where_a_longer_one_continues)
       {
         Branch_thresholds t;
         t.gradient_angle = 1.5;
-        const std::set<Index> all = c.naive(t), always = c.kept();
+        const std::set<Index> all = c.naive(t);
         t.minimum_edges = minimum_edges;
         t.minimum_length = minimum_length;
-        const Index root = c.trees.extended.root;
-        const std::map<Index, Index> parent = c.joined();
-
-        // naive: the path down from each vertex along the child whose branch is longest
-        std::map<Index, std::vector<Index>> children;
-        for(Index v : all)
-          if(v != root)
-            children[parent.at(v)].push_back(v);
-        struct Branch
-        {
-          double length;
-          Index edges;
-        };
-        const std::function<Branch(Index)> branch_at = [&](Index v) // the branch that starts with the edge above v
-        {
-          Branch down = {0., 0};
-          double best = -1.;
-          for(Index w : children[v])
-          {
-            const Branch b = branch_at(w);
-            const double rank = always.count(w) ? 1e300 : b.length;
-            if(rank > best)
-            {
-              best = rank;
-              down = b;
-            }
-          }
-          return Branch{down.length + norm(c.f.mesh.points[v] - c.f.mesh.points[parent.at(v)]), down.edges + 1};
-        };
-        std::set<Index> expected;
-        const std::function<void(Index)> visit = [&](Index v)
-        {
-          expected.insert(v);
-          Index longest = null_index;
-          double best = -1.;
-          for(Index w : children[v])
-          {
-            const double rank = always.count(w) ? 1e300 : branch_at(w).length;
-            if(rank > best)
-            {
-              best = rank;
-              longest = w;
-            }
-          }
-          for(Index w : children[v])
-          {
-            const Branch b = branch_at(w);
-            if(always.count(w) || (w == longest && !always.count(v)) ||
-               (b.edges >= minimum_edges && b.length >= minimum_length))
-              visit(w);
-          }
-        };
-        visit(root);
+        std::set<Index> expected = c.without_short_branches(all, t);
         c.trim(expected, t);
-        const Branch_filter::Result result = c.filter(c.f.mesh, t);
+        const Branch_filter::Result result = c.filter(c.f.mesh, c.f.connectivity, t);
         EXPECT_EQ(std::set<Index>(result.vertices.begin(), result.vertices.end()), expected)
           << minimum_edges << " edges, length " << minimum_length;
         EXPECT_EQ(topology_checker::fault(topology_checker::Surface(c.f.data.triangles, 0), cut_of(result)), "");

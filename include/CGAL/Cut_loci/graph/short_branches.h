@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/internal/Edges_left.h>
+#include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
@@ -23,8 +24,8 @@
 namespace CGAL::Cut_loci {
 namespace internal {
 
-// A graph on a mesh as a core - its cycles, the border loops and what joins them, or the root if there is neither - and
-// the trees that hang on it. Each border loop counts as one point.
+// A graph on a mesh as a core - its cycles, what has to stay, and what joins these - and the trees that hang on it. A part
+// that else would have no core has its first node.
 class Hanging_trees
 {
 public:
@@ -35,26 +36,38 @@ public:
     double length;
   };
 
-  // `face` is that of each edge; of edges of the mesh it may be empty
+  // `face` is that of each edge; of edges of the mesh it may be empty. `stays` tells of each node whether it has to stay; if
+  // it is empty, the border loops are what has to, each of which counts as one point.
   Hanging_trees(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                const Indexed_cut_locus& graph, const std::vector<Index>& face)
+                const Indexed_cut_locus& graph, const std::vector<Index>& face, const std::vector<unsigned char>& stays)
   {
     const Index n = static_cast<Index>(graph.nodes.size());
-    const Index number_of_points = n + connectivity.number_of_border_loops;
+    const Index number_of_points = n + (stays.empty() ? connectivity.number_of_border_loops : 0);
     const auto point_of = [&](Index node)
     {
-      const Index loop = border_loop(mesh, connectivity, graph.nodes[node]);
+      const Index loop = stays.empty() ? border_loop(mesh, connectivity, graph.nodes[node]) : null_index;
       return loop == null_index ? node : n + loop;
     };
     const auto ends = [&](Index e) -> Edges_left::Nodes {
       return {{point_of(graph.edges[e].source), point_of(graph.edges[e].target)}};
     };
     Edges_left left(number_of_points, graph.edges.size(), ends);
-    for(Index p = n; p < number_of_points; ++p)
+    Union_find parts(number_of_points);
+    std::vector<unsigned char> has_core(number_of_points, 0);
+    std::vector<Index> in_core;
+    for(Index p = 0; p < number_of_points; ++p)
+      if(p >= n || (!stays.empty() && stays[p]))
+        in_core.push_back(p);
+    for(Index p : in_core)
       left.keep(p);
-    // Edges form cycles unless they can be peeled down to one point: then the root is that point.
-    if(number_of_points == n && graph.edges.size() + 1 == n)
-      left.keep(0);
+    for(Index e = 0; e < graph.edges.size(); ++e)
+      if(!parts.unite(ends(e)[0], ends(e)[1]))
+        in_core.push_back(ends(e)[0]);
+    for(Index p : in_core)
+      has_core[parts.find(p)] = 1;
+    for(Index p = 0; p < n; ++p)
+      if(!std::exchange(has_core[parts.find(p)], 1))
+        left.keep(p);
 
     std::vector<Index> twig_at(number_of_points, null_index);
     left.peel(ends,
@@ -114,19 +127,20 @@ private:
 
 /*
  * tells for each edge of a graph whether it belongs to a branch of fewer than `minimum_edges` edges or one that is shorter
- * than `minimum_length`. Where branches meet, the longest one continues and the others end; at the cycles, the border and
- * the root, the first node, which are never removed, all of them end. For edges of the mesh, this is the rule of
- * `Branch_filter`. Linear time.
+ * than `minimum_length`. Where branches meet, the longest one continues and the others end; at the cycles and at what has
+ * to stay, which are never removed, all of them end. Time is nearly linear.
  *
  * @param face that each edge runs through; it may be empty if they are edges of the mesh
+ * @param stays whether each node has to stay, with what joins it to others; if it is empty, the border has to, as far as
+ *        the graph meets it, and else the first node of a tree
  */
 inline std::vector<unsigned char> short_branches(const Indexed_triangle_mesh& mesh,
                                                  const Mesh_connectivity& connectivity, const Indexed_cut_locus& graph,
                                                  const std::vector<Index>& face, Index minimum_edges,
-                                                 double minimum_length)
+                                                 double minimum_length, const std::vector<unsigned char>& stays)
 {
   std::vector<unsigned char> result(graph.edges.size(), 0);
-  const internal::Hanging_trees trees(mesh, connectivity, graph, face);
+  const internal::Hanging_trees trees(mesh, connectivity, graph, face, stays);
   const auto& twigs = trees.twigs();
   struct Height
   {
@@ -193,11 +207,11 @@ inline void remove_edges(const Indexed_triangle_mesh& mesh, const Mesh_connectiv
 // removes what `short_branches()` tells.
 inline void remove_short_branches(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
                                   const std::vector<Index>& face, Index minimum_edges, double minimum_length,
-                                  Indexed_cut_locus& graph)
+                                  Indexed_cut_locus& graph, const std::vector<unsigned char>& stays = {})
 {
   if(!graph.edges.empty() && (minimum_edges > 1 || minimum_length > 0.))
     remove_edges(mesh, connectivity, graph,
-                 short_branches(mesh, connectivity, graph, face, minimum_edges, minimum_length));
+                 short_branches(mesh, connectivity, graph, face, minimum_edges, minimum_length, stays));
 }
 
 // removes the part of the cut locus of several sources that is not asked for

@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_LAPLACIAN_BRANCH_FILTER_H
 
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/graph/short_branches.h>
 #include <CGAL/Cut_loci/internal/Compressed_rows.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/laplacian/region_growing_tree.h>
@@ -31,9 +32,9 @@ namespace Cut_loci {
  *
  * That part is a graph which cuts the surface into one open disk. The tree hangs on it, so removing vertices of
  * degree 1 from the union keeps the disk, and the filter does nothing else: it keeps the demanded part, the branches
- * that pass the thresholds, and the root, from which a surface with a border allows it to cut a weak end. The answer to
- * both policies is stored with each vertex, the largest strength below it and the smallest above, so that a new
- * threshold costs time in proportion to the size of the result.
+ * that pass the thresholds and are not short, and the root, from which a surface with a border allows it to cut a weak
+ * end. The answer to both policies is stored with each vertex, the largest strength below it and the smallest above, so
+ * that a new threshold costs time in proportion to the size of the result.
  */
 class Branch_filter
 {
@@ -76,7 +77,8 @@ public:
     accumulate(connectivity, joined, gradient_angle, laplacian);
   }
 
-  Result operator()(const Indexed_triangle_mesh& mesh, const Branch_thresholds& thresholds) const
+  Result operator()(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                    const Branch_thresholds& thresholds) const
   {
     const std::vector<Strength>& strength = thresholds.policy == Filter_policy::PRUNING ? below_ : above_;
     Result result;
@@ -96,11 +98,33 @@ public:
     if(!only_joins_.empty())
       remove_needless_joins(parent_position, result);
     if(thresholds.minimum_edges > 1 || thresholds.minimum_length > 0.)
-      remove_short_branches(mesh, thresholds, parent_position, result);
+      remove_short_branches(mesh, connectivity, thresholds, parent_position, result);
     if(!own_.empty())
       trim_root(mesh, thresholds, result);
-    for(Index h : generators_)
-      result.edges.push_back({mesh.source(h), mesh.target(h), h, (std::numeric_limits<float>::max)()});
+    add_generators(mesh, result);
+    return result;
+  }
+
+  /// the result as a graph, without distances
+  static Indexed_cut_locus mesh_edge_graph(const Mesh_connectivity& connectivity, const Result& filtered)
+  {
+    Indexed_cut_locus result;
+    result.nodes.resize(filtered.vertices.size());
+    // The vertices of the result are few: a search in a sorted copy costs no table over the mesh.
+    std::vector<std::pair<Index, Index>> position(filtered.vertices.size());
+    for(Index i = 0; i < filtered.vertices.size(); ++i)
+    {
+      const Index v = filtered.vertices[i];
+      result.nodes[i] = {internal::location_of_vertex(connectivity, v), v, 0.};
+      position[i] = {v, i};
+    }
+    std::sort(position.begin(), position.end());
+    const auto node = [&](Index v)
+    { return std::lower_bound(position.begin(), position.end(), std::make_pair(v, Index(0)))->second; };
+    result.edges.reserve(filtered.edges.size());
+    for(const Edge& e : filtered.edges)
+      result.edges.push_back(
+        {node(e.vertex), node(e.parent), e.halfedge, e.strength, static_cast<Index>(result.edges.size())});
     return result;
   }
 
@@ -283,46 +307,33 @@ private:
     result.edges.erase(result.edges.begin(), result.edges.begin() + end);
   }
 
-  // Where branches meet, the longest one continues and the others end, and at the root all of them: those that are
-  // short are removed.
-  void remove_short_branches(const Indexed_triangle_mesh& mesh, const Branch_thresholds& thresholds,
-                             std::vector<Index>& parent_position, Result& result) const
+  void remove_short_branches(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                             const Branch_thresholds& thresholds, std::vector<Index>& parent_position,
+                             Result& result) const
   {
-    using namespace internal;
-    struct Height
+    Result whole = result;
+    add_generators(mesh, whole);
+    Indexed_cut_locus graph = mesh_edge_graph(connectivity, whole);
+    std::vector<unsigned char> stays;
+    for(Index v : result.vertices)
+      stays.push_back(is_kept_[v]);
+    Cut_loci::remove_short_branches(mesh, connectivity, {}, thresholds.minimum_edges, thresholds.minimum_length, graph,
+                                    stays);
+    std::vector<bool> is_left(result.vertices.size(), false);
+    std::size_t i = 0;
+    for(const Indexed_cut_locus::Node& node : graph.nodes) // in the same order
     {
-      double length = 0.;
-      Index edges = 0;
-    };
-    const std::size_t n = result.vertices.size();
-    std::vector<Height> height(n);
-    std::vector<Height> branch(n);               // from a vertex' parent on
-    std::vector<double> longest(n, -1.);         // among the branches that meet at a vertex
-    std::vector<Index> continued(n, null_index); // the position of that branch's first vertex
-    for(std::size_t i = n; i-- > 1;)
-    {
-      const Index p = parent_position[i], v = result.vertices[i];
-      branch[i] = {height[i].length + norm(mesh.points[v] - mesh.points[result.vertices[p]]), height[i].edges + 1};
-      // What is kept for the homology continues before any branch.
-      const double rank = is_kept_[v] ? (std::numeric_limits<double>::max)() : branch[i].length;
-      if(rank > longest[p] || (rank == longest[p] && v < result.vertices[continued[p]]))
-      {
-        longest[p] = rank;
-        continued[p] = static_cast<Index>(i);
-        height[p] = branch[i];
-      }
-    }
-    std::vector<bool> is_left(n, true);
-    for(std::size_t i = 1; i < n; ++i)
-    {
-      const Index p = parent_position[i];
-      const bool is_short = branch[i].edges < thresholds.minimum_edges || branch[i].length < thresholds.minimum_length;
-      // At the root even the longest branch may be nothing but noise around a point, and at the ends of generators no
-      // branch continues anything: the loop does, by the generator.
-      const bool ends = is_kept_[result.vertices[p]] || continued[p] != i;
-      is_left[i] = is_left[p] && (is_kept_[result.vertices[i]] || !ends || !is_short);
+      for(; result.vertices[i] != node.vertex; ++i)
+        ;
+      is_left[i] = true;
     }
     leave(is_left, parent_position, result);
+  }
+
+  void add_generators(const Indexed_triangle_mesh& mesh, Result& result) const
+  {
+    for(Index h : generators_)
+      result.edges.push_back({mesh.source(h), mesh.target(h), h, (std::numeric_limits<float>::max)()});
   }
 
   Index root_ = null_index;
@@ -335,33 +346,6 @@ private:
   std::vector<Strength> above_; // the smallest on the way to what is kept at any threshold
 };
 
-namespace internal {
-
-// the graph of mesh edges that a filter has selected
-inline Indexed_cut_locus mesh_edge_graph(const Mesh_connectivity& connectivity, const std::vector<double>& distance,
-                                         const Branch_filter::Result& filtered)
-{
-  Indexed_cut_locus result;
-  result.nodes.resize(filtered.vertices.size());
-  // The vertices of the result are few: a search in a sorted copy costs no table over the mesh.
-  std::vector<std::pair<Index, Index>> position(filtered.vertices.size());
-  for(Index i = 0; i < filtered.vertices.size(); ++i)
-  {
-    const Index v = filtered.vertices[i];
-    result.nodes[i] = {location_of_vertex(connectivity, v), v, distance[v]};
-    position[i] = {v, i};
-  }
-  std::sort(position.begin(), position.end());
-  const auto node = [&](Index v)
-  { return std::lower_bound(position.begin(), position.end(), std::make_pair(v, Index(0)))->second; };
-  result.edges.reserve(filtered.edges.size());
-  for(const Branch_filter::Edge& e : filtered.edges)
-    result.edges.push_back(
-      {node(e.vertex), node(e.parent), e.halfedge, e.strength, static_cast<Index>(result.edges.size())});
-  return result;
-}
-
-} // namespace internal
 } // namespace Cut_loci
 } // namespace CGAL
 

@@ -141,12 +141,14 @@ public:
   // once per threshold
   Indexed_cut_locus filter(const Branch_thresholds& thresholds) const
   {
-    Branch_filter::Result filtered = filter_(mesh_, thresholds);
+    Branch_filter::Result filtered = filter_(mesh_, connectivity_, thresholds);
     // Growth ends where branches are weak, and who asks for a wider angle than the default wants strong parts only.
     if(thresholds.policy == Filter_policy::PRUNING &&
        thresholds.gradient_angle <= Laplacian_method().gradient_angle_threshold())
       Branch_tips(connectivity_, distance_, laplacian_, laplacian_noise_, slope_error_, filter_)(filtered);
-    Indexed_cut_locus result = mesh_edge_graph(connectivity_, distance_, filtered);
+    Indexed_cut_locus result = Branch_filter::mesh_edge_graph(connectivity_, filtered);
+    for(Indexed_cut_locus::Node& node : result.nodes)
+      node.distance = distance_[node.vertex];
     if(!roots_.parts().empty())
       leave_sources(thresholds, result);
     name_sources(result);
