@@ -383,7 +383,7 @@ export const tests = {
       assert.deepEqual([await page.inputValue('#solver'), await page.inputValue('#method')], ['exact', 'default']);
       assert.ok(await d.app(({ app }) => app.isSolved));
       assert.equal((await d.result()).sources, 2);
-      assert.match(await d.hash(), /method=direction/);
+      assert.match(await d.hash(), /method=default/);
       await page.click('#message-close');
     }
     await page.selectOption('#method', 'polyhedral');
