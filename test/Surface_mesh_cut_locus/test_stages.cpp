@@ -564,45 +564,6 @@ struct Filter_case
     return root;
   }
 
-  // Branches hang on what is always kept; the longest of those that meet continues.
-  std::set<Index> without_short_branches(const std::set<Index>& all, const Branch_thresholds& t) const
-  {
-    const std::map<Index, Index> parent = joined();
-    std::map<Index, std::vector<Index>> children;
-    for(Index v : all)
-      if(v != trees.extended.root)
-        children[parent.at(v)].push_back(v);
-    const std::set<Index> always = kept();
-    struct Branch
-    {
-      double length = 0.;
-      Index edges = 0;
-      std::set<Index> left; // of it, if it is left
-    };
-    const auto is_long = [&](const Branch& b) { return b.edges >= t.minimum_edges && b.length >= t.minimum_length; };
-    const std::function<Branch(Index)> branch_at = [&](Index v) // that starts with the edge above v
-    {
-      Branch longest;
-      std::set<Index> left = {v};
-      for(Index w : children[v])
-      {
-        const Branch b = branch_at(w);
-        if(is_long(b))
-          left.insert(b.left.begin(), b.left.end());
-        if(b.length > longest.length)
-          longest = b;
-      }
-      left.insert(longest.left.begin(), longest.left.end());
-      return Branch{longest.length + norm(f.mesh.points[v] - f.mesh.points[parent.at(v)]), longest.edges + 1, left};
-    };
-    std::set<Index> result = always;
-    for(Index v : all)
-      if(v != trees.extended.root && !always.count(v) && always.count(parent.at(v)))
-        if(const Branch b = branch_at(v); is_long(b))
-          result.insert(b.left.begin(), b.left.end());
-    return result;
-  }
-
   Fixture f;
   Trees trees;
   std::vector<Index> generators;
@@ -714,8 +675,87 @@ TEST(Branch_filter, an_edge_has_the_largest_strength_from_there_to_the_tips_of_i
   }
 }
 
-TEST(Branch_filter, removes_short_branches_where_a_longer_one_continues)
+namespace {
+
+// the branches of a selected tree, the longest first at each vertex
+class Naive_branches
 {
+public:
+  Naive_branches(const Filter_case& c, const std::set<Index>& selected)
+    : c_(c), parent_(c.joined()), always_(c.kept()), root_(c.trees.extended.root)
+  {
+    for(Index v : selected)
+      if(v != root_)
+        children_[parent_.at(v)].push_back(v);
+  }
+
+  // with what is left of them if those are removed that are shorter than a length or lead fewer edges away
+  std::set<Index> left(Index edges, double length)
+  {
+    std::set<Index> result = always_, removed;
+    result.insert(root_);
+    for(;;)
+    {
+      Index longest = null_index;
+      for(const auto& [v, below] : children_)
+        for(Index w : below)
+          if(result.count(v) && !result.count(w) && !removed.count(w) &&
+             (longest == null_index || std::make_pair(-length_of(w), w) < std::make_pair(-length_of(longest), longest)))
+            longest = w;
+      if(longest == null_index)
+        return result;
+      const std::vector<Index> branch = branch_at(longest);
+      if(length_of(longest) >= length && edges_away(branch, result) >= edges)
+        result.insert(branch.begin(), branch.end());
+      else
+        removed.insert(longest);
+    }
+  }
+
+private:
+  // from the edge above `v` on
+  std::vector<Index> branch_at(Index v)
+  {
+    std::vector<Index> result = {v}, best;
+    for(Index w : children_[v])
+      if(best.empty() || length_of(w) > length_of(best.front()))
+        best = branch_at(w);
+    result.insert(result.end(), best.begin(), best.end());
+    return result;
+  }
+
+  double length_of(Index v)
+  {
+    double behind = 0.;
+    for(Index w : children_[v])
+      behind = (std::max)(behind, length_of(w));
+    return behind + norm(c_.f.mesh.points[v] - c_.f.mesh.points[parent_.at(v)]);
+  }
+
+  std::size_t edges_away(const std::vector<Index>& branch, std::set<Index> reached) const
+  {
+    for(std::size_t n = 0;; ++n)
+    {
+      if(std::all_of(branch.begin(), branch.end(), [&](Index v) { return reached.count(v) == 1; }))
+        return n;
+      const std::set<Index> before = reached;
+      for(Index v : before)
+        reached.insert(c_.neighbor[v].begin(), c_.neighbor[v].end());
+    }
+  }
+
+  const Filter_case& c_;
+  std::map<Index, Index> parent_;
+  std::set<Index> always_;
+  Index root_;
+  std::map<Index, std::vector<Index>> children_;
+};
+
+} // namespace
+
+TEST(Branch_filter, removes_short_branches_and_those_that_lead_nowhere)
+{
+  std::size_t number_along = 0; // of long branches that are removed because they lead nowhere
   for(const Filter_case& c : filter_cases())
     for(Index minimum_edges : {0u, 1u, 2u, 3u, 5u, 20u})
       for(double minimum_length : {0., 0.3, 0.8})
@@ -725,13 +765,15 @@ TEST(Branch_filter, removes_short_branches_where_a_longer_one_continues)
         const std::set<Index> all = c.naive(t);
         t.minimum_edges = minimum_edges;
         t.minimum_length = minimum_length;
-        std::set<Index> expected = c.without_short_branches(all, t);
+        std::set<Index> expected = Naive_branches(c, all).left(minimum_edges, minimum_length);
+        number_along += expected.size() < Naive_branches(c, all).left(0, minimum_length).size();
         c.trim(expected, t);
         const Branch_filter::Result result = c.filter(c.f.mesh, c.f.connectivity, t);
         EXPECT_EQ(std::set<Index>(result.vertices.begin(), result.vertices.end()), expected)
           << minimum_edges << " edges, length " << minimum_length;
         EXPECT_EQ(topology_checker::fault(topology_checker::Surface(c.f.data.triangles, 0), cut_of(result)), "");
       }
+  EXPECT_GT(number_along, 0u);
 }
 
 } // namespace test_stages

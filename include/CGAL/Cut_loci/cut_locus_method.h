@@ -37,8 +37,8 @@ public:
 
   /// branches of fewer edges of the graph are removed: edges of the mesh, or segments through its faces. Where branches
   /// meet, the longest continues, and at the root and on cycles all of them end. By default 0, as branches are judged as a
-  /// whole, and 3 with `Laplacian_method`, as in the paper. With that one they are edges of the mesh, also if the curve moves
-  /// into the faces then; with the others, of sources that are curves, it is for `Curve::MESH_EDGES` only.
+  /// whole, and 3 with `Laplacian_method`, as in the paper. With that one they are the edges of the mesh by which a branch
+  /// leads away from the rest: what runs beside that for long is none. With the others, of sources that are curves, it is for `Curve::MESH_EDGES` only.
   Method& minimum_branch_edges(long number) { return set(edges_, number); }
   /// branches that are shorter are removed; in units of the diagonal of the bounding box of the source's component, 0 by
   /// default, and else as `minimum_branch_edges()`

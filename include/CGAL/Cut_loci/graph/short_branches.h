@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -123,14 +124,101 @@ private:
   std::vector<Twig> twigs_;
 };
 
+// The trees as branches: where several meet, the longest one continues and the others end, and all of them at the core. Of
+// those that are equally long it is the one that has the lower node.
+struct Ending_branches
+{
+  std::vector<Index> first;     // their innermost twigs; the longest branch first, so that each hangs on one before it
+  std::vector<double> length;   // from the inner end of each twig to the tip
+  std::vector<Index> continued; // the next twig outward
+
+  explicit Ending_branches(const std::vector<Hanging_trees::Twig>& twigs)
+    : length(twigs.size(), 0.), continued(twigs.size(), null_index)
+  {
+    const auto is_before = [&](Index i, Index j)
+    { return std::make_pair(-length[i], twigs[i].outer) < std::make_pair(-length[j], twigs[j].outer); };
+    for(Index i = 0; i < twigs.size(); ++i)
+    {
+      length[i] = twigs[i].length + (continued[i] == null_index ? 0. : length[continued[i]]);
+      const Index p = twigs[i].parent;
+      if(p != null_index && (continued[p] == null_index || is_before(i, continued[p])))
+        continued[p] = i;
+    }
+    for(Index i = 0; i < twigs.size(); ++i)
+      if(const Index p = twigs[i].parent; p == null_index || continued[p] != i)
+        first.push_back(i);
+    std::sort(first.begin(), first.end(), is_before);
+  }
+};
+
+// How many edges of the mesh lead from a vertex to the nearest of some others, which are added one after the other; at most
+// a number of them, up to which they are counted.
+class Vertices_around
+{
+public:
+  Vertices_around(const Mesh_connectivity& connectivity, Index most) : connectivity_(connectivity), most_(most) {}
+
+  Index number_of_edges_to(Index v) const
+  {
+    const auto found = number_.find(v);
+    return found == number_.end() ? most_ : found->second;
+  }
+
+  void add(const std::vector<Index>& vertices)
+  {
+    std::vector<Index> front, next;
+    for(Index v : vertices)
+      visit(v, 0, front);
+    for(Index n = 1; n < most_ && !front.empty(); ++n)
+    {
+      next.clear();
+      for(Index u : front)
+        for(Index k = connectivity_.ring_begin[u]; k < connectivity_.ring_begin[u + 1]; ++k)
+          visit(connectivity_.ring_vertex[k], n, next);
+      front.swap(next);
+    }
+  }
+
+private:
+  void visit(Index v, Index n, std::vector<Index>& front)
+  {
+    const auto inserted = number_.emplace(v, n);
+    if(!inserted.second && inserted.first->second <= n)
+      return;
+    inserted.first->second = n;
+    front.push_back(v);
+  }
+
+  const Mesh_connectivity& connectivity_;
+  Index most_;
+  std::unordered_map<Index, Index> number_; // of what is nearer
+};
+
+// what trees hang on, in a graph of mesh edges
+inline std::vector<Index> vertices_of_core(const Indexed_cut_locus& graph,
+                                           const std::vector<Hanging_trees::Twig>& twigs)
+{
+  std::vector<unsigned char> hangs(graph.nodes.size(), 0);
+  for(const Hanging_trees::Twig& t : twigs)
+    hangs[t.outer] = 1;
+  std::vector<Index> result;
+  for(std::size_t i = 0; i < hangs.size(); ++i)
+    if(!hangs[i])
+      result.push_back(graph.nodes[i].vertex);
+  return result;
+}
+
 } // namespace internal
 
 /*
- * tells for each edge of a graph whether it belongs to a branch of fewer than `minimum_edges` edges or one that is shorter
- * than `minimum_length`. Where branches meet, the longest one continues and the others end; at the cycles and at what has
- * to stay, which are never removed, all of them end. Time is nearly linear.
+ * tells for each edge of a graph whether it belongs to a branch that is too short. Where branches meet, the longest one
+ * continues and the others end; at the cycles and at what has to stay, which are never removed, all of them end.
  *
- * @param face that each edge runs through; it may be empty if they are edges of the mesh
+ * One is too short if it is shorter than `minimum_length` or has fewer than `minimum_edges` edges. If these are edges of
+ * the mesh, they are those by which it leads away from longer ones: beside the cut locus gradients differ as they do on it,
+ * so that what runs along it is none, however long it is. Time is nearly linear for a small number.
+ *
+ * @param face that each edge runs through; it is empty if they are edges of the mesh
  * @param stays whether each node has to stay, with what joins it to others; if it is empty, the border has to, as far as
  *        the graph meets it, and else the first node of a tree
  */
@@ -139,30 +227,34 @@ inline std::vector<unsigned char> short_branches(const Indexed_triangle_mesh& me
                                                  const std::vector<Index>& face, Index minimum_edges,
                                                  double minimum_length, const std::vector<unsigned char>& stays)
 {
-  std::vector<unsigned char> result(graph.edges.size(), 0);
-  const internal::Hanging_trees trees(mesh, connectivity, graph, face, stays);
+  using namespace internal;
+  const Hanging_trees trees(mesh, connectivity, graph, face, stays);
   const auto& twigs = trees.twigs();
-  struct Height
+  const Ending_branches branches(twigs);
+  std::vector<unsigned char> result(graph.edges.size(), 0);
+  for(const Hanging_trees::Twig& t : twigs)
+    result[t.edge] = 1; // until it is found to be long enough
+  Vertices_around longer(connectivity, minimum_edges);
+  if(face.empty())
+    longer.add(vertices_of_core(graph, twigs));
+  for(const Index first : branches.first)
   {
-    double length = 0.;
-    Index edges = 0;
-  };
-  std::vector<Height> branch(twigs.size());
-  std::vector<Index> continuation(twigs.size(), null_index); // the twig that continues each one outward
-  for(std::size_t i = 0; i < twigs.size(); ++i)
-  {
-    const Height behind = continuation[i] == null_index ? Height() : branch[continuation[i]];
-    branch[i] = {behind.length + twigs[i].length, behind.edges + 1};
-    const Index p = twigs[i].parent;
-    if(p != null_index && (continuation[p] == null_index || branch[i].length > branch[continuation[p]].length))
-      continuation[p] = static_cast<Index>(i);
-  }
-  for(std::size_t i = twigs.size(); i-- > 0;)
-  {
-    const Index p = twigs[i].parent;
-    const bool ends = p == null_index || continuation[p] != i;
-    const bool is_short = branch[i].edges < minimum_edges || branch[i].length < minimum_length;
-    result[twigs[i].edge] = (ends && is_short) || (p != null_index && result[twigs[p].edge] != 0);
+    const Index p = twigs[first].parent;
+    if((p != null_index && result[twigs[p].edge] != 0) || branches.length[first] < minimum_length)
+      continue;
+    Index number = 0;
+    std::vector<Index> vertices;
+    for(Index i = first; i != null_index; i = branches.continued[i])
+    {
+      vertices.push_back(graph.nodes[twigs[i].outer].vertex);
+      number = face.empty() ? (std::max)(number, longer.number_of_edges_to(vertices.back())) : number + 1;
+    }
+    if(number < minimum_edges)
+      continue;
+    for(Index i = first; i != null_index; i = branches.continued[i])
+      result[twigs[i].edge] = 0;
+    if(face.empty())
+      longer.add(vertices);
   }
   return result;
 }

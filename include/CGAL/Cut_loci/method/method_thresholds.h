@@ -23,7 +23,7 @@ struct Branch_thresholds
   double gradient_angle = 0.;                                    ///< in radians
   double laplacian = -(std::numeric_limits<double>::infinity)(); ///< for minus the Laplacian times the mean edge length
   Filter_policy policy = Filter_policy::PRUNING;
-  Index minimum_edges = 0;    ///< branches of fewer edges are removed
+  Index minimum_edges = 0;    ///< branches that lead fewer edges away from the rest are removed
   double minimum_length = 0.; ///< branches that are shorter are removed
 };
 
