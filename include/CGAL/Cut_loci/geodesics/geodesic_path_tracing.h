@@ -41,16 +41,16 @@ public:
     return path_;
   }
 
-  /// the last straight piece of the shortest path to `v`, from there to the vertex `begin`, or to a source in a face; valid
-  /// until the next call
+  /// the last straight piece of the shortest path to `v`, from there to the vertex `begin`, to a source in a face, or to the
+  /// first face edge nearer than a distance; valid until the next call
   /// \pre `v` is reached and no source
-  const std::vector<Indexed_location>& last_piece(Index v, Index& begin)
+  const std::vector<Indexed_location>& last_piece(Index v, double least_distance, Index& begin)
   {
     path_.clear();
     add(at_vertex(v));
     const Geodesic_arrival& arrival = geodesics_.arrival(v);
     distance_ = geodesics_.distance(v);
-    begin = trace_piece(arrival, geodesics_.end_in_frame(arrival, v));
+    begin = trace_piece(arrival, geodesics_.end_in_frame(arrival, v), least_distance);
     return path_;
   }
 
@@ -151,8 +151,8 @@ private:
     }
   }
 
-  /// adds a straight piece, and returns the vertex at which it starts, or null if that is a source
-  Index trace_piece(const Geodesic_arrival& arrival, Plane_point p)
+  /// adds a straight piece, and returns the vertex at which it starts, or null if that is a source, or nearer than a distance
+  Index trace_piece(const Geodesic_arrival& arrival, Plane_point p, double least_distance = 0.)
   {
     Plane_point image{arrival.x, arrival.y};
     Index h = arrival.halfedge;
@@ -167,6 +167,8 @@ private:
       add(on_halfedge(h, t / length));
       if(leads_through_last_vertex(arrival, image, p, h))
         return last_.vertex;
+      if(arrival.sigma + std::hypot(image.x - t, image.y) < least_distance)
+        return null_index;
       const Index g = faces_.opposite(h);
       if(g == null_index && geodesics_.is_line(arrival.origin))
         return null_index; // on the line itself

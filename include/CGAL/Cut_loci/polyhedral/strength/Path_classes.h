@@ -18,9 +18,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <limits>
+#include <queue>
 #include <random>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Cut_loci::internal {
@@ -38,8 +40,8 @@ namespace CGAL::Cut_loci::internal {
  * Where a chain passes a vertex, it is pushed a little to one side: each corner has the set of chains to be crossed on the
  * way around the vertex from its first corner. So chains and paths may meet in vertices and run along the same edges.
  *
- * Paths are traced back to the next vertex only; so the time is the number of vertices times that of the faces that the
- * last straight piece of a path crosses.
+ * Chains keep as far from the sources as they can. Paths are traced back to the next vertex only, and no nearer than chains
+ * get: so the time is the number of vertices that are farther times that of the faces that paths cross there.
  */
 class Path_classes
 {
@@ -57,6 +59,7 @@ public:
     : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics)
   {
     find_chains(marks);
+    find_least_distance();
     find_corners();
     find_paths();
   }
@@ -79,6 +82,7 @@ private:
   void find_chains(const std::vector<Mark>& marks)
   {
     chains_.assign(connectivity_.number_of_edges(), 0);
+    has_parts_.assign(connectivity_.number_of_edges(), 0);
     grow_tree();
     ends_.assign(mesh_.number_of_vertices(), 0);
     for(std::size_t i = 1; i < marks.size(); ++i)
@@ -96,19 +100,29 @@ private:
     }
   }
 
+  /// from vertex to vertex, the farthest one first of those that have been reached: what leads from one to another in the
+  /// tree is nowhere nearer than it has to be
   void grow_tree()
   {
     to_root_.assign(mesh_.number_of_vertices(), null_index);
-    order_.assign(1, mesh_.triangles[0][0]);
-    for(std::size_t i = 0; i < order_.size(); ++i)
-      for(Index k = connectivity_.ring_begin[order_[i]]; k < connectivity_.ring_begin[order_[i] + 1]; ++k)
+    using Reached = std::pair<double, Index>;
+    std::priority_queue<Reached> reached;
+    const Index root = mesh_.triangles[0][0];
+    reached.push({geodesics_.distance(root), root});
+    while(!reached.empty())
+    {
+      const Index u = reached.top().second;
+      reached.pop();
+      order_.push_back(u);
+      for(Index k = connectivity_.ring_begin[u]; k < connectivity_.ring_begin[u + 1]; ++k)
       {
         const Index v = connectivity_.ring_vertex[k];
-        if(to_root_[v] != null_index || v == order_[0])
+        if(to_root_[v] != null_index || v == root)
           continue;
         to_root_[v] = connectivity_.ring_halfedge[k];
-        order_.push_back(v);
+        reached.push({geodesics_.distance(v), v});
       }
+    }
   }
 
   Chains add_chain(Index from, Index to)
@@ -122,25 +136,45 @@ private:
   /// from the source of the halfedge up to the mark
   void extend(Chains chain, const Mark& mark)
   {
+    const Index edge = connectivity_.edge_of_halfedge[mark.halfedge];
     if(mark.t > 0.)
-      parts_[connectivity_.edge_of_halfedge[mark.halfedge]].push_back({chain, mark});
+      parts_[edge].push_back({chain, mark});
+    has_parts_[edge] |= mark.t > 0.;
   }
 
-  /// the edges that neither the tree has nor the one dual to the rest
+  /// the edges that neither the tree has nor the one dual to the rest, which has those first that the tree has come to last
   void add_handles()
   {
-    std::vector<unsigned char> is_in_tree(connectivity_.number_of_edges(), 0);
-    for(std::size_t i = 1; i < order_.size(); ++i)
-      is_in_tree[connectivity_.edge_of_halfedge[to_root_[order_[i]]]] = 1;
+    if(connectivity_.genus(mesh_) == 0)
+      return;
+    std::vector<Index> position(mesh_.number_of_vertices());
+    for(Index i = 0; i < order_.size(); ++i)
+      position[order_[i]] = i;
     Union_find faces(std::size_t(mesh_.number_of_faces()) + connectivity_.number_of_border_loops);
+    for(std::size_t i = order_.size(); i-- > 1;)
+      for(Index v = order_[i], k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
+      {
+        const Index e = connectivity_.ring_edge(k), h = connectivity_.halfedge_of_edge[e], o = mesh_.opposite[h];
+        if(position[connectivity_.ring_vertex[k]] > i || e == connectivity_.edge_of_halfedge[to_root_[v]])
+          continue;
+        const Index beside =
+          o != null_index ? o / 3 : mesh_.number_of_faces() + connectivity_.border_loop[mesh_.source(h)];
+        if(!faces.unite(h / 3, beside))
+          chains_[e] ^= add_chain(mesh_.source(h), mesh_.target(h));
+      }
+  }
+
+  /// of all chains from the sources, or less: where a chain runs along a path, rounding must not leave out its vertices
+  void find_least_distance()
+  {
     for(Index e = 0; e < connectivity_.number_of_edges(); ++e)
     {
-      const Index h = connectivity_.halfedge_of_edge[e], o = mesh_.opposite[h];
-      const Index beside =
-        o != null_index ? o / 3 : mesh_.number_of_faces() + connectivity_.border_loop[mesh_.source(h)];
-      if(!is_in_tree[e] && !faces.unite(h / 3, beside))
-        chains_[e] ^= add_chain(mesh_.source(h), mesh_.target(h));
+      const Index h = connectivity_.halfedge_of_edge[e];
+      const double ends = geodesics_.distance(mesh_.source(h)) + geodesics_.distance(mesh_.target(h));
+      if(chains_[e] != 0 || has_parts_[e])
+        least_distance_ = (std::min)(least_distance_, 0.5 * (ends - geodesics_.faces().length(h)));
     }
+    least_distance_ *= 1. - geodesic_cover;
   }
 
   /// from the first corner of each vertex around it
@@ -165,10 +199,10 @@ private:
   Chains chains_at(Index edge, Index v) const
   {
     Chains result = chains_[edge];
-    const auto parts = parts_.find(edge);
-    for(std::size_t i = 0; parts != parts_.end() && i < parts->second.size(); ++i)
-      if(mesh_.source(parts->second[i].mark.halfedge) == v)
-        result ^= parts->second[i].chain;
+    if(has_parts_[edge])
+      for(const Part& part : parts_.at(edge))
+        if(mesh_.source(part.mark.halfedge) == v)
+          result ^= part.chain;
     return result;
   }
 
@@ -177,13 +211,10 @@ private:
   {
     const Index edge = connectivity_.edge_of_halfedge[h];
     Chains result = chains_[edge];
-    const auto parts = parts_.find(edge);
-    for(std::size_t i = 0; parts != parts_.end() && i < parts->second.size(); ++i)
-    {
-      const Mark& mark = parts->second[i].mark;
-      if((mark.halfedge == h ? t : geodesics_.faces().length(h) - t) < mark.t)
-        result ^= parts->second[i].chain;
-    }
+    if(has_parts_[edge])
+      for(const Part& part : parts_.at(edge))
+        if((part.mark.halfedge == h ? t : geodesics_.faces().length(h) - t) < part.mark.t)
+          result ^= part.chain;
     return result;
   }
 
@@ -193,17 +224,17 @@ private:
   {
     path_.assign(mesh_.number_of_vertices(), 0);
     is_lost_.assign(mesh_.number_of_vertices(), 0);
-    std::vector<Index> order(mesh_.number_of_vertices()); // paths to the vertices at which others start come first
-    std::iota(order.begin(), order.end(), Index(0));
+    std::vector<Index> order; // paths to the vertices at which others start come first
+    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
+      if(geodesics_.distance(v) > 0. && geodesics_.distance(v) >= least_distance_)
+        order.push_back(v);
     std::sort(order.begin(), order.end(),
               [this](Index a, Index b) { return geodesics_.distance(a) < geodesics_.distance(b); });
     Geodesic_path_tracing tracing(geodesics_);
     for(Index v : order)
     {
-      if(geodesics_.distance(v) == 0.)
-        continue;
       Index begin = null_index;
-      const std::vector<Indexed_location>& piece = tracing.last_piece(v, begin);
+      const std::vector<Indexed_location>& piece = tracing.last_piece(v, least_distance_, begin);
       for(std::size_t i = 0; i + 1 < piece.size() && !is_lost_[v]; ++i)
         add_step(v, piece[i], piece[i + 1], begin == null_index && i + 2 == piece.size());
       if(begin != null_index && geodesics_.distance(begin) < geodesics_.distance(v))
@@ -225,8 +256,14 @@ private:
       path_[v] ^= h != null_index ? along_edge(h) : 0;
       return;
     }
+    const Index h = edge_of(to);
+    if(a == null_index && b == null_index && h != null_index && !ends_at_source)
+    {
+      path_[v] ^= chains_at(h, to.coordinates[(h + 1) % 3] * geodesics_.faces().length(h));
+      return;
+    }
     // a source on an edge is taken to be on one side of it
-    const Index h = edge_of(to), side = h != null_index ? (std::min)(h, mesh_.opposite[h]) / 3 : to.face;
+    const Index side = h != null_index ? (std::min)(h, mesh_.opposite[h]) / 3 : to.face;
     const Index face = common_face(from, to, side);
     is_lost_[v] |= face == null_index;
     if(is_lost_[v])
@@ -280,11 +317,13 @@ private:
   std::vector<Index> order_;                           // of the vertices, from the root of the tree
   std::vector<Index> to_root_;                         // by vertex: a halfedge of the edge of the tree
   std::vector<Chains> chains_;                         // through each edge
-  std::unordered_map<Index, std::vector<Part>> parts_; // of edges on which chains end
+  std::vector<unsigned char> has_parts_;               // by edge, whether chains end on it
+  std::unordered_map<Index, std::vector<Part>> parts_; // of those
   std::vector<Chains> ends_;                           // at each vertex
   std::vector<Chains> at_corner_;                      // by halfedge, at its source
   std::vector<Chains> path_;                           // to each vertex
   std::vector<unsigned char> is_lost_;
+  double least_distance_ = (std::numeric_limits<double>::infinity)();
 };
 
 } // namespace CGAL::Cut_loci::internal

@@ -448,13 +448,18 @@ private:
     return result;
   }
 
-  /// a point of each connected part of the edges that are known, border loops among them
+  /// the farthest point of each connected part of the edges that are known, border loops among them
   std::vector<Path_classes::Mark> known_parts(const std::vector<Tree_branches::Edge>& edges) const
   {
     Union_find parts(graph_.nodes.size());
     std::vector<Path_classes::Mark> mark(graph_.nodes.size(), Path_classes::Mark{null_index, 0.});
+    const auto is_farther = [&](const Path_classes::Mark& a, const Path_classes::Mark& b)
+    {
+      return b.halfedge == null_index ||
+             geodesics_.distance(mesh_.source(a.halfedge)) > geodesics_.distance(mesh_.source(b.halfedge));
+    };
     for(Index h = 0; h < mesh_.number_of_halfedges(); ++h)
-      if(mesh_.is_border_edge(h))
+      if(mesh_.is_border_edge(h) && is_farther({h, 0.}, mark[connectivity_.border_loop[mesh_.source(h)]]))
         mark[connectivity_.border_loop[mesh_.source(h)]] = {h, 0.};
     for(const Tree_branches::Edge& b : edges)
     {
@@ -466,14 +471,13 @@ private:
         if(graph_.nodes[i].crossing != null_index && graph_.nodes[i].t > 0.)
           mark[i] = {graph_.nodes[i].halfedge, graph_.nodes[i].t};
     }
-    std::vector<Path_classes::Mark> result;
-    std::vector<unsigned char> is_done(graph_.nodes.size(), 0);
     for(Index i = 0; i < mark.size(); ++i)
-      if(mark[i].halfedge != null_index && !is_done[parts.find(i)])
-      {
-        is_done[parts.find(i)] = 1;
+      if(mark[i].halfedge != null_index && is_farther(mark[i], mark[parts.find(i)]))
+        mark[parts.find(i)] = mark[i];
+    std::vector<Path_classes::Mark> result;
+    for(Index i = 0; i < mark.size(); ++i)
+      if(mark[i].halfedge != null_index && parts.find(i) == i)
         result.push_back(mark[i]);
-      }
     return result;
   }
 
