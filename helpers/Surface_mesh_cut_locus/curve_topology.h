@@ -14,6 +14,7 @@
 #include <CGAL/Cut_loci/surface/common_faces.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
+#include <CGAL/Cut_loci/surface/mollified_lengths.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <algorithm>
@@ -28,6 +29,14 @@
 
 namespace curve_measures {
 namespace internal {
+
+// The mesh, with lengths that give flat faces angles, as methods see it.
+inline CGAL::Cut_loci::Indexed_triangle_mesh with_areas(CGAL::Cut_loci::Indexed_triangle_mesh mesh)
+{
+  if(CGAL::Cut_loci::internal::needs_mollification(mesh))
+    mesh.lengths = CGAL::Cut_loci::internal::Mollification(mesh).lengths;
+  return mesh;
+}
 
 // The topology of a curve through the faces, from the order of its edges around each node: no coordinates are rounded,
 // and no faces split. A border loop is one node, and so are nodes at one point that an edge joins.
@@ -45,7 +54,8 @@ class Curve_topology
 
 public:
   Curve_topology(const Mesh& mesh, const Graph& graph)
-    : mesh_(mesh), connectivity_(mesh), graph_(graph), nodes_(graph.nodes.size() + connectivity_.number_of_border_loops)
+    : mesh_(with_areas(mesh)), connectivity_(mesh), graph_(graph),
+      nodes_(graph.nodes.size() + connectivity_.number_of_border_loops)
   {
     number_border();
     for(const Graph::Node& node : graph.nodes)
@@ -237,7 +247,7 @@ private:
 
   static constexpr double rounding = 1e-12; // of barycentric coordinates, of whoever made the curve
 
-  const Mesh& mesh_;
+  const Mesh mesh_;
   const CGAL::Cut_loci::Mesh_connectivity connectivity_;
   const Graph& graph_;
   Union_find nodes_; // of the graph, and the border loops

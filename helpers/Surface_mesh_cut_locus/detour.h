@@ -22,7 +22,6 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
-#include <CGAL/Cut_loci/surface/mollified_lengths.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_locus.h>
 
@@ -225,9 +224,7 @@ inline Exact_distances exact_distances(const Indexed_mesh& mesh,
                                        const std::vector<Index>& lines = {},
                                        const std::vector<CGAL::Cut_loci::Indexed_location>& queries = {})
 {
-  Indexed_mesh measured = mesh;
-  if(CGAL::Cut_loci::internal::needs_mollification(mesh))
-    measured.lengths = CGAL::Cut_loci::internal::Mollification(mesh).lengths;
+  const Indexed_mesh measured = with_areas(mesh);
   CGAL::Cut_loci::internal::Exact_geodesic_propagation propagation(measured);
   CGAL::Cut_loci::internal::Exact_geodesic_options options;
   options.owners.assign(sources.size(), 0);

@@ -164,6 +164,19 @@ TEST(Faces_without_area, at_which_paths_meet_leave_a_disk)
   }
 }
 
+TEST(Faces_without_area, do_not_hide_the_order_of_the_branches_at_a_vertex)
+{
+  for(unsigned seed = 0; seed < 20; ++seed)
+  {
+    const Built built(with_flat_faces(test_meshes::torus(1., 0.4, 12, 8, 0.15, seed), 40, seed));
+    CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh,
+                                              params::geodesic_solver(CGAL::Heat_method_geodesic_solver<>()));
+    solver.set_source(built.vertices[seed]);
+    const auto curve = solver.cut_locus();
+    EXPECT_EQ(curve_measures::measure(built.mesh, curve).topology_fault, "") << "seed " << seed;
+  }
+}
+
 // A point of face `f` beside one of its corners or edges, by a share of it: three faces, of which two or one are thin.
 void add_beside(Mesh_data& m, std::size_t f, double share, std::mt19937& engine)
 {
