@@ -298,8 +298,7 @@ private:
     {
       const double reach = 2. * mean_edge_length(mesh);
       const double found = curve_measures::completeness(
-        *trusted.tree, [&](const auto& e) { return e.width >= trusted.width; }, result,
-        reach);
+        *trusted.tree, [&](const auto& e) { return e.width >= trusted.width; }, result, reach);
       std::printf("%.3f,%.3f", found, curve_measures::completeness(result, *trusted.pruned, reach));
       kind.completeness.push_back(found);
     }

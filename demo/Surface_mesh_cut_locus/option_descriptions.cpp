@@ -131,17 +131,16 @@ po::options_description shown()
       "the two shortest paths to a branch must be as far apart as this somewhere, in units of the diagonal of the "
       "bounding box, at most 1, with the methods default and polyhedral (default: with default what the mesh "
       "resolves, or a quarter of that in limbs and at corners; 0 with polyhedral, or if there is a --min-branch-gap)");
-  add(
-    "min-branch-curvature", text("RAD"),
-    "what encloses as much curvature is kept at a quarter of the width, in radians, at most 4 pi: a limb encloses "
-    "almost 2 pi, the corner of a box pi / 2, with the methods default and polyhedral (default: what mesh and noise "
-    "do not explain; the width alone counts if one is given)");
+  add("min-branch-curvature", text("RAD"),
+      "what encloses as much curvature is kept at a quarter of the width, in radians, at most 4 pi: a limb encloses "
+      "almost 2 pi, the corner of a box pi / 2, with the methods default and polyhedral (default: what mesh and noise "
+      "do not explain; the width alone counts if one is given)");
   add("min-branch-gap", text("RAD"),
       "least angle, in radians, between these paths where they part, at most pi (default: 0)");
-  add(
-    "min-branch-edges", text("N"),
-    "branches of fewer edges of the curve are removed, with the method laplacian those that lead fewer edges of the mesh "
-    "away from the rest (default: 3 with the method laplacian, else 0)");
+  add("min-branch-edges", text("N"),
+      "branches of fewer edges of the curve are removed, with the method laplacian those that lead fewer edges of the "
+      "mesh "
+      "away from the rest (default: 3 with the method laplacian, else 0)");
   add("min-branch-length", text("L"),
       "branches that are shorter are removed, in units of the diagonal of the bounding box (default: 0)");
   add("keep", text("all|voronoi|medial"),
@@ -191,12 +190,11 @@ po::options_description output()
   add("seams", text("FILE.obj|.json|.py"),
       "write these seams on the vertices of the file: as lines, as a list of pairs counted from 0, or as a script that "
       "marks them in Blender");
-  add(
-    "max-stretch", text("S"),
-    "a component is cut along finer branches as long as a chart of it is stretched more than this, in the mean; with "
-    "the "
-    "method default, --parameterization injective, and no --min-branch-width, -gap or -curvature (default: 2, where "
-    "lengths are doubled or halved)");
+  add("max-stretch", text("S"),
+      "a component is cut along finer branches as long as a chart of it is stretched more than this, in the mean; with "
+      "the "
+      "method default, --parameterization injective, and no --min-branch-width, -gap or -curvature (default: 2, where "
+      "lengths are doubled or halved)");
   add("parameterization", text("injective|arap|lscm|convex|logmap")->default_value("injective"),
       "how --uv flattens:\n"
       "  injective: as isometrically as may be without flipped or overlapping triangles\n"
