@@ -138,9 +138,9 @@ po::options_description shown()
   add("min-branch-gap", text("RAD"),
       "least angle, in radians, between these paths where they part, at most pi (default: 0)");
   add("min-branch-edges", text("N"),
-      "branches of fewer edges of the curve are removed, with the method laplacian those that lead fewer edges of the "
-      "mesh "
-      "away from the rest (default: 3 with the method laplacian, else 0)");
+      "branches of fewer edges of the curve, or with the method laplacian of the mesh, are removed; of edges of the "
+      "mesh, "
+      "those count by which a branch leads away from the rest (default: 3 with the method laplacian, else 0)");
   add("min-branch-length", text("L"),
       "branches that are shorter are removed, in units of the diagonal of the bounding box (default: 0)");
   add("keep", text("all|voronoi|medial"),

@@ -462,9 +462,9 @@ class CutLocus:
         filter_policy : str, optional
             "prune" weak branches from their tips (default), or "grow" the tree from its root; for "laplacian".
         minimum_branch_edges : int, optional
-            Branches of fewer edges of `curve` are removed, with "laplacian" those that lead fewer edges of the mesh away
-            from the rest. Of sources that are curves for the curve "edges" or "laplacian" only. Default: 3 with
-            "laplacian", else 0.
+            Branches of fewer edges are removed: of `curve`, or with "laplacian" of the mesh. Of edges of the mesh, those
+            count by which a branch leads away from the rest. Of sources that are curves for the curve "edges" or
+            "laplacian" only. Default: 3 with "laplacian", else 0.
         minimum_branch_length : float, optional
             Shorter branches are removed, in diagonals of the bounding box; as `minimum_branch_edges`. Default: 0.
         number_of_iterations : int, optional

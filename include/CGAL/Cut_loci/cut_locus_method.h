@@ -35,10 +35,11 @@ class Branch_options
 public:
   constexpr explicit Branch_options(long edges) : edges_(edges) {}
 
-  /// branches of fewer edges of the graph are removed: edges of the mesh, or segments through its faces. Where branches
-  /// meet, the longest continues, and at the root and on cycles all of them end. By default 0, as branches are judged as a
-  /// whole, and 3 with `Laplacian_method`, as in the paper. With that one they are the edges of the mesh by which a branch
-  /// leads away from the rest: what runs beside that for long is none. With the others, of sources that are curves, it is for `Curve::MESH_EDGES` only.
+  /// branches of fewer edges of the graph are removed: segments through the faces, or edges of the mesh, of which those count
+  /// by which a branch leads away from the rest: what runs beside that for long is none. Where branches meet, the longest
+  /// continues, and at the root and on cycles all of them end. By default 0, as branches are judged as a whole, and 3 with
+  /// `Laplacian_method`, as in the paper. With that one they are always edges of the mesh; with the others, of sources that
+  /// are curves, it is for `Curve::MESH_EDGES` only.
   Method& minimum_branch_edges(long number) { return set(edges_, number); }
   /// branches that are shorter are removed; in units of the diagonal of the bounding box of the source's component, 0 by
   /// default, and else as `minimum_branch_edges()`
