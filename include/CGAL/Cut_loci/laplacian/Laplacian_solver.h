@@ -91,22 +91,23 @@ public:
   {
     grow_forest(progress_.part(0., 0.3));
     find_farthest();
+    // Half the square of the distance d is smooth at sources, where quadrics do not fit d. Its gradient is d times that of
+    // d, its Laplacian 1 + d times that of d.
     const Eigen::Map<const Eigen::VectorXd> d(distance_.data(), static_cast<Eigen::Index>(distance_.size()));
-    Eigen::VectorXd gradient = operators_.gradient * d;
-    for(Index v : vertices_that_see_a_source())
-      gradient[2 * v] = gradient[2 * v + 1] = 0.;
+    const Eigen::VectorXd half_square = 0.5 * d.array().square();
+    Eigen::VectorXd gradient = operators_.gradient * half_square;
+    for(Index v = 0; v < distance_.size(); ++v)
+      for(Index i = 2 * v; i < 2 * v + 2; ++i)
+        gradient[i] = is_at_source(v) ? 0. : gradient[i] / distance_[v];
     angle_ = gradient_angles(connectivity_, tangent_, gradient, progress_.part(0.3, 0.8));
-    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
-      if(angle_[v] * distance_[v] < longest_edge(v))
-        angle_[v] = 0.f;
     progress_(0.8);
-    const Eigen::VectorXd laplacian = operators_.laplacian * d;
+    const Eigen::VectorXd laplacian = operators_.laplacian * half_square;
     laplacian_.resize(distance_.size());
     const double h = connectivity_.mean_edge_length; // makes the Laplacian free of the unit of length
     for(std::size_t v = 0; v < distance_.size(); ++v)
-      laplacian_[v] = static_cast<float>(h * laplacian[static_cast<Eigen::Index>(v)]);
+      laplacian_[v] = static_cast<float>(h * (laplacian[static_cast<Eigen::Index>(v)] - 1.) / distance_[v]);
     for(Index v = 0; v < distance_.size(); ++v)
-      if(is_source_[v])
+      if(is_at_source(v))
       {
         // not on the cut locus, however the operators see this singularity
         angle_[v] = -1.f;
@@ -210,6 +211,8 @@ private:
     if(is_approximate_)
       measure_ways();
   }
+
+  bool is_at_source(Index v) const { return is_source_[v] || distance_[v] == 0.; }
 
   // Distances of heat are smoothed, at the cut locus most of all, and those on a graph are longer: the lengths of the ways to
   // which they lead tell more, and take their place, straightened.
@@ -319,53 +322,6 @@ private:
       return is_loose;
     });
   }
-
-  // Around the source the distance is that to a point: the gradient turns by l / d along an edge of length l at the
-  // distance d, and its estimate has errors of that order. A smaller angle is no evidence of anything else.
-  double longest_edge(Index v) const
-  {
-    double result = 0.;
-    for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
-      result = (std::max)(result, edge_length(mesh_, connectivity_.ring_halfedge[k]));
-    return result;
-  }
-
-  // The vertices to whose neighborhood quadrics are fitted across a source, where the distance has a tip: no gradient
-  // comes of that. They are its neighbors, and those on the other side of the edges between neighbors.
-  std::vector<Index> vertices_that_see_a_source() const
-  {
-    std::vector<Index> result;
-    const auto add_across = [&](Index h)
-    {
-      result.push_back(mesh_.source(h));
-      result.push_back(mesh_.target(h));
-      if(!mesh_.is_border_edge(h))
-        result.push_back(mesh_.source(mesh_.previous(mesh_.opposite[h])));
-    };
-    const auto add_around = [&](Index v)
-    {
-      for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
-        if(mesh_.source(connectivity_.ring_halfedge[k]) == v)
-          add_across(Indexed_triangle_mesh::next(connectivity_.ring_halfedge[k]));
-    };
-    for(const Indexed_source& source : roots_.points())
-      if(source.vertex != null_index)
-        add_around(source.vertex);
-      else
-        for(Index i = 0; i < 3; ++i)
-          add_across(3 * source.location.face + i);
-    for(Index v = 0; v < mesh_.number_of_vertices() && !roots_.parts().empty(); ++v)
-      if(roots_.parts().is_at_source(v) && has_tip(v))
-      {
-        result.push_back(v);
-        add_around(v);
-      }
-    return result;
-  }
-
-  // Whether shortest paths to a curve fan out at one of its vertices by more than a right angle: no gradient stands for
-  // all of them. At other vertices, the distance is as smooth as where the curve is straight.
-  bool has_tip(Index v) const { return angle_around(mesh_, connectivity_, v) > 1.5 * 3.14159265358979; }
 
   // The farthest vertex is on the cut locus of a closed surface. A border vertex may be farthest without being on it:
   // then the lowest Laplacian is the best guess.
