@@ -45,10 +45,8 @@ public:
   std::vector<Index> face; ///< that each edge runs through
 
   /// @param lone the vertex that is left if nothing else is
-  Tree_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-             const Exact_geodesic_propagation& geodesics, Exact_tree& tree,
-             const std::vector<Tree_branches::Edge>& kept, Index lone, const Progress& progress = {})
-    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), tree_(tree)
+  Tree_curve(Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept, Index lone, const Progress& progress = {})
+    : mesh_(tree.mesh()), connectivity_(tree.connectivity()), geodesics_(tree.geodesics()), tree_(tree)
   {
     const Index root = tree_.root();
     number_.assign(tree_.graph().nodes.size(), null_index);
@@ -70,15 +68,10 @@ public:
       draw(c);
     }
     if(graph.edges.empty())
-      graph.nodes.assign(1, lone_node(lone));
+      graph.nodes.assign(1, {location_of_vertex(connectivity_, lone), lone, geodesics_.distance(lone)});
   }
 
 private:
-  Indexed_cut_locus::Node lone_node(Index v) const
-  {
-    return {location_of_vertex(connectivity_, v), v, geodesics_.distance(v)};
-  }
-
   /// Where more pieces than two meet, or at a vertex, pieces of no length may be between them: they become one node.
   void contract(const std::vector<Tree_branches::Edge>& kept, const Progress& progress)
   {
