@@ -9,7 +9,6 @@
 
 #include <CGAL/Cut_loci/graph/Edges_off_sources.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/graph/Nodes_with_sources.h>
 #include <CGAL/Cut_loci/graph/lone_nodes.h>
 #include <CGAL/Cut_loci/graph/short_branches.h>
 #include <CGAL/Cut_loci/internal/Edges_left.h>
@@ -18,14 +17,11 @@
 #include <CGAL/Cut_loci/laplacian/Branch_filter.h>
 #include <CGAL/Cut_loci/laplacian/Branch_tips.h>
 #include <CGAL/Cut_loci/laplacian/Differential_operators.h>
-#include <CGAL/Cut_loci/ways/Source_roots.h>
 #include <CGAL/Cut_loci/laplacian/Tangent_directions.h>
-#include <CGAL/Cut_loci/ways/Way_forest.h>
 #include <CGAL/Cut_loci/laplacian/gradient_angles.h>
 #include <CGAL/Cut_loci/laplacian/homology.h>
 #include <CGAL/Cut_loci/laplacian/region_growing_tree.h>
 #include <CGAL/Cut_loci/laplacian/smoothing.h>
-#include <CGAL/Cut_loci/ways/Straight_waves.h>
 #include <CGAL/Cut_loci/laplacian/thinning.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
 #include <CGAL/Cut_loci/method/distances_from_lines.h>
@@ -34,6 +30,9 @@
 #include <CGAL/Cut_loci/surface/checked_mesh.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
+#include <CGAL/Cut_loci/ways/Source_roots.h>
+#include <CGAL/Cut_loci/ways/Straight_waves.h>
+#include <CGAL/Cut_loci/ways/Way_forest.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,18 +10,103 @@
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_options.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
+#include <CGAL/Cut_loci/graph/Mesh_beside_curves.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/method/distances_from_lines.h>
-#include <CGAL/Cut_loci/polyhedral/sources/Mesh_with_curves.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
+#include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Cut_loci::internal {
+
+/*!
+ * is a mesh cut open along curves that are sources, with the waves of each side of theirs.
+ *
+ * No shortest path crosses a source: so the cut changes neither distances nor the cut locus.
+ */
+class Mesh_with_curves : public Mesh_beside_curves
+{
+public:
+  /// @param share of their edges by which the vertices of the curves are moved into a face, each one by another length:
+  /// little enough that no curve gets corners, see `Geodesic_results::is_seam()`; distances alone need no such move
+  Mesh_with_curves(const Indexed_triangle_mesh& whole, Index number_of_points, const std::vector<Indexed_curve>& curves,
+                   double share = 0.)
+    : Mesh_beside_curves(whole, number_of_points, curves), owners_(number_of_points)
+  {
+    std::iota(owners_.begin(), owners_.end(), Index(0));
+    std::vector<unsigned char> is_done(mesh().number_of_vertices(), 0);
+    for(const Indexed_curve& curve : curves)
+      for(Index h : curve.halfedges)
+        for(Index side : {h, whole.opposite[h]})
+          if(side != null_index)
+            add(side, is_done);
+    if(share > 0.)
+      move_vertices(share);
+  }
+
+  const std::vector<Geodesic_line>& lines() const { return lines_; }
+  /// the ends of the lines
+  const std::vector<Indexed_location>& points() const { return points_; }
+  /// the numbers of the sources, first of those that are points, then of `points()`
+  const std::vector<Index>& owners() const { return owners_; }
+
+private:
+  void add(Index h, std::vector<unsigned char>& is_done)
+  {
+    const Index owner = parts().source_of_halfedge(h);
+    lines_.push_back({h, owner});
+    for(Index v : {mesh().source(h), mesh().target(h)})
+      if(!is_done[v])
+      {
+        is_done[v] = 1;
+        points_.push_back(location_of_vertex(connectivity(), v));
+        owners_.push_back(owner);
+      }
+  }
+
+  void move_vertices(double share)
+  {
+    std::vector<double> length(cut_.mesh.number_of_vertices(), 0.); // of the shortest line at a vertex
+    for(const Geodesic_line& line : lines_)
+    {
+      const Index v = cut_.mesh.source(line.halfedge), w = cut_.mesh.target(line.halfedge);
+      const double l = norm(cut_.mesh.points[w] - cut_.mesh.points[v]);
+      for(Index end : {v, w})
+        length[end] = length[end] > 0. ? (std::min)(length[end], l) : l;
+    }
+    constexpr double golden = 0.6180339887498949; // its multiples are spread evenly
+    constexpr std::array<double, 3> part = {{0.2113, 0.3301, 0.4586}};
+    const std::vector<Vector> before = cut_.mesh.points;
+    for(std::size_t i = 0; i < points_.size(); ++i)
+    {
+      const double by = share * (1. + std::fmod(golden * static_cast<double>(i), 1.));
+      const Indexed_triangle_mesh::Triangle& t = cut_.mesh.triangles[points_[i].face];
+      Vector inside = {{0., 0., 0.}};
+      for(std::size_t k = 0; k < 3; ++k)
+        inside = inside + part[k] * before[t[k]];
+      for(std::size_t k = 0; k < 3; ++k)
+        if(points_[i].coordinates[k] == 1.)
+        {
+          const Vector way = inside - before[t[k]];
+          cut_.mesh.points[t[k]] = before[t[k]] + by * length[t[k]] / norm(way) * way;
+        }
+    }
+  }
+
+  std::vector<Geodesic_line> lines_;
+  std::vector<Indexed_location> points_;
+  std::vector<Index> owners_;
+};
 
 /// is what a run from points and curves takes, all of it on a mesh that is cut open along the curves. Faces and their
 /// halfedges keep their numbers, and so do vertices, but for further copies at the end.
