@@ -8,6 +8,8 @@
 #define CGAL_SURFACE_MESH_EXACT_GEODESICS_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/face_graph/Mesh_of_fans.h>
+#include <CGAL/Cut_loci/face_graph/read_curves.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_fronts.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_point_search.h>
@@ -15,9 +17,7 @@
 #include <CGAL/Cut_loci/geodesics/Isoline_tracing.h>
 #include <CGAL/Cut_loci/geodesics/Straight_walk.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
-#include <CGAL/Cut_loci/face_graph/Mesh_of_fans.h>
-#include <CGAL/Cut_loci/face_graph/read_curves.h>
-#include <CGAL/Cut_loci/polyhedral/sources/distances_from_curves.h>
+#include <CGAL/Cut_loci/method/distances_from_curves.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -13,12 +13,12 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 
-#include <cstddef>
-#include <vector>
-
 #include <CGAL/Iterator_range.h>
 
 #include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <vector>
 
 namespace CGAL::Cut_loci::internal {
 

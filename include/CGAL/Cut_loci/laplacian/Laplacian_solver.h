@@ -24,7 +24,7 @@
 #include <CGAL/Cut_loci/laplacian/smoothing.h>
 #include <CGAL/Cut_loci/laplacian/thinning.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
-#include <CGAL/Cut_loci/method/distances_from_lines.h>
+#include <CGAL/Cut_loci/method/distances_from_curves.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/checked_mesh.h>
@@ -288,7 +288,7 @@ private:
       graph = Indexed_cut_locus();
       if(add_lone_nodes(
            mesh_, connectivity_, distance_, {}, [this](Index h) { return roots_.parts().is_on_source(h); }, graph))
-        set_distances_from_parts(mesh_, roots_.points(), roots_.parts(), graph);
+        set_distances_from_curves(mesh_, roots_.points(), {roots_.parts().all()}, graph);
     }
     for(Index i = 0; i < graph.edges.size(); ++i)
       graph.edges[i].origin = i;

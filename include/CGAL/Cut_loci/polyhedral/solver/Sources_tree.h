@@ -12,11 +12,11 @@
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
+#include <CGAL/Cut_loci/method/distances_from_curves.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/polyhedral/solver/Polyhedral_surface.h>
 #include <CGAL/Cut_loci/polyhedral/sources/Prepared_surface.h>
 #include <CGAL/Cut_loci/polyhedral/sources/Source_moves.h>
-#include <CGAL/Cut_loci/polyhedral/sources/distances_from_curves.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Tree_branches.h>
 #include <CGAL/Cut_loci/polyhedral/tree/Exact_tree.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>

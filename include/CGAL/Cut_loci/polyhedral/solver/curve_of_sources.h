@@ -15,12 +15,11 @@
 #include <CGAL/Cut_loci/graph/lone_nodes.h>
 #include <CGAL/Cut_loci/graph/short_branches.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
-#include <CGAL/Cut_loci/method/distances_from_lines.h>
+#include <CGAL/Cut_loci/method/distances_from_curves.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/polyhedral/curves/Mesh_edge_curve.h>
 #include <CGAL/Cut_loci/polyhedral/curves/Tree_curve.h>
 #include <CGAL/Cut_loci/polyhedral/solver/Sources_tree.h>
-#include <CGAL/Cut_loci/polyhedral/sources/distances_from_curves.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Tree_branches.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_loci/ways/Source_roots.h>

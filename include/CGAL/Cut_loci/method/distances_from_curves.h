@@ -4,15 +4,14 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_POLYHEDRAL_SOURCES_DISTANCES_FROM_CURVES_H
-#define CGAL_CUT_LOCI_POLYHEDRAL_SOURCES_DISTANCES_FROM_CURVES_H
+#ifndef CGAL_CUT_LOCI_METHOD_DISTANCES_FROM_CURVES_H
+#define CGAL_CUT_LOCI_METHOD_DISTANCES_FROM_CURVES_H
 
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_options.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/graph/Mesh_beside_curves.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
-#include <CGAL/Cut_loci/method/distances_from_lines.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
@@ -130,21 +129,39 @@ inline Run_from_curves run_from_curves(const Indexed_triangle_mesh& mesh, const 
   return result;
 }
 
+struct Distances_from_curves
+{
+  std::vector<double> of_vertices, of_queries;
+};
+
+/// of nodes or sources
+template <typename Place>
+std::vector<Indexed_location> locations_of(const std::vector<Place>& places)
+{
+  std::vector<Indexed_location> result;
+  result.reserve(places.size());
+  for(const Place& place : places)
+    result.push_back(place.location);
+  return result;
+}
+
 /// exact distances from points and curves, of the vertices and of further locations: those of a tree are ones on a mesh whose
 /// curves have been moved
-inline Distances_from_lines distances_from_curves(const Indexed_triangle_mesh& mesh,
-                                                  const std::vector<Indexed_source>& points,
-                                                  const std::vector<Indexed_curve>& curves,
-                                                  const std::vector<Indexed_location>& queries,
-                                                  const Progress& progress = {})
+inline Distances_from_curves distances_from_curves(const Indexed_triangle_mesh& mesh,
+                                                   const std::vector<Indexed_source>& points,
+                                                   const std::vector<Indexed_curve>& curves,
+                                                   const std::vector<Indexed_location>& queries,
+                                                   const Progress& progress = {})
 {
   Exact_geodesic_options options;
   options.queries = queries;
   options.progress = progress;
   const Run_from_curves run = run_from_curves(mesh, locations_of(points), curves, options);
   run.geodesics->run(run.sources, run.options);
-  Distances_from_lines result = distances_of(*run.geodesics);
+  Distances_from_curves result{run.geodesics->distances(), {}};
   result.of_vertices.resize(mesh.number_of_vertices());
+  for(std::size_t i = 0; i < queries.size(); ++i)
+    result.of_queries.push_back(run.geodesics->query_distance(i));
   return result;
 }
 
@@ -169,12 +186,16 @@ inline std::vector<double> distances_cut_open(const Indexed_triangle_mesh& mesh,
   return result;
 }
 
+/// gives the nodes of a curve their distances
 inline void set_distances_from_curves(const Indexed_triangle_mesh& mesh, const std::vector<Indexed_source>& points,
                                       const std::vector<Indexed_curve>& curves, Indexed_cut_locus& curve)
 {
-  set_distances(distances_from_curves(mesh, points, curves, locations_of(curve.nodes)), curve);
+  const std::vector<double> distance =
+    distances_from_curves(mesh, points, curves, locations_of(curve.nodes)).of_queries;
+  for(std::size_t i = 0; i < curve.nodes.size(); ++i)
+    curve.nodes[i].distance = distance[i];
 }
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_POLYHEDRAL_SOURCES_DISTANCES_FROM_CURVES_H
+#endif // CGAL_CUT_LOCI_METHOD_DISTANCES_FROM_CURVES_H
