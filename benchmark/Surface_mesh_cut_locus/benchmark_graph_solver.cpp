@@ -7,8 +7,8 @@
 // The time per source of the graph solver over that of CGAL's exact one, in one run, and its error relative to the
 // exact distances. Arguments: mesh files.
 
+#include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
-#include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
 #include <CGAL/Graph_geodesic_solver.h>
 
 #include <CGAL/Simple_cartesian.h>

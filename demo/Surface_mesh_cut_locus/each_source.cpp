@@ -10,7 +10,6 @@
 #include "thresholds.h"
 
 #include <CGAL/Cut_loci/extract_polylines.h>
-#include <CGAL/Cut_loci/internal/Copy_pool.h>
 #include <CGAL/Cut_loci/internal/transform_in_order.h>
 #include <CGAL/Cut_loci/statistics.h>
 #include <CGAL/tags.h>

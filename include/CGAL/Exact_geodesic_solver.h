@@ -10,8 +10,8 @@
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_options.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/polyhedral/sources/distances_from_curves.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
+#include <CGAL/Cut_loci/method/distances_from_curves.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <memory>

@@ -148,7 +148,7 @@ public:
   explicit Surface_mesh_cut_locus(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
     : tm_(tm), vpm_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                  get_const_property_map(vertex_point, tm))),
-      has_own_solver_(has_own_solver<CGAL_NP_CLASS>()),
+      has_own_solver_(Cut_loci::internal::has_own_solver<CGAL_NP_CLASS>()),
       solver_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_solver),
                                            Exact_geodesic_solver()))
   {
@@ -414,7 +414,7 @@ public:
                                             read_smoothing(*laplacian, curve), part);
     else
     {
-      Exact_tree_thresholds thresholds = thresholds_of(*component_, options);
+      Exact_tree_thresholds thresholds = component_->thresholds(options);
       thresholds.part = part;
       if(!curves_.empty())
         refuse_short_branches(thresholds, curve);
@@ -434,7 +434,7 @@ public:
   {
     if(!has_exact_tree())
       return 0.;
-    const double width = default_thresholds(*component_->exact_tree).width / component_->diagonal;
+    const double width = component_->default_thresholds(method_).width / component_->diagonal;
     return component_->mesh->is_intrinsic ? width : (std::min)(width, 1.); // no branch is as wide, and none is wider
   }
   /// the curvature, in radians, that two shortest paths as long as the surface have to enclose for a branch of a quarter of the
@@ -442,7 +442,7 @@ public:
   /// else 0
   double minimum_branch_curvature() const
   {
-    return has_exact_tree() && !is_polyhedral() ? default_thresholds(*component_->exact_tree).enclosed : 0.;
+    return has_exact_tree() && !is_polyhedral() ? component_->default_thresholds(method_).enclosed : 0.;
   }
 
 private:
@@ -464,33 +464,11 @@ private:
              : solver_.cut_locus_method();
   }
 
-  // whether the method can be `Cut_loci::Laplacian_method`, by the types of these parameters
-  template <typename NamedParameters>
-  static constexpr bool may_be_laplacian()
-  {
-    using Cut_loci::internal::is_given;
-    using internal_np::Lookup_named_param_def;
-    using Given =
-      typename Lookup_named_param_def<internal_np::cut_locus_method_t, NamedParameters, Cut_loci::Default_method>::type;
-    if constexpr(is_given<NamedParameters, internal_np::cut_locus_method_t>())
-      return !std::is_same<Given, Cut_loci::Default_method>::value &&
-             !std::is_same<Given, Cut_loci::Polyhedral_method>::value;
-    else
-      return has_own_solver<NamedParameters>() || is_given<NamedParameters, internal_np::vertex_distance_map_t>();
-  }
-
-  template <typename NamedParameters>
-  static constexpr bool has_own_solver()
-  {
-    return !std::is_same<typename internal_np::Lookup_named_param_def<internal_np::geodesic_solver_t, NamedParameters,
-                                                                      Exact_geodesic_solver>::type,
-                         Exact_geodesic_solver>::value;
-  }
-
   template <typename NamedParameters>
   void admit_laplacian()
   {
-    using Method = std::conditional_t<may_be_laplacian<NamedParameters>(), Cut_loci::Laplacian_method, void>;
+    using Method =
+      std::conditional_t<Cut_loci::internal::may_be_laplacian<NamedParameters>(), Cut_loci::Laplacian_method, void>;
     if constexpr(!std::is_void<Method>::value)
       make_laplacian_ = Cut_loci::internal::Code_of<Method>::make_solver;
   }
@@ -516,27 +494,6 @@ private:
 
   bool has_exact_tree() const { return source_result_ && !Cut_loci::internal::is_laplacian(method_); }
   bool is_polyhedral() const { return std::holds_alternative<Cut_loci::Polyhedral_method>(method_); }
-
-  Cut_loci::internal::Exact_tree_thresholds
-  default_thresholds(const Cut_loci::internal::Exact_tree_method& solver) const
-  {
-    return is_polyhedral() ? Cut_loci::internal::Exact_tree_thresholds() : solver.default_thresholds();
-  }
-
-  Cut_loci::internal::Exact_tree_thresholds thresholds_of(const Component& component,
-                                                          const Cut_loci::Method& options) const
-  {
-    const auto read = [&](const auto& method)
-    {
-      return Cut_loci::internal::read_exact_tree_thresholds(method, default_thresholds(*component.exact_tree),
-                                                            component.diagonal, component.mesh->is_intrinsic);
-    };
-    const auto* polyhedral = std::get_if<Cut_loci::Polyhedral_method>(&options);
-    auto result = polyhedral != nullptr ? read(*polyhedral) : read(std::get<Cut_loci::Default_method>(options));
-    result.width = (std::max)(result.width, component.least_width);
-    result.narrow = (std::max)(result.narrow, component.least_width);
-    return result;
-  }
 
   // those of the two parameters
   template <typename NamedParameters>
@@ -581,16 +538,12 @@ private:
     {
       component.exact_tree->set_maximum_relative_error(error);
       component.exact_tree->set_curves(curves_);
-      component.exact_tree->expect(thresholds_of(component, method_));
+      component.exact_tree->expect(component.thresholds(method_));
     }
     {
       const Stage_scope scope(visitor_, Cut_loci::Stage::DISTANCE);
       report(component, Cut_loci::Stage::DISTANCE);
-      const auto map = parameters::get_parameter(np, internal_np::vertex_distance_map);
-      if(Cut_loci::internal::is_laplacian(method_))
-        set_distances(component, *component.laplacian, map);
-      else
-        set_distances(component, *component.exact_tree, map);
+      set_distances(component, parameters::get_parameter(np, internal_np::vertex_distance_map));
     }
     finish(component, *component.solver(method_));
   }
@@ -639,29 +592,25 @@ private:
     source_result_ = result;
   }
 
+  // The package's own solver also finds the directions.
   template <typename VertexDistanceMap>
-  void set_distances(Component& component, Cut_loci::internal::Laplacian_stages& solver, const VertexDistanceMap& map)
+  void set_distances(Component& component, const VertexDistanceMap& map)
   {
+    constexpr bool is_map = !std::is_same<VertexDistanceMap, internal_np::Param_not_found>::value;
+    if(!Cut_loci::internal::is_laplacian(method_))
+    {
+      if(is_map || has_own_solver_)
+        Cut_loci::internal::refuse_distances(method_);
+      component.exact_tree->compute_distance(points_, curves_);
+      Cut_loci::internal::check_distances(component.exact_tree->distance(), component, read_->positions,
+                                          "the geodesic solver returned");
+      return;
+    }
     std::vector<double> distance;
     std::vector<Index> nearest;
     compute_distances(component, distance, nearest, map);
-    constexpr bool is_map = !std::is_same<VertexDistanceMap, internal_np::Param_not_found>::value;
-    solver.set_distance(points_, curves_, std::move(distance), std::move(nearest), !is_map && solver_.is_approximate());
-  }
-
-  // The package's own solver also finds the directions.
-  void set_distances(Component& component, Cut_loci::internal::Exact_tree_method& solver, internal_np::Param_not_found)
-  {
-    if(has_own_solver_)
-      Cut_loci::internal::refuse_distances(method_);
-    solver.compute_distance(points_, curves_);
-    Cut_loci::internal::check_distances(solver.distance(), component, read_->positions, "the geodesic solver returned");
-  }
-
-  template <typename VertexDistanceMap>
-  void set_distances(Component&, Cut_loci::internal::Exact_tree_method&, const VertexDistanceMap&)
-  {
-    Cut_loci::internal::refuse_distances(method_);
+    component.laplacian->set_distance(points_, curves_, std::move(distance), std::move(nearest),
+                                      !is_map && solver_.is_approximate());
   }
 
   Component& component_at(Index id, const Cut_loci::Method& method)

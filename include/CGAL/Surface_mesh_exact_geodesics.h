@@ -8,6 +8,8 @@
 #define CGAL_SURFACE_MESH_EXACT_GEODESICS_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
+#include <CGAL/Cut_loci/face_graph/Mesh_of_fans.h>
+#include <CGAL/Cut_loci/face_graph/read_curves.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_fronts.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_point_search.h>
@@ -15,14 +17,9 @@
 #include <CGAL/Cut_loci/geodesics/Isoline_tracing.h>
 #include <CGAL/Cut_loci/geodesics/Straight_walk.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
-#include <CGAL/Cut_loci/face_graph/excluded_faces.h>
-#include <CGAL/Cut_loci/face_graph/read_curves.h>
-#include <CGAL/Cut_loci/face_graph/read_edge_lengths.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
-#include <CGAL/Cut_loci/polyhedral/sources/distances_from_curves.h>
+#include <CGAL/Cut_loci/method/distances_from_curves.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -141,11 +138,9 @@ public:
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Surface_mesh_exact_geodesics(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
-    : mesh_(&tm), read_(read(tm, np, copies_)), geodesics_(read_.mesh, &read_.positions)
+    : mesh_(tm, np), geodesics_(mesh_.read().mesh, &mesh_.read().positions)
   {
-    // the solver has a copy of all it needs
-    read_.mesh = Cut_loci::Indexed_triangle_mesh();
-    std::vector<Cut_loci::Index>().swap(read_.positions);
+    mesh_.forget_mesh();
   }
 
   Surface_mesh_exact_geodesics(const Surface_mesh_exact_geodesics&) = delete;
@@ -158,14 +153,7 @@ public:
 
   /// adds a vertex
   /// \throws Cut_loci::Invalid_input if `v` is null, on no face, on excluded faces alone, or if its faces form several fans
-  void add_source(vertex_descriptor v)
-  {
-    if(v == Graph_traits::null_vertex())
-      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_SOURCE, "the source is the null vertex");
-    const Cut_loci::Index i = get(read_.index_of_vertex, v);
-    require_one_fan(v, i);
-    sources_.push_back(geodesics_.vertex_location(i));
-  }
+  void add_source(vertex_descriptor v) { sources_.push_back(geodesics_.vertex_location(mesh_.source(v))); }
 
   /// adds a point in a face, on an edge, or at a vertex
   /// \throws Cut_loci::Invalid_input if the face is null or excluded, or the coordinates are not barycentric
@@ -181,7 +169,8 @@ public:
   template <typename EdgeRange>
   void add_source_curve(const EdgeRange& edges)
   {
-    curves_.push_back(Cut_loci::internal::read_curve(*mesh_, read_, geodesics_.faces().mesh(), edges, curves_.size()));
+    curves_.push_back(
+      Cut_loci::internal::read_curve(mesh_.tm(), mesh_.read(), geodesics_.faces().mesh(), edges, curves_.size()));
   }
 
   /// adds each loop of the border as a curve, in the order of their first vertices
@@ -214,7 +203,7 @@ public:
   {
     if(!(distance >= 0.))
       throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER, "the maximum distance must not be negative");
-    options_.maximum_distance = distance / read_.unit;
+    options_.maximum_distance = distance / mesh_.unit();
   }
 
   /// allows distances to be too long, by this times their length; zero by default.
@@ -275,7 +264,7 @@ public:
     has_isolines_ = options_.windows != nullptr;
     windows_.clear();
     with_curves_.reset();
-    maximum_distance_ = options_.maximum_distance * read_.unit;
+    maximum_distance_ = options_.maximum_distance * mesh_.unit();
     if(curves_.empty())
       geodesics_.run(sources_, options_);
     else
@@ -301,14 +290,14 @@ public:
   FT distance(vertex_descriptor v) const
   {
     const Cut_loci::Index i = index(v);
-    return i == Cut_loci::null_index ? infinity() : read_.unit * computed().distance(i);
+    return i == Cut_loci::null_index ? infinity() : mesh_.unit() * computed().distance(i);
   }
 
   /// how much longer than the exact distance `distance(v)` may be; zero if no error has been allowed
   FT distance_error(vertex_descriptor v) const
   {
     const Cut_loci::Index i = index(v);
-    return i == Cut_loci::null_index ? 0. : read_.unit * computed().distance_error(i);
+    return i == Cut_loci::null_index ? 0. : mesh_.unit() * computed().distance_error(i);
   }
 
   /// writes the distances of all vertices
@@ -317,7 +306,7 @@ public:
   template <typename VertexDistanceMap>
   void distances(VertexDistanceMap vdm) const
   {
-    for(vertex_descriptor v : CGAL::make_range(vertices(*mesh_)))
+    for(vertex_descriptor v : CGAL::make_range(vertices(mesh_.tm())))
       put(vdm, v, distance(v));
   }
 
@@ -326,14 +315,17 @@ public:
   /// Like all functions that take a location, it looks for the shortest path by the distances of the vertices: see Section
   /// \ref Surface_mesh_cut_locus_points for the time. For thousands of points, `add_query()` is faster.
   /// \throws Cut_loci::Invalid_input if the face is null or excluded, or the coordinates are not barycentric
-  FT distance(const Face_location& location) const { return read_.unit * at(location).distance; }
+  FT distance(const Face_location& location) const { return mesh_.unit() * at(location).distance; }
 
   /// the same for query location number `i`
-  FT query_distance(std::size_t i) const { return read_.unit * at(i).distance; }
+  FT query_distance(std::size_t i) const { return mesh_.unit() * at(i).distance; }
 
   /// the distance to the centroid of `f`, infinite if it is excluded
   /// \pre centroids have been asked for
-  FT centroid_distance(face_descriptor f) const { return is_excluded(f) ? infinity() : query_distance(centroid(f)); }
+  FT centroid_distance(face_descriptor f) const
+  {
+    return mesh_.is_excluded(f) ? infinity() : query_distance(centroid(f));
+  }
 
   /// @}
 
@@ -379,7 +371,7 @@ public:
   /// \throws Cut_loci::Invalid_input if there is no such source, or it is a curve
   halfedge_descriptor source_halfedge(std::size_t i = 0) const
   {
-    return read_.halfedges[computed().source_halfedge(point_source(i))];
+    return mesh_.read().halfedges[computed().source_halfedge(point_source(i))];
   }
 
   /// the direction at `v` in which the shortest path to it leads back to its source
@@ -388,7 +380,7 @@ public:
   {
     require_exact();
     const Cut_loci::internal::Geodesic_arrival_direction direction = computed().arrival_direction(index(v));
-    return Direction(read_.halfedges[direction.halfedge], direction.angle);
+    return Direction(mesh_.read().halfedges[direction.halfedge], direction.angle);
   }
 
   /// @}
@@ -455,14 +447,14 @@ public:
       throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
                                     "a place in the tangent plane is not finite: what is not reached has none");
     const Cut_loci::internal::Geodesic_faces& faces = geodesics_.faces();
-    if(length / read_.unit > longest_walk * faces.mean_edge_length() * double(faces.number_of_halfedges()))
+    if(length / mesh_.unit() > longest_walk * faces.mean_edge_length() * double(faces.number_of_halfedges()))
       throw Cut_loci::Invalid_input(
         Cut_loci::Cause::INVALID_PARAMETER,
         "a place in the tangent plane is farther than a straight walk is followed: a thousand "
         "times the length of all edges");
-    return to_face_location(Cut_loci::internal::end_of_straight_walk(
+    return mesh_.face_location(Cut_loci::internal::end_of_straight_walk(
       computed(), static_cast<Cut_loci::Index>(i), angle < 0. ? angle + 2. * Cut_loci::internal::geodesic_pi : angle,
-      length / read_.unit));
+      length / mesh_.unit()));
   }
 
   /// @}
@@ -504,7 +496,7 @@ public:
   template <typename OutputIterator>
   OutputIterator centroid_shortest_path(face_descriptor f, OutputIterator out) const
   {
-    return is_excluded(f) ? out : query_shortest_path(centroid(f), out);
+    return mesh_.is_excluded(f) ? out : query_shortest_path(centroid(f), out);
   }
 
   /// @}
@@ -550,13 +542,13 @@ public:
   {
     const Cut_loci::internal::Exact_geodesic_propagation& geodesics = computed();
     const FT deviation =
-      maximum_deviation.value_or(default_deviation * geodesics.faces().mean_edge_length() * read_.unit);
+      maximum_deviation.value_or(default_deviation * geodesics.faces().mean_edge_length() * mesh_.unit());
     require_isolines(deviation);
     for(const auto& level : levels)
       require_level(FT(level));
     Cut_loci::internal::Isoline_tracing tracing(geodesics, windows_);
     for(const auto& level : levels)
-      for(const Cut_loci::internal::Indexed_isoline& line : tracing(FT(level) / read_.unit, deviation / read_.unit))
+      for(const Cut_loci::internal::Indexed_isoline& line : tracing(FT(level) / mesh_.unit(), deviation / mesh_.unit()))
       {
         Isoline isoline{FT(level), {}, line.is_closed};
         write(line.locations, std::back_inserter(isoline.locations));
@@ -571,27 +563,6 @@ public:
   std::size_t number_of_windows() const { return computed().number_of_windows(); }
 
 private:
-  using Read = Cut_loci::internal::Read_triangle_mesh<TriangleMesh>;
-  using Copies = std::vector<std::pair<Cut_loci::Index, Cut_loci::Index>>;
-
-  template <typename NamedParameters>
-  static Read read(const TriangleMesh& tm, const NamedParameters& np, Copies& copies)
-  {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    namespace internal = Cut_loci::internal;
-    Read result = internal::read_triangle_mesh(
-      tm,
-      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm)),
-      !internal::has_edge_lengths<NamedParameters>(), {}, internal::excluded_faces<TriangleMesh>(np));
-    copies = internal::give_fans_vertices(result);
-    internal::read_edge_lengths(tm, result, get_parameter(np, internal_np::edge_length_map));
-    internal::normalize_lengths(result);
-    if(internal::needs_mollification(result.mesh))
-      result.mesh.lengths = internal::Mollification(result.mesh).lengths;
-    return result;
-  }
-
   static constexpr FT infinity() { return (std::numeric_limits<FT>::infinity)(); }
 
   const Cut_loci::internal::Exact_geodesic_propagation& computed() const
@@ -636,7 +607,7 @@ private:
   // what is found of any other
   Cut_loci::internal::Geodesic_query at(const Face_location& location) const
   {
-    Cut_loci::internal::Geodesic_point_search search(computed(), maximum_distance_ / read_.unit);
+    Cut_loci::internal::Geodesic_point_search search(computed(), maximum_distance_ / mesh_.unit());
     return search(to_indexed(location));
   }
 
@@ -692,69 +663,29 @@ private:
 
   Plane_coordinates polar_coordinates_of(const Cut_loci::internal::Geodesic_query& query) const
   {
-    const FT d = read_.unit * query.distance;
+    const FT d = mesh_.unit() * query.distance;
     const Cut_loci::internal::Exact_geodesic_propagation& geodesics = with_directions();
     return has_direction(d) ? scaled(d, geodesics.direction_at_source(query), geodesics.nearest_source(query))
                             : without_direction(d);
   }
 
-  // the copies that vertex number `i` has besides itself
-  std::pair<Copies::const_iterator, Copies::const_iterator> copies_of(Cut_loci::Index i) const
-  {
-    return {std::lower_bound(copies_.begin(), copies_.end(), Copies::value_type(i, 0)),
-            std::lower_bound(copies_.begin(), copies_.end(), Copies::value_type(i + 1, 0))};
-  }
-
-  void require_one_fan(vertex_descriptor v, Cut_loci::Index i) const
-  {
-    using Cut_loci::Cause;
-    if(i == Cut_loci::null_index && halfedge(v, *mesh_) == Graph_traits::null_halfedge())
-      throw Cut_loci::Invalid_input(Cause::INVALID_SOURCE, "the source is an isolated vertex: it is on no face");
-    if(i == Cut_loci::null_index)
-      throw Cut_loci::Invalid_input(Cause::INVALID_SOURCE,
-                                    "all faces at the source are excluded: it has to be a vertex "
-                                    "or a point of a face that is not");
-    const auto copies = copies_of(i);
-    if(copies.first != copies.second)
-      throw Cut_loci::Invalid_input(Cause::INVALID_SOURCE,
-                                    "the faces around the source form several fans, between which no path leads: a "
-                                    "location in a face of one of them has to say which is meant");
-  }
-
   // the number of `v`; where its faces form several fans, of the copy that is nearest to the sources
   Cut_loci::Index index(vertex_descriptor v) const
   {
-    Cut_loci::Index nearest = get(read_.index_of_vertex, v);
-    if(copies_.empty() || nearest == Cut_loci::null_index)
-      return nearest;
-    const auto copies = copies_of(nearest);
-    for(auto copy = copies.first; copy != copies.second; ++copy)
-      if(computed().distance(copy->second) < computed().distance(nearest))
-        nearest = copy->second;
-    return nearest;
+    return mesh_.index(v, [this](Cut_loci::Index i) { return computed().distance(i); });
   }
-
-  bool is_excluded(face_descriptor f) const { return get(read_.index_of_face, f) == Cut_loci::null_index; }
 
   std::size_t centroid(face_descriptor f) const
   {
     if(!has_centroids_)
       throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
                                     "centroids have not been computed: set_centroids() comes before compute()");
-    return computed().number_of_queries() - geodesics_.faces().number_of_faces() + get(read_.index_of_face, f);
+    return computed().number_of_queries() - geodesics_.faces().number_of_faces() + get(mesh_.read().index_of_face, f);
   }
 
   Cut_loci::Indexed_location to_indexed(const Face_location& location) const
   {
-    if(location.first == Graph_traits::null_face())
-      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_SOURCE, "a location is in the null face");
-    if(is_excluded(location.first))
-      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_SOURCE,
-                                    "a location is in an excluded face: on the rim of an excluded region, it has to be "
-                                    "given in the face on the other side");
-    Cut_loci::Indexed_location result;
-    result.face = get(read_.index_of_face, location.first);
-    result.coordinates = location.second;
+    const Cut_loci::Indexed_location result = mesh_.location(location);
     geodesics_.check(result);
     return result;
   }
@@ -763,7 +694,7 @@ private:
   OutputIterator write(const std::vector<Cut_loci::Indexed_location>& path, OutputIterator out) const
   {
     for(const Cut_loci::Indexed_location& location : path)
-      *out++ = to_face_location(location);
+      *out++ = mesh_.face_location(location);
     return out;
   }
 
@@ -774,14 +705,7 @@ private:
     return write(Cut_loci::internal::Geodesic_path_tracing(computed()).path_from_query(query), out);
   }
 
-  Face_location to_face_location(const Cut_loci::Indexed_location& location) const
-  {
-    return Face_location(face(read_.halfedges[3 * location.face], *mesh_), location.coordinates);
-  }
-
-  const TriangleMesh* mesh_;
-  Copies copies_; // of vertices whose faces form several fans; before what fills it
-  Read read_;
+  Cut_loci::internal::Mesh_of_fans<TriangleMesh> mesh_;
   Cut_loci::internal::Exact_geodesic_propagation geodesics_;
   std::unique_ptr<Cut_loci::internal::Exact_geodesic_propagation> with_curves_; // in place of it, if there are curves
   Cut_loci::internal::Exact_geodesic_options options_;

@@ -8,7 +8,6 @@
 #define CGAL_COMPUTE_CUT_LOCI_H
 
 #include <CGAL/Cut_loci/face_graph/concurrency.h>
-#include <CGAL/Cut_loci/internal/Copy_pool.h>
 #include <CGAL/Cut_loci/internal/transform_in_order.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
 

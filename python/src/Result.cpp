@@ -11,9 +11,9 @@
 
 #include <CGAL/Cut_loci/IO/write_cut_locus.h>
 #include <CGAL/Cut_loci/geodesic_loop.h>
-#include <CGAL/Cut_loci/graph/maximal_chains.h>
-#include <CGAL/Cut_loci/voronoi_neighbors.h>
+#include <CGAL/Cut_loci/graph/Curve_network.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
+#include <CGAL/Cut_loci/voronoi_neighbors.h>
 #include <CGAL/refine_along_cut_locus.h>
 
 #include <pybind11/stl.h>

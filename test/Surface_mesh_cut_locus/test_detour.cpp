@@ -14,7 +14,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Cut_loci/Laplacian_method.h>
-#include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
+#include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_cut_locus.h>

@@ -6,7 +6,7 @@
 
 #include "surface_test.h"
 
-#include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
+#include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>
 #include <CGAL/Cut_loci/laplacian/Laplacian_solver.h>
 #include <CGAL/Cut_loci/laplacian/smoothing.h>
 #include <CGAL/Cut_loci/surface/insert_vertex.h>

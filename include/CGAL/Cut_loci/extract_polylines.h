@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_EXTRACT_POLYLINES_H
 #define CGAL_CUT_LOCI_EXTRACT_POLYLINES_H
 
-#include <CGAL/Cut_loci/graph/maximal_chains.h>
+#include <CGAL/Cut_loci/graph/Curve_network.h>
 #include <CGAL/Cut_locus.h>
 
 #include <vector>

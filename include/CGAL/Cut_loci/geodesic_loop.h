@@ -12,7 +12,6 @@
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/face_graph/snapping_of_curves.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
-#include <CGAL/Cut_loci/surface/common_faces.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/location_in_part.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>

@@ -349,7 +349,7 @@ auto source_unfolding(const TriangleMesh& tm, const Source& source,
     surface.reset(new internal::Surface_to_unfold(component, in_component));
     solver.reset(new internal::Exact_tree_solver(surface->mesh()));
   });
-  internal::throw_if_paths_bend(solver->geodesics().faces(),
+  internal::throw_if_paths_bend(solver->faces(),
                                 [&](Index v) {
     return internal::vertex_name(read.positions[component.vertex(surface->vertex(v))]);
   });

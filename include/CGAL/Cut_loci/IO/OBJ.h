@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_IO_OBJ_H
 #define CGAL_CUT_LOCI_IO_OBJ_H
 
-#include <CGAL/Cut_loci/graph/maximal_chains.h>
+#include <CGAL/Cut_loci/graph/Curve_network.h>
 #include <CGAL/Cut_loci/internal/stream_output.h>
 #include <CGAL/Cut_locus.h>
 

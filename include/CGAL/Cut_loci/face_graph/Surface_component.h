@@ -10,11 +10,13 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/face_graph/make_solver.h>
+#include <CGAL/Cut_loci/face_graph/method_parameters.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/method/Geodesic_solver_handle.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
+#include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/checked_mesh.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
@@ -79,9 +81,9 @@ struct Surface_component
   // with lengths if some faces have no area
   const Indexed_triangle_mesh& measured() const { return mollified ? *mollified : *mesh; }
   // the indices in the whole mesh
-  Index vertex(Index local) const { return is_whole() ? local : part->vertices[local]; }
-  Index face(Index local) const { return is_whole() ? local : part->faces[local]; }
-  Index halfedge(Index h) const { return 3 * face(h / 3) + h % 3; }
+  Index vertex(Index local) const { return is_whole() ? local : part->vertex(local); }
+  Index face(Index local) const { return is_whole() ? local : part->face(local); }
+  Index halfedge(Index local) const { return is_whole() ? local : part->halfedge(local); }
 
   // edges inside count twice
   double sum_of_edge_lengths() const
@@ -105,28 +107,34 @@ struct Surface_component
     return result;
   }
 
-  // A source of the whole mesh, in this component.
-  Indexed_source local(Indexed_source source) const
+  // A source of the whole mesh, a point or a curve, in this component.
+  template <typename Source>
+  Source local(const Source& source) const
   {
-    if(is_whole())
-      return source;
-    source.location.face = part->local_face(source.location.face);
-    source.vertex = part->local_vertex(source.vertex);
-    return source;
-  }
-
-  Indexed_curve local(Indexed_curve curve) const
-  {
-    for(Index& h : curve.halfedges)
-      if(!is_whole())
-        h = part->local_halfedge(h);
-    return curve;
+    return is_whole() ? source : part->local(source);
   }
 
   // null if it has not been needed yet
   Method_solver* solver(const Method& method) const
   {
     return is_laplacian(method) ? static_cast<Method_solver*>(laplacian.get()) : exact_tree.get();
+  }
+
+  // of branches, for a method that knows the paths
+  Exact_tree_thresholds default_thresholds(const Method& method) const
+  {
+    return std::holds_alternative<Polyhedral_method>(method) ? Exact_tree_thresholds()
+                                                             : exact_tree->default_thresholds();
+  }
+  Exact_tree_thresholds thresholds(const Method& options) const
+  {
+    const auto read = [&](const auto& method)
+    { return read_exact_tree_thresholds(method, default_thresholds(options), diagonal, mesh->is_intrinsic); };
+    const auto* polyhedral = std::get_if<Polyhedral_method>(&options);
+    Exact_tree_thresholds result = polyhedral != nullptr ? read(*polyhedral) : read(std::get<Default_method>(options));
+    result.width = (std::max)(result.width, least_width);
+    result.narrow = (std::max)(result.narrow, least_width);
+    return result;
   }
 
   // `positions` of the vertices of the whole mesh, for messages.

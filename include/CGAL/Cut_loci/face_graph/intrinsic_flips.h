@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_FACE_GRAPH_INTRINSIC_FLIPS_H
 #define CGAL_CUT_LOCI_FACE_GRAPH_INTRINSIC_FLIPS_H
 
-#include <CGAL/Cut_loci/face_graph/surface_mesh_copy.h>
+#include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>

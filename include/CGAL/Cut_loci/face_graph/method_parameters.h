@@ -21,7 +21,12 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <variant>
+
+namespace CGAL {
+class Exact_geodesic_solver; // the default
+}
 
 namespace CGAL::Cut_loci::internal {
 
@@ -31,6 +36,26 @@ template <typename NamedParameters, typename Tag>
 constexpr bool is_given()
 {
   return !parameters::is_default_parameter<NamedParameters, Tag>::value;
+}
+
+template <typename NamedParameters>
+constexpr bool has_own_solver()
+{
+  return !std::is_same<typename internal_np::Lookup_named_param_def<internal_np::geodesic_solver_t, NamedParameters,
+                                                                    Exact_geodesic_solver>::type,
+                       Exact_geodesic_solver>::value;
+}
+
+// whether the method can be `Laplacian_method`, by the types of these parameters
+template <typename NamedParameters>
+constexpr bool may_be_laplacian()
+{
+  using internal_np::Lookup_named_param_def;
+  using Given = typename Lookup_named_param_def<internal_np::cut_locus_method_t, NamedParameters, Default_method>::type;
+  if constexpr(is_given<NamedParameters, internal_np::cut_locus_method_t>())
+    return !std::is_same<Given, Default_method>::value && !std::is_same<Given, Polyhedral_method>::value;
+  else
+    return has_own_solver<NamedParameters>() || is_given<NamedParameters, internal_np::vertex_distance_map_t>();
 }
 
 [[noreturn]] inline void refuse_distances(const Method& method)

@@ -13,8 +13,8 @@
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/internal/Union_find.h>
-#include <CGAL/Cut_loci/surface/common_faces.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -10,7 +10,7 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/Triangle_shape.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,6 @@
 #ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_POINT_SEARCH_H
 #define CGAL_CUT_LOCI_GEODESICS_GEODESIC_POINT_SEARCH_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_arrival.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_queries.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_results.h>

@@ -8,7 +8,6 @@
 #define CGAL_CUT_LOCI_GEODESICS_GEODESIC_QUERIES_H
 
 #include <CGAL/Cut_loci/Index.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_arrival.h>
 #include <CGAL/Cut_loci/internal/Compressed_rows.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
@@ -17,6 +16,24 @@
 #include <vector>
 
 namespace CGAL::Cut_loci::internal {
+
+/// is the end of a shortest path: its last straight piece, in the frame of a halfedge of the face in which it ends.
+struct Geodesic_arrival
+{
+  double x = 0., y = 0.;         // the image of the (pseudo-)source
+  double sigma = 0., turn = 0.;  // as in `Geodesic_window`
+  Index halfedge = null_index;   // of the frame
+  Index origin = null_index;     // as in `Geodesic_window`
+  bool crosses_halfedge = false; // else the image lies in the face itself
+  double rate = 1., error = 0.;  // as in `Geodesic_window`
+};
+
+/// is the direction of a shortest path at its end: an angle from a halfedge that leaves the end, counterclockwise.
+struct Geodesic_arrival_direction
+{
+  Index halfedge;
+  double angle;
+};
 
 /// is a point with its distance and the last piece of its path, in whose face it is given.
 struct Geodesic_query

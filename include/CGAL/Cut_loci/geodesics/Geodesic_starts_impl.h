@@ -8,8 +8,8 @@
 #define CGAL_CUT_LOCI_GEODESICS_GEODESIC_STARTS_IMPL_H
 
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_arrival.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/Geodesic_queries.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
 

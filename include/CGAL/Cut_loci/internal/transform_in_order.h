@@ -13,8 +13,41 @@
 #endif
 
 #include <cstddef>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Cut_loci::internal {
+
+// Copies of an object, each of them lent to one thread at a time; there are no more than are needed at once.
+template <typename T>
+class Copy_pool
+{
+public:
+  explicit Copy_pool(const T& original) : original_(original) {}
+
+  std::unique_ptr<T> take()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if(free_.empty())
+      return std::unique_ptr<T>(new T(original_));
+    std::unique_ptr<T> result = std::move(free_.back());
+    free_.pop_back();
+    return result;
+  }
+
+  void give_back(std::unique_ptr<T> copy)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    free_.push_back(std::move(copy));
+  }
+
+private:
+  const T& original_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<T>> free_;
+};
 
 /*!
  * calls `consume(compute(i))` for each i below `size`, and `consume` in this order, never twice at once.

@@ -144,31 +144,18 @@ private:
       for(Index i = 0; i < points.size(); ++i)
         if(piece_of_face[points[i].location.face] == id)
         {
-          points_here.push_back(local(points[i]));
+          points_here.push_back(part.local(points[i]));
           names.push_back(i);
         }
       std::vector<Index> source_of_halfedge(part.mesh.number_of_halfedges());
       for(Index h = 0; h < source_of_halfedge.size(); ++h)
-        source_of_halfedge[h] = beside.parts().source_of_halfedge(halfedge(h));
+        source_of_halfedge[h] = beside.parts().source_of_halfedge(part.halfedge(h));
       std::vector<double> distance_here;
       for(Index v : part.vertices)
         distance_here.push_back(distance[v]);
       solver->set_distance(Source_roots(part.mesh, solver->connectivity(), points_here,
                                         Source_parts(part.mesh, std::move(source_of_halfedge)), names),
                            std::move(distance_here), {}, is_approximate);
-    }
-
-    // in the mesh of which this is a component
-    Index halfedge(Index h) const { return 3 * part.faces[h / 3] + h % 3; }
-
-    Indexed_source local(Indexed_source source) const
-    {
-      const auto position = [](const std::vector<Index>& sorted, Index global)
-      { return static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), global) - sorted.begin()); };
-      source.location.face = position(part.faces, source.location.face);
-      if(source.vertex != null_index)
-        source.vertex = position(part.vertices, source.vertex);
-      return source;
     }
   };
 
@@ -236,7 +223,7 @@ private:
       e.source += n;
       e.target += n;
       if(e.halfedge != null_index)
-        e.halfedge = piece.halfedge(e.halfedge);
+        e.halfedge = piece.part.halfedge(e.halfedge);
       result.edges.push_back(e);
     }
   }

@@ -9,7 +9,6 @@
 
 #include <CGAL/Cut_loci/graph/Edges_off_sources.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/graph/Nodes_with_sources.h>
 #include <CGAL/Cut_loci/graph/lone_nodes.h>
 #include <CGAL/Cut_loci/graph/short_branches.h>
 #include <CGAL/Cut_loci/internal/Edges_left.h>
@@ -18,22 +17,22 @@
 #include <CGAL/Cut_loci/laplacian/Branch_filter.h>
 #include <CGAL/Cut_loci/laplacian/Branch_tips.h>
 #include <CGAL/Cut_loci/laplacian/Differential_operators.h>
-#include <CGAL/Cut_loci/ways/Source_roots.h>
 #include <CGAL/Cut_loci/laplacian/Tangent_directions.h>
-#include <CGAL/Cut_loci/ways/Way_forest.h>
 #include <CGAL/Cut_loci/laplacian/gradient_angles.h>
 #include <CGAL/Cut_loci/laplacian/homology.h>
 #include <CGAL/Cut_loci/laplacian/region_growing_tree.h>
 #include <CGAL/Cut_loci/laplacian/smoothing.h>
-#include <CGAL/Cut_loci/ways/Straight_waves.h>
 #include <CGAL/Cut_loci/laplacian/thinning.h>
 #include <CGAL/Cut_loci/method/Method_solver.h>
-#include <CGAL/Cut_loci/method/distances_from_lines.h>
+#include <CGAL/Cut_loci/method/distances_from_curves.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/checked_mesh.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
+#include <CGAL/Cut_loci/ways/Source_roots.h>
+#include <CGAL/Cut_loci/ways/Straight_waves.h>
+#include <CGAL/Cut_loci/ways/Way_forest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -292,7 +291,7 @@ private:
       graph = Indexed_cut_locus();
       if(add_lone_nodes(
            mesh_, connectivity_, distance_, {}, [this](Index h) { return roots_.parts().is_on_source(h); }, graph))
-        set_distances_from_parts(mesh_, roots_.points(), roots_.parts(), graph);
+        set_distances_from_curves(mesh_, roots_.points(), {roots_.parts().all()}, graph);
     }
     for(Index i = 0; i < graph.edges.size(); ++i)
       graph.edges[i].origin = i;

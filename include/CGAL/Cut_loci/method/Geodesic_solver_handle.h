@@ -9,7 +9,6 @@
 
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
-#include <CGAL/Cut_loci/internal/call_if_there.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 
@@ -21,6 +20,17 @@
 #include <vector>
 
 namespace CGAL::Cut_loci::internal {
+
+// Calls a function that asks of a model of a concept what it need not have, by `-> decltype(model.function())`. Returns
+// whether the model has it.
+template <typename Model, typename Function>
+constexpr bool call_if_there(Model& model, const Function& function)
+{
+  constexpr bool is_there = std::is_invocable<const Function&, Model&>::value;
+  if constexpr(is_there)
+    function(model);
+  return is_there;
+}
 
 // Holds a model of GeodesicSolver of any type.
 class Geodesic_solver_handle

@@ -56,6 +56,16 @@ public:
   /// a halfedge of a part
   Index halfedge(Index part) const { return halfedge_[part]; }
 
+  /// as one curve
+  Indexed_curve all() const
+  {
+    Indexed_curve result;
+    for(Index h = 0; h < source_of_halfedge_.size(); ++h)
+      if(is_on_source(h))
+        result.halfedges.push_back(h);
+    return result;
+  }
+
   /// which border loops have a vertex on no source
   std::vector<unsigned char> loops_with_rest(const Mesh_connectivity& connectivity) const
   {

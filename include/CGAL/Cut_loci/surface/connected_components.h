@@ -56,6 +56,10 @@ struct Mesh_component
   std::vector<Index> vertices; // in order, as the faces
   std::vector<Index> faces;
 
+  // the numbers in the whole
+  Index vertex(Index local) const { return vertices[local]; }
+  Index face(Index local) const { return faces[local]; }
+  Index halfedge(Index local) const { return 3 * faces[local / 3] + local % 3; }
   // the numbers in the component, or null if it does not have them; of null it is null
   Index local_vertex(Index v) const { return position(vertices, v); }
   Index local_face(Index f) const { return position(faces, f); }
@@ -63,6 +67,18 @@ struct Mesh_component
   {
     const Index f = h != null_index ? local_face(h / 3) : null_index;
     return f != null_index ? 3 * f + h % 3 : null_index;
+  }
+  Indexed_source local(Indexed_source source) const
+  {
+    source.location.face = local_face(source.location.face);
+    source.vertex = local_vertex(source.vertex);
+    return source;
+  }
+  Indexed_curve local(Indexed_curve curve) const
+  {
+    for(Index& h : curve.halfedges)
+      h = local_halfedge(h);
+    return curve;
   }
 
 private:

@@ -8,7 +8,6 @@
 #define CGAL_CUT_LOCI_SURFACE_MOLLIFIED_LENGTHS_H
 
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/Triangle_shape.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 
 #include <algorithm>

@@ -10,7 +10,6 @@
 #include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/graph/Edges_off_sources.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
-#include <CGAL/Cut_loci/graph/Nodes_with_sources.h>
 #include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Source_forest.h>

@@ -12,6 +12,7 @@
 #include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Segment_crossings.h>
+#include <CGAL/Cut_loci/polyhedral/curves/Merged_nodes.h>
 #include <CGAL/Cut_loci/polyhedral/curves/planar_positions.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Image_bisector.h>
 #include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
@@ -25,7 +26,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -45,17 +45,15 @@ public:
   std::vector<Index> face; ///< that each edge runs through
 
   /// @param lone the vertex that is left if nothing else is
-  Tree_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-             const Exact_geodesic_propagation& geodesics, Exact_tree& tree,
-             const std::vector<Tree_branches::Edge>& kept, Index lone, const Progress& progress = {})
-    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), tree_(tree)
+  Tree_curve(Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept, Index lone, const Progress& progress = {})
+    : mesh_(tree.mesh()), connectivity_(tree.connectivity()), geodesics_(tree.geodesics()), tree_(tree),
+      nodes_(tree, kept, progress.part(0.1, 0.3)), is_drawn_(nodes_.is_nothing())
   {
     const Index root = tree_.root();
     number_.assign(tree_.graph().nodes.size(), null_index);
-    contract(kept, progress.part(0.1, 0.3));
     join(kept);
     progress(0.4);
-    root_ = root != null_index ? representative(root) : null_index;
+    root_ = root != null_index ? nodes_.representative(root) : null_index;
     if(root != null_index && tree_.graph().nodes[root].face != null_index)
       node(root); // it comes first
     for(const Tree_branches::Edge& b : kept)
@@ -70,161 +68,18 @@ public:
       draw(c);
     }
     if(graph.edges.empty())
-      graph.nodes.assign(1, lone_node(lone));
+      graph.nodes.assign(1, {location_of_vertex(connectivity_, lone), lone, geodesics_.distance(lone)});
   }
 
 private:
-  Indexed_cut_locus::Node lone_node(Index v) const
-  {
-    return {location_of_vertex(connectivity_, v), v, geodesics_.distance(v)};
-  }
-
-  /// Where more pieces than two meet, or at a vertex, pieces of no length may be between them: they become one node.
-  void contract(const std::vector<Tree_branches::Edge>& kept, const Progress& progress)
-  {
-    const std::vector<Tree_graph::Node>& nodes = tree_.graph().nodes;
-    merged_.assign(nodes.size(), null_index);
-    vertex_.resize(nodes.size());
-    for(Index i = 0; i < nodes.size(); ++i)
-    {
-      progress(i, nodes.size());
-      vertex_[i] = nodes[i].vertex;
-    }
-    is_drawn_.assign(tree_.graph().edges.size(), 0);
-    for(const Tree_branches::Edge& b : kept)
-      if(is_nothing(b.edge))
-        is_drawn_[b.edge] = merge(representative(b.outer), representative(b.inner));
-    fold(kept);
-  }
-
-  /// Branches that are nearer to a vertex than it is known where they are, and come from one point: pieces between the same
-  /// two places are one, that with the largest gap, or none if they are a way there and back.
-  void fold(const std::vector<Tree_branches::Edge>& kept)
-  {
-    std::vector<Index> degree(tree_.graph().nodes.size(), 0);
-    for(const Tree_branches::Edge& b : kept)
-      if(!is_drawn_[b.edge])
-        for(Index i : tree_.graph().edges[b.edge].nodes)
-          ++degree[representative(i)];
-    std::map<std::pair<Index, Index>, Index> edge_to; // from a node, to a vertex
-    for(const Tree_branches::Edge& b : kept)
-      for(const bool is_outer : {false, true})
-      {
-        const Index from = representative(is_outer ? b.inner : b.outer),
-                    to = representative(is_outer ? b.outer : b.inner);
-        if(is_drawn_[b.edge] || from == to || vertex_[to] == null_index)
-          continue;
-        Index& other = edge_to.insert({{from, vertex_[to]}, b.edge}).first->second;
-        const Tree_graph::Edge &e = tree_.graph().edges[b.edge], &o = tree_.graph().edges[other];
-        if(other == b.edge || is_drawn_[other] || e.face != o.face)
-          continue;
-        const Index end = representative(representative(o.nodes[0]) == from ? o.nodes[1] : o.nodes[0]);
-        const Index degree_of_both = degree[end] + degree[to];
-        if(end == to || !merge(end, to))
-          continue;
-        const bool is_way_back = degree[from] == 2;
-        degree[from] -= is_way_back ? 2 : 1;
-        degree[representative(to)] = degree_of_both - (is_way_back ? 2 : 1);
-        is_drawn_[e.gap > o.gap || is_way_back ? other : b.edge] = 1;
-        if(is_way_back)
-        {
-          is_drawn_[b.edge] = 1;
-          merged_[from] = representative(to); // it may be the root
-        }
-        else if(e.gap > o.gap)
-          other = b.edge;
-      }
-  }
-
-  /// Makes one node of two, unless its place would be in no common face with what is joined to either.
-  bool merge(Index i, Index j)
-  {
-    if(i == j)
-      return true;
-    if(rank(i) < rank(j))
-      std::swap(i, j);
-    const Tree_graph::Node &a = tree_.graph().nodes[i], &b = tree_.graph().nodes[j];
-    if(rank(i) == 2 && (rank(j) == 2 ? vertex_[i] != vertex_[j] : !is_beside(b, vertex_[i])))
-      return false;
-    if(rank(i) == 1 && rank(j) == 1 && a.halfedge != b.halfedge)
-    {
-      // at the vertex between two edges, but at none of the border: what passes there does not end there
-      const Index v = common_vertex(a.halfedge, b.halfedge);
-      if(v == null_index || !is_at(a, v) || !is_at(b, v))
-        return false;
-      vertex_[i] = v;
-    }
-    merged_[j] = i;
-    return true;
-  }
-
-  /// of several nodes at a point, the one that is at a vertex or on an edge says so for all
-  int rank(Index i) const
-  {
-    return vertex_[i] != null_index ? 2 : tree_.graph().nodes[i].halfedge != null_index ? 1 : 0;
-  }
-
-  /// whether a node is on an edge or in a face of the mesh at a vertex
-  bool is_beside(const Tree_graph::Node& n, Index v) const
-  {
-    if(n.halfedge != null_index)
-      return mesh_.source(n.halfedge) == v || mesh_.target(n.halfedge) == v;
-    const std::array<Index, 3>& t = mesh_.triangles[n.face];
-    return std::find(t.begin(), t.end(), v) != t.end();
-  }
-
-  /// whether a node on an edge is at its end: the edges of a thin face are next to each other elsewhere, too
-  bool is_at(const Tree_graph::Node& n, Index v) const
-  {
-    constexpr double accuracy = 1e-6; // of nodes, in lengths of the edge
-    const double length = geodesics_.faces().length(n.halfedge);
-    return (mesh_.source(n.halfedge) == v ? n.t : length - n.t) <= accuracy * length;
-  }
-
-  /// of two edges, if it is not on the border
-  Index common_vertex(Index h, Index g) const
-  {
-    for(Index v : {mesh_.source(h), mesh_.target(h)})
-      if((mesh_.source(g) == v || mesh_.target(g) == v) && !connectivity_.is_border(v))
-        return v;
-    return null_index;
-  }
-
-  Index representative(Index i) const
-  {
-    while(merged_[i] != null_index)
-      i = merged_[i];
-    return i;
-  }
-
-  bool is_nothing(Index edge) const
-  {
-    const Tree_graph::Edge& e = tree_.graph().edges[edge];
-    if(e.is_virtual)
-      return false;
-    const Plane_point p = position(e.nodes[0], e.face), q = position(e.nodes[1], e.face);
-    const double size = geodesics_.faces().length(3 * e.face) + geodesics_.faces().length(3 * e.face + 1);
-    const double least = 1e-8 * size; // some ten times the accuracy of windows
-    return squared_distance(q, p) <= least * least;
-  }
-
-  /// in the frame of the first halfedge of the face
-  Plane_point position(Index i, Index f) const
-  {
-    const Tree_graph::Node& n = tree_.graph().nodes[i];
-    if(n.face == f)
-      return n.point;
-    return across(geodesics_.faces(), n.halfedge, n.t);
-  }
-
   Index node(Index i)
   {
-    i = representative(i);
+    i = nodes_.representative(i);
     if(number_[i] == null_index)
     {
       number_[i] = static_cast<Index>(graph.nodes.size());
       const Tree_graph::Node& n = tree_.graph().nodes[i];
-      const Index v = vertex_[i];
+      const Index v = nodes_.vertex(i);
       const auto moved = moved_.find(i);
       graph.nodes.push_back({v != null_index         ? location_of_vertex(connectivity_, v)
                              : moved != moved_.end() ? location(n.face, moved->second)
@@ -271,7 +126,7 @@ private:
       if(!is_drawn_[b.edge])
       {
         const auto& nodes = tree_.graph().edges[b.edge].nodes;
-        left_.add(b.edge, {{representative(nodes[0]), representative(nodes[1])}});
+        left_.add(b.edge, {{nodes_.representative(nodes[0]), nodes_.representative(nodes[1])}});
       }
   }
 
@@ -279,7 +134,7 @@ private:
   bool is_passed(Index i) const
   {
     const Tree_graph::Node& n = tree_.graph().nodes[i];
-    return left_.degree(i) == 2 && vertex_[i] == null_index && n.halfedge == null_index && n.loop == null_index &&
+    return left_.degree(i) == 2 && nodes_.vertex(i) == null_index && n.halfedge == null_index && n.loop == null_index &&
            i != root_;
   }
 
@@ -299,7 +154,7 @@ private:
   void find_chain(Index first)
   {
     // back to where it starts, then forth
-    Index edge = first, from = representative(tree_.graph().edges[first].nodes[0]);
+    Index edge = first, from = nodes_.representative(tree_.graph().edges[first].nodes[0]);
     while(is_passed(from))
     {
       edge = left_.next(from, edge);
@@ -387,7 +242,7 @@ private:
     for(std::size_t i = 0; i < nodes.size(); ++i)
     {
       before[i] = place(nodes[i], f);
-      is_fixed[i] = rank(nodes[i]) > 0 || left_.degree(nodes[i]) == 1;
+      is_fixed[i] = nodes_.rank(nodes[i]) > 0 || left_.degree(nodes[i]) == 1;
     }
     std::vector<Plane_point> planar = before;
     move_to_planar_positions(links, is_fixed, planar);
@@ -431,15 +286,15 @@ private:
   Index other_end(Index edge, Index i) const
   {
     const std::array<Index, 2>& nodes = tree_.graph().edges[edge].nodes;
-    const Index first = representative(nodes[0]);
-    return first == i ? representative(nodes[1]) : first;
+    const Index first = nodes_.representative(nodes[0]);
+    return first == i ? nodes_.representative(nodes[1]) : first;
   }
 
   /// the end of the edge that node `i` stands for: that one has a place in the face of the edge
   Index own_end(Index i, Index edge) const
   {
     const std::array<Index, 2>& nodes = tree_.graph().edges[edge].nodes;
-    return representative(nodes[0]) == i ? nodes[0] : nodes[1];
+    return nodes_.representative(nodes[0]) == i ? nodes[0] : nodes[1];
   }
 
   struct Point
@@ -477,7 +332,7 @@ private:
     const Index own = own_end(i, edge);
     const Index f = tree_.graph().edges[edge].face;
     const Plane_point p = place(i, f);
-    all_points_.push_back({rank(i) > 0 ? p : inside(f, p), tree_.graph().nodes[own].distance});
+    all_points_.push_back({nodes_.rank(i) > 0 ? p : inside(f, p), tree_.graph().nodes[own].distance});
   }
 
   /// where a node is drawn, in the frame of the first halfedge of a face
@@ -487,9 +342,9 @@ private:
     if(moved != moved_.end())
       return moved->second;
     for(Index k = 0; k < 3; ++k)
-      if(vertex_[i] != null_index && mesh_.triangles[f][k] == vertex_[i])
+      if(nodes_.vertex(i) != null_index && mesh_.triangles[f][k] == nodes_.vertex(i))
         return tree_.ridges().layout(f)[k];
-    return position(i, f);
+    return nodes_.position(i, f);
   }
 
   void add_points_between(Index edge, Index from, double tolerance)
@@ -503,7 +358,7 @@ private:
     samples_.clear();
     sample_bisector(piece.images[0], piece.images[1], tree_.ridges().piece_end(e.piece, 0),
                     tree_.ridges().piece_end(e.piece, 1), tolerance, samples_);
-    const Plane_point p = position(own_end(from, edge), e.face), q = tree_.ridges().piece_end(e.piece, 0),
+    const Plane_point p = nodes_.position(own_end(from, edge), e.face), q = tree_.ridges().piece_end(e.piece, 0),
                       r = tree_.ridges().piece_end(e.piece, 1);
     if(std::hypot(p.x - q.x, p.y - q.y) > std::hypot(p.x - r.x, p.y - r.y))
       std::reverse(samples_.begin(), samples_.end());
@@ -532,9 +387,9 @@ private:
   bool are_on_one_edge(Index i, Index j) const
   {
     const Tree_graph::Node &a = tree_.graph().nodes[i], &b = tree_.graph().nodes[j];
-    if(rank(i) == 0 || rank(j) == 0)
+    if(nodes_.rank(i) == 0 || nodes_.rank(j) == 0)
       return false;
-    if(rank(i) == 1 && rank(j) == 1)
+    if(nodes_.rank(i) == 1 && nodes_.rank(j) == 1)
       return a.halfedge == b.halfedge;
     return true; // at a vertex
   }
@@ -591,11 +446,11 @@ private:
   const Mesh_connectivity& connectivity_;
   const Exact_geodesic_propagation& geodesics_;
   Exact_tree& tree_;
-  Index root_ = null_index;
-  std::vector<Index> number_, merged_;  // of nodes
-  std::vector<Index> vertex_;           // at which a node is, or what has been merged into it
-  Edges_left left_;                     // at nodes
+  const Merged_nodes nodes_;
   std::vector<unsigned char> is_drawn_; // edges
+  Index root_ = null_index;
+  std::vector<Index> number_; // of nodes
+  Edges_left left_;           // at nodes
   std::vector<Chain> chains_;
   std::vector<Step> steps_; // of all chains
   Segment_crossings crossings_;

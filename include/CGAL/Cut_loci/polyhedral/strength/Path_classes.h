@@ -12,7 +12,6 @@
 #include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/surface/common_faces.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 
 #include <algorithm>
