@@ -180,14 +180,19 @@ bool run(const Options& given)
   return !results.checked || results.checked->topology_fault.empty();
 }
 
-// The library names its parameters as in C++.
+// The library names its parameters and functions as in C++.
 std::string as_options(std::string message)
 {
   const std::pair<const char*, const char*> words[] = {
     {"cut_locus_method(Cut_loci::Default_method())", "--method default"},
     {"cut_locus_method(Cut_loci::Laplacian_method())", "--method laplacian"},
     {"cut_locus_curve(Cut_loci::Curve::THROUGH_FACES)", "--curve faces"},
-    {"cut_locus_curve(Cut_loci::Curve::MESH_EDGES)", "--curve edges"}};
+    {"cut_locus_curve(Cut_loci::Curve::MESH_EDGES)", "--curve edges"},
+    {"heat method with Heat_method_3::Intrinsic_Delaunay", "method of --solver heat"},
+    {"Heat_method_geodesic_solver<Heat_method_3::Direct>", "--solver heat-direct"},
+    {"the default solver", "--solver exact"},
+    {" (CGAL::convex_hull_3() makes one); to flatten others see CGAL::cut_along_cut_locus()",
+     "; others are flattened by --uv"}};
   for(const auto& [parameter, option] : words)
     boost::replace_all(message, parameter, option);
   return message;

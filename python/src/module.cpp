@@ -109,7 +109,7 @@ loci::Method method_of(Method_name name)
   }
 }
 
-// The library names its parameters as in C++.
+// The library names its parameters and functions as in C++.
 std::string in_python(std::string message)
 {
   const std::pair<const char*, const char*> words[] = {
@@ -122,6 +122,12 @@ std::string in_python(std::string message)
     {"Cut_loci::Polyhedral_method", "\"polyhedral\""},
     {"Cut_loci::Curve::THROUGH_FACES", "\"faces\""},
     {"Cut_loci::Curve::MESH_EDGES", "\"edges\""},
+    {"heat method with Heat_method_3::Intrinsic_Delaunay", "method of solver=\"heat\""},
+    {"Heat_method_geodesic_solver<Heat_method_3::Direct>", "solver=\"heat-direct\""},
+    {"the default solver", "solver=\"exact\""},
+    {" (CGAL::convex_hull_3() makes one); to flatten others see CGAL::cut_along_cut_locus()",
+     "; others are flattened by cut_open()"},
+    {"cut it open first, as CGAL::cut_along_cut_locus() does", "cut it open first, as cut_open() does"},
     {"set_directions() comes before compute()", "compute() takes directions=True"},
     {"set_isolines() comes before compute()", "compute() takes isolines=True"},
     {"geodesic_solver", "solver"},

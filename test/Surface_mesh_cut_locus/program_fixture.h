@@ -92,6 +92,7 @@ protected:
     EXPECT_EQ(outcome.messages.compare(0, 11, "cut_locus: "), 0) << outcome.messages;
     EXPECT_NE(outcome.messages.find(part), std::string::npos) << outcome.messages << "does not contain: " << part;
     EXPECT_EQ(std::count(outcome.messages.begin(), outcome.messages.end(), '\n'), 1) << outcome.messages;
+    EXPECT_EQ(outcome.messages.find("::"), std::string::npos) << outcome.messages << "has words of C++";
   }
 
   fs::path folder_;

@@ -1005,6 +1005,7 @@ TEST_F(Program, Wrong_command_lines)
   expect_failure(run_on_torus("--source-point 1,0,0 --source-point 0,1,0 --unfold " + quoted(path("a.svg"))),
                  "--unfold takes one source");
   expect_failure(run_on_torus("--source 1 --source 2 --unfold " + quoted(path("a.svg"))), "--unfold takes one source");
+  expect_failure(run_on_torus("--source 1 --quiet --unfold " + quoted(path("a.svg"))), "others are flattened by --uv");
   expect_failure(run_on_torus("--source 1 --source 2 --check --keep voronoi"), "--check is about all");
   expect_failure(run_on_torus("--keep some"), "--keep takes all, voronoi or medial");
   expect_failure(run_on_torus("--cells " + quoted(path("a.off"))), "must be .ply, .vtp or .obj");
