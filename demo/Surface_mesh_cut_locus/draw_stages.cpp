@@ -30,6 +30,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -57,24 +58,21 @@ Color between(const Color& a, const Color& b, double t)
   return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green), a.blue + t * (b.blue - a.blue)};
 }
 
-// The stages up to the curve of mesh edges that homology demands.
-struct Stages
+// with the strengths of the vertices, from exact distances
+std::unique_ptr<Laplacian_solver> with_strengths(const Indexed_triangle_mesh& mesh, Index source_vertex)
 {
-  Stages(const Indexed_triangle_mesh& mesh, Index source_vertex) : solver(mesh, Laplacian_operator::QUADRATIC_FIT)
-  {
-    Indexed_source source;
-    source.vertex = source_vertex;
-    source.location = location_of_vertex(solver.connectivity(), source_vertex);
-    CGAL::Exact_geodesic_solver exact;
-    exact.set_mesh(mesh);
-    std::vector<double> distance;
-    exact.compute_distances(source, distance);
-    solver.set_distance({source}, distance);
-    solver.compute_strengths();
-  }
-
-  Laplacian_solver solver;
-};
+  auto solver = std::make_unique<Laplacian_solver>(mesh, Laplacian_operator::QUADRATIC_FIT);
+  Indexed_source source;
+  source.vertex = source_vertex;
+  source.location = location_of_vertex(solver->connectivity(), source_vertex);
+  CGAL::Exact_geodesic_solver exact;
+  exact.set_mesh(mesh);
+  std::vector<double> distance;
+  exact.compute_distances(source, distance);
+  solver->set_distance({source}, distance);
+  solver->compute_strengths();
+  return solver;
+}
 
 auto by_method_of_paper(const analytic::Mesh& mesh, Index source)
 {
@@ -102,12 +100,12 @@ public:
   // Where it is low, as along the valleys that the tree grows along, faces are dark.
   void laplacian()
   {
-    const Stages stages(mesh_, source_);
+    const auto solver = with_strengths(mesh_, source_);
     for(const auto& t : mesh_.triangles)
     {
       double sum = 0.;
       for(Index v : t)
-        sum -= (std::min)(0.f, stages.solver.laplacian()[v]) / 3.;
+        sum -= (std::min)(0.f, solver->laplacian()[v]) / 3.;
       scene.colors.push_back(between(pale, blue, (std::min)(1., std::sqrt(sum))));
     }
   }
@@ -115,15 +113,17 @@ public:
   // The spanning tree, and the edges that homology demands beside it.
   void tree()
   {
-    const Stages stages(mesh_, source_);
-    const Mesh_connectivity& connectivity = stages.solver.connectivity();
-    const Laplacian_solver& solver = stages.solver;
+    const auto solver = with_strengths(mesh_, source_);
+    const Mesh_connectivity& connectivity = solver->connectivity();
+    Way_forest forest(mesh_, connectivity, solver->roots(), solver->distance());
+    forest.grow({});
+    const std::vector<unsigned char> crossed = forest.ways([](Index) { return true; }).is_crossed;
     const Spanning_tree tree =
-      region_growing_tree(connectivity, solver.laplacian(), solver.farthest(), solver.roots().elements(), {});
+      region_growing_tree(connectivity, solver->laplacian(), solver->farthest(), solver->roots().elements(), crossed);
     for(Index v : tree.order)
       if(v != tree.root)
         add_line({data_.points[v], data_.points[tree.parent[v]]}, red, 2.);
-    for(Index h : homology_generators(mesh_, connectivity, tree, solver.distance(), solver.roots()))
+    for(Index h : homology_generators(mesh_, connectivity, tree, solver->distance(), solver->roots(), crossed))
       add_line({data_.points[mesh_.source(h)], data_.points[mesh_.target(h)]}, green, 6.);
   }
 

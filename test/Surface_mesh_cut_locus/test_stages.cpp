@@ -8,6 +8,7 @@
 
 #include <CGAL/Cut_loci/laplacian/Branch_filter.h>
 #include <CGAL/Cut_loci/laplacian/Differential_operators.h>
+#include <CGAL/Cut_loci/laplacian/Laplacian_solver.h>
 #include <CGAL/Cut_loci/laplacian/Tangent_directions.h>
 #include <CGAL/Cut_loci/laplacian/gradient_angles.h>
 #include <CGAL/Cut_loci/laplacian/homology.h>
@@ -366,7 +367,7 @@ TEST(Gradient_angles, a_fold_of_the_plane_has_the_angle_of_its_two_gradients)
     Eigen::VectorXd d(static_cast<Eigen::Index>(data.points.size()));
     for(std::size_t v = 0; v < data.points.size(); ++v)
       d[static_cast<Eigen::Index>(v)] = data.points[v][0] - slope * std::abs(data.points[v][1] - 0.5);
-    const std::vector<float> angle = gradient_angles(f.connectivity, tangent, operators.gradient * d);
+    const std::vector<float> angle = gradient_angles(f.mesh, f.connectivity, tangent, operators.gradient * d);
     for(std::size_t v = 0; v < data.points.size(); ++v)
     {
       if(f.connectivity.is_border(static_cast<Index>(v)))
@@ -406,7 +407,7 @@ TEST(Gradient_angles, given_gradients_on_both_sides_of_a_fold_make_their_angle)
         gradient[2 * v + 1] = dot(g, operators.frames[v].e2);
       }
       const auto neighbor = neighbors(data);
-      const std::vector<float> angle = gradient_angles(f.connectivity, tangent, gradient);
+      const std::vector<float> angle = gradient_angles(f.mesh, f.connectivity, tangent, gradient);
       for(Index v = 0; v < data.points.size(); ++v)
       {
         if(f.connectivity.is_border(v))
@@ -426,6 +427,42 @@ TEST(Gradient_angles, given_gradients_on_both_sides_of_a_fold_make_their_angle)
     }
 }
 
+// Quadrics fit the square of the distance to a point of the plane, up to the point and however long the faces are.
+TEST(Gradient_angles, of_the_distance_vanish_in_the_plane_and_its_laplacian_is_one_over_it)
+{
+  for(double stretch : {1., 4., 10.})
+  {
+    Mesh_data data = square(20, 0.2, 1);
+    for(Point& p : data.points)
+      p[0] *= stretch;
+    const Fixture f(data);
+    std::vector<Index> inside; // and no neighbor is on the border
+    for(Index v = 0; v < data.points.size(); ++v)
+    {
+      bool is_inside = !f.connectivity.is_border(v);
+      for(Index k = f.connectivity.ring_begin[v]; k < f.connectivity.ring_begin[v + 1]; ++k)
+        is_inside &= !f.connectivity.is_border(f.connectivity.ring_vertex[k]);
+      if(is_inside)
+        inside.push_back(v);
+    }
+    Indexed_source source;
+    source.vertex = inside[inside.size() / 2];
+    source.location = CGAL::Cut_loci::internal::location_of_vertex(f.connectivity, source.vertex);
+    std::vector<double> distance;
+    for(const Point& p : data.points)
+      distance.push_back(norm(p - data.points[source.vertex]));
+    CGAL::Cut_loci::internal::Laplacian_solver solver(f.mesh, Laplacian_operator::QUADRATIC_FIT);
+    solver.set_distance({source}, distance);
+    solver.compute_strengths();
+    for(Index v : inside)
+      if(v != source.vertex)
+      {
+        EXPECT_NEAR(solver.laplacian()[v] * distance[v] / f.connectivity.mean_edge_length, 1., 1e-4) << stretch;
+        EXPECT_LT(solver.gradient_angle()[v], 1e-3) << stretch;
+      }
+  }
+}
+
 TEST(Gradient_angles, vanish_at_the_source_where_gradients_fan_out_and_are_large_at_the_farthest_point)
 {
   for(unsigned seed = 0; seed < 5; ++seed)
@@ -439,7 +476,7 @@ TEST(Gradient_angles, vanish_at_the_source_where_gradients_fan_out_and_are_large
     for(std::size_t v = 0; v < data.points.size(); ++v)
       d[static_cast<Eigen::Index>(v)] =
         std::atan2(norm(cross(data.points[v], data.points[source])), dot(data.points[v], data.points[source]));
-    const std::vector<float> angle = gradient_angles(f.connectivity, tangent, operators.gradient * d);
+    const std::vector<float> angle = gradient_angles(f.mesh, f.connectivity, tangent, operators.gradient * d);
     EXPECT_NEAR(angle[source], 0., 1e-6);
     const std::size_t antipode = nearest_vertex(data, -1. * data.points[source]);
     EXPECT_GT(angle[antipode], 2.);

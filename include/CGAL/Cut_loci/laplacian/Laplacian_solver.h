@@ -98,7 +98,7 @@ public:
     for(Index v = 0; v < distance_.size(); ++v)
       for(Index i = 2 * v; i < 2 * v + 2; ++i)
         gradient[i] = is_at_source(v) ? 0. : gradient[i] / distance_[v];
-    angle_ = gradient_angles(connectivity_, tangent_, gradient, progress_.part(0.3, 0.8));
+    angle_ = gradient_angles(mesh_, connectivity_, tangent_, gradient, progress_.part(0.3, 0.8));
     progress_(0.8);
     const Eigen::VectorXd laplacian = operators_.laplacian * half_square;
     laplacian_.resize(distance_.size());

@@ -9,7 +9,9 @@
 
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/laplacian/Tangent_directions.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
 
 #include <Eigen/Core>
 
@@ -24,14 +26,15 @@ namespace CGAL::Cut_loci {
  * computes for each vertex the largest angle, in radians in [0, pi], between two gradients at its neighbors,
  * parallel-transported to the vertex: the strength of the cut locus there.
  *
- * Only pairs of gradients that converge count, that is, that point towards each other as seen from the vertex. At the
- * source, which is a singularity of the distance as well, all pairs diverge, and the strength is 0.
+ * Only pairs of gradients that converge count, that is, that point towards each other from their places. Those of a
+ * convex function diverge, as around the source, which is a singularity of the distance as well: there the strength is 0.
  *
  * @param gradient the coordinates of the gradients in the frames of `Differential_operators`; those that are zero have no
  *        direction, and do not count
  */
-inline std::vector<float> gradient_angles(const Mesh_connectivity& connectivity, const Tangent_directions& tangent,
-                                          const Eigen::VectorXd& gradient, const internal::Progress& progress = {})
+inline std::vector<float> gradient_angles(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                                          const Tangent_directions& tangent, const Eigen::VectorXd& gradient,
+                                          const internal::Progress& progress = {})
 {
   using Direction = Tangent_directions::Direction;
   const Index nv = static_cast<Index>(connectivity.ring_begin.size() - 1);
@@ -44,14 +47,19 @@ inline std::vector<float> gradient_angles(const Mesh_connectivity& connectivity,
   }
 
   std::vector<float> angle(nv, 0.f);
-  std::vector<Direction> transported;
+  std::vector<Direction> transported, place; // of the neighbors, in the tangent plane
   for(Index v = 0; v < nv; ++v)
   {
     progress(v, nv);
     const Index begin = connectivity.ring_begin[v], k = connectivity.valence(v);
     transported.resize(k);
+    place.resize(k);
     for(Index i = 0; i < k; ++i)
+    {
+      const double length = internal::edge_length(mesh, connectivity.ring_halfedge[begin + i]);
+      place[i] = static_cast<float>(length) * tangent.direction[begin + i];
       transported[i] = tangent.transport(connectivity, begin + i) * unit[connectivity.ring_vertex[begin + i]];
+    }
 
     float smallest = 1.f, sine = 0.f; // cosine and sine of the largest angle
     for(Index i = 0; i + 1 < k; ++i)
@@ -63,7 +71,7 @@ inline std::vector<float> gradient_angles(const Mesh_connectivity& connectivity,
         const float cosine = a.real() * b.real() + a.imag() * b.imag();
         if(cosine >= smallest)
           continue;
-        const Direction difference = a - b, apart = tangent.direction[begin + i] - tangent.direction[begin + j];
+        const Direction difference = a - b, apart = place[i] - place[j];
         if(difference.real() * apart.real() + difference.imag() * apart.imag() >= 0.f)
           continue;
         smallest = cosine;
