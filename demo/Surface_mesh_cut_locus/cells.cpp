@@ -43,25 +43,25 @@ void fill_in_distances(const Refined_mesh& refined, std::vector<double>& distanc
       distance[v] = sum[v].second > 0 ? sum[v].first / double(sum[v].second) : 0.;
 }
 
-struct Point
+struct Cell_point
 {
   const Cells& cells;
   Index vertex;
 };
 
-std::ostream& operator<<(std::ostream& os, const Point& p)
+std::ostream& operator<<(std::ostream& os, const Cell_point& p)
 {
   const auto& x = p.cells.mesh.points[p.vertex];
   return os << x[0] << ' ' << x[1] << ' ' << x[2];
 }
 
-void write_ply(std::ostream& os, const Cells& cells)
+void write_cells_ply(std::ostream& os, const Cells& cells)
 {
   os << "ply\nformat ascii 1.0\nelement vertex " << cells.mesh.number_of_vertices()
      << "\nproperty double x\nproperty double y\nproperty double z\nproperty double distance\nelement face "
      << cells.mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\nproperty int source\nend_header\n";
   for(Index v = 0; v < cells.mesh.number_of_vertices(); ++v)
-    os << Point{cells, v} << ' ' << finite_distance(cells.distance[v]) << '\n';
+    os << Cell_point{cells, v} << ' ' << finite_distance(cells.distance[v]) << '\n';
   for(Index f = 0; f < cells.mesh.number_of_faces(); ++f)
   {
     const auto& t = cells.mesh.triangles[f];
@@ -77,10 +77,10 @@ void write_cells_vtp(std::ostream& os, const Cells& cells)
 }
 
 // a group for each cell
-void write_obj(std::ostream& os, const Cells& cells)
+void write_cells_obj(std::ostream& os, const Cells& cells)
 {
   for(Index v = 0; v < cells.mesh.number_of_vertices(); ++v)
-    os << "v " << Point{cells, v} << '\n';
+    os << "v " << Cell_point{cells, v} << '\n';
   std::vector<std::pair<std::size_t, Index>> order; // by sources; those without one come last
   for(Index f = 0; f < cells.mesh.number_of_faces(); ++f)
     order.emplace_back(cells.source[f], f);
@@ -128,6 +128,6 @@ Cells make_cells(const Mesh& mesh, const Cut_locus& cut_locus)
 void write_cells(const std::string& filename, const Cells& cells)
 {
   const std::string extension = std::filesystem::path(filename).extension().string();
-  const auto write = extension == ".ply" ? write_ply : extension == ".vtp" ? write_cells_vtp : write_obj;
+  const auto write = extension == ".ply" ? write_cells_ply : extension == ".vtp" ? write_cells_vtp : write_cells_obj;
   write_file(filename, [&](std::ostream& os) { write(os, cells); });
 }

@@ -16,8 +16,9 @@
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t columns = static_cast<std::size_t>(1. / margin_of_packing); // so that one of them is a margin
+constexpr double infinite_height = std::numeric_limits<double>::infinity();
+constexpr std::size_t packing_columns =
+  static_cast<std::size_t>(1. / margin_of_packing); // so that one of them is a margin
 
 // How low and high a chart is in each column, and in one beside it on each side.
 struct Outline
@@ -25,7 +26,7 @@ struct Outline
   std::vector<double> low, high;
 
   Outline(const Chart& chart, double width)
-    : low(static_cast<std::size_t>(chart.size[0] / width) + 3, infinity), high(low.size(), -infinity)
+    : low(static_cast<std::size_t>(chart.size[0] / width) + 3, infinite_height), high(low.size(), -infinite_height)
   {
     for(const Mesh::Edge_index e : chart.disk.edges())
     {
@@ -69,8 +70,8 @@ struct Outline
 // The lowest place above what is there; infinite if the outline is too wide.
 std::pair<double, std::size_t> lowest_place(const Outline& outline, const std::vector<double>& top, double margin)
 {
-  std::pair<double, std::size_t> best(infinity, 0);
-  for(std::size_t column = 0; column + outline.low.size() <= columns; ++column)
+  std::pair<double, std::size_t> best(infinite_height, 0);
+  for(std::size_t column = 0; column + outline.low.size() <= packing_columns; ++column)
   {
     double y = 0.;
     for(std::size_t k = 0; k < outline.low.size(); ++k)
@@ -84,7 +85,7 @@ std::pair<double, std::size_t> lowest_place(const Outline& outline, const std::v
 std::optional<Packing> packing_in(const Charts& charts, const std::vector<std::size_t>& order, double side)
 {
   const double margin = side * margin_of_packing;
-  std::vector<double> top(columns, 0.);
+  std::vector<double> top(packing_columns, 0.);
   Packing result{std::vector<Packing::Place>(charts.size()), side};
   for(const std::size_t i : order)
   {

@@ -14,10 +14,10 @@
 
 namespace {
 
-using Edges = std::vector<std::pair<std::size_t, std::size_t>>;
+using Polygon_edges = std::vector<std::pair<std::size_t, std::size_t>>;
 
 // JSON, and Python
-void write_pairs(std::ostream& os, const Edges& edges)
+void write_pairs(std::ostream& os, const Polygon_edges& edges)
 {
   os << '[';
   for(std::size_t i = 0; i < edges.size(); ++i)
@@ -25,7 +25,7 @@ void write_pairs(std::ostream& os, const Edges& edges)
   os << "]";
 }
 
-void write_lines(std::ostream& os, const Edges& edges, const Polygon_soup& soup)
+void write_lines(std::ostream& os, const Polygon_edges& edges, const Polygon_soup& soup)
 {
   for(const Kernel::Point_3& p : soup.points)
     os << "v " << p << '\n';
@@ -33,7 +33,7 @@ void write_lines(std::ostream& os, const Edges& edges, const Polygon_soup& soup)
     os << "l " << a + 1 << ' ' << b + 1 << '\n';
 }
 
-void write_script(std::ostream& os, const Edges& edges)
+void write_script(std::ostream& os, const Polygon_edges& edges)
 {
   os << R"(# For Blender: marks the seams of the active object, which must have the vertices of the file in their order.
 import bpy
@@ -61,7 +61,7 @@ print(f"{len(SEAMS)} edges marked")
 
 void write_seams(const std::string& filename, const Atlas& atlas, const Input_mesh& input, const Polygon_soup& soup)
 {
-  const Edges edges = seams_of_polygons(atlas, input, soup);
+  const Polygon_edges edges = seams_of_polygons(atlas, input, soup);
   const std::string extension = std::filesystem::path(filename).extension().string();
   write_file(filename,
              [&](std::ostream& os)

@@ -18,7 +18,7 @@
 
 namespace {
 
-using Edges = std::vector<Mesh::Edge_index>;
+using Mesh_edges = std::vector<Mesh::Edge_index>;
 
 Kernel::Point_3 to_point(const std::array<double, 3>& p)
 {
@@ -96,11 +96,11 @@ void choose_source(Options& options, const Input_mesh& input, std::size_t compon
 }
 
 // Of the component of the other sources, if there are any, or of the largest one.
-Edges border_of_component(const Options& options, const Input_mesh& input)
+Mesh_edges border_of_component(const Options& options, const Input_mesh& input)
 {
   const Mesh& mesh = input.mesh;
   const std::size_t component = component_of_sources(options, input);
-  Edges result;
+  Mesh_edges result;
   for(const Mesh::Edge_index e : mesh.edges())
     if(mesh.is_border(e) && component_at(input, mesh.halfedge(e)) == component)
       result.push_back(e);
@@ -110,7 +110,7 @@ Edges border_of_component(const Options& options, const Input_mesh& input)
 }
 
 // The edges of the mesh that the lines of the file name, and those of the border, in curves that are connected.
-std::vector<Edges> source_curves(const Options& options, const Input_mesh& input)
+std::vector<Mesh_edges> source_curves(const Options& options, const Input_mesh& input)
 {
   const Mesh& mesh = input.mesh;
   std::vector<Mesh::Edge_index> all;
@@ -139,7 +139,7 @@ std::vector<Edges> source_curves(const Options& options, const Input_mesh& input
   for(const Mesh::Edge_index e : all)
     parent[find(mesh.vertex(e, 0))] = find(mesh.vertex(e, 1));
   std::map<Mesh::Vertex_index, std::size_t> number;
-  std::vector<Edges> result;
+  std::vector<Mesh_edges> result;
   for(const Mesh::Edge_index e : all)
   {
     const auto found = number.insert({find(mesh.vertex(e, 0)), result.size()});
@@ -152,7 +152,7 @@ std::vector<Edges> source_curves(const Options& options, const Input_mesh& input
 
 } // namespace
 
-std::vector<Edges> set_source(const Options& options, const Input_mesh& input, Cut_locus_solver& solver)
+std::vector<Mesh_edges> set_source(const Options& options, const Input_mesh& input, Cut_locus_solver& solver)
 {
   const Mesh& mesh = input.mesh;
   const auto parameters = CGAL::parameters::maximum_relative_error(options.maximum_relative_error.value_or(0.));
@@ -163,7 +163,7 @@ std::vector<Edges> set_source(const Options& options, const Input_mesh& input, C
     sources.push_back(closest_location(mesh, to_point(point)));
   if(has_curves(options))
   {
-    const std::vector<Edges> curves = source_curves(options, input);
+    const std::vector<Mesh_edges> curves = source_curves(options, input);
     solver.set_sources(sources, parameters.source_curves(curves));
     return curves;
   }

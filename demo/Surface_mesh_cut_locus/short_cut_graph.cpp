@@ -15,7 +15,7 @@
 
 namespace {
 
-constexpr double infinity = (std::numeric_limits<double>::infinity)();
+constexpr double infinite_length = (std::numeric_limits<double>::infinity)();
 
 struct Cut_graph
 {
@@ -32,7 +32,7 @@ double length(const Mesh& mesh, Mesh::Edge_index e)
 // paths nor crossed by a spanning tree of the faces, which takes the edges of the longest loops.
 Cut_graph shortest_loops(const Mesh& mesh, Mesh::Vertex_index base, const std::vector<bool>& is_in_component)
 {
-  std::vector<double> distance(mesh.number_of_vertices(), infinity);
+  std::vector<double> distance(mesh.number_of_vertices(), infinite_length);
   std::vector<Mesh::Halfedge_index> from(mesh.number_of_vertices(), Mesh::null_halfedge()); // halfedge towards it
   using Entry = std::pair<double, Mesh::Vertex_index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
@@ -116,14 +116,14 @@ std::optional<double> distance_to_short_cut_graph(const Mesh& mesh, const Cut_lo
     }
   constexpr std::size_t trials = 16;
   Cut_graph best;
-  best.length = infinity;
+  best.length = infinite_length;
   for(std::size_t i = 0; i < trials; ++i)
   {
     Cut_graph graph = shortest_loops(mesh, component[i * component.size() / trials], is_in_component);
     if(graph.length < best.length)
       best = std::move(graph);
   }
-  double result = infinity;
+  double result = infinite_length;
   for(Mesh::Vertex_index v : best.vertices)
     result = (std::min)(result, cut_locus.distance(v));
   return result;

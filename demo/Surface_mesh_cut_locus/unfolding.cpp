@@ -74,7 +74,7 @@ private:
   std::size_t number_of_labels_ = 0;
 };
 
-void write_svg(std::ostream& os, const Unfolding& unfolding)
+void write_unfolding_svg(std::ostream& os, const Unfolding& unfolding)
 {
   double left = 0., right = 0., bottom = 0., top = 0.;
   for(const Unfolding::Corner& c : unfolding.corners)
@@ -119,7 +119,7 @@ void write_svg(std::ostream& os, const Unfolding& unfolding)
 }
 
 // The polygon is star-shaped: triangles from the source.
-void write_obj(std::ostream& os, const Unfolding& unfolding)
+void write_unfolding_obj(std::ostream& os, const Unfolding& unfolding)
 {
   os.precision(17);
   const auto vertex = [&](const Point_2& p) { os << "v " << p.x() << ' ' << p.y() << " 0\n"; };
@@ -148,7 +148,7 @@ void write_obj(std::ostream& os, const Unfolding& unfolding)
 
 void write_unfolding(const std::string& filename, const Unfolding& unfolding)
 {
-  const auto write = std::filesystem::path(filename).extension() == ".svg" ? write_svg : write_obj;
+  const auto write = std::filesystem::path(filename).extension() == ".svg" ? write_unfolding_svg : write_unfolding_obj;
   write_file(filename, [&](std::ostream& os) { write(os, unfolding); });
 }
 

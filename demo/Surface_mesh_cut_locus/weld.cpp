@@ -23,7 +23,6 @@
 
 namespace {
 
-using curve_measures::Union_find;
 using Points = std::vector<Kernel::Point_3>;
 using Polygons = std::vector<std::vector<std::size_t>>;
 using Vertex_pair = std::pair<std::size_t, std::size_t>;
@@ -70,7 +69,8 @@ Vertex_pair ends(const Side& side)
 }
 
 // Unites points that are at most `tolerance` apart. All must be different.
-void unite_close(const Points& points, const std::vector<std::size_t>& vertices, double tolerance, Union_find& sets)
+void unite_close(const Points& points, const std::vector<std::size_t>& vertices, double tolerance,
+                 curve_measures::Union_find& sets)
 {
   using Cell = std::array<std::int64_t, 3>;
   const double size = 4. * tolerance; // most points have all that is close in their own cell
@@ -118,7 +118,7 @@ std::vector<std::size_t> find_places(const Points& points, const Polygons& polyg
       different.push_back(v);
     same[v] = different.back();
   }
-  Union_find close(points.size());
+  curve_measures::Union_find close(points.size());
   unite_close(points, different, tolerance, close);
 
   std::vector<bool> is_split(points.size(), false);
@@ -362,7 +362,7 @@ private:
   const Polygons& polygons_;
   std::vector<Side> sides_, border_;
   std::vector<std::size_t> place_; // empty if there is nothing to join
-  Union_find same_;
+  curve_measures::Union_find same_;
   Orientations orientations_;
   bool is_read_ = false;
 };

@@ -14,11 +14,10 @@
 
 namespace {
 
-using namespace test_meshes;
-
 // Each generator takes the number of edges along a line of its own, whose square is a multiple of the number of faces.
-Mesh_data generate(const std::string& name, double number_of_faces)
+test_meshes::Mesh_data generate(const std::string& name, double number_of_faces)
 {
+  using namespace test_meshes;
   const auto size = [&](double faces_per_square)
   { return (std::max)(3, static_cast<int>(std::lround(std::sqrt(number_of_faces / faces_per_square)))); };
   if(name == "torus")
@@ -46,12 +45,12 @@ Mesh_data generate(const std::string& name, double number_of_faces)
 
 Mesh make_sample(const std::string& name, double number_of_faces)
 {
-  const Mesh_data data = generate(name, number_of_faces);
+  const test_meshes::Mesh_data data = generate(name, number_of_faces);
   Mesh mesh;
   mesh.reserve(data.points.size(), 3 * data.triangles.size() / 2, data.triangles.size());
-  for(const Point& p : data.points)
+  for(const auto& p : data.points)
     mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
-  for(const Triangle& t : data.triangles)
+  for(const auto& t : data.triangles)
     mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
   return mesh;
 }
