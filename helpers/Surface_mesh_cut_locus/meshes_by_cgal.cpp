@@ -21,22 +21,13 @@
 
 namespace test_meshes {
 
-Mesh_data random_convex_polyhedron(std::size_t vertices, unsigned seed, const Point& half_axes)
+Mesh_data convex_hull(const std::vector<Point>& corners)
 {
   using Hull_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
   using Hull = CGAL::Surface_mesh<Hull_point>;
-  std::mt19937 engine(seed);
   std::vector<Hull_point> points;
-  while(points.size() < vertices)
-  {
-    Point p = {{0., 0., 0.}};
-    for(double& x : p)
-      x = random_unit(engine);
-    if(norm(p) > 1. || norm(p) < 0.1)
-      continue;
-    p = normalized(p);
-    points.push_back(Hull_point(half_axes[0] * p[0], half_axes[1] * p[1], half_axes[2] * p[2]));
-  }
+  for(const Point& p : corners)
+    points.push_back(Hull_point(p[0], p[1], p[2]));
   Hull hull;
   CGAL::convex_hull_3(points.begin(), points.end(), hull);
   // in an order that does not depend on the hull's
@@ -57,6 +48,23 @@ Mesh_data random_convex_polyhedron(std::size_t vertices, unsigned seed, const Po
   }
   std::sort(m.triangles.begin(), m.triangles.end());
   return without_isolated_vertices(m);
+}
+
+Mesh_data random_convex_polyhedron(std::size_t vertices, unsigned seed, const Point& half_axes)
+{
+  std::mt19937 engine(seed);
+  std::vector<Point> points;
+  while(points.size() < vertices)
+  {
+    Point p = {{0., 0., 0.}};
+    for(double& x : p)
+      x = random_unit(engine);
+    if(norm(p) > 1. || norm(p) < 0.1)
+      continue;
+    p = normalized(p);
+    points.push_back({{half_axes[0] * p[0], half_axes[1] * p[1], half_axes[2] * p[2]}});
+  }
+  return convex_hull(points);
 }
 
 Mesh_data remeshed(const Mesh_data& m, double length)

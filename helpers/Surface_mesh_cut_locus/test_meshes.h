@@ -239,6 +239,9 @@ Mesh_data doubly_covered(const Mesh_data& m);
 
 // -- meshes that algorithms of CGAL make ------------------------------------------------------------------------------
 
+// those of the points that are corners of the hull, in their order
+Mesh_data convex_hull(const std::vector<Point>& corners);
+
 // the hull of random points of an ellipsoid: 2 * vertices - 4 faces, no two of them coplanar
 Mesh_data random_convex_polyhedron(std::size_t vertices, unsigned seed, const Point& half_axes = {{1., 1., 1.}});
 

@@ -151,8 +151,9 @@ private:
   }
 };
 
-// What tests of edges of the mesh ask for.
+// What tests ask for.
 inline const auto mesh_edges = CGAL::parameters::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES);
+inline const auto through_faces = CGAL::parameters::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES);
 
 // The cut edges of a result of the library, by the positions of the vertices in the arrays. Throws if it has others.
 template <typename Built, typename Result>

@@ -7,26 +7,19 @@
 #ifndef CURVE_SOURCES_CASES_H
 #define CURVE_SOURCES_CASES_H
 
+#include "checked_curves.h"
 #include "surface_test.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 // What tests of sources that are curves share: curves, surfaces, and what must hold.
 namespace curve_sources {
 
 using namespace surface_test;
+using checked_curves::expect_topology;
+using checked_curves::measured;
 
 inline Point to_point(const Kernel::Point_3& p)
 {
   return {{p.x(), p.y(), p.z()}};
-}
-
-inline std::size_t number_of_leaves(const Result& result)
-{
-  std::size_t n = 0;
-  for(const auto v : CGAL::make_range(vertices(result.graph())))
-    n += degree(v, result.graph()) == 1;
-  return n;
 }
 
 inline std::vector<Edges> border_loops(const Built& built)
@@ -50,149 +43,6 @@ inline Edges path(const Built& built, const std::vector<std::size_t>& along)
   for(std::size_t i = 0; i + 1 < along.size(); ++i)
     result.push_back(built.mesh.edge(built.mesh.halfedge(built.vertices[along[i]], built.vertices[along[i + 1]])));
   return result;
-}
-
-// -- the topology ------------------------------------------------------------------------------------------------------
-
-/*
- * The surface, with all border loops closed that are no sources, without its sources shrinks to the graph: so both have
- * the same components and the same Euler characteristic. That of the graph is the one of the surface minus those of the
- * sources: 1 for a point or an arc, 0 for a loop.
- */
-struct Topology
-{
-  Topology(const Built& built, const std::vector<Edges>& curves, const Result& result)
-    : mesh(built.mesh), nodes(num_vertices(result.graph()) + border_loops(built).size()), faces(mesh.number_of_faces())
-  {
-    for(const Edges& curve : curves)
-      on_curve.insert(curve.begin(), curve.end());
-    measure_graph(built, result);
-    measure_surface(built, curves, result.number_of_sources() - curves.size());
-  }
-
-  long graph_components = 0, graph_characteristic = 0, surface_components = 0, surface_characteristic = 0;
-
-private:
-  bool is_source(const Edges& loop) const
-  {
-    return std::all_of(loop.begin(), loop.end(), [&](Mesh::Edge_index e) { return on_curve.count(e) > 0; });
-  }
-
-  // what a curve of mesh edges has along a border loop, which is one node
-  bool is_along_border(const Result::Vertex& a, const Result::Vertex& b) const
-  {
-    if(a.mesh_vertex == Mesh::null_vertex() || b.mesh_vertex == Mesh::null_vertex())
-      return false;
-    const Mesh::Halfedge_index h = mesh.halfedge(a.mesh_vertex, b.mesh_vertex);
-    return h != Mesh::null_halfedge() && mesh.is_border(mesh.edge(h));
-  }
-
-  void measure_graph(const Built& built, const Result& result)
-  {
-    const auto& graph = result.graph();
-    const std::size_t n = num_vertices(graph);
-    std::map<Mesh::Edge_index, std::size_t> loop_at;
-    std::map<Mesh::Vertex_index, std::size_t> loop_at_vertex;
-    const std::vector<Edges> loops = border_loops(built);
-    std::vector<unsigned char> is_met(loops.size(), 0);
-    for(std::size_t i = 0; i < loops.size(); ++i)
-      for(const Mesh::Edge_index e : loops[i])
-        if(on_curve.count(e) == 0)
-        {
-          loop_at[e] = i;
-          loop_at_vertex[mesh.vertex(e, 0)] = loop_at_vertex[mesh.vertex(e, 1)] = i;
-        }
-    for(const Mesh::Edge_index e : on_curve) // where a source has corners, curves may end in them
-      for(const Mesh::Vertex_index v : {mesh.vertex(e, 0), mesh.vertex(e, 1)})
-        loop_at_vertex.erase(v);
-    for(const auto e : CGAL::make_range(edges(graph)))
-    {
-      nodes.unite(source(e, graph), target(e, graph));
-      if(!is_along_border(graph[source(e, graph)], graph[target(e, graph)]))
-        --graph_characteristic;
-    }
-    for(const auto v : CGAL::make_range(vertices(graph)))
-    {
-      ++graph_characteristic;
-      const std::size_t loop = loop_of(graph[v], loop_at, loop_at_vertex);
-      if(loop == loops.size() || loop == none)
-        continue;
-      is_met[loop] = 1;
-      nodes.unite(v, n + loop);
-      --graph_characteristic;
-    }
-    std::set<std::size_t> parts;
-    for(std::size_t i = 0; i < n; ++i)
-      parts.insert(nodes.find(i));
-    for(std::size_t i = 0; i < loops.size(); ++i)
-      if(is_met[i])
-        ++graph_characteristic;
-    graph_components = long(parts.size());
-  }
-
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-
-  std::size_t loop_of(const Result::Vertex& x, const std::map<Mesh::Edge_index, std::size_t>& loop_at,
-                      const std::map<Mesh::Vertex_index, std::size_t>& loop_at_vertex) const
-  {
-    if(x.mesh_vertex != Mesh::null_vertex())
-    {
-      const auto found = loop_at_vertex.find(x.mesh_vertex);
-      return found != loop_at_vertex.end() ? found->second : none;
-    }
-    Mesh::Halfedge_index h = mesh.halfedge(x.location.first);
-    for(std::size_t k = 0; k < 3; ++k, h = mesh.next(h))
-      if(x.location.second[(k + 2) % 3] == 0.)
-      {
-        const auto found = loop_at.find(mesh.edge(h));
-        return found != loop_at.end() ? found->second : none;
-      }
-    return none;
-  }
-
-  void measure_surface(const Built& built, const std::vector<Edges>& curves, std::size_t number_of_points)
-  {
-    surface_characteristic = long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) +
-                             long(mesh.number_of_faces()) - long(number_of_points);
-    for(const Edges& loop : border_loops(built))
-      surface_characteristic += !is_source(loop);
-    for(const Edges& curve : curves)
-    {
-      std::set<Mesh::Vertex_index> at;
-      for(const Mesh::Edge_index e : curve)
-        at.insert({mesh.vertex(e, 0), mesh.vertex(e, 1)});
-      surface_characteristic -= long(at.size()) - long(std::set<Mesh::Edge_index>(curve.begin(), curve.end()).size());
-    }
-    for(const Mesh::Edge_index e : mesh.edges())
-      if(!mesh.is_border(e) && on_curve.count(e) == 0)
-        faces.unite(mesh.face(mesh.halfedge(e, 0)), mesh.face(mesh.halfedge(e, 1)));
-    for(const Edges& loop : border_loops(built)) // a disk that closes it joins the faces at it
-      if(!is_source(loop))
-        for(const Mesh::Edge_index e : loop)
-          faces.unite(face_at(e), face_at(loop.front()));
-    std::set<std::size_t> parts;
-    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      parts.insert(faces.find(f));
-    surface_components = long(parts.size());
-  }
-
-  std::size_t face_at(Mesh::Edge_index e) const
-  {
-    const Mesh::Halfedge_index h = mesh.halfedge(e, 0);
-    return mesh.is_border(h) ? mesh.face(mesh.opposite(h)) : mesh.face(h);
-  }
-
-  const Mesh& mesh;
-  std::set<Mesh::Edge_index> on_curve;
-  topology_checker::Union_find nodes, faces;
-};
-
-inline void expect_topology(const Built& built, const std::vector<Edges>& curves, const Result& result,
-                            const std::string& what)
-{
-  const Topology topology(built, curves, result);
-  EXPECT_EQ(topology.graph_components, topology.surface_components) << what;
-  EXPECT_EQ(topology.graph_characteristic, topology.surface_characteristic) << what;
 }
 
 // -- surfaces and curves ---------------------------------------------------------------------------------------------
@@ -259,7 +109,7 @@ inline std::vector<Edges> random_curves(const Built& built, std::size_t k, std::
   std::set<Mesh::Vertex_index> is_taken;
   while(result.size() < k)
   {
-    std::vector<Mesh::Vertex_index> walk(1, built.vertices[engine() % built.vertices.size()]);
+    Vertices walk(1, built.vertices[engine() % built.vertices.size()]);
     std::set<Mesh::Vertex_index> seen(walk.begin(), walk.end());
     Edges curve;
     for(std::size_t step = 0; step < 50 * number_of_edges && curve.size() < number_of_edges; ++step)
@@ -350,12 +200,34 @@ inline std::vector<std::vector<Edges>> curves_of_torus(const Built& built, std::
   return {{path(built, around)}, {path(built, along)}, {cross}};
 }
 
+// the cut locus of the border, and of points and curves
+inline Result of_border(const Built& built, Method method, Curve curve = Curve::THROUGH_FACES)
+{
+  return compute_cut_locus(built.mesh, Vertices(),
+                           params::source_border(true).cut_locus_method(method).cut_locus_curve(curve));
+}
+
+inline Result of_curves(const Built& built, const Vertices& points, const std::vector<Edges>& curves, Method method,
+                        Curve curve = Curve::THROUGH_FACES)
+{
+  return compute_cut_locus(built.mesh, points,
+                           params::source_curves(curves).cut_locus_method(method).cut_locus_curve(curve));
+}
+
+// by how much the second nearest side of a rectangle of height 1 is farther away than the nearest
+inline double excess_of_second_side(const Point& p, double width)
+{
+  std::array<double, 4> d = {{p[0], width - p[0], p[1], 1. - p[1]}};
+  std::sort(d.begin(), d.end());
+  return d[1] - d[0];
+}
+
 // -- what a curve of mesh edges must be --------------------------------------------------------------------------------
 
 inline void expect_refusal_of_mesh_edges(const Invalid_input& error, const std::string& what)
 {
   EXPECT_EQ(error.cause(), Cause::NO_FACE_AT_SOURCE) << what;
-  EXPECT_NE(std::string(error.what()).find("Curve::THROUGH_FACES"), std::string::npos) << error.what();
+  expect_has(std::string(error.what()), "Curve::THROUGH_FACES");
 }
 
 // `parameters` of `cut_locus()`; false if there are corridors that no curve of mesh edges passes, which is said
@@ -365,7 +237,7 @@ bool has_mesh_edges(const Built& built, const Solver& solver, const std::vector<
 {
   try
   {
-    const Result result = solver.cut_locus(parameters.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+    const Result result = solver.cut_locus(parameters.cut_locus_curve(Curve::MESH_EDGES));
     expect_topology(built, curves, result, what);
     std::set<Mesh::Vertex_index> on_sources;
     for(const Edges& curve : curves)
@@ -387,7 +259,7 @@ bool has_mesh_edges(const Built& built, const Solver& solver, const std::vector<
 inline bool has_mesh_edges(const Built& built, const Vertices& points, const std::vector<Edges>& curves, Method method,
                            const std::string& what)
 {
-  Solver solver(built.mesh, params::cut_locus_method(method));
+  Solver solver(built.mesh, by(method));
   try
   {
     solver.set_sources(points, params::source_curves(curves));
@@ -397,10 +269,9 @@ inline bool has_mesh_edges(const Built& built, const Vertices& points, const std
     expect_refusal_of_mesh_edges(error, what);
     return false;
   }
-  const bool result = has_mesh_edges(built, solver, curves, params::kept_part(CGAL::Cut_loci::Kept_part::ALL), what);
+  const bool result = has_mesh_edges(built, solver, curves, params::kept_part(Kept_part::ALL), what);
   const Method long_branches = std::visit([](auto m) -> Method { return m.minimum_branch_edges(3); }, method);
-  EXPECT_EQ(has_mesh_edges(built, solver, curves, params::cut_locus_method(long_branches), what + ", long branches"),
-            result);
+  EXPECT_EQ(has_mesh_edges(built, solver, curves, by(long_branches), what + ", long branches"), result);
   return result;
 }
 

@@ -512,10 +512,9 @@ TYPED_TEST(Cut_locus_test, does_not_depend_on_the_numbering)
                                                                 np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)))
                             .edges;
     // The curve by the other method: along edges of the mesh, it may go round a face on either side.
-    const auto through_faces =
-      CGAL::parameters::cut_locus_method(Default_method()).cut_locus_curve(Curve::THROUGH_FACES);
+    const auto in_faces = CGAL::parameters::cut_locus_method(Default_method()).cut_locus_curve(Curve::THROUGH_FACES);
     const auto curve =
-      CGAL::Cut_loci::compute_statistics(CGAL::compute_cut_locus(built.mesh, built.vertices[4], through_faces));
+      CGAL::Cut_loci::compute_statistics(CGAL::compute_cut_locus(built.mesh, built.vertices[4], in_faces));
     for(unsigned seed = 0; seed < 2; ++seed)
     {
       std::vector<std::size_t> new_index;
@@ -527,8 +526,8 @@ TYPED_TEST(Cut_locus_test, does_not_depend_on_the_numbering)
                                                       np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)))
                   .edges,
                 renamed);
-      const auto other_curve = CGAL::Cut_loci::compute_statistics(
-        CGAL::compute_cut_locus(other.mesh, other.vertices[new_index[4]], through_faces));
+      const auto other_curve =
+        CGAL::Cut_loci::compute_statistics(CGAL::compute_cut_locus(other.mesh, other.vertices[new_index[4]], in_faces));
       EXPECT_EQ(other_curve.edges, curve.edges);
       EXPECT_EQ(other_curve.leaves, curve.leaves);
     }

@@ -492,6 +492,42 @@ inline std::string defect_of_path(const Geodesics& geodesics, const Mesh& mesh,
   return "";
 }
 
+// -- random surfaces, of about `m` by `n` squares ---------------------------------------------------------------------
+
+inline Mesh jittered_grid(Index m, Index n, unsigned seed)
+{
+  return bumpy_grid(m, n, std::pow(10., -2. + 0.5 * (seed % 6)), seed, 0.05 * (seed % 6));
+}
+
+inline Mesh needle_grid(Index m, Index n, unsigned seed)
+{
+  Mesh mesh = bumpy_grid(m, n, 0.3, seed, 0.2);
+  for(Point& p : mesh.points)
+    p[seed % 2] *= std::pow(10., -1. - 0.5 * (seed % 5));
+  return mesh;
+}
+
+inline Mesh perforated_grid(Index m, Index n, unsigned seed)
+{
+  return perforated(bumpy_grid(m, n, 0.2 * (seed % 4), seed, 0.15), 0.3, seed);
+}
+
+inline Mesh jittered_torus(Index m, Index n, unsigned seed)
+{
+  return torus(m, n, 0.05 * (seed % 6), seed);
+}
+
+// of any genus
+inline Mesh welded_grids(Index m, Index n, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> u(0.3, 0.6);
+  return doubled(perforated(bumpy_grid(m, n, 0.2, seed, 0.15), 0.05 * (seed % 4), seed),
+                 [&](const Point& p) {
+    return Point{{p[0], p[1], p[2] + u(random)}};
+  });
+}
+
 } // namespace test_meshes
 
 #endif // EXACT_GEODESICS_TEST_MESHES_H

@@ -9,8 +9,6 @@
 #include "Union_find.h"
 #include "program_fixture.h"
 
-#include <nlohmann/json.hpp>
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +25,6 @@
 
 namespace {
 
-using Json = nlohmann::json;
 using Edge = std::pair<std::size_t, std::size_t>;
 using UV = std::array<double, 2>;
 
@@ -149,13 +146,7 @@ protected:
     return number.size();
   }
 
-  Json run_model(const std::string& arguments) const
-  {
-    const Outcome outcome =
-      run(quoted(path("model.obj")) + " --quiet --report " + quoted(path("r.json")) + " " + arguments);
-    EXPECT_EQ(outcome.status, 0) << outcome.messages;
-    return Json::parse(read_file(path("r.json")));
-  }
+  Json run_model(const std::string& arguments) const { return report_on("model.obj", arguments); }
 
   std::size_t first_vertices_ = 0;
 };
@@ -182,7 +173,7 @@ std::set<Edge> seams_of(const Obj& obj)
 
 TEST_F(Model, is_kept_but_for_its_texture_coordinates)
 {
-  const Json report = run_model("--uv " + quoted(path("uv.obj")) + " --seams " + quoted(path("seams.json")));
+  const Json report = run_model("--uv " + file("uv.obj") + " --seams " + file("seams.json"));
   const Obj given = parse(read_file(path("model.obj"))), obj = parse(read_file(path("uv.obj")));
   EXPECT_EQ(given.other, obj.other);
   EXPECT_FALSE(fs::exists(path("uv.png")) || fs::exists(path("uv.mtl")));
@@ -216,7 +207,7 @@ TEST_F(Model, is_kept_but_for_its_texture_coordinates)
   EXPECT_EQ(number_of_parts, 2u);
   EXPECT_EQ(obj.uv.size() + obj.faces.size(), edges.size() + 2);
   std::set<Edge> seams;
-  for(const Json& pair : Json::parse(read_file(path("seams.json"))))
+  for(const Json& pair : json("seams.json"))
     seams.insert(std::minmax(pair[0].get<std::size_t>(), pair[1].get<std::size_t>()));
   EXPECT_EQ(seams, seams_of(obj));
   EXPECT_GE(seams.size(), 4u);
@@ -227,7 +218,7 @@ TEST_F(Model, may_be_written_in_any_way)
 {
   const std::string points = "v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nv 2 0 0\r\nv 2 1 0\r\n# all\r\n";
   write("model.obj", points + "vt 0 0\r\nf 1/1 2/1 \\\r\n 3/1 4/1\r\nf 2// 5\\\n 6 3\r\nl 1/1 2/1\r\n");
-  EXPECT_EQ(run_model("--uv " + quoted(path("uv.obj"))).at("uv").at("faces"), 4);
+  EXPECT_EQ(run_model("--uv " + file("uv.obj")).at("uv").at("faces"), 4);
   const std::string text = read_file(path("uv.obj"));
   std::istringstream lines(text.substr(points.size()));
   EXPECT_EQ(text.substr(0, points.size()), points);
@@ -244,7 +235,7 @@ TEST_F(Model, has_seams_on_its_edges_alone)
       {"--min-branch-width 0.01", "--method polyhedral", "--source 0 --source 50 --source 90",
        "--source 3 --source 240", "--method laplacian --min-branch-edges 0", "--source 250 --min-branch-width 0.02"})
   {
-    const Json report = run_model(more + " --uv " + quoted(path("uv.obj")) + " --seams " + quoted(path("seams.obj")));
+    const Json report = run_model(more + " --uv " + file("uv.obj") + " --seams " + file("seams.obj"));
     EXPECT_EQ(report.at("seams").at("edges_not_in_file"), 0) << more;
     EXPECT_EQ(report.at("uv").at("flipped_faces"), 0) << more;
     EXPECT_EQ(report.at("seams").at("charts"), more.find("--source 50") != std::string::npos ? 4 : 2) << more;
@@ -269,7 +260,7 @@ TEST_F(Model, has_seams_on_its_edges_alone)
 
 TEST_F(Model, is_packed_with_a_margin_and_one_density)
 {
-  const Json report = run_model("--source 0 --source 50 --source 90 --uv " + quoted(path("uv.obj")));
+  const Json report = run_model("--source 0 --source 50 --source 90 --uv " + file("uv.obj"));
   const Obj obj = parse(read_file(path("uv.obj")));
   curve_measures::Union_find parts(obj.uv.size());
   double covered = 0.;
@@ -304,7 +295,7 @@ TEST_F(Model, is_stretched_as_little_as_asked_for)
 {
   const auto run_with = [&](const std::string& more)
   {
-    const Json report = run_model("--uv " + quoted(path("uv.obj")) + more);
+    const Json report = run_model("--uv " + file("uv.obj") + more);
     EXPECT_EQ(report.at("uv").at("flipped_faces"), 0);
     return std::make_pair(report.at("uv").at("stretch").get<double>(), report.at("seams").at("length").get<double>());
   };
@@ -316,7 +307,7 @@ TEST_F(Model, is_stretched_as_little_as_asked_for)
   // it says so, and how the curve of the other outputs becomes the same
   const auto noted = [&](const std::string& more)
   {
-    const std::string text = run(quoted(path("model.obj")) + " --uv " + quoted(path("uv.obj")) + more).messages;
+    const std::string text = run(file("model.obj") + " --uv " + file("uv.obj") + more).messages;
     const std::string words = "note: seams follow finer branches than the curve of the other outputs: with ";
     const std::size_t begin = text.find(words);
     return begin == std::string::npos
@@ -330,8 +321,7 @@ TEST_F(Model, is_stretched_as_little_as_asked_for)
   const std::string width = " --min-branch-width 0.3";
   EXPECT_EQ(run_with(width + " --max-stretch 1"), run_with(width));
   expect_failure(run_on_torus("--max-stretch 2"), "--max-stretch is for --uv and --seams");
-  expect_failure(run_on_torus("--max-stretch 0.5 --uv " + quoted(path("uv.obj"))),
-                 "--max-stretch takes a number from 1");
+  expect_failure(run_on_torus("--max-stretch 0.5 --uv " + file("uv.obj")), "--max-stretch takes a number from 1");
 }
 
 // The vertex that is farthest from the middle of one component is one of the other, too.
@@ -339,9 +329,9 @@ TEST_F(Program, Components_that_share_a_vertex_of_the_file_are_all_cut_open)
 {
   write("two.obj", "v 0 0 0\nv 20 0 0\nv 0 20 0\nv 0 0 20\nv -9 0 0\nv -9 1 0\nv -9 0 1\n"
                    "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 1 5 6\nf 1 6 7\nf 1 7 5\nf 5 7 6\n");
-  const Outcome outcome = run(quoted(path("two.obj")) + " --uv " + quoted(path("uv.obj")));
+  const Outcome outcome = run(file("two.obj") + " --uv " + file("uv.obj"));
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.messages.find("charts: 2,"), std::string::npos) << outcome.messages;
+  expect_has(outcome.messages, "charts: 2,");
   EXPECT_EQ(outcome.messages.find("faces are split"), std::string::npos) << outcome.messages;
   const Obj obj = parse(read_file(path("uv.obj")));
   ASSERT_EQ(obj.faces.size(), 8u);
@@ -352,7 +342,7 @@ TEST_F(Program, Components_that_share_a_vertex_of_the_file_are_all_cut_open)
 
 TEST_F(Model, as_glTF)
 {
-  const Json report = run_model("--uv " + quoted(path("uv.glb")));
+  const Json report = run_model("--uv " + file("uv.glb"));
   const std::string glb = read_file(path("uv.glb"));
   const auto number = [&](std::size_t at)
   {
@@ -367,8 +357,8 @@ TEST_F(Model, as_glTF)
   const std::size_t length = number(12), binary = 20 + length;
   EXPECT_EQ(glb.substr(16, 4) + glb.substr(binary + 4, 4), std::string("JSONBIN\0", 8));
   EXPECT_EQ(binary + 8 + number(binary), glb.size());
-  const Json file = Json::parse(glb.substr(20, length));
-  const Json &accessors = file.at("accessors"), &views = file.at("bufferViews");
+  const Json gltf = Json::parse(glb.substr(20, length));
+  const Json &accessors = gltf.at("accessors"), &views = gltf.at("bufferViews");
   EXPECT_EQ(accessors[2].at("count"), 3 * report.at("uv").at("faces").get<std::size_t>());
   const auto part = [&](std::size_t i) { return binary + 8 + views[i].at("byteOffset").get<std::size_t>(); };
   for(std::size_t i = 0; i < accessors[2].at("count"); ++i)
@@ -384,7 +374,7 @@ TEST_F(Model, as_glTF)
   for(std::size_t i = 0; i < 2 * vertices; ++i)
     ASSERT_TRUE(real(1, i) > 0.f && real(1, i) < 1.f) << real(1, i);
   // each box has a normal of its own
-  ASSERT_EQ(file.at("meshes")[0].at("primitives")[0].at("attributes").at("NORMAL"), 3);
+  ASSERT_EQ(gltf.at("meshes")[0].at("primitives")[0].at("attributes").at("NORMAL"), 3);
   ASSERT_EQ(accessors[3].at("count"), vertices);
   for(std::size_t i = 0; i < 3 * vertices; ++i)
     ASSERT_EQ(real(3, i), (real(0, i - i % 3) > 2.5f ? i % 3 == 0 : i % 3 == 2) ? 1.f : 0.f);
@@ -394,17 +384,16 @@ TEST_F(Model, as_glTF)
   std::string model = read_file(path("model.obj"));
   const std::size_t at = model.find("vn 2 0 0");
   write("zero.obj", model.replace(at, 8, "vn 0 0 0"));
-  EXPECT_EQ(run(quoted(path("zero.obj")) + " --quiet --uv " + quoted(path("zero.glb"))).status, 0);
-  EXPECT_NE(read_file(path("zero.glb")).find("NORMAL"), std::string::npos);
+  EXPECT_EQ(run(file("zero.obj") + " --quiet --uv " + file("zero.glb")).status, 0);
+  expect_has(read_file(path("zero.glb")), "NORMAL");
   write("less.obj", model.replace(at, 9, ""));
-  EXPECT_EQ(run(quoted(path("less.obj")) + " --quiet --uv " + quoted(path("less.glb"))).status, 0);
+  EXPECT_EQ(run(file("less.obj") + " --quiet --uv " + file("less.glb")).status, 0);
   EXPECT_EQ(read_file(path("less.glb")).find("NORMAL"), std::string::npos);
 }
 
 TEST_F(Model, is_cut_open_behind)
 {
-  const Json report =
-    run_model("--from-view 1,0,0 --uv " + quoted(path("uv.obj")) + " --seams " + quoted(path("s.py")));
+  const Json report = run_model("--from-view 1,0,0 --uv " + file("uv.obj") + " --seams " + file("s.py"));
   EXPECT_GT(report.at("source_point")[0].get<double>(), 1.3);
   const std::string script = read_file(path("s.py"));
   const std::size_t begin = script.find('[', script.find("SEAMS = "));
@@ -419,15 +408,15 @@ TEST_F(Model, is_cut_open_behind)
       EXPECT_LT(x.at(v), v < first_vertices_ ? 0. : 5.);
   expect_failure(run_on_torus("--from-view 1,0,0 --source 3"), "--from-view chooses the source");
   expect_failure(run_on_torus("--from-view 0,0,0"), "--from-view takes a direction");
-  expect_failure(run_on_torus("--curve faces --seams " + quoted(path("s.py"))), "--seams writes a curve of edges");
-  expect_failure(run_on_torus("--seams " + quoted(path("s.txt"))), "must be .obj, .json or .py");
+  expect_failure(run_on_torus("--curve faces --seams " + file("s.py")), "--seams writes a curve of edges");
+  expect_failure(run_on_torus("--seams " + file("s.txt")), "must be .obj, .json or .py");
 }
 
 TEST_F(Model, straight_seams_split_faces_and_say_so)
 {
-  const Outcome outcome = run(quoted(path("model.obj")) + " --curve faces --uv " + quoted(path("uv.obj")));
+  const Outcome outcome = run(file("model.obj") + " --curve faces --uv " + file("uv.obj"));
   EXPECT_EQ(outcome.status, 0) << outcome.messages;
-  EXPECT_NE(outcome.messages.find("faces are split"), std::string::npos) << outcome.messages;
+  expect_has(outcome.messages, "faces are split");
   EXPECT_TRUE(fs::exists(path("uv.png")) && fs::exists(path("uv.mtl")));
   for(const auto& face : parse(read_file(path("uv.obj"))).faces)
     EXPECT_EQ(face.size(), 3u);

@@ -8,8 +8,6 @@
 
 #include "program_fixture.h"
 
-#include <nlohmann/json.hpp>
-
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -17,8 +15,6 @@
 #include <vector>
 
 namespace {
-
-using Json = nlohmann::json;
 
 class Each_source : public Program
 {
@@ -29,11 +25,11 @@ protected:
     write("sources.txt", "# vertices, and points\n1\n17\n\n 203 \n1.4, 0, 0\n-1.4 0 0\n88\n240\n");
   }
 
-  std::string sources() const { return "--each-source " + quoted(path("sources.txt")); }
+  std::string sources() const { return "--each-source " + file("sources.txt"); }
 
   std::string results(const std::string& name, const std::string& arguments) const
   {
-    const Outcome outcome = run_on_torus(sources() + " --quiet -o " + quoted(path(name)) + " " + arguments);
+    const Outcome outcome = run_on_torus(sources() + " --quiet -o " + file(name) + " " + arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.messages;
     EXPECT_EQ(outcome.messages, "");
     return read_file(path(name));
@@ -78,8 +74,8 @@ TEST_F(Each_source, A_line_tells_what_a_run_for_this_source_tells)
   for(std::size_t i : {std::size_t(2), std::size_t(3)})
   {
     const std::string source = i == 2 ? "--source 203" : "--source-point 1.4,0,0";
-    ASSERT_EQ(run_on_torus(source + " --curve faces --quiet --report " + quoted(path("report.json"))).status, 0);
-    const Json report = Json::parse(read_file(path("report.json")));
+    ASSERT_EQ(run_on_torus(source + " --curve faces --quiet --report " + file("report.json")).status, 0);
+    const Json report = json("report.json");
     for(const char* figure : {"edges", "cycles", "leaves", "branchings", "length", "injectivity_radius", "farthest",
                               "farthest_distance", "farthest_point", "farthest_point_distance"})
       EXPECT_EQ(all[i][figure], report[figure]) << figure;
@@ -92,8 +88,8 @@ TEST_F(Each_source, A_line_tells_what_a_run_for_this_source_tells)
 
 TEST_F(Each_source, The_report_names_the_smallest_and_the_largest_injectivity_radius)
 {
-  const std::vector<Json> all = lines(results("all.jsonl", "--report " + quoted(path("report.json"))));
-  const Json report = Json::parse(read_file(path("report.json")));
+  const std::vector<Json> all = lines(results("all.jsonl", "--report " + file("report.json")));
+  const Json report = json("report.json");
   EXPECT_EQ(report["sources"], 7);
   EXPECT_EQ(report["failed"], 0);
   EXPECT_EQ(report["part"], Json({1, 1}));
@@ -120,10 +116,9 @@ TEST_F(Each_source, What_was_stopped_goes_on)
     for(const std::size_t more : {std::size_t(0), std::size_t(40), all.find('\n', end) - end}) // of the next line
     {
       write(name, known + all.substr(end, more));
-      EXPECT_EQ(results("stopped.jsonl", "--threads 0 --report " + quoted(path("report.json"))),
-                known + all.substr(end));
+      EXPECT_EQ(results("stopped.jsonl", "--threads 0 --report " + file("report.json")), known + all.substr(end));
       EXPECT_FALSE(fs::exists(path("stopped.jsonl.part")));
-      const Json report = Json::parse(read_file(path("report.json")));
+      const Json report = json("report.json");
       EXPECT_EQ(report["sources"], 7);
       EXPECT_FALSE(report["smallest_injectivity_radius"].is_null());
       fs::remove(path("stopped.jsonl"));
@@ -141,7 +136,7 @@ TEST_F(Each_source, What_was_stopped_goes_on)
 TEST_F(Each_source, A_full_disk_ends_the_run_at_once_and_leaves_the_old_file)
 {
   write("x.jsonl", "old\n");
-  const std::string arguments = sources() + " --quiet -o " + quoted(path("x.jsonl"));
+  const std::string arguments = sources() + " --quiet -o " + file("x.jsonl");
   expect_failure(run_on_torus(arguments, "trap '' XFSZ; ulimit -f 10; "), "cannot write to");
   EXPECT_EQ(read_file(path("x.jsonl")), "old\n");
   EXPECT_GT(fs::file_size(path("x.jsonl.part")), 0u);
@@ -161,7 +156,7 @@ TEST_F(Each_source, One_thread_is_one)
   for(const std::string method : {"laplacian", "default"})
   {
     const Outcome outcome =
-      run_on_torus(sources() + " -o " + quoted(path("x.jsonl")) + " --quiet --threads 1 --method " + method +
+      run_on_torus(sources() + " -o " + file("x.jsonl") + " --quiet --threads 1 --method " + method +
                    " > /dev/null & p=$!; while kill -0 $p; do grep Threads: /proc/$p/status; done 2> /dev/null; true");
     std::istringstream words(outcome.messages);
     int number_of_looks = 0;
@@ -177,18 +172,18 @@ TEST_F(Each_source, One_thread_is_one)
 
 TEST_F(Each_source, Wrong_sources_and_options)
 {
-  const std::string output = " -o " + quoted(path("x.jsonl"));
+  const std::string output = " -o " + file("x.jsonl");
   expect_failure(run_on_torus(sources()), "-o FILE.jsonl");
-  expect_failure(run_on_torus(sources() + " -o " + quoted(path("x.obj"))), "-o FILE.jsonl");
+  expect_failure(run_on_torus(sources() + " -o " + file("x.obj")), "-o FILE.jsonl");
   expect_failure(run_on_torus(sources() + output + " --source 3"), "exclude each other");
   expect_failure(run_on_torus("--part 1/2"), "--part is for --each-source");
   for(const char* part : {"0/2", "3/2", "1", "1/", "/2", "1/2/3", "a/b", "1/0"})
     expect_failure(run_on_torus(sources() + output + " --part " + part), "--part takes");
-  expect_failure(run_on_torus("--quiet --each-source " + quoted(path("none.txt")) + output), "cannot read");
+  expect_failure(run_on_torus("--quiet --each-source " + file("none.txt") + output), "cannot read");
   const auto refuse = [&](const std::string& text, const std::string& part)
   {
     write("wrong.txt", text);
-    expect_failure(run_on_torus("--quiet --each-source " + quoted(path("wrong.txt")) + output), part);
+    expect_failure(run_on_torus("--quiet --each-source " + file("wrong.txt") + output), part);
   };
   refuse("", "empty");
   refuse("1\n2 3\n", "line 2 of");
@@ -199,7 +194,7 @@ TEST_F(Each_source, Wrong_sources_and_options)
   for(const char* name : {"x.jsonl", "x.jsonl.part"})
   {
     write(name, "1\n");
-    expect_failure(run_on_torus("--each-source " + quoted(path(name)) + output), "would overwrite");
+    expect_failure(run_on_torus("--each-source " + file(name) + output), "would overwrite");
   }
 }
 

@@ -8,8 +8,6 @@
 
 #include "program_fixture.h"
 
-#include <nlohmann/json.hpp>
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +24,6 @@
 
 namespace {
 
-using Json = nlohmann::json;
 using Arrays = std::map<std::string, std::vector<double>>;
 
 std::vector<double> numbers(const std::string& text)
@@ -158,29 +155,29 @@ TEST_F(Files, The_same_arrays_in_all_formats)
   {
     std::string outputs;
     for(const char* name : {"a.vtp", "a.ply", "a.json"})
-      outputs += " -o " + quoted(path(name));
+      outputs += " -o " + file(name);
     const Outcome outcome = run_on_torus(sources + std::string(" --quiet") + outputs);
     ASSERT_EQ(outcome.status, 0) << outcome.messages;
     const std::string vtp = read_file(path("a.vtp"));
     Arrays of_vtp = vtp_arrays(vtp, "CellData"), of_ply = ply_edges(read_file(path("a.ply")));
-    const Json json = Json::parse(read_file(path("a.json")));
+    const Json all = json("a.json");
     ASSERT_EQ(of_vtp.size(), 5u);
-    const std::size_t number_of_edges = json.at("edges").at("vertices").size();
+    const std::size_t number_of_edges = all.at("edges").at("vertices").size();
     for(const char* name : {"strength", "width", "enclosed", "source1", "source2"})
     {
       EXPECT_EQ(of_vtp[name].size(), number_of_edges) << name;
       EXPECT_EQ(of_vtp[name], of_ply[name]) << name;
-      EXPECT_EQ(of_vtp[name], json.at("edges").at(name).get<std::vector<double>>()) << name;
+      EXPECT_EQ(of_vtp[name], all.at("edges").at(name).get<std::vector<double>>()) << name;
     }
     EXPECT_EQ(of_ply["vertex1"].size(), number_of_edges);
-    EXPECT_EQ(vtp_arrays(vtp, "PointData")["distance"], json.at("vertices").at("distance").get<std::vector<double>>());
+    EXPECT_EQ(vtp_arrays(vtp, "PointData")["distance"], all.at("vertices").at("distance").get<std::vector<double>>());
     std::vector<double> points;
-    for(const Json& p : json.at("vertices").at("point"))
+    for(const Json& p : all.at("vertices").at("point"))
       points.insert(points.end(), p.begin(), p.end());
     EXPECT_EQ(vtp_arrays(vtp, "Points")["Points"], points);
     const bool has_two = std::string(sources).size() > 12;
-    ASSERT_EQ(json.at("sources").size(), has_two ? 2u : 1u);
-    EXPECT_EQ(json.at("sources").at(0).at("vertex"), 5);
+    ASSERT_EQ(all.at("sources").size(), has_two ? 2u : 1u);
+    EXPECT_EQ(all.at("sources").at(0).at("vertex"), 5);
     const std::vector<double>& width = of_vtp["width"];
     EXPECT_GT(*std::min_element(width.begin(), width.end()), 0.);
     const std::vector<double>& enclosed = of_vtp["enclosed"];
@@ -191,8 +188,8 @@ TEST_F(Files, The_same_arrays_in_all_formats)
 
 TEST_F(Files, A_surface_with_distances_and_sources)
 {
-  const Outcome outcome = run_on_torus("--quiet --source 5 --source 150 --surface " + quoted(path("s.vtp")) + " -o " +
-                                       quoted(path("a.json")));
+  const Outcome outcome =
+    run_on_torus("--quiet --source 5 --source 150 --surface " + file("s.vtp") + " -o " + file("a.json"));
   ASSERT_EQ(outcome.status, 0) << outcome.messages;
   const std::string text = read_file(path("s.vtp"));
   Arrays of_vertices = vtp_arrays(text, "PointData");
@@ -212,11 +209,11 @@ TEST_F(Files, A_surface_with_distances_and_sources)
   }
   // where no path leads
   write("two.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n3 0 1 2\n3 3 4 5\n");
-  EXPECT_EQ(run(quoted(path("two.off")) + " --quiet --source 0 --surface " + quoted(path("s.vtp"))).status, 0);
+  EXPECT_EQ(run(file("two.off") + " --quiet --source 0 --surface " + file("s.vtp")).status, 0);
   of_vertices = vtp_arrays(read_file(path("s.vtp")), "PointData");
   EXPECT_EQ(of_vertices["distance"], (std::vector<double>{0., 1., 1., -1., -1., -1.}));
   EXPECT_EQ(of_vertices["source"], (std::vector<double>{0., 0., 0., -1., -1., -1.}));
-  expect_failure(run_on_torus("--surface " + quoted(path("a.ply"))), "must be .vtp");
+  expect_failure(run_on_torus("--surface " + file("a.ply")), "must be .vtp");
 }
 
 // On a plane the logarithmic map is what the plane looks like from the source, wherever that is.
@@ -250,7 +247,7 @@ TEST_F(Files, The_logarithmic_map_of_a_plane)
   };
   const auto check = [&](const std::string& options, const std::vector<std::pair<Place, Place>>& axes)
   {
-    const Outcome outcome = run(quoted(path("plane.off")) + " " + options + " --surface " + quoted(path("s.vtp")));
+    const Outcome outcome = run(file("plane.off") + " " + options + " --surface " + file("s.vtp"));
     ASSERT_EQ(outcome.status, 0) << outcome.messages;
     EXPECT_EQ(outcome.messages.find("log_map"), std::string::npos);
     const std::string text = read_file(path("s.vtp"));
@@ -297,7 +294,7 @@ TEST_F(Files, The_logarithmic_map_of_a_plane)
 
 TEST_F(Files, The_logarithmic_map_is_as_long_as_the_distance)
 {
-  const std::string to_surface = " --surface " + quoted(path("s.vtp"));
+  const std::string to_surface = " --surface " + file("s.vtp");
   for(const char* options :
       {"--source 5", "--source 5 --source 150 --source-point 1,0.9,0.2", "--method laplacian --source 9"})
   {
@@ -311,14 +308,14 @@ TEST_F(Files, The_logarithmic_map_is_as_long_as_the_distance)
   }
   write("curve.txt", "5 6 7\n");
   const std::map<std::string, std::string> without = {
-    {"--source-edges " + quoted(path("curve.txt")), "the paths from a curve start at no single point"},
+    {"--source-edges " + file("curve.txt"), "the paths from a curve start at no single point"},
     {"--solver heat", "it takes --solver exact"},
     {"--max-relative-error 1e-5", "it takes distances without --max-relative-error"}};
   for(const auto& [options, cause] : without)
   {
     const Outcome outcome = run_on_torus(options + to_surface);
     EXPECT_EQ(outcome.status, 0) << outcome.messages;
-    EXPECT_NE(outcome.messages.find("note: --surface has no log_map: " + cause), std::string::npos) << outcome.messages;
+    expect_has(outcome.messages, "note: --surface has no log_map: " + cause);
     EXPECT_TRUE(log_map(read_file(path("s.vtp"))).empty());
   }
 }
@@ -330,18 +327,18 @@ TEST_F(Files, Standard_output_has_nothing_but_the_result)
                                                      {"svg", "<?xml"}};
   for(const auto& [format, start] : starts)
   {
-    const std::string file = quoted(path("a." + format)), redirected = " > " + quoted(path("out"));
-    const Outcome outcome = run_on_torus("--source 5 -o - --output-format " + format + " -o " + file + redirected);
+    const std::string written = file("a." + format), redirected = " > " + file("out");
+    const Outcome outcome = run_on_torus("--source 5 -o - --output-format " + format + " -o " + written + redirected);
     ASSERT_EQ(outcome.status, 0) << outcome.messages;
     EXPECT_NE(outcome.messages.find("genus 1"), std::string::npos) << format; // on stderr
     EXPECT_EQ(read_file(path("out")), read_file(path("a." + format))) << format;
     EXPECT_EQ(read_file(path("out")).compare(0, start.size(), start), 0) << format;
   }
-  ASSERT_EQ(run_on_torus("--source 5 -o - > " + quoted(path("out"))).status, 0);
+  ASSERT_EQ(run_on_torus("--source 5 -o - > " + file("out")).status, 0);
   EXPECT_EQ(read_file(path("out")), read_file(path("a.polylines.txt")));
   for(const char* option : {"--edges", "--report", "--surface"})
   {
-    ASSERT_EQ(run_on_torus(option + std::string(" - > ") + quoted(path("out"))).status, 0) << option;
+    ASSERT_EQ(run_on_torus(option + std::string(" - > ") + file("out")).status, 0) << option;
     EXPECT_FALSE(read_file(path("out")).empty()) << option;
   }
   EXPECT_EQ(Json::parse(run_on_torus("--quiet --report -").messages).at("genus"), 1);
@@ -391,10 +388,10 @@ TEST_F(Files, Standard_input_in_all_formats)
     for(const std::string& option : {std::string(), " --input-format " + (format.empty() ? "stl" : format)})
     {
       write("mesh", text);
-      const Outcome outcome = run("- --quiet --report -" + option + " < " + quoted(path("mesh")));
+      const Outcome outcome = run("- --quiet --report -" + option + " < " + file("mesh"));
       ASSERT_EQ(outcome.status, 0) << format << outcome.messages;
       EXPECT_EQ(Json::parse(outcome.messages).at("faces"), 4) << format;
-      const Outcome named = run(quoted(path("mesh")) + " --quiet --report -" + option);
+      const Outcome named = run(file("mesh") + " --quiet --report -" + option);
       if(option.empty())
         expect_failure(named, "unless there is an --input-format");
       else
@@ -408,7 +405,7 @@ TEST_F(Files, Standard_input_in_all_formats)
                                  " \n\tsolid\ta" + stl.substr(7) + "endsolid a\n", with_returns})
   {
     write("mesh.stl", text);
-    const Outcome outcome = run(quoted(path("mesh.stl")) + " --quiet --report -");
+    const Outcome outcome = run(file("mesh.stl") + " --quiet --report -");
     ASSERT_EQ(outcome.status, 0) << text << outcome.messages;
     EXPECT_EQ(Json::parse(outcome.messages).at("faces"), 4) << text;
   }
@@ -417,20 +414,20 @@ TEST_F(Files, Standard_input_in_all_formats)
     write("points.ply", "ply\nformat " + format +
                           " 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n" +
                           "property float psz\nend_header\n" + (format == "ascii" ? "0 0 0 0" : std::string(16, '\1')));
-    expect_failure(run(quoted(path("points.ply")) + " --quiet"), "there are no faces in it");
+    expect_failure(run(file("points.ply") + " --quiet"), "there are no faces in it");
   }
   expect_failure(run("- --quiet"), "cannot read 'standard input': it is empty");
   write("text", "1 2 3\n");
-  expect_failure(run("- --quiet < " + quoted(path("text"))), "say --input-format");
-  expect_failure(run("- --quiet --input-format ply < " + quoted(path("text"))), "does not start with 'ply'");
-  expect_failure(run("- --quiet --input-format obj < " + quoted(path("text"))), "standard input");
+  expect_failure(run("- --quiet < " + file("text")), "say --input-format");
+  expect_failure(run("- --quiet --input-format ply < " + file("text")), "does not start with 'ply'");
+  expect_failure(run("- --quiet --input-format obj < " + file("text")), "standard input");
   expect_failure(run_on_torus("--input-format xyz"),
                  "--input-format takes off, obj, stl, ply, ts, vtp, gltf, glb, fbx, dae or 3ds, not 'xyz'");
 }
 
 TEST_F(Files, Scenes_are_read_with_their_nodes)
 {
-  const std::string mesh = quoted(path("a.gltf"));
+  const std::string mesh = file("a.gltf");
   const Json scene = octahedron_gltf();
   write("a.gltf", scene.dump());
   const Outcome outcome = run(mesh + " --quiet --report -");
@@ -446,7 +443,7 @@ TEST_F(Files, Scenes_are_read_with_their_nodes)
   EXPECT_NEAR(found.at("farthest_distance").get<double>(), 2. * std::sqrt(6.),
               1e-5); // of a vertex from the opposite one
   write("A.GLTF", scene.dump());
-  for(const std::string& other : {quoted(path("A.GLTF")), "- --input-format gltf < " + mesh})
+  for(const std::string& other : {file("A.GLTF"), "- --input-format gltf < " + mesh})
     EXPECT_EQ(Json::parse(run(other + " --quiet --report -").messages).at("faces"), 8) << other;
 
   const auto fail = [&](const std::string& text, const std::string& message)
@@ -478,7 +475,7 @@ TEST_F(Files, Scenes_are_read_with_their_nodes)
     else
       other.replace(at, 1, pieces[random() % std::size(pieces)]);
     write("a.gltf", other);
-    const Outcome result = run(mesh + " --quiet --repair weld -o " + quoted(path("a.vtp")));
+    const Outcome result = run(mesh + " --quiet --repair weld -o " + file("a.vtp"));
     if(result.status != 0)
       expect_failure(result, "cut_locus: ");
   }
@@ -492,16 +489,15 @@ TEST_F(Files, A_surface_that_was_written_is_read)
     EXPECT_EQ(outcome.status, 0) << outcome.messages;
     return Json::parse(outcome.messages);
   };
-  ASSERT_EQ(run_on_torus("--quiet --cells " + quoted(path("cells.vtp")) + " --surface " + quoted(path("s.vtp"))).status,
-            0);
+  ASSERT_EQ(run_on_torus("--quiet --cells " + file("cells.vtp") + " --surface " + file("s.vtp")).status, 0);
   const Json expected = Json::parse(run_on_torus("--quiet --source 5 --report -").messages); // vertex 0 is isolated
-  for(const std::string& mesh : {quoted(path("s.vtp")), "- < " + quoted(path("s.vtp"))})
+  for(const std::string& mesh : {file("s.vtp"), "- < " + file("s.vtp")})
   {
     const Json found = report(mesh);
     for(const char* figure : {"faces", "genus", "length", "farthest_distance", "injectivity_radius"})
       EXPECT_NEAR(found.at(figure).get<double>(), expected.at(figure).get<double>(), 1e-12) << figure;
   }
-  EXPECT_GE(report(quoted(path("cells.vtp"))).at("faces"), expected.at("faces"));
+  EXPECT_GE(report(file("cells.vtp")).at("faces"), expected.at("faces"));
 
   const std::string text = read_file(path("s.vtp"));
   const auto fail = [&](const std::string& what, const std::string& other, const std::string& message)
@@ -509,7 +505,7 @@ TEST_F(Files, A_surface_that_was_written_is_read)
     std::string changed = text;
     changed.replace(changed.find(what, changed.find("<Points>")), what.size(), other);
     write("changed.vtp", changed);
-    expect_failure(run(quoted(path("changed.vtp")) + " --quiet"), message);
+    expect_failure(run(file("changed.vtp") + " --quiet"), message);
   };
   fail("format=\"ascii\"", "format=\"appended\"", "its arrays are not of the format 'ascii': write it as text");
   fail("\n3\n6\n", "\n3\n999999\n", "its offsets do not fit");
@@ -518,12 +514,12 @@ TEST_F(Files, A_surface_that_was_written_is_read)
   fail("Name=\"connectivity\" format=\"ascii\">", "Name=\"connectivity\" format=\"ascii\">x",
        "something else than numbers");
   write("grid.vtp", "<VTKFile type=\"ImageData\"/>");
-  expect_failure(run(quoted(path("grid.vtp")) + " --quiet"), "no data of the type PolyData");
+  expect_failure(run(file("grid.vtp") + " --quiet"), "no data of the type PolyData");
   std::string deep;
   for(int i = 0; i < 100000; ++i)
     deep += "<a>";
   write("deep.vtp", deep);
-  expect_failure(run(quoted(path("deep.vtp")) + " --quiet"), "too many elements");
-  ASSERT_EQ(run_on_torus("--quiet -o " + quoted(path("curve.vtp"))).status, 0);
-  expect_failure(run(quoted(path("curve.vtp")) + " --quiet"), "there are no faces in it");
+  expect_failure(run(file("deep.vtp") + " --quiet"), "too many elements");
+  ASSERT_EQ(run_on_torus("--quiet -o " + file("curve.vtp")).status, 0);
+  expect_failure(run(file("curve.vtp") + " --quiet"), "there are no faces in it");
 }

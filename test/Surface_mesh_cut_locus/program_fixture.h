@@ -9,6 +9,8 @@
 #ifndef SURFACE_MESH_CUT_LOCUS_TEST_PROGRAM_FIXTURE_H
 #define SURFACE_MESH_CUT_LOCUS_TEST_PROGRAM_FIXTURE_H
 
+#include <nlohmann/json.hpp>
+
 #include <gtest/gtest.h>
 
 #include <sys/wait.h>
@@ -22,9 +24,11 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fs = std::filesystem;
+using Json = nlohmann::json;
 
 struct Outcome
 {
@@ -41,6 +45,19 @@ inline std::string read_file(const fs::path& path)
 {
   std::ifstream is(path, std::ios_base::binary);
   return std::string((std::istreambuf_iterator<char>(is)), std::istreambuf_iterator<char>());
+}
+
+inline void expect_has(const std::string& text, const std::string& part)
+{
+  EXPECT_NE(text.find(part), std::string::npos) << text << "does not contain: " << part;
+}
+
+inline std::size_t number_of(const std::string& part, const std::string& text)
+{
+  std::size_t n = 0;
+  for(std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1))
+    ++n;
+  return n;
 }
 
 class Program : public ::testing::Test
@@ -85,14 +102,39 @@ protected:
     return run(quoted(path("torus.off")) + " " + arguments, before);
   }
 
+  // the name of a file in the folder, as the shell takes it
+  std::string file(const std::string& name) const { return quoted(path(name)); }
+
+  Json json(const std::string& name) const { return Json::parse(read_file(path(name))); }
+
+  // what `--report` writes
+  Json report_on(const std::string& mesh, const std::string& arguments = "") const
+  {
+    const Outcome outcome = run(file(mesh) + " --quiet " + arguments + " --report " + file("report.json"));
+    EXPECT_EQ(outcome.status, 0) << mesh << ' ' << arguments << ": " << outcome.messages;
+    return outcome.status == 0 ? json("report.json") : Json();
+  }
+
+  Json torus_report(const std::string& arguments) const { return report_on("torus.off", arguments); }
+
   // One line that starts with the program's name and holds `part`.
   void expect_failure(const Outcome& outcome, const std::string& part) const
   {
     EXPECT_TRUE(outcome.status == 1 || outcome.status == 2) << outcome.status << "\n" << outcome.messages;
     EXPECT_EQ(outcome.messages.compare(0, 11, "cut_locus: "), 0) << outcome.messages;
-    EXPECT_NE(outcome.messages.find(part), std::string::npos) << outcome.messages << "does not contain: " << part;
+    expect_has(outcome.messages, part);
     EXPECT_EQ(std::count(outcome.messages.begin(), outcome.messages.end(), '\n'), 1) << outcome.messages;
     EXPECT_EQ(outcome.messages.find("::"), std::string::npos) << outcome.messages << "has words of C++";
+  }
+
+  // runs on the torus that fail, each with its message
+  void expect_failures(const std::vector<std::pair<std::string, std::string>>& runs) const
+  {
+    for(const auto& [arguments, part] : runs)
+    {
+      SCOPED_TRACE(arguments);
+      expect_failure(run_on_torus(arguments), part);
+    }
   }
 
   fs::path folder_;

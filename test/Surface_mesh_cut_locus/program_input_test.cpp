@@ -8,8 +8,6 @@
 
 #include "program_fixture.h"
 
-#include <nlohmann/json.hpp>
-
 #include <gtest/gtest.h>
 
 #include <sys/stat.h>
@@ -28,8 +26,6 @@
 
 namespace {
 
-using Json = nlohmann::json;
-
 class Input : public Program
 {
 protected:
@@ -40,20 +36,13 @@ protected:
 
   Outcome run_on(const std::string& name, const std::string& arguments = "--quiet") const
   {
-    return run(quoted(path(name)) + " " + arguments);
+    return run(file(name) + " " + arguments);
   }
 
   Outcome run_on_text(const std::string& text, const std::string& arguments = "--quiet") const
   {
     write("a.off", text);
     return run_on("a.off", arguments);
-  }
-
-  Json report_on(const std::string& name, const std::string& arguments = "") const
-  {
-    const Outcome outcome = run_on(name, "--quiet --report " + quoted(path("r.json")) + " " + arguments);
-    EXPECT_EQ(outcome.status, 0) << name << ": " << outcome.messages;
-    return outcome.status == 0 ? Json::parse(read_file(path("r.json"))) : Json();
   }
 
   Json report_on_text(const std::string& text, const std::string& arguments = "") const
@@ -107,9 +96,8 @@ const char* const octahedron = "OFF\n6 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\
 TEST_F(Input, Polygons_are_triangulated_and_their_diagonals_marked)
 {
   write("quads.off", quad_torus());
-  const Json report =
-    report_on("quads.off", "--source 5 --curve edges --check --edges " + quoted(path("e.txt")) + " -o " +
-                             quoted(path("e.ply")) + " -o " + quoted(path("e.vtp")) + " -o " + quoted(path("e.obj")));
+  const Json report = report_on("quads.off", "--source 5 --curve edges --check --edges " + file("e.txt") + " -o " +
+                                               file("e.ply") + " -o " + file("e.vtp") + " -o " + file("e.obj"));
   EXPECT_EQ(report.at("source"), 5);
   EXPECT_EQ(report.at("faces"), triangles_.size());
   EXPECT_EQ(report.at("cycles"), 2);
@@ -131,27 +119,19 @@ TEST_F(Input, Polygons_are_triangulated_and_their_diagonals_marked)
   for(const auto& e : edges.all)
     EXPECT_NE(sides.count(e), edges.marked.count(e)) << e.first << ' ' << e.second;
 
-  const auto count = [](const std::string& text, const std::string& part)
-  {
-    std::size_t n = 0;
-    for(std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1))
-      ++n;
-    return n;
-  };
-  EXPECT_NE(read_file(path("e.ply")).find("property uchar marked\n"), std::string::npos);
-  EXPECT_NE(read_file(path("e.vtp")).find("Name=\"marked\""), std::string::npos);
-  EXPECT_EQ(count(read_file(path("e.obj")), "# marked "), edges.marked.size());
+  expect_has(read_file(path("e.ply")), "property uchar marked\n");
+  expect_has(read_file(path("e.vtp")), "Name=\"marked\"");
+  EXPECT_EQ(number_of("# marked ", read_file(path("e.obj"))), edges.marked.size());
 
   const Outcome outcome = run_on("quads.off", "");
-  EXPECT_NE(outcome.messages.find("repaired: 288 polygons triangulated, 1 unused vertex dropped\n"), std::string::npos)
-    << outcome.messages;
+  expect_has(outcome.messages, "repaired: 288 polygons triangulated, 1 unused vertex dropped\n");
   expect_failure(run_on("quads.off", "--quiet --repair none"), "face #0 has 4 sides; all must be triangles (--repair");
 }
 
 TEST_F(Input, A_triangle_mesh_is_left_as_it_is)
 {
-  const Json all = report_on("torus.off", "--edges " + quoted(path("auto.txt")));
-  report_on("torus.off", "--repair none --edges " + quoted(path("none.txt")));
+  const Json all = report_on("torus.off", "--edges " + file("auto.txt"));
+  report_on("torus.off", "--repair none --edges " + file("none.txt"));
   EXPECT_EQ(all.at("repair").at("done"), "");
   EXPECT_EQ(all.at("vertices"), number_of_vertices_);
   EXPECT_EQ(read_file(path("auto.txt")), read_file(path("none.txt")));
@@ -242,7 +222,7 @@ TEST_F(Input, A_source_that_has_vanished_is_an_error)
   expect_failure(run_on_text(quad, "--quiet --source 4"), "is not in the repaired mesh");
   expect_failure(run_on_text(quad, "--quiet --source 5"), "out of range");
   EXPECT_EQ(run_on_text(quad, "--quiet --source 3").status, 0);
-  expect_failure(run("--quiet --source 0 " + quoted(path("torus.off"))), "isolated");
+  expect_failure(run("--quiet --source 0 " + file("torus.off")), "isolated");
 }
 
 TEST_F(Input, Several_components)
@@ -252,10 +232,8 @@ TEST_F(Input, Several_components)
   EXPECT_EQ(report_on("two.off").at("source"), 3);
   EXPECT_EQ(report_on("two.off").at("faces_of_component"), 4);
   EXPECT_EQ(report_on("two.off", "--source 0").at("faces_of_component"), 1);
-  EXPECT_NE(run_on("two.off", "").messages.find("2 components; this is about the one with the largest area, 4 of 5"),
-            std::string::npos);
-  EXPECT_NE(run_on("two.off", "--source 0").messages.find("this is about the one of the source, 1 of 5"),
-            std::string::npos);
+  expect_has(run_on("two.off", "").messages, "2 components; this is about the one with the largest area, 4 of 5");
+  expect_has(run_on("two.off", "--source 0").messages, "this is about the one of the source, 1 of 5");
   // a component is large by its area, whatever the number of its faces
   write("large.off", "OFF\n7 5 0\n90 0 0\n90 10 0\n90 0 10\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n"
                      "3 3 5 4\n3 3 4 6\n3 4 5 6\n3 3 6 5\n");
@@ -265,10 +243,8 @@ TEST_F(Input, Several_components)
 TEST_F(Input, How_far_a_source_point_is_moved)
 {
   const std::string corners = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
-  EXPECT_NE(
-    run_on_text(corners, "--source-point .25,.5,.9 --source-point .5,.25,8")
-      .messages.find("note: --source-point 0.5,0.25,8 is not on the surface: the source is 8 away, at 0.5,0.25,0;"),
-    std::string::npos);
+  expect_has(run_on_text(corners, "--source-point .25,.5,.9 --source-point .5,.25,8").messages,
+             "note: --source-point 0.5,0.25,8 is not on the surface: the source is 8 away, at 0.5,0.25,0;");
   EXPECT_EQ(run_on_text(corners, "--source-point .25,.5,.9").messages.find("not on the surface"), std::string::npos);
 }
 

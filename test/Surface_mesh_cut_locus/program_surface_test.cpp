@@ -8,8 +8,6 @@
 
 #include "program_fixture.h"
 
-#include <nlohmann/json.hpp>
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +22,6 @@
 
 namespace {
 
-using Json = nlohmann::json;
 using Point = std::array<double, 3>;
 
 class Surface : public Program
@@ -92,10 +89,7 @@ protected:
   Json report(const std::string& text, const std::string& arguments = "") const
   {
     write("a.off", text);
-    const Outcome outcome =
-      run(quoted(path("a.off")) + " --quiet --report " + quoted(path("r.json")) + " " + arguments);
-    EXPECT_EQ(outcome.status, 0) << outcome.messages << text;
-    return outcome.status == 0 ? Json::parse(read_file(path("r.json"))) : Json();
+    return report_on("a.off", arguments);
   }
 
   Json report(const Soup& soup, const std::string& arguments = "") const { return report(off(soup), arguments); }
@@ -173,8 +167,8 @@ TEST_F(Surface, Flat_faces_are_taken_as_they_are)
       }
       const auto files = [&](const std::string& repair)
       {
-        const Json all = report(soup, "--source 0 -o " + quoted(path("c.obj")) + " --cells " + quoted(path("k.obj")) +
-                                        " --repair " + repair);
+        const Json all =
+          report(soup, "--source 0 -o " + file("c.obj") + " --cells " + file("k.obj") + " --repair " + repair);
         EXPECT_EQ(all.at("faces"), soup.faces.size());
         EXPECT_EQ(all.at("repair").at("done"), "");
         return read_file(path("c.obj")) + read_file(path("k.obj"));
@@ -257,9 +251,8 @@ TEST_F(Surface, Hard_edges_are_closed)
   const Soup soup = box(4, {{1., 1., 1.}});
   expect_closed(report(soup), 6 * 25 - 98);
   EXPECT_EQ(report(soup, "--repair orient").at("components_of_mesh"), 6);
-  const Outcome outcome = run(quoted(path("a.off")) + " --source 0");
-  EXPECT_NE(outcome.messages.find("52 border vertices merged with others at their places"), std::string::npos)
-    << outcome.messages;
+  const Outcome outcome = run(file("a.off") + " --source 0");
+  expect_has(outcome.messages, "52 border vertices merged with others at their places");
 }
 
 TEST_F(Surface, What_may_be_two_sheets_stays_apart)
@@ -285,8 +278,7 @@ TEST_F(Surface, What_may_be_two_sheets_stays_apart)
     book.add_grid(2, 2, sheet(0., slope, 0.));
   EXPECT_EQ(report(book).at("components_of_mesh"), 3);
   EXPECT_EQ(report(book).at("repair").at("open_edges"), 6);
-  EXPECT_NE(run(quoted(path("a.off"))).messages.find("6 border edges left open that lie on each other"),
-            std::string::npos);
+  expect_has(run(file("a.off")).messages, "6 border edges left open that lie on each other");
   // at a vertex
   Soup corner;
   corner.add_grid(2, 2, sheet(0., 0., 0.));
@@ -362,7 +354,7 @@ TEST_F(Surface, Polygons_keep_the_order_of_their_vertices)
   Soup soup;
   soup.add_grid(5, 4, [](double s, double t) { return Point{{s, t, s * t}}; });
   std::shuffle(soup.faces.begin(), soup.faces.end(), std::mt19937(2));
-  report(soup, "--source 14 --uv " + quoted(path("u.obj")) + " --cells " + quoted(path("k.obj")));
+  report(soup, "--source 14 --uv " + file("u.obj") + " --cells " + file("k.obj"));
   for(const char* name : {"u.obj", "k.obj"})
   {
     std::istringstream is(read_file(path(name)));

@@ -31,12 +31,17 @@ inline std::string message_of(const std::function<void()>& function)
   return "nothing was thrown";
 }
 
+inline void expect_has(const std::string& text, const std::string& part)
+{
+  EXPECT_NE(text.find(part), std::string::npos) << '"' << part << "\" is not in \"" << text << '"';
+}
+
 /// each of `words` is in the message
 inline void expect_words(const std::function<void()>& function, const std::vector<std::string>& words)
 {
   const std::string message = message_of(function);
   for(const std::string& word : words)
-    EXPECT_NE(message.find(word), std::string::npos) << '"' << word << "\" is not in \"" << message << '"';
+    expect_has(message, word);
 }
 
 inline void expect_refused(const std::function<void()>& function, CGAL::Cut_loci::Cause cause,

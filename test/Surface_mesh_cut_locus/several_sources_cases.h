@@ -10,7 +10,7 @@
 #define SEVERAL_SOURCES_CASES_H
 
 #include "surface_test.h"
-#include "curve_topology.h"
+#include "checked_curves.h"
 
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 
@@ -21,28 +21,12 @@ using namespace surface_test;
 using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
 using Source = Solver::Source;
 
-// The curve in the dense indices in which the topology is checked.
-inline Indexed_cut_locus indexed_curve(const Result& result,
-                                       const CGAL::Cut_loci::internal::Read_triangle_mesh<Mesh>& read)
-{
-  Indexed_cut_locus curve;
-  const auto& graph = result.graph();
-  for(const auto v : CGAL::make_range(vertices(graph)))
-  {
-    Indexed_cut_locus::Node node;
-    node.location = {get(read.index_of_face, graph[v].location.first), graph[v].location.second};
-    curve.nodes.push_back(node);
-  }
-  for(const auto e : CGAL::make_range(edges(graph)))
-    curve.edges.push_back({Index(source(e, graph)), Index(target(e, graph))});
-  return curve;
-}
-
 inline std::string fault_through_faces(const Built& built, const Result& result)
 {
-  const auto read = CGAL::Cut_loci::internal::read_triangle_mesh(built.mesh, get(CGAL::vertex_point, built.mesh));
-  const Indexed_cut_locus curve = indexed_curve(result, read);
-  return curve_measures::internal::Curve_topology(read.mesh, curve).fault(result.number_of_sources());
+  namespace lib = CGAL::Cut_loci::internal;
+  const auto read = lib::read_triangle_mesh(built.mesh, get(CGAL::vertex_point, built.mesh));
+  const lib::Curve_on_component on = lib::on_component(read.mesh, lib::curve_on_mesh(read, built.mesh, result));
+  return curve_measures::internal::Curve_topology(on.component.mesh, on.curve.graph).fault(result.number_of_sources());
 }
 
 // the number of the disk that each face is in
@@ -111,7 +95,7 @@ struct Distances
 
   Distances(const Built& built, const std::vector<Source>& sources, const Result& result)
   {
-    CGAL::Surface_mesh_exact_geodesics<Mesh> exact(built.mesh);
+    Geodesics exact(built.mesh);
     for(const auto v : CGAL::make_range(vertices(result.graph())))
       exact.add_query(result.graph()[v].location);
     for(const Source& s : sources)

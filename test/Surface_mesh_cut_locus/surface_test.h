@@ -55,15 +55,23 @@ using CGAL::Cut_loci::Indexed_location;
 using CGAL::Cut_loci::Indexed_source;
 using CGAL::Cut_loci::Indexed_triangle_mesh;
 using CGAL::Cut_loci::Invalid_input;
+using CGAL::Cut_loci::Kept_part;
 using CGAL::Cut_loci::Laplacian_method;
 using CGAL::Cut_loci::Mesh_connectivity;
 using CGAL::Cut_loci::Method;
 using CGAL::Cut_loci::null_index;
 using CGAL::Cut_loci::Polyhedral_method;
 using curve_length::length;
+using refusals::expect_has;
 using refusals::expect_refused;
+using refusals::expect_words;
 using refusals::message_of;
 namespace params = CGAL::parameters;
+
+inline auto by(const Method& method)
+{
+  return params::cut_locus_method(method);
+}
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -89,6 +97,16 @@ inline Mesh_data octahedron(double height = 1.)
           {{{0, 2, 4}}, {{2, 1, 4}}, {{1, 3, 4}}, {{3, 0, 4}}, {{2, 0, 5}}, {{1, 2, 5}}, {{3, 1, 5}}, {{0, 3, 5}}}};
 }
 
+// the faces at vertices that `is_removed` names are gone, too
+template <typename Is_removed>
+Mesh_data without_vertices(Mesh_data data, const Is_removed& is_removed)
+{
+  const auto is_at_one = [&](const Triangle& t)
+  { return std::any_of(t.begin(), t.end(), [&](std::size_t v) { return is_removed(data.points[v]); }); };
+  data.triangles.erase(std::remove_if(data.triangles.begin(), data.triangles.end(), is_at_one), data.triangles.end());
+  return without_isolated_vertices(data);
+}
+
 // with the numbers of the data
 inline Mesh to_surface_mesh(const Mesh_data& data)
 {
@@ -112,6 +130,22 @@ inline double length(const Mesh& mesh, const std::vector<Location>& locations)
   for(std::size_t i = 0; i + 1 < locations.size(); ++i)
     sum += distance(point(mesh, locations[i]), point(mesh, locations[i + 1]));
   return sum;
+}
+
+template <typename CutLocus>
+std::size_t number_of_leaves(const CutLocus& cut_locus)
+{
+  std::size_t result = 0;
+  for(const auto v : CGAL::make_range(vertices(cut_locus.graph())))
+    result += degree(v, cut_locus.graph()) == 1;
+  return result;
+}
+
+// of a connected one
+template <typename CutLocus>
+std::size_t number_of_cycles(const CutLocus& cut_locus)
+{
+  return num_edges(cut_locus.graph()) + 1 - num_vertices(cut_locus.graph());
 }
 
 inline double longest_edge(const Mesh& mesh)

@@ -19,18 +19,17 @@ const double no_number = std::numeric_limits<double>::quiet_NaN();
 TEST(Arguments, thresholds_beyond_all_branches_are_refused)
 {
   const Built built(jittered_sphere(2, 0.2, 1));
-  Solver laplacian(built.mesh, params::cut_locus_method(Laplacian_method())), direction(built.mesh);
+  Solver laplacian(built.mesh, by(Laplacian_method())), direction(built.mesh);
   laplacian.set_source(built.vertices[0]);
   direction.set_source(built.vertices[0]);
   for(double angle : {9., 1e300, -1., no_number})
-    expect_refused(
-      [&] { laplacian.cut_locus(params::cut_locus_method(Laplacian_method().gradient_angle_threshold(angle))); },
-      Cause::INVALID_PARAMETER);
+    expect_refused([&] { laplacian.cut_locus(by(Laplacian_method().gradient_angle_threshold(angle))); },
+                   Cause::INVALID_PARAMETER);
   for(double width : {5., 1e300, -1., no_number})
-    expect_refused([&] { direction.cut_locus(params::cut_locus_method(Default_method().minimum_branch_width(width))); },
+    expect_refused([&] { direction.cut_locus(by(Default_method().minimum_branch_width(width))); },
                    Cause::INVALID_PARAMETER);
   for(double gap : {9., no_number})
-    expect_refused([&] { direction.cut_locus(params::cut_locus_method(Default_method().minimum_branch_gap(gap))); },
+    expect_refused([&] { direction.cut_locus(by(Default_method().minimum_branch_gap(gap))); },
                    Cause::INVALID_PARAMETER);
   const Solver::Face_location inside(*built.mesh.faces_begin(), {{0.2, 0.3, 0.5}});
   for(double tolerance : {-1., 1., no_number})
@@ -46,8 +45,7 @@ TEST(Arguments, the_default_width_can_be_asked_for)
     Solver solver(built.mesh);
     solver.set_source(built.vertices[0]);
     EXPECT_LE(solver.minimum_branch_width(), 1.);
-    EXPECT_NO_THROW(
-      solver.cut_locus(params::cut_locus_method(Default_method().minimum_branch_width(solver.minimum_branch_width()))));
+    EXPECT_NO_THROW(solver.cut_locus(by(Default_method().minimum_branch_width(solver.minimum_branch_width()))));
   }
 }
 
@@ -73,7 +71,7 @@ TEST(Arguments, a_map_of_one_distance_is_refused)
   for(double same : {0., 1.})
   {
     const CGAL::Constant_property_map<Mesh::Vertex_index, double> map(same);
-    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], params::vertex_distance_map(map)); },
+    expect_refused([&] { compute_cut_locus(built.mesh, built.vertices[0], params::vertex_distance_map(map)); },
                    Cause::INVALID_DISTANCE);
   }
 }

@@ -6,7 +6,6 @@
 
 #include "surface_test.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <type_traits>
@@ -17,11 +16,7 @@ namespace test_bad_input {
 // locus. Nothing loops, crashes or returns NaN.
 
 using namespace surface_test;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-using Built = Built_mesh<Mesh>;
-using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
 
 namespace {
 
@@ -40,7 +35,7 @@ Mesh_data tetrahedron()
 void expect_sound_from_everywhere(const Mesh_data& data, std::size_t number_of_faces = 20)
 {
   const Built built(data);
-  Solver by_laplacian(built.mesh, params::cut_locus_method(Laplacian_method())), by_direction(built.mesh);
+  Solver by_laplacian(built.mesh, by(Laplacian_method())), by_direction(built.mesh);
   const auto expect_finite = [](const Solver::Result& result)
   {
     for(const auto v : CGAL::make_range(vertices(result.graph())))
@@ -56,11 +51,10 @@ void expect_sound_from_everywhere(const Mesh_data& data, std::size_t number_of_f
   {
     by_laplacian.set_source(source);
     for(double angle : {0., 0.5, 3.14})
-      for(auto policy : {CGAL::Cut_loci::Filter_policy::PRUNING, CGAL::Cut_loci::Filter_policy::GROWING})
+      for(auto policy : {Filter_policy::PRUNING, Filter_policy::GROWING})
       {
-        const auto np =
-          params::cut_locus_method(Laplacian_method().gradient_angle_threshold(angle).filter_policy(policy));
-        const auto result = by_laplacian.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+        const auto np = by(Laplacian_method().gradient_angle_threshold(angle).filter_policy(policy));
+        const auto result = by_laplacian.cut_locus(np.cut_locus_curve(Curve::MESH_EDGES));
         EXPECT_EQ(fault_of(built, result, face, corners), "") << "source in face " << face;
         expect_finite(result);
         expect_finite(by_laplacian.cut_locus(np));
@@ -69,12 +63,11 @@ void expect_sound_from_everywhere(const Mesh_data& data, std::size_t number_of_f
     for(double width : {1., 0.1, 0.})
       for(std::size_t edges : {0, 4})
       {
-        const auto np =
-          params::cut_locus_method(Default_method().minimum_branch_width(width).minimum_branch_edges(edges));
-        const auto result = by_direction.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+        const auto np = by(Default_method().minimum_branch_width(width).minimum_branch_edges(edges));
+        const auto result = by_direction.cut_locus(np.cut_locus_curve(Curve::MESH_EDGES));
         EXPECT_EQ(fault_of(built, result, face, corners, Default_method()), "") << "source in face " << face;
         expect_finite(result);
-        expect_finite(by_direction.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
+        expect_finite(by_direction.cut_locus(np.cut_locus_curve(Curve::THROUGH_FACES)));
       }
   };
   for(std::size_t f = 0; f < data.triangles.size(); f += 1 + data.triangles.size() / number_of_faces)
@@ -92,8 +85,7 @@ TEST(Bad_input, an_empty_mesh_is_refused)
 {
   const Mesh empty;
   expect_refused([&] { Solver solver(empty); }, Cause::EMPTY_MESH, {"empty", "no vertices"});
-  expect_refused([&] { CGAL::compute_cut_locus(empty, Mesh::Vertex_index(0)); }, Cause::EMPTY_MESH,
-                 {"empty", "no vertices"});
+  expect_refused([&] { compute_cut_locus(empty, Mesh::Vertex_index(0)); }, Cause::EMPTY_MESH, {"empty", "no vertices"});
   const Polyhedron polyhedron;
   expect_refused([&] { CGAL::Surface_mesh_cut_locus<Polyhedron> solver(polyhedron); }, Cause::EMPTY_MESH,
                  {"empty", "no vertices"});
@@ -103,7 +95,7 @@ TEST(Bad_input, a_mesh_without_faces_is_refused)
 {
   Mesh mesh;
   const auto v = mesh.add_vertex(Kernel::Point_3(0., 0., 0.));
-  expect_refused([&] { CGAL::compute_cut_locus(mesh, v); }, Cause::EMPTY_MESH, {"no faces"});
+  expect_refused([&] { compute_cut_locus(mesh, v); }, Cause::EMPTY_MESH, {"no faces"});
 }
 
 TEST(Bad_input, a_face_that_is_not_a_triangle_is_refused_by_its_position_and_number_of_sides)
@@ -115,18 +107,18 @@ TEST(Bad_input, a_face_that_is_not_a_triangle_is_refused_by_its_position_and_num
     v.push_back(mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2])));
   mesh.add_face(v[1], v[4], v[2]);
   mesh.add_face(v[0], v[1], v[2], v[3]);
-  expect_refused([&] { CGAL::compute_cut_locus(mesh, v[0]); }, Cause::NO_TRIANGLE, {"face #1", "4 sides", "triangle"});
+  expect_refused([&] { compute_cut_locus(mesh, v[0]); }, Cause::NO_TRIANGLE, {"face #1", "4 sides", "triangle"});
 }
 
 TEST(Bad_input, a_null_source_is_refused)
 {
   const Built built(octahedron());
-  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, Built::Traits::null_vertex()); }, Cause::INVALID_SOURCE,
+  expect_refused([&] { compute_cut_locus(built.mesh, Built::Traits::null_vertex()); }, Cause::INVALID_SOURCE,
                  {"source", "null"});
   Solver::Face_location location;
   location.first = Built::Traits::null_face();
   location.second = {{1., 0., 0.}};
-  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, location); }, Cause::INVALID_SOURCE,
+  expect_refused([&] { compute_cut_locus(built.mesh, location); }, Cause::INVALID_SOURCE,
                  {"face of the source", "null"});
 }
 
@@ -138,7 +130,7 @@ TEST(Bad_input, an_isolated_source_is_refused)
     for(std::size_t& v : t)
       v += v >= 2 ? 1 : 0;
   const Built built(data);
-  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[2]); }, Cause::INVALID_SOURCE,
+  expect_refused([&] { compute_cut_locus(built.mesh, built.vertices[2]); }, Cause::INVALID_SOURCE,
                  {"source", "isolated"});
 }
 
@@ -148,7 +140,7 @@ TEST(Bad_input, a_source_that_is_not_in_the_mesh_is_refused)
   // removed elements in front and behind, and numbers past the end
   const Mesh::size_type nv = built.mesh.num_vertices(), nf = built.mesh.num_faces();
   for(Mesh::size_type v : {Mesh::size_type(0), nv - 1, nv, Mesh::size_type(1000000000)})
-    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, Mesh::Vertex_index(v)); }, Cause::INVALID_SOURCE,
+    expect_refused([&] { compute_cut_locus(built.mesh, Mesh::Vertex_index(v)); }, Cause::INVALID_SOURCE,
                    {"source", "not a vertex of the mesh"});
   for(Mesh::size_type f : {Mesh::size_type(0), nf - 1, nf, Mesh::size_type(1000000000)})
     expect_refused(
@@ -157,7 +149,7 @@ TEST(Bad_input, a_source_that_is_not_in_the_mesh_is_refused)
       Solver::Face_location location;
       location.first = Mesh::Face_index(f);
       location.second = {{0.2, 0.3, 0.5}};
-      CGAL::compute_cut_locus(built.mesh, location, mesh_edges);
+      compute_cut_locus(built.mesh, location, mesh_edges);
       },
       Cause::INVALID_SOURCE, {"face of the source", "not a face of the mesh"});
 }
@@ -166,7 +158,7 @@ TEST(Bad_input, barycentric_coordinates_that_are_no_point_of_the_face_are_refuse
 {
   const Built built(octahedron());
   const auto compute = [&](double a, double b, double c) {
-    return [=, &built] { CGAL::compute_cut_locus(built.mesh, Solver::Face_location(built.faces[0], {{a, b, c}})); };
+    return [=, &built] { compute_cut_locus(built.mesh, Solver::Face_location(built.faces[0], {{a, b, c}})); };
   };
   expect_refused(compute(not_a_number, 0.5, 0.5), Cause::INVALID_SOURCE, {"barycentric coordinate", "not finite"});
   expect_refused(compute(infinity, 0.5, 0.5), Cause::INVALID_SOURCE, {"barycentric coordinate", "not finite"});
@@ -184,7 +176,7 @@ TEST(Bad_input, a_coordinate_that_is_not_finite_is_refused_by_its_vertex)
       Mesh_data data = octahedron();
       data.points[4][axis] = bad;
       const Built built(data);
-      expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, Cause::INVALID_COORDINATE,
+      expect_refused([&] { compute_cut_locus(built.mesh, built.vertices[0]); }, Cause::INVALID_COORDINATE,
                      {"vertex #4", "not finite"});
     }
 }
@@ -196,8 +188,8 @@ TEST(Bad_input, a_surface_without_area_is_refused_by_a_face)
     p = {{1., 2., 3.}};
   const Built built(all_in_one);
   for(Method method : {Method(Default_method()), Method(Laplacian_method())})
-    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], params::cut_locus_method(method)); },
-                   Cause::FACE_WITHOUT_AREA, {"face #0", "(vertices ", "no area"});
+    expect_refused([&] { compute_cut_locus(built.mesh, built.vertices[0], by(method)); }, Cause::FACE_WITHOUT_AREA,
+                   {"face #0", "(vertices ", "no area"});
 }
 
 TEST(Bad_input, a_face_without_area_in_another_component_does_no_harm)
@@ -207,13 +199,13 @@ TEST(Bad_input, a_face_without_area_in_another_component_does_no_harm)
     p = {{p[0], 0., 0.}};
   const Mesh_data data = disjoint_union(flat, octahedron(), {{5., 0., 0.}});
   const Built built(data);
-  EXPECT_EQ(
-    fault_of(built, CGAL::compute_cut_locus(built.mesh, built.vertices[5], mesh_edges), 4, {5}, Default_method()), "");
-  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0]); }, Cause::FACE_WITHOUT_AREA,
+  EXPECT_EQ(fault_of(built, compute_cut_locus(built.mesh, built.vertices[5], mesh_edges), 4, {5}, Default_method()),
+            "");
+  expect_refused([&] { compute_cut_locus(built.mesh, built.vertices[0]); }, Cause::FACE_WITHOUT_AREA,
                  {"face #0", "no area"});
   // positions are those in the whole mesh
   const Built other(disjoint_union(octahedron(), flat, {{5., 0., 0.}}));
-  expect_refused([&] { CGAL::compute_cut_locus(other.mesh, other.vertices[6]); }, Cause::FACE_WITHOUT_AREA,
+  expect_refused([&] { compute_cut_locus(other.mesh, other.vertices[6]); }, Cause::FACE_WITHOUT_AREA,
                  {"face #8", "no area"});
 }
 
@@ -229,7 +221,7 @@ TEST(Bad_input, a_vertex_where_two_fans_of_one_component_meet_is_refused_by_its_
   data = without_isolated_vertices(data);
   const Built built(data);
   const std::size_t pinched = data.triangles.front()[0];
-  expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[9]); }, Cause::NON_MANIFOLD,
+  expect_refused([&] { compute_cut_locus(built.mesh, built.vertices[9]); }, Cause::NON_MANIFOLD,
                  {"vertex #" + std::to_string(pinched), "not manifold"});
 }
 
@@ -250,7 +242,7 @@ TEST(Bad_input, components_that_touch_in_a_vertex_are_surfaces_of_their_own)
   for(std::size_t f : {0, 15})
     for(std::size_t v : built.data.triangles[f])
     {
-      const auto result = CGAL::compute_cut_locus(built.mesh, built.vertices[v], mesh_edges);
+      const auto result = compute_cut_locus(built.mesh, built.vertices[v], mesh_edges);
       const std::size_t seed = v == 0 ? 0 : f; // the vertex itself belongs to the component that its halfedge is in
       EXPECT_EQ(fault_of(built, result, seed, {v}, Default_method()), "") << v;
       EXPECT_EQ(result.genus(), 0u);
@@ -262,10 +254,10 @@ TEST(Bad_input, thresholds_that_are_not_in_their_range_are_refused)
   const Built built(octahedron());
   const auto expect = [&](const Method& method, const std::vector<std::string>& words)
   {
-    Solver solver(built.mesh, params::cut_locus_method(
-                                std::visit([](const auto& m) { return Method(std::decay_t<decltype(m)>()); }, method)));
+    Solver solver(built.mesh,
+                  by(std::visit([](const auto& m) { return Method(std::decay_t<decltype(m)>()); }, method)));
     solver.set_source(built.vertices[0]);
-    expect_refused([&] { solver.cut_locus(params::cut_locus_method(method)); }, Cause::INVALID_PARAMETER, words);
+    expect_refused([&] { solver.cut_locus(by(method)); }, Cause::INVALID_PARAMETER, words);
     EXPECT_EQ(message_of([&] { solver.cut_locus(); }), "nothing was thrown") << "the source was lost";
   };
   Solver solver(built.mesh);
@@ -292,10 +284,10 @@ TEST(Bad_input, another_method_than_the_one_in_force_is_refused_with_what_to_do)
   const auto expect_other = [&](Solver& solver, const Method& other, const std::vector<std::string>& words)
   {
     solver.set_source(built.vertices[0]);
-    expect_refused([&] { solver.cut_locus(params::cut_locus_method(other)); }, Cause::PARAMETER_OF_OTHER_METHOD, words);
+    expect_refused([&] { solver.cut_locus(by(other)); }, Cause::PARAMETER_OF_OTHER_METHOD, words);
     EXPECT_EQ(message_of([&] { solver.cut_locus(); }), "nothing was thrown") << "the source was lost";
   };
-  Solver by_default(built.mesh), laplacian(built.mesh, params::cut_locus_method(Laplacian_method()));
+  Solver by_default(built.mesh), laplacian(built.mesh, by(Laplacian_method()));
   expect_other(by_default, Laplacian_method().gradient_angle_threshold(0.3),
                {"Cut_loci::Laplacian_method()", "Cut_loci::Default_method", "constructor"});
   expect_other(by_default, Polyhedral_method(), {"Cut_loci::Polyhedral_method()", "constructor"});
@@ -310,13 +302,12 @@ TEST(Bad_input, options_of_the_constructor_are_those_of_each_cut_locus)
   for(const Method& method :
       {Method(Default_method().minimum_branch_width(0.9)), Method(Laplacian_method().gradient_angle_threshold(3.1))})
   {
-    Solver solver(built.mesh, params::cut_locus_method(method));
+    Solver solver(built.mesh, by(method));
     solver.set_source(built.vertices[5]);
     const std::size_t few = num_edges(solver.cut_locus().graph());
-    EXPECT_EQ(
-      num_edges(CGAL::compute_cut_locus(built.mesh, built.vertices[5], params::cut_locus_method(method)).graph()), few);
+    EXPECT_EQ(num_edges(compute_cut_locus(built.mesh, built.vertices[5], by(method)).graph()), few);
     const Method plain = std::visit([](const auto& m) { return Method(std::decay_t<decltype(m)>()); }, method);
-    EXPECT_GT(num_edges(solver.cut_locus(params::cut_locus_method(plain)).graph()), few);
+    EXPECT_GT(num_edges(solver.cut_locus(by(plain)).graph()), few);
     EXPECT_EQ(num_edges(solver.cut_locus().graph()), few) << "it is not remembered";
   }
 }
@@ -326,9 +317,9 @@ TEST(Bad_input, the_largest_minimum_number_of_edges_removes_more_than_any_smalle
   const Built built(ellipsoid(1., 0.8, 0.6, 8, 0.2, 1));
   for(Method method : {Method(Laplacian_method()), Method(Default_method())})
   {
-    Solver solver(built.mesh, params::cut_locus_method(method));
+    Solver solver(built.mesh, by(method));
     solver.set_source(built.vertices[0]);
-    for(const auto& np : {mesh_edges, params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)})
+    for(const auto& np : {mesh_edges, through_faces})
     {
       const auto edges_left = [&](long minimum)
       {
@@ -344,17 +335,19 @@ TEST(Bad_input, the_largest_minimum_number_of_edges_removes_more_than_any_smalle
   }
 }
 
-TEST(Bad_input, distances_that_are_not_finite_are_refused_by_their_vertex)
+TEST(Bad_input, distances_that_are_none_are_refused_by_their_vertex)
 {
   const Built built(octahedron());
-  for(double bad : {not_a_number, infinity})
+  const std::string too_long = "longer than all edges together", none = "not a finite number";
+  for(const auto& [bad, what] :
+      {std::make_pair(not_a_number, none), {infinity, none}, {-1e-3, "negative"}, {1e38, too_long}, {1e300, too_long}})
   {
     auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
     for(std::size_t v = 0; v < built.vertices.size(); ++v)
       put(distance, built.vertices[v], v == 4 ? bad : double(v));
     const auto np = params::vertex_distance_map(distance);
-    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], np); }, Cause::INVALID_DISTANCE,
-                   {"distance map", "not a finite number", "vertex #4"});
+    expect_refused([&] { compute_cut_locus(built.mesh, built.vertices[0], np); }, Cause::INVALID_DISTANCE,
+                   {"distance map", what, "vertex #4"});
   }
 }
 
@@ -423,36 +416,18 @@ TEST(Odd_input, units_of_any_size_do_no_harm)
   const Built built(sphere);
   for(Method method : {Method(Laplacian_method()), Method(Default_method()), Method(Polyhedral_method())})
   {
-    const auto np = params::cut_locus_method(method);
-    const auto expected =
-      CGAL::compute_cut_locus(built.mesh, built.vertices[0], np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+    const auto np = by(method);
+    const auto expected = compute_cut_locus(built.mesh, built.vertices[0], np.cut_locus_curve(Curve::MESH_EDGES));
     for(double scale : {1e-150, 1e-79, 1e-20, 1e38, 1e77, 1e150})
     {
       Mesh_data data = sphere;
       for(Point& p : data.points)
         p = scale * p;
       const Built scaled(data);
-      const auto result =
-        CGAL::compute_cut_locus(scaled.mesh, scaled.vertices[0], np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+      const auto result = compute_cut_locus(scaled.mesh, scaled.vertices[0], np.cut_locus_curve(Curve::MESH_EDGES));
       EXPECT_EQ(num_edges(result.graph()), num_edges(expected.graph())) << scale;
       EXPECT_NEAR(result.distance(scaled.vertices[7]) / scale, expected.distance(built.vertices[7]), 1e-12) << scale;
     }
-  }
-}
-
-TEST(Bad_input, distances_that_are_none_are_refused_by_their_vertex)
-{
-  const Built built(octahedron());
-  for(const auto& [bad, cause] :
-      {std::make_pair(-1e-3, "negative"), std::make_pair(1e38, "longer than all edges together"),
-       std::make_pair(1e300, "longer than all edges together")})
-  {
-    auto distance = get(CGAL::dynamic_vertex_property_t<double>(), built.mesh);
-    for(std::size_t v = 0; v < built.vertices.size(); ++v)
-      put(distance, built.vertices[v], v == 4 ? bad : double(v));
-    const auto np = params::vertex_distance_map(distance);
-    expect_refused([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], np); }, Cause::INVALID_DISTANCE,
-                   {"distance map", cause, "vertex #4"});
   }
 }
 

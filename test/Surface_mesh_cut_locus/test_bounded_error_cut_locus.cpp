@@ -17,16 +17,15 @@ namespace test_bounded_error_cut_locus {
 namespace {
 
 using namespace surface_test;
-using direction_test::Solved;
+using namespace direction_test;
 
 constexpr double rounding = 1e-12;
 
 // -- cut loci ----------------------------------------------------------------------------------------------------------
 
-void check_topology(const test_meshes::Mesh_data& data, const std::string& name)
+void check_topology(const Mesh_data& data, const std::string& name)
 {
-  using namespace direction_test;
-  const Indexed_triangle_mesh mesh = test_meshes::indexed(data);
+  const Indexed_triangle_mesh mesh = indexed(data);
   const Index f = mesh.number_of_faces() / 3;
   for(double error : {1e-5, 1e-3, 0.1})
   {
@@ -40,7 +39,6 @@ void check_topology(const test_meshes::Mesh_data& data, const std::string& name)
 
 TEST(Bounded_error_cut_locus, topology)
 {
-  using namespace test_meshes;
   check_topology(cuboid({{3., 1., 0.4}}, 5, Diagonals::PARALLEL), "box");
   check_topology(plate_with_holes(3, 1, 2, Diagonals::PARALLEL), "plate with holes");
   check_topology(torus(1., 0.4, 60, 24), "torus");
@@ -61,55 +59,19 @@ TEST(Bounded_error_cut_locus, topology)
                  "with two borders");
 }
 
-using Vector = std::array<double, 3>;
-
-double distance_to_segment(const Vector& p, const Vector& a, const Vector& b)
-{
-  Vector ab, ap;
-  double dot = 0., square = 0.;
-  for(std::size_t i = 0; i < 3; ++i)
-  {
-    ab[i] = b[i] - a[i];
-    ap[i] = p[i] - a[i];
-    dot += ab[i] * ap[i];
-    square += ab[i] * ab[i];
-  }
-  const double t = square > 0. ? (std::min)((std::max)(dot / square, 0.), 1.) : 0.;
-  double result = 0.;
-  for(std::size_t i = 0; i < 3; ++i)
-    result += (ap[i] - t * ab[i]) * (ap[i] - t * ab[i]);
-  return std::sqrt(result);
-}
-
-/// the largest distance of a node of one curve from the other
-double distance(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& from, const Indexed_cut_locus& to)
-{
-  const auto point = [&](const Indexed_cut_locus& c, Index i)
-  { return direction_test::point_at(mesh, c.nodes[i].location); };
-  double result = 0.;
-  for(Index i = 0; i < from.nodes.size(); ++i)
-  {
-    double least = std::numeric_limits<double>::infinity();
-    for(const auto& e : to.edges)
-      least = (std::min)(least, distance_to_segment(point(from, i), point(to, e.source), point(to, e.target)));
-    result = (std::max)(result, least);
-  }
-  return result;
-}
-
 // Branches that are about as wide as they have to be come and go; what is clearly wider is there, and nothing else.
 TEST(Bounded_error_cut_locus, is_near_to_the_exact_one)
 {
   const Indexed_triangle_mesh meshes[] = {
-    test_meshes::indexed(test_meshes::torus(1., 0.4, 200, 80, 0.2, 5)),
-    test_meshes::indexed(test_meshes::ellipsoid(1., 0.8, 0.6, 40, 0.2, 5)),
-    test_meshes::indexed(test_meshes::bumpy_sphere(30, 0.3, 2)),
+    indexed(torus(1., 0.4, 200, 80, 0.2, 5)),
+    indexed(ellipsoid(1., 0.8, 0.6, 40, 0.2, 5)),
+    indexed(bumpy_sphere(30, 0.3, 2)),
   };
   for(const Indexed_triangle_mesh& mesh : meshes)
     for(Index v : {Index(17), mesh.number_of_vertices() / 2, mesh.number_of_vertices() - 1})
     {
       SCOPED_TRACE("faces " + std::to_string(mesh.number_of_faces()) + ", source " + std::to_string(v));
-      const auto source = direction_test::at_vertex(mesh, v);
+      const auto source = at_vertex(mesh, v);
       const Solved exact(mesh, source), bounded(mesh, source, 1e-5);
       Solved::Thresholds narrower = exact.solver->default_thresholds(), wider = narrower;
       narrower.width *= 0.5;
@@ -118,8 +80,8 @@ TEST(Bounded_error_cut_locus, is_near_to_the_exact_one)
       const Indexed_cut_locus found = bounded.through_faces();
       const double h = exact.solver->connectivity().mean_edge_length;
       ASSERT_GT(found.edges.size(), 20u);
-      EXPECT_LT(distance(mesh, exact.curve(wider, Curve::THROUGH_FACES), found), 0.3 * h);
-      EXPECT_LT(distance(mesh, found, exact.curve(narrower, Curve::THROUGH_FACES)), 0.3 * h);
+      EXPECT_LT(farthest(segments(mesh, exact.curve(wider, Curve::THROUGH_FACES)), segments(mesh, found)), 0.3 * h);
+      EXPECT_LT(farthest(segments(mesh, found), segments(mesh, exact.curve(narrower, Curve::THROUGH_FACES))), 0.3 * h);
     }
 }
 
@@ -127,7 +89,7 @@ TEST(Bounded_error_cut_locus, is_near_to_the_exact_one)
 
 TEST(Bounded_error_cut_locus, parameter_of_each_source)
 {
-  const Built built(test_meshes::torus(1., 0.4, 80, 32, 0.2, 3));
+  const Built built(torus(1., 0.4, 80, 32, 0.2, 3));
   Solver solver(built.mesh), exact(built.mesh);
   exact.set_source(built.vertices[5]);
   for(Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
@@ -157,8 +119,8 @@ TEST(Bounded_error_cut_locus, parameter_of_each_source)
 
 TEST(Bounded_error_cut_locus, laplacian)
 {
-  const Built built(test_meshes::torus(1., 0.4, 80, 32, 0.2, 3));
-  Solver solver(built.mesh, params::cut_locus_method(Laplacian_method())), exact(built.mesh);
+  const Built built(torus(1., 0.4, 80, 32, 0.2, 3));
+  Solver solver(built.mesh, by(Laplacian_method())), exact(built.mesh);
   exact.set_source(built.vertices[5]);
   const auto expected = exact.cut_locus();
   for(double error : {1e-4, 1e-2})
@@ -174,20 +136,20 @@ TEST(Bounded_error_cut_locus, laplacian)
 
 TEST(Bounded_error_cut_locus, several_sources)
 {
-  const Built built(test_meshes::torus(1., 0.4, 80, 32, 0.2, 3));
+  const Built built(torus(1., 0.4, 80, 32, 0.2, 3));
   Solver solver(built.mesh);
   const std::vector<Built::vertex_descriptor> sources = {built.vertices[5], built.vertices[700], built.vertices[1500]};
   for(double error : {0., 1e-5, 1e-3})
   {
     solver.set_sources(sources, params::maximum_relative_error(error));
-    const auto result = solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES));
+    const auto result = solver.cut_locus(through_faces);
     EXPECT_EQ(num_edges(result.graph()) + 1, num_vertices(result.graph()) + 2 - 1 + sources.size()) << error;
   }
 }
 
 TEST(Bounded_error_cut_locus, refusals)
 {
-  const Built built(test_meshes::torus(1., 0.4, 40, 16, 0.2, 3));
+  const Built built(torus(1., 0.4, 40, 16, 0.2, 3));
   const auto v = built.vertices[5];
   Solver solver(built.mesh);
   for(double bad : {-1e-9, 0.11, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
@@ -195,13 +157,13 @@ TEST(Bounded_error_cut_locus, refusals)
   EXPECT_THROW(solver.set_sources(std::vector<Built::vertex_descriptor>{v}, params::maximum_relative_error(-1.)),
                Invalid_input);
 
-  Solver full(built.mesh, params::cut_locus_method(Polyhedral_method()));
+  Solver full(built.mesh, by(Polyhedral_method()));
   EXPECT_THROW(full.set_source(v, params::maximum_relative_error(1e-3)), Invalid_input);
   full.set_source(v);
   EXPECT_GT(num_edges(full.cut_locus().graph()), 0u);
 
   solver.set_source(v, params::maximum_relative_error(1e-3));
-  EXPECT_THROW(solver.cut_locus(params::cut_locus_method(Default_method().minimum_branch_width(0.))), Invalid_input);
+  EXPECT_THROW(solver.cut_locus(by(Default_method().minimum_branch_width(0.))), Invalid_input);
   EXPECT_EQ(fault_of(built, solver.cut_locus(mesh_edges), 0, {5}, Default_method()), "") << "nothing is lost by that";
   EXPECT_EQ(fault_of(built, solver.cut_locus(mesh_edges.cut_locus_method(Default_method().minimum_branch_width(1e-3))),
                      0, {5}, Default_method()),

@@ -6,9 +6,9 @@
 
 // What is left of the cut locus at a threshold: all that is as strong, and nothing that ends in anything weaker.
 
-#include "surface_test.h"
+#include "direction_results.h"
+#include "several_sources_cases.h"
 
-#include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/squared_distance_3.h>
 
@@ -17,65 +17,50 @@ namespace test_branch_thresholds {
 namespace {
 
 using namespace surface_test;
-using CGAL::Cut_loci::internal::Branch_strength;
+using namespace direction_test;
 using CGAL::Cut_loci::internal::Exact_tree;
-using CGAL::Cut_loci::internal::Exact_tree_solver;
 using CGAL::Cut_loci::internal::Tree_graph;
 
 // A body with limbs, of genus 0, and saddles between them: the widest place of its cut locus is anywhere. With noise,
 // the largest gap is anywhere, too.
 Mesh_data limbed(std::size_t n, unsigned seed, double noise = 0.)
 {
-  const std::vector<test_meshes::Point> limbs = {
+  const std::vector<Point> limbs = {
     {{0.1, 0.9, 0.3}}, {{0.8, -0.5, 0.2}}, {{-0.7, -0.6, 0.1}}, {{0.1, -0.3, 0.95}}, {{0., 0.2, -0.9}}};
-  Mesh_data m = test_meshes::jittered_sphere(n, 0.15, seed);
+  Mesh_data m = jittered_sphere(n, 0.15, seed);
   std::mt19937 engine(seed);
-  for(test_meshes::Point& p : m.points)
+  for(Point& p : m.points)
   {
-    double radius = 0.5 + noise * test_meshes::random_unit(engine);
+    double radius = 0.5 + noise * random_unit(engine);
     for(std::size_t i = 0; i < limbs.size(); ++i)
-      radius +=
-        (0.8 + 0.2 * double(i)) * std::exp(-14. * (1. - test_meshes::dot(p, test_meshes::normalized(limbs[i]))));
+      radius += (0.8 + 0.2 * double(i)) * std::exp(-14. * (1. - dot(p, normalized(limbs[i]))));
     for(double& x : p)
       x *= radius;
   }
   return m;
 }
 
-struct Case
-{
-  std::string name;
-  Mesh_data data;
-};
-
-std::vector<Case> cases()
+std::vector<Named_mesh> cases()
 {
   return {{"limbs", limbed(10, 1)},
           {"more limbs", limbed(14, 2)},
           {"rough limbs", limbed(12, 3, 0.02)},
-          {"convex", test_meshes::random_convex_polyhedron(80, 1)},
-          {"torus", test_meshes::torus(1., 0.4, 24, 14, 0.2, 5)},
-          {"open cylinder", test_meshes::cylinder(1., 16, 6, 0.1, 4)},
-          {"saddle", test_meshes::saddle(10, 0.7, 0.2, 3)}};
+          {"convex", random_convex_polyhedron(80, 1)},
+          {"torus", torus(1., 0.4, 24, 14, 0.2, 5)},
+          {"open cylinder", cylinder(1., 16, 6, 0.1, 4)},
+          {"saddle", saddle(10, 0.7, 0.2, 3)}};
 }
 
-class Solved
+class Solved_tree : private Solved
 {
 public:
   // looks for what is that strong
-  Solved(const Indexed_triangle_mesh& mesh, Index source, const Branch_strength& least) : solver_(mesh)
+  Solved_tree(const Indexed_triangle_mesh& m, Index source, const Branch_strength& least)
+    : Solved(m, at_vertex(m, source), least)
   {
-    solver_.expect(least);
-    CGAL::Cut_loci::Indexed_source at;
-    at.vertex = source;
-    at.location = CGAL::Cut_loci::internal::location_of_vertex(solver_.connectivity(), source);
-    solver_.compute_distance(at);
-    solver_.compute_strengths();
-    solver_.grow_tree();
-    solver_.close_cycles();
   }
 
-  Exact_tree& tree() { return solver_.tree(); }
+  Exact_tree& tree() { return solver->tree(); }
   const Tree_graph& graph() { return tree().graph(); }
 
   bool is_strong(Index e, const Branch_strength& least)
@@ -120,9 +105,6 @@ public:
         result = (std::max)(result, tree().width(e));
     return result;
   }
-
-private:
-  Exact_tree_solver solver_;
 };
 
 std::vector<Branch_strength> thresholds(double h)
@@ -139,13 +121,13 @@ std::vector<Branch_strength> thresholds(double h)
 
 TEST(Branch_thresholds, Nothing_that_is_strong_is_missing)
 {
-  for(const Case& c : cases())
+  for(const Named_mesh& c : cases())
   {
     const Indexed_triangle_mesh mesh = indexed(c.data);
     for(Index source : {Index(0), mesh.number_of_vertices() / 2, mesh.number_of_vertices() - 1})
     {
-      Solved full(mesh, source, {});
-      for(const Branch_strength& least : thresholds(test_meshes::mean_edge_length(c.data)))
+      Solved_tree full(mesh, source, {});
+      for(const Branch_strength& least : thresholds(mean_edge_length(c.data)))
       {
         SCOPED_TRACE(c.name + ", source " + std::to_string(source) + ", gap " + std::to_string(least.gap) + ", width " +
                      std::to_string(least.width));
@@ -170,10 +152,9 @@ TEST(Branch_thresholds, Nothing_that_is_strong_is_missing)
 // beyond, or those of all others.
 TEST(Branch_thresholds, What_paths_enclose_is_the_curvature_of_the_vertices_beyond)
 {
-  const double pi = std::acos(-1.);
-  std::vector<Mesh_data> bodies = {test_meshes::random_convex_polyhedron(60, 4)};
+  std::vector<Mesh_data> bodies = {random_convex_polyhedron(60, 4)};
   bodies.push_back(bodies.back()); // and as a tower, at whose top paths come from below
-  for(test_meshes::Point& p : bodies.back().points)
+  for(Point& p : bodies.back().points)
     p[2] *= 5.;
   for(const bool is_tower : {false, true})
   {
@@ -185,15 +166,13 @@ TEST(Branch_thresholds, What_paths_enclose_is_the_curvature_of_the_vertices_beyo
       const auto& p = mesh.points[mesh.source(h)];
       const auto& q = mesh.points[mesh.target(h)];
       const auto& r = mesh.points[mesh.target(Indexed_triangle_mesh::next(h))];
-      const test_meshes::Point a = {{q[0] - p[0], q[1] - p[1], q[2] - p[2]}},
-                               b = {{r[0] - p[0], r[1] - p[1], r[2] - p[2]}};
-      beyond_vertex[mesh.source(h)] -=
-        std::acos(test_meshes::dot(test_meshes::normalized(a), test_meshes::normalized(b)));
+      const Point a = {{q[0] - p[0], q[1] - p[1], q[2] - p[2]}}, b = {{r[0] - p[0], r[1] - p[1], r[2] - p[2]}};
+      beyond_vertex[mesh.source(h)] -= std::acos(dot(normalized(a), normalized(b)));
     }
     const Index lowest = static_cast<Index>(std::min_element(mesh.points.begin(), mesh.points.end(),
                                                              [](const auto& p, const auto& q) { return p[2] < q[2]; }) -
                                             mesh.points.begin());
-    Solved full(mesh, lowest, {});
+    Solved_tree full(mesh, lowest, {});
     const auto kept = full.tree().kept({});
     std::vector<double> beyond(full.graph().nodes.size(), 0.);
     for(std::size_t i = 0; i < beyond.size(); ++i)
@@ -224,11 +203,11 @@ TEST(Branch_thresholds, What_paths_enclose_is_the_curvature_of_the_vertices_beyo
 // Of those that meet, one may be as low: it continues another one.
 TEST(Branch_thresholds, Of_branches_that_meet_none_is_a_spur)
 {
-  for(const Case& c : cases())
+  for(const Named_mesh& c : cases())
   {
     const Indexed_triangle_mesh mesh = indexed(c.data);
-    Solved full(mesh, mesh.number_of_vertices() / 2, {});
-    for(Branch_strength least : thresholds(test_meshes::mean_edge_length(c.data)))
+    Solved_tree full(mesh, mesh.number_of_vertices() / 2, {});
+    for(Branch_strength least : thresholds(mean_edge_length(c.data)))
     {
       least.spur = 0.1 * least.width;
       SCOPED_TRACE(c.name + ", gap " + std::to_string(least.gap) + ", width " + std::to_string(least.width));
@@ -262,11 +241,11 @@ TEST(Branch_thresholds, Of_branches_that_meet_none_is_a_spur)
 
 TEST(Branch_thresholds, No_branch_ends_in_what_is_weak)
 {
-  for(const Case& c : cases())
+  for(const Named_mesh& c : cases())
   {
     const Indexed_triangle_mesh mesh = indexed(c.data);
-    Solved full(mesh, mesh.number_of_vertices() / 2, {});
-    for(const Branch_strength& least : thresholds(test_meshes::mean_edge_length(c.data)))
+    Solved_tree full(mesh, mesh.number_of_vertices() / 2, {});
+    for(const Branch_strength& least : thresholds(mean_edge_length(c.data)))
     {
       SCOPED_TRACE(c.name + ", gap " + std::to_string(least.gap) + ", width " + std::to_string(least.width));
       std::vector<int> degree(full.graph().nodes.size(), 0);
@@ -287,17 +266,17 @@ TEST(Branch_thresholds, No_branch_ends_in_what_is_weak)
 // What is not looked for from the start is left out only if it is weak.
 TEST(Branch_thresholds, Looking_for_strong_branches_alone_finds_the_same)
 {
-  for(const Case& c : cases())
+  for(const Named_mesh& c : cases())
   {
     const Indexed_triangle_mesh mesh = indexed(c.data);
     for(Index source : {Index(0), mesh.number_of_vertices() - 1})
     {
-      Solved full(mesh, source, {});
-      for(const Branch_strength& least : thresholds(test_meshes::mean_edge_length(c.data)))
+      Solved_tree full(mesh, source, {});
+      for(const Branch_strength& least : thresholds(mean_edge_length(c.data)))
       {
         SCOPED_TRACE(c.name + ", source " + std::to_string(source) + ", gap " + std::to_string(least.gap) + ", width " +
                      std::to_string(least.width));
-        Solved run(mesh, source, least);
+        Solved_tree run(mesh, source, least);
         const double of_full = full.length_of_strong(least), of_run = run.length_of_strong(least);
         EXPECT_NEAR(of_run, of_full, 0.02 * of_full);
       }
@@ -319,8 +298,8 @@ TEST(Branch_thresholds, The_default_is_what_the_whole_tree_has_at_its_strength)
         {
           SCOPED_TRACE("noise " + std::to_string(noise) + ", n " + std::to_string(n) + ", seed " +
                        std::to_string(seed) + ", source " + std::to_string(source));
-          Solved full(mesh, source, {}), run(mesh, source, strength);
-          const auto length_of_kept = [&](Solved& solved)
+          Solved_tree full(mesh, source, {}), run(mesh, source, strength);
+          const auto length_of_kept = [&](Solved_tree& solved)
           {
             double result = 0.;
             for(const auto& b : solved.tree().kept(strength))
@@ -331,19 +310,6 @@ TEST(Branch_thresholds, The_default_is_what_the_whole_tree_has_at_its_strength)
           EXPECT_NEAR(length_of_kept(run), of_full, 1e-3 * of_full);
         }
       }
-}
-
-// of the bounding box
-double diagonal_of(const Mesh_data& m)
-{
-  test_meshes::Point low = m.points[0], high = low;
-  for(const test_meshes::Point& p : m.points)
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      low[i] = (std::min)(low[i], p[i]);
-      high[i] = (std::max)(high[i], p[i]);
-    }
-  return test_meshes::norm({{high[0] - low[0], high[1] - low[1], high[2] - low[2]}});
 }
 
 // of the edges of at least a width
@@ -364,17 +330,17 @@ TEST(Branch_thresholds, Every_limb_has_its_branch)
   for(double noise : {0., 0.01, 0.02})
   {
     const Mesh_data data = limbed(16, 3, noise);
-    const Built_mesh<Mesh> built(data);
-    const double h = test_meshes::mean_edge_length(data);
+    const Built built(data);
+    const double h = mean_edge_length(data);
     for(std::size_t source : {0, 700, 2000})
     {
       SCOPED_TRACE("noise " + std::to_string(noise) + ", source " + std::to_string(source));
-      const auto faces = params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES);
-      const auto all = CGAL::compute_cut_locus(built.mesh, built.vertices[source],
-                                               faces.cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
-      const auto strong = CGAL::compute_cut_locus(
-        built.mesh, built.vertices[source],
-        faces.cut_locus_method(CGAL::Cut_loci::Default_method().minimum_branch_width(4. * h / diagonal_of(data))));
+
+      const auto all =
+        compute_cut_locus(built.mesh, built.vertices[source], through_faces.cut_locus_method(Polyhedral_method()));
+      const auto strong = compute_cut_locus(built.mesh, built.vertices[source],
+                                            through_faces.cut_locus_method(Default_method().minimum_branch_width(
+                                              4. * h / several_sources::diagonal(built))));
       EXPECT_GE(length(strong, 0.), 0.99 * length(all, 4.4 * h));
       EXPECT_LE(length(strong, 0.), 1.1 * length(all, 3.6 * h));
     }
@@ -385,15 +351,14 @@ TEST(Branch_thresholds, Every_limb_has_its_branch)
 TEST(Branch_thresholds, What_encloses_enough_may_be_narrower)
 {
   const Mesh_data data = limbed(16, 3);
-  const Built_mesh<Mesh> built(data);
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh);
+  const Built built(data);
+  Solver solver(built.mesh);
   for(std::size_t source : {0, 700})
   {
     SCOPED_TRACE(source);
     solver.set_source(built.vertices[source]);
-    const auto of = [&](const CGAL::Cut_loci::Default_method& method)
-    { return length(solver.cut_locus(params::cut_locus_method(method)), 0.); };
-    CGAL::Cut_loci::Default_method wide;
+    const auto of = [&](const Default_method& method) { return length(solver.cut_locus(by(method)), 0.); };
+    Default_method wide;
     wide.minimum_branch_width(0.25);
     double last = of(wide);
     const double of_width = last;
@@ -408,34 +373,30 @@ TEST(Branch_thresholds, What_encloses_enough_may_be_narrower)
       }
     }
     // at last a quarter of the width is what counts
-    const double narrow = of(CGAL::Cut_loci::Default_method().minimum_branch_width(0.0625));
+    const double narrow = of(Default_method().minimum_branch_width(0.0625));
     EXPECT_NEAR(last, narrow, 0.05 * narrow);
-    const auto by_default = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
-    const auto asked =
-      solver.cut_locus(params::cut_locus_method(
-                         CGAL::Cut_loci::Default_method().minimum_branch_curvature(solver.minimum_branch_curvature()))
-                         .cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+    const auto by_default = solver.cut_locus(through_faces);
+    const auto asked = solver.cut_locus(
+      through_faces.cut_locus_method(Default_method().minimum_branch_curvature(solver.minimum_branch_curvature())));
     EXPECT_EQ(num_edges(by_default.graph()), num_edges(asked.graph()));
   }
   for(double wrong : {-1., 13., std::nan("")})
-    EXPECT_THROW(
-      solver.cut_locus(params::cut_locus_method(CGAL::Cut_loci::Default_method().minimum_branch_curvature(wrong))),
-      CGAL::Cut_loci::Invalid_input);
+    EXPECT_THROW(solver.cut_locus(by(Default_method().minimum_branch_curvature(wrong))), Invalid_input);
 }
 
 // Paths along the edges of a mesh lead through vertices.
 TEST(Branch_thresholds, Widths_are_those_of_the_polyhedron_however_it_is_divided)
 {
-  const std::vector<Case> polyhedra = {{"cuboid", test_meshes::cuboid({{3., 1., 0.4}}, 2)},
-                                       {"L-shape", test_meshes::l_shape(2)},
-                                       {"torus", test_meshes::torus(1., 0.5, 20, 12)},
-                                       {"limbs", limbed(6, 1)}};
-  for(const Case& c : polyhedra)
+  const std::vector<Named_mesh> polyhedra = {{"cuboid", cuboid({{3., 1., 0.4}}, 2)},
+                                             {"L-shape", l_shape(2)},
+                                             {"torus", torus(1., 0.5, 20, 12)},
+                                             {"limbs", limbed(6, 1)}};
+  for(const Named_mesh& c : polyhedra)
   {
     SCOPED_TRACE(c.name);
-    const Mesh_data divided = test_meshes::split_in_plane(c.data);
+    const Mesh_data divided = split_in_plane(c.data);
     const Indexed_triangle_mesh coarse = indexed(c.data), fine = indexed(divided);
-    Solved a(coarse, 1, {}), b(fine, 1, {});
+    Solved_tree a(coarse, 1, {}), b(fine, 1, {});
     EXPECT_NEAR(b.largest_width(), a.largest_width(), 1e-4 * a.largest_width());
   }
 }
@@ -443,19 +404,17 @@ TEST(Branch_thresholds, Widths_are_those_of_the_polyhedron_however_it_is_divided
 // Near a sharp vertex the paths to its branch part at a small angle, and meet at a large one.
 TEST(Branch_thresholds, A_polyhedron_shows_the_branches_of_its_vertices_up_to_these)
 {
-  const std::vector<Case> polyhedra = {{"cube", test_meshes::cube(1)},
-                                       {"divided cube", test_meshes::cube(3)},
-                                       {"L-shape", test_meshes::l_shape(1)},
-                                       {"convex", test_meshes::random_convex_polyhedron(10, 3)}};
-  for(const Case& c : polyhedra)
+  const std::vector<Named_mesh> polyhedra = {
+    {"cube", cube(1)}, {"divided cube", cube(3)}, {"L-shape", l_shape(1)}, {"convex", random_convex_polyhedron(10, 3)}};
+  for(const Named_mesh& c : polyhedra)
     for(std::size_t source : {std::size_t(0), c.data.points.size() / 2})
     {
       SCOPED_TRACE(c.name + ", source " + std::to_string(source));
-      const Built_mesh<Mesh> built(c.data);
-      const auto faces = params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES);
-      const auto by_default = CGAL::compute_cut_locus(built.mesh, built.vertices[source], faces);
-      const auto all = CGAL::compute_cut_locus(built.mesh, built.vertices[source],
-                                               faces.cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
+      const Built built(c.data);
+
+      const auto by_default = compute_cut_locus(built.mesh, built.vertices[source], through_faces);
+      const auto all =
+        compute_cut_locus(built.mesh, built.vertices[source], through_faces.cut_locus_method(Polyhedral_method()));
       EXPECT_NEAR(length(by_default, 0.), length(all, 0.), 1e-4 * length(all, 0.));
     }
 }

@@ -18,11 +18,6 @@ namespace test_branch_tips {
 namespace {
 
 using namespace surface_test;
-using Surface_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Built = Built_mesh<Surface_mesh>;
-using Solver = CGAL::Surface_mesh_cut_locus<Surface_mesh>;
-using Cut_locus = Solver::Result;
-
 // A spheroid with equator 1 and poles at 0.5, and its vertex 0 at (1, 0, 0). The equator is a geodesic with the curvature
 // 1 / 0.5^2 along it: its points conjugate to that vertex are at the angle 0.5 pi to either side, and the cut locus is the
 // arc between them.
@@ -94,9 +89,9 @@ void expect_conjugate_points(const Geodesic_solver& geodesics, double bound)
   {
     const Built built(spheroid(n, 0.));
     const double h = mean_edge_length(built.data);
-    Solver solver(built.mesh, params::cut_locus_method(Laplacian_method()).geodesic_solver(geodesics));
+    Solver solver(built.mesh, by(Laplacian_method()).geodesic_solver(geodesics));
     solver.set_source(built.vertices[0]);
-    for(const auto curve : {CGAL::Cut_loci::Curve::MESH_EDGES, CGAL::Cut_loci::Curve::THROUGH_FACES})
+    for(const auto curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
     {
       const std::vector<Point> found = leaves(solver.cut_locus(params::cut_locus_curve(curve)));
       EXPECT_EQ(found.size(), 2u) << n;
@@ -125,7 +120,7 @@ TEST(Branch_tips, are_not_passed_because_of_noise)
     {
       const Built built(spheroid(n, noise));
       const double h = mean_edge_length(built.data);
-      Solver solver(built.mesh, params::cut_locus_method(Laplacian_method()));
+      Solver solver(built.mesh, by(Laplacian_method()));
       solver.set_source(built.vertices[0]);
       for(const Point& p : leaves(solver.cut_locus(mesh_edges)))
         EXPECT_LT(p[0], 3. * h) << noise << ", " << n; // measured: -0.9 h at most
@@ -148,7 +143,7 @@ TEST(Branch_tips, are_not_passed_because_of_smooth_errors)
           const double at = is_along_paths ? exact[v] : built.data.points[v][1];
           distance[v] = exact[v] * (1. + 0.05 * std::sin(frequency * at + phase));
         }
-        Solver solver(built.mesh, params::cut_locus_method(Laplacian_method()));
+        Solver solver(built.mesh, by(Laplacian_method()));
         solver.set_source(built.vertices[0], params::vertex_distance_map(CGAL::make_property_map(distance)));
         for(const Point& p : leaves(solver.cut_locus(mesh_edges)))
           EXPECT_LT(p[0], 3. * h) << is_along_paths << ", " << frequency << ", " << phase; // measured: -1.0 h at most
@@ -162,7 +157,7 @@ TEST(Branch_tips, of_a_higher_threshold_are_on_the_curve_of_a_lower_one)
       {rough(bumpy_sphere(20, 0.5, 1), 0.1, 1), torus(1., 0.4, 50, 20, 0.15, 7), spheroid(14, 0.1)})
   {
     const Built built(data);
-    Solver solver(built.mesh, params::cut_locus_method(Laplacian_method()));
+    Solver solver(built.mesh, by(Laplacian_method()));
     solver.set_source(built.vertices[0]);
     std::set<std::pair<std::size_t, std::size_t>> lower;
     for(double angle : {0.1, 0.3, 0.5, 0.7, 1., 1.5, 2.})
@@ -180,7 +175,7 @@ TEST(Branch_tips, of_a_higher_threshold_are_on_the_curve_of_a_lower_one)
 TEST(Branch_tips, are_not_looked_for_when_growing)
 {
   const Built built(spheroid(40, 0.));
-  Solver solver(built.mesh, params::cut_locus_method(Laplacian_method()));
+  Solver solver(built.mesh, by(Laplacian_method()));
   solver.set_source(built.vertices[0]);
   const auto pruned = edges_of(built, solver.cut_locus(mesh_edges));
   for(const auto& less :

@@ -28,14 +28,14 @@ constexpr std::array<Method, 3> methods = {{Default_method(), Polyhedral_method(
 
 TEST(Copies, Threads_find_what_one_finds_alone)
 {
-  const Built_mesh<Mesh> built(test_meshes::two_tori());
+  const Built built(two_tori());
   for(Method method : methods)
     for(bool has_source_before : {false, true})
     {
-      Solver original(built.mesh, params::cut_locus_method(method));
+      Solver original(built.mesh, by(method));
       if(has_source_before)
         original.set_source(built.vertices[0]);
-      std::vector<Mesh::Vertex_index> sources;
+      Vertices sources;
       for(std::size_t v = 3; v < built.vertices.size(); v += built.vertices.size() / 7)
         sources.push_back(built.vertices[v]);
 
@@ -64,7 +64,7 @@ TEST(Copies, Threads_find_what_one_finds_alone)
 
 TEST(Copies, A_copy_outlives_its_original_and_does_not_change_it)
 {
-  const Built_mesh<Mesh> built(test_meshes::two_tori());
+  const Built built(two_tori());
   std::unique_ptr<Solver> original(new Solver(built.mesh));
   const std::vector<double> of_first = solve(*original, built.vertices[5]);
   Solver copy(*original);
@@ -77,11 +77,11 @@ TEST(Copies, A_copy_outlives_its_original_and_does_not_change_it)
 
 TEST(Copies, A_copy_has_the_parameters_of_its_original_and_no_source)
 {
-  const Built_mesh<Mesh> built(test_meshes::two_tori());
-  Solver original(built.mesh, params::cut_locus_method(Laplacian_method()));
+  const Built built(two_tori());
+  Solver original(built.mesh, by(Laplacian_method()));
   original.set_source(built.vertices[5]);
   Solver copy(original);
-  EXPECT_THROW(copy.cut_locus(), CGAL::Cut_loci::Invalid_input);
+  EXPECT_THROW(copy.cut_locus(), Invalid_input);
   copy.set_source(built.vertices[5]);
   EXPECT_TRUE(std::holds_alternative<Laplacian_method>(copy.method()));
 }

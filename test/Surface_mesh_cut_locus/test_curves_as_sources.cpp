@@ -8,7 +8,6 @@
 #include "curve_sources_cases.h"
 #include "detour.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/create_straight_skeleton_2.h>
 
@@ -20,18 +19,9 @@ using namespace curve_sources;
 
 using namespace surface_test;
 constexpr Method methods[] = {Default_method(), Polyhedral_method()};
+constexpr Method all_methods[] = {Default_method(), Polyhedral_method(), Laplacian_method()};
 // by which distances to an edge may be too short, in units of its length, and what moving its ends by 1e-5 adds
 constexpr double accuracy = 1. / 65536. + 1e-4;
-
-Result cut_locus_of_border(const Built& built, Method method)
-{
-  return CGAL::compute_cut_locus(built.mesh, Vertices(), params::source_border(true).cut_locus_method(method));
-}
-
-Result cut_locus_of_curves(const Built& built, const Vertices& points, const std::vector<Edges>& curves, Method method)
-{
-  return CGAL::compute_cut_locus(built.mesh, points, params::source_curves(curves).cut_locus_method(method));
-}
 
 // -- closed forms ------------------------------------------------------------------------------------------------------
 
@@ -42,17 +32,15 @@ TEST(Curves_as_sources, the_border_of_a_rectangle_has_its_medial_axis)
       for(const double jitter : {0., 0.2})
       {
         const Built built(rectangle(width, n, jitter, 3));
-        const Result result = cut_locus_of_border(built, Polyhedral_method());
+        const Result result = of_border(built, Polyhedral_method());
         const double h = mean_edge_length(built.data);
         const auto& graph = result.graph();
         std::size_t number_of_inexact = 0;
         for(const auto v : CGAL::make_range(vertices(graph)))
         {
           const Point p = to_point(graph[v].point);
-          std::array<double, 4> d = {{p[0], width - p[0], p[1], 1. - p[1]}};
-          std::sort(d.begin(), d.end());
-          EXPECT_NEAR(graph[v].distance, d[0], width / n);
-          number_of_inexact += !(d[1] - d[0] <= accuracy * h * width);
+          EXPECT_NEAR(graph[v].distance, (std::min)({p[0], width - p[0], p[1], 1. - p[1]}), width / n);
+          number_of_inexact += !(excess_of_second_side(p, width) <= accuracy * h * width);
         }
         EXPECT_EQ(number_of_inexact, 0u) << width << ' ' << n << ' ' << jitter;
         EXPECT_NEAR(length(result), width - 1. + 2. * std::sqrt(2.), 1e-3 * h) << width << ' ' << n << ' ' << jitter;
@@ -61,15 +49,21 @@ TEST(Curves_as_sources, the_border_of_a_rectangle_has_its_medial_axis)
       }
 }
 
+// of an annulus of `nr` rows of `nu` points
+void close_hole(Mesh_data& m, std::size_t nu, std::size_t nr)
+{
+  m.points.push_back({{0., 0., 0.}});
+  for(std::size_t u = 0; u < nu; ++u)
+    m.triangles.push_back({{nr * nu + u, nr * nu + (u + 1) % nu, m.points.size() - 1}});
+}
+
 TEST(Curves_as_sources, the_border_of_a_convex_polygon_has_its_straight_skeleton)
 {
   // a disk with straight sides: the vertices of each third of a ring are put on a chord
   for(const std::size_t sides : {3, 5, 8})
   {
     Mesh_data m = annulus(0.02, 1., 6 * sides, 9);
-    m.points.push_back({{0., 0., 0.}}); // closes the hole
-    for(std::size_t u = 0; u < 6 * sides; ++u)
-      m.triangles.push_back({{9 * 6 * sides + u, 9 * 6 * sides + (u + 1) % (6 * sides), m.points.size() - 1}});
+    close_hole(m, 6 * sides, 9);
     CGAL::Polygon_2<Kernel> polygon;
     const auto corner = [&](std::size_t i)
     {
@@ -87,7 +81,7 @@ TEST(Curves_as_sources, the_border_of_a_convex_polygon_has_its_straight_skeleton
         m.points[k * 6 * sides + u] = r * side + (1. - r) * (0.11 * r) * Point{{0.3, 0.7, 0.}};
       }
     const Built built(m);
-    const Result result = cut_locus_of_border(built, Polyhedral_method());
+    const Result result = of_border(built, Polyhedral_method());
     const auto skeleton = CGAL::create_interior_straight_skeleton_2(polygon.vertices_begin(), polygon.vertices_end());
     double expected = 0.;
     for(auto h = skeleton->halfedges_begin(); h != skeleton->halfedges_end(); ++h)
@@ -114,15 +108,13 @@ TEST(Curves_as_sources, the_border_of_an_ellipse_has_a_segment_between_its_cente
   for(const std::size_t n : {16, 32, 64})
   {
     Mesh_data m = annulus(1. / double(n), 1., 6 * n, n);
-    for(std::size_t u = 0; u < 6 * n; ++u)
-      m.triangles.push_back({{n * 6 * n + u, n * 6 * n + (u + 1) % (6 * n), m.points.size()}});
-    m.points.push_back({{0., 0., 0.}});
+    close_hole(m, 6 * n, n);
     for(Point& p : m.points)
       p = {{a * p[0] + 0.003 * p[1] * p[0], b * p[1], 0.}};
     for(std::size_t u = 0; u < 6 * n; ++u) // the border is the ellipse
       m.points[u] = {{a * std::cos(pi * double(u) / double(3 * n)), b * std::sin(pi * double(u) / double(3 * n)), 0.}};
     const Built built(m);
-    const Result result = cut_locus_of_border(built, Default_method());
+    const Result result = of_border(built, Default_method());
     double off = 0., low = 1., high = -1.;
     for(const auto v : CGAL::make_range(vertices(result.graph())))
     {
@@ -152,7 +144,7 @@ TEST(Curves_as_sources, the_borders_of_a_ring_have_the_circle_between_them)
         SCOPED_TRACE(testing::Message() << nu << " by " << nr
                                         << (std::holds_alternative<Default_method>(method) ? "" : ", polyhedral"));
         const Built built(annulus(0.5, 1.5, nu, nr));
-        const Result result = cut_locus_of_border(built, method);
+        const Result result = of_border(built, method);
         EXPECT_EQ(result.number_of_sources(), 2u);
         const double sagitta = 1.5 * (1. - std::cos(pi / double(nu)));
         const auto& graph = result.graph();
@@ -186,7 +178,7 @@ TEST(Curves_as_sources, parallel_lines_on_a_cylinder_have_the_lines_between_them
   }
   for(const Method method : methods)
   {
-    const Result result = cut_locus_of_curves(built, {}, lines, method);
+    const Result result = of_curves(built, {}, lines, method);
     EXPECT_NEAR(length(result), 2. * 2., 1e-3);
     const auto& graph = result.graph();
     for(const auto v : CGAL::make_range(vertices(graph)))
@@ -207,7 +199,7 @@ TEST(Curves_as_sources, a_circle_on_a_sphere_has_its_two_centers)
   {
     const Built built(sphere_with_circle(2 * n, n));
     const std::vector<Edges> curves = {path(built, circle(2 * n, n / 4, 0, 2 * n))};
-    const Result result = cut_locus_of_curves(built, {}, curves, Default_method());
+    const Result result = of_curves(built, {}, curves, Default_method());
     expect_topology(built, curves, result, "circle");
     double off = 0.;
     bool has_north = false, has_south = false;
@@ -236,24 +228,8 @@ TEST(Curves_as_sources, leave_what_shrinks_to_the_curve)
         const std::vector<Edges> curves = random_curves(built, k, 5, unsigned(10 * i + k));
         const std::string what =
           "surface " + std::to_string(i) + ", " + std::to_string(k) + " curves, " + name_of(method);
-        expect_topology(built, curves, cut_locus_of_curves(built, {}, curves, method), what);
+        expect_topology(built, curves, of_curves(built, {}, curves, method), what);
       }
-  }
-}
-
-TEST(Curves_as_sources, may_be_loops_that_separate_the_surface_or_do_not)
-{
-  const std::size_t nu = 28, nw = 14;
-  const Built built(torus(1., 0.4, nu, nw));
-  ASSERT_NE(built.mesh.halfedge(built.vertices[0], built.vertices[1]), Mesh::null_halfedge());
-  ASSERT_NE(built.mesh.halfedge(built.vertices[0], built.vertices[nw]), Mesh::null_halfedge());
-  for(const Method method : methods)
-  {
-    for(const std::vector<Edges>& curves : curves_of_torus(built, nu, nw))
-      expect_topology(built, curves, cut_locus_of_curves(built, {}, curves, method), name_of(method));
-    const Built ball(sphere_with_circle(24, 12));
-    const std::vector<Edges> loops = {path(ball, circle(24, 3, 0, 24)), path(ball, circle(24, 8, 0, 24))};
-    expect_topology(ball, loops, cut_locus_of_curves(ball, {}, loops, method), name_of(method));
   }
 }
 
@@ -263,7 +239,7 @@ TEST(Curves_as_sources, leave_a_point_where_all_branches_are_weak)
   Edges triangle;
   for(const Mesh::Halfedge_index h : built.mesh.halfedges_around_face(built.mesh.halfedge(built.faces[100])))
     triangle.push_back(built.mesh.edge(h));
-  const Result result = cut_locus_of_curves(built, {}, {triangle}, Default_method());
+  const Result result = of_curves(built, {}, {triangle}, Default_method());
   std::size_t number_inside = 0;
   for(const auto v : CGAL::make_range(vertices(result.graph())))
     number_inside += result.graph()[v].location.first == built.faces[100];
@@ -281,8 +257,8 @@ TEST(Curves_as_sources, have_the_distances_and_cells_that_points_on_them_say)
   {
     const Built built(surfaces[i]);
     const std::vector<Edges> curves = random_curves(built, 3, 4, unsigned(i));
-    const Result result = cut_locus_of_curves(built, {}, curves, Default_method());
-    CGAL::Surface_mesh_exact_geodesics<Mesh> exact(built.mesh);
+    const Result result = of_curves(built, {}, curves, Default_method());
+    Geodesics exact(built.mesh);
     std::vector<std::vector<double>> sampled;
     double longest = 0.;
     for(const Edges& curve : curves)
@@ -329,7 +305,7 @@ TEST(Curves_as_sources, and_points_mix_with_the_points_first)
   const Point c = built.data.points[center];
   for(const Method method : methods)
   {
-    const Result result = cut_locus_of_curves(built, {built.vertices[center]}, border, method);
+    const Result result = of_curves(built, {built.vertices[center]}, border, method);
     EXPECT_EQ(result.number_of_sources(), 2u);
     EXPECT_EQ(result.source(0).mesh_vertex, built.vertices[center]);
     EXPECT_EQ(*result.nearest_source(built.vertices[center]), 0u);
@@ -345,16 +321,17 @@ TEST(Curves_as_sources, and_points_mix_with_the_points_first)
         EXPECT_NEAR(norm(p - c), d, 4e-4 * mean_edge_length(built.data)) << "four parabolas";
       }
     expect_topology(built, border, result, name_of(method));
-    const Result diagram = CGAL::compute_cut_locus(
-      built.mesh, Vertices{built.vertices[center]},
-      params::source_border(true).cut_locus_method(method).kept_part(CGAL::Cut_loci::Kept_part::VORONOI));
+    const auto part = [&](Kept_part kept)
+    {
+      return compute_cut_locus(built.mesh, Vertices{built.vertices[center]},
+                               params::source_border(true).cut_locus_method(method).kept_part(kept));
+    };
+    const Result diagram = part(Kept_part::VORONOI), rest = part(Kept_part::MEDIAL);
     for(const auto e : CGAL::make_range(edges(diagram.graph())))
       EXPECT_NE(diagram.graph()[e].sources[0], diagram.graph()[e].sources[1]);
     for(const auto v : CGAL::make_range(vertices(diagram.graph())))
       EXPECT_EQ(degree(v, diagram.graph()), 2u) << "the corners are branches in the cell of the border";
-    const Result rest = CGAL::compute_cut_locus(
-      built.mesh, Vertices{built.vertices[center]},
-      params::source_border(true).cut_locus_method(method).kept_part(CGAL::Cut_loci::Kept_part::MEDIAL));
+
     for(const auto e : CGAL::make_range(edges(rest.graph())))
       EXPECT_EQ(rest.graph()[e].sources[0], rest.graph()[e].sources[1]);
     EXPECT_EQ(num_edges(diagram.graph()) + num_edges(rest.graph()), num_edges(graph));
@@ -383,46 +360,58 @@ TEST(Mesh_edges_beside_curves, leave_what_shrinks_to_the_curve)
   EXPECT_LE(number_of_refused, number / 4) << "where a curve coils up, there are corridors without a vertex";
 }
 
+// a curve of mesh edges is there, and the one through the faces
+void expect_both_curves(const Built& built, const Vertices& points, const std::vector<Edges>& curves, Method method)
+{
+  EXPECT_TRUE(has_mesh_edges(built, points, curves, method, name_of(method)));
+  expect_topology(built, curves, of_curves(built, points, curves, method), name_of(method));
+}
+
 TEST(Mesh_edges_beside_curves, may_be_beside_loops_and_the_border)
 {
   const std::size_t nu = 28, nw = 14;
-  const Built built(torus(1., 0.4, nu, nw)), ball(sphere_with_circle(24, 12));
-  for(const Method method : methods)
+  const Built built(torus(1., 0.4, nu, nw)), ball(sphere_with_circle(24, 12)), plate(square(12, 0.2, 4));
+  ASSERT_NE(built.mesh.halfedge(built.vertices[0], built.vertices[1]), Mesh::null_halfedge());
+  ASSERT_NE(built.mesh.halfedge(built.vertices[0], built.vertices[nw]), Mesh::null_halfedge());
+  const Vertices center = {plate.vertices[nearest_vertex(plate.data, {{0.5, 0.5, 0.}})]};
+  for(const Method method : all_methods)
   {
     for(const std::vector<Edges>& curves : curves_of_torus(built, nu, nw))
-      EXPECT_TRUE(has_mesh_edges(built, {}, curves, method, name_of(method)));
-    const std::vector<Edges> loops = {path(ball, circle(24, 3, 0, 24)), path(ball, circle(24, 8, 0, 24))};
-    EXPECT_TRUE(has_mesh_edges(ball, {}, loops, method, name_of(method)));
+      expect_both_curves(built, {}, curves, method);
+    expect_both_curves(ball, {}, {path(ball, circle(24, 3, 0, 24)), path(ball, circle(24, 8, 0, 24))}, method);
     for(const Mesh_data& data :
         {square(7, 0.2, 1), cylinder(1., 14, 5, 0.1, 4), annulus(0.5, 1.5, 24, 6), square_with_holes(2, 4),
          punctured(torus(1., 0.4, 30, 16, 0.1, 2), {{{1.4, 0., 0.}}, {{-1., 0., 0.4}}}, 0.25)})
     {
       const Built with_border(data);
-      EXPECT_TRUE(has_mesh_edges(with_border, {}, border_loops(with_border), method, name_of(method)));
+      expect_both_curves(with_border, {}, border_loops(with_border), method);
     }
-    const Built plate(square(12, 0.2, 4));
-    EXPECT_TRUE(has_mesh_edges(plate, {plate.vertices[nearest_vertex(plate.data, {{0.5, 0.5, 0.}})]},
-                               border_loops(plate), method, "point"));
+    expect_both_curves(plate, center, border_loops(plate), method);
   }
 }
 
 TEST(Mesh_edges_beside_curves, may_be_beside_curves_that_touch_the_border)
 {
-  std::size_t number_of_refused = 0, number = 0;
-  for(const Mesh_data& data : {square(14, 0.2, 6), cylinder(2., 24, 12, 0.2, 7), annulus(0.5, 1.5, 40, 12)})
+  for(const Method method : all_methods)
   {
-    const Built built(data);
-    for(unsigned seed = 0; seed < 8; ++seed)
-      for(const Method method : methods)
+    std::size_t number_of_refused = 0, number = 0;
+    for(const Mesh_data& data : {square(14, 0.2, 6), cylinder(2., 24, 12, 0.2, 7), annulus(0.5, 1.5, 40, 12)})
+    {
+      const Built built(data);
+      for(unsigned seed = 0; seed < 8; ++seed)
       {
         const std::vector<Edges> curves = curves_at_border(built, 3, 6, seed);
         const std::string what = "seed " + std::to_string(seed) + ", " + name_of(method);
-        expect_topology(built, curves, cut_locus_of_curves(built, {}, curves, method), what);
+        const bool is_there = has_mesh_edges(built, {}, curves, method, what);
         ++number;
-        number_of_refused += !has_mesh_edges(built, {}, curves, method, what);
+        number_of_refused += !is_there;
+        // LAPLACIAN starts with edges of the mesh
+        if(is_there || !std::holds_alternative<Laplacian_method>(method))
+          expect_topology(built, curves, of_curves(built, {}, curves, method), what);
       }
+    }
+    EXPECT_LE(number_of_refused, number / 4) << "where a curve runs beside the border";
   }
-  EXPECT_LE(number_of_refused, number / 4) << "where a curve runs beside the border";
 }
 
 TEST(Mesh_edges_beside_curves, are_between_two_sides_of_a_rectangle)
@@ -430,15 +419,18 @@ TEST(Mesh_edges_beside_curves, are_between_two_sides_of_a_rectangle)
   const std::size_t n = 12;
   const Built built(rectangle(2., n, 0., 1));
   const std::vector<Edges> sides = {side_of_square(built, n, true), side_of_square(built, n, false)};
-  for(const Method method : methods)
+  for(const Method method : all_methods)
   {
     ASSERT_TRUE(has_mesh_edges(built, {}, sides, method, "sides"));
-    const Result result = CGAL::compute_cut_locus(
-      built.mesh, Vertices(),
-      params::source_curves(sides).cut_locus_method(method).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
-    EXPECT_EQ(num_edges(result.graph()), n) << "a line";
-    for(const auto v : CGAL::make_range(vertices(result.graph())))
-      EXPECT_NEAR(result.graph()[v].point.y(), 0.5, 1e-9);
+    EXPECT_EQ(num_edges(of_curves(built, {}, sides, method, Curve::MESH_EDGES).graph()), n) << "a line";
+    for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
+    {
+      const Result result = of_curves(built, {}, sides, method, curve);
+      expect_topology(built, sides, result, "sides");
+      EXPECT_NEAR(length(result), 2., 1e-6);
+      for(const auto v : CGAL::make_range(vertices(result.graph())))
+        EXPECT_NEAR(result.graph()[v].point.y(), 0.5, curve == Curve::MESH_EDGES ? 1e-9 : 1e-6);
+    }
   }
 }
 
@@ -456,29 +448,10 @@ TEST(Mesh_edges_beside_curves, name_the_sources_that_are_one_edge_apart)
     {{left, right}, "sources 0 and 1 are"},
     {{elsewhere, left, right}, "sources 1 and 2 are"},
     {{elsewhere, around}, "two ends of source 1 are"}};
-  for(const Method method : {Method(Default_method()), Method(Polyhedral_method()), Method(Laplacian_method())})
-    for(const auto& [curves, words] : cases)
-      try
-      {
-        CGAL::compute_cut_locus(
-          built.mesh, Vertices(),
-          params::source_curves(curves).cut_locus_method(method).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
-        ADD_FAILURE() << "nothing was thrown, where " << words << " one edge apart";
-      }
-      catch(const Invalid_input& error)
-      {
-        expect_refusal_of_mesh_edges(error, words);
-        EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-      }
-}
-
-curve_measures::Measures measured(const Built& built, const std::vector<Edges>& curves, const Result& result)
-{
-  std::vector<double> exact;
-  const curve_measures::Measures m = curve_measures::measure(built.mesh, result, exact, curves);
-  EXPECT_EQ(m.topology_fault, "");
-  EXPECT_EQ(m.measuring_failed, "");
-  return m;
+  for(const Method method : all_methods)
+    for(const auto& c : cases)
+      expect_refused([&] { of_curves(built, {}, c.first, method, Curve::MESH_EDGES); }, Cause::NO_FACE_AT_SOURCE,
+                     {c.second, "Curve::THROUGH_FACES"});
 }
 
 TEST(Mesh_edges_beside_curves, follow_the_medial_axis_of_a_rectangle)
@@ -488,36 +461,31 @@ TEST(Mesh_edges_beside_curves, follow_the_medial_axis_of_a_rectangle)
       for(const Method method : methods)
       {
         const Built built(rectangle(width, n, 0.2, 3));
-        const Result result =
-          CGAL::compute_cut_locus(built.mesh, Vertices(), mesh_edges.source_border(true).cut_locus_method(method));
-        EXPECT_LT(measured(built, border_loops(built), result).max, 0.05) << n << ' ' << width;
+        const Result result = of_border(built, method, Curve::MESH_EDGES);
+        EXPECT_LT(measured(built.mesh, result, border_loops(built)).max, 0.05) << n << ' ' << width;
         EXPECT_EQ(result.number_of_narrow_corridors(), 0u);
         EXPECT_GT(num_edges(result.graph()), 0u);
         for(const auto v : CGAL::make_range(vertices(result.graph())))
-        {
-          const Point p = to_point(result.graph()[v].point);
-          std::array<double, 4> d = {{p[0], width - p[0], p[1], 1. - p[1]}};
-          std::sort(d.begin(), d.end());
           // the axis passes the faces at the vertex: so two sides are as near, up to twice the way to it
-          EXPECT_LT(d[1] - d[0], 2. * width / double(n)) << n << ' ' << width;
-        }
+          EXPECT_LT(excess_of_second_side(to_point(result.graph()[v].point), width), 2. * width / double(n))
+            << n << ' ' << width;
       }
 }
 
 TEST(Mesh_edges_beside_curves, are_the_centers_of_a_circle_on_a_sphere)
 {
   for(const std::size_t n : {16, 32})
-  {
-    const Built built(sphere_with_circle(2 * n, n));
-    const std::vector<Edges> curves = {path(built, circle(2 * n, n / 4, 0, 2 * n))};
-    const Result result = CGAL::compute_cut_locus(built.mesh, Vertices(), mesh_edges.source_curves(curves));
-    EXPECT_EQ(num_edges(result.graph()), 0u);
-    ASSERT_EQ(num_vertices(result.graph()), 2u);
-    for(const auto v : CGAL::make_range(vertices(result.graph())))
-      EXPECT_EQ(std::fabs(result.graph()[v].point.z()), 1.) << "a pole";
-    expect_topology(built, curves, result, "circle");
-    EXPECT_LT(measured(built, curves, result).max, 1e-6);
-  }
+    for(const Method method : {Method(Default_method()), Method(Laplacian_method())})
+    {
+      const Built built(sphere_with_circle(2 * n, n));
+      const std::vector<Edges> curves = {path(built, circle(2 * n, n / 4, 0, 2 * n))};
+      const Result result = of_curves(built, {}, curves, method, Curve::MESH_EDGES);
+      EXPECT_EQ(num_edges(result.graph()), 0u);
+      ASSERT_EQ(num_vertices(result.graph()), 2u);
+      for(const auto v : CGAL::make_range(vertices(result.graph())))
+        EXPECT_EQ(std::fabs(result.graph()[v].point.z()), 1.) << "a pole";
+      EXPECT_LT(measured(built.mesh, result, curves).max, 1e-6);
+    }
 }
 
 // All of an arc of the equator is at the same distance from the poles, and its ends are from the meridian opposite to its
@@ -528,7 +496,7 @@ TEST(Mesh_edges_beside_curves, follow_a_meridian_opposite_to_an_arc_on_a_sphere)
   {
     const Built built(sphere_with_circle(2 * n, n));
     const std::vector<Edges> curves = {path(built, circle(2 * n, n / 2, 0, n / 2))};
-    const Result result = CGAL::compute_cut_locus(built.mesh, Vertices(), mesh_edges.source_curves(curves));
+    const Result result = compute_cut_locus(built.mesh, Vertices(), mesh_edges.source_curves(curves));
     EXPECT_EQ(num_edges(result.graph()), n) << "from pole to pole";
     const Point from = built.data.points[circle(2 * n, n / 2, 0, 0)[0]];
     const double middle = std::atan2(from[1], from[0]) + 0.25 * pi;
@@ -538,8 +506,7 @@ TEST(Mesh_edges_beside_curves, follow_a_meridian_opposite_to_an_arc_on_a_sphere)
       EXPECT_LT(std::fabs(p[0] * std::sin(middle) - p[1] * std::cos(middle)), pi / double(n)) << n;
       EXPECT_LT(p[0] * std::cos(middle) + p[1] * std::sin(middle), 1e-9) << n;
     }
-    expect_topology(built, curves, result, "arc");
-    EXPECT_LT(measured(built, curves, result).max, 1e-6);
+    EXPECT_LT(measured(built.mesh, result, curves).max, 1e-6);
   }
 }
 
@@ -548,9 +515,8 @@ TEST(Mesh_edges_beside_curves, have_the_parts_that_are_asked_for)
   const Built built(square_with_holes(2, 6));
   Solver solver(built.mesh);
   solver.set_sources(Vertices(), params::source_border(true));
-  const Result all = solver.cut_locus(mesh_edges),
-               voronoi = solver.cut_locus(mesh_edges.kept_part(CGAL::Cut_loci::Kept_part::VORONOI)),
-               medial = solver.cut_locus(mesh_edges.kept_part(CGAL::Cut_loci::Kept_part::MEDIAL));
+  const Result all = solver.cut_locus(mesh_edges), voronoi = solver.cut_locus(mesh_edges.kept_part(Kept_part::VORONOI)),
+               medial = solver.cut_locus(mesh_edges.kept_part(Kept_part::MEDIAL));
   EXPECT_GT(num_edges(voronoi.graph()), 0u);
   EXPECT_EQ(num_edges(voronoi.graph()) + num_edges(medial.graph()), num_edges(all.graph()));
   for(const auto e : CGAL::make_range(edges(voronoi.graph())))
@@ -585,7 +551,7 @@ TEST(Curves_as_sources, that_can_not_be_used_are_refused)
   Edges parts = first;
   parts.insert(parts.end(), apart.begin(), apart.end());
   const auto compute = [&](const Vertices& points, const std::vector<Edges>& curves)
-  { cut_locus_of_curves(built, points, curves, Default_method()); };
+  { of_curves(built, points, curves, Default_method()); };
   expect_refused(
     [&] {
     compute({}, {first, second});
@@ -596,7 +562,7 @@ TEST(Curves_as_sources, that_can_not_be_used_are_refused)
   expect_refused([&] { compute({}, {first, Edges()}); }, Cause::NO_SOURCE, {"source curve 1: it has no edges"});
   expect_refused([&] { compute({}, {parts}); }, Cause::INVALID_SOURCE, {"source curve 0: it is not connected"});
   expect_refused([&] { compute({}, {}); }, Cause::NO_SOURCE, {"the range of sources is empty"});
-  expect_refused([&] { CGAL::compute_cut_locus(Built(sphere(4)).mesh, Vertices(), params::source_border(true)); },
+  expect_refused([&] { compute_cut_locus(Built(sphere(4)).mesh, Vertices(), params::source_border(true)); },
                  Cause::NO_SOURCE, {"no border"});
   Solver solver(built.mesh);
   expect_refused(
@@ -604,16 +570,15 @@ TEST(Curves_as_sources, that_can_not_be_used_are_refused)
     { solver.set_sources(Vertices(), params::source_curves(std::vector<Edges>{first}).maximum_relative_error(0.01)); },
     Cause::INVALID_PARAMETER, {"exact distances"});
   solver.set_sources(Vertices(), params::source_curves(std::vector<Edges>{first}));
-  EXPECT_NO_THROW(solver.cut_locus(params::cut_locus_method(Default_method().minimum_branch_edges(3))
-                                     .cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)));
-  expect_refused([&] { solver.cut_locus(params::cut_locus_method(Default_method().minimum_branch_edges(3))); },
-                 Cause::INVALID_PARAMETER, {"minimum_branch_edges"});
+  EXPECT_NO_THROW(solver.cut_locus(mesh_edges.cut_locus_method(Default_method().minimum_branch_edges(3))));
+  expect_refused([&] { solver.cut_locus(by(Default_method().minimum_branch_edges(3))); }, Cause::INVALID_PARAMETER,
+                 {"minimum_branch_edges"});
 }
 
 TEST(Curves_as_sources, are_forgotten_by_the_next_source)
 {
   const Built built(square(10, 0.2, 1));
-  Solver solver(built.mesh, params::cut_locus_method(Polyhedral_method()));
+  Solver solver(built.mesh, by(Polyhedral_method()));
   const Vertices two = {built.vertices[12], built.vertices[80]};
   solver.set_sources(two);
   const double alone = length(solver.cut_locus());

@@ -96,20 +96,20 @@ struct Shown
 };
 
 // above the strength of another mesh, or by default
-Shown shown(const Mesh_data& m, const CGAL::Cut_loci::Indexed_source& source, const Branch_strength* strength = nullptr)
+Shown shown(const Mesh_data& m, const Indexed_source& source, const Branch_strength* strength = nullptr)
 {
   const Indexed_triangle_mesh mesh = indexed(m);
   const Solved solved(mesh, source);
   Solved::Thresholds asked = solved.solver->default_thresholds();
   if(strength)
     static_cast<Branch_strength&>(asked) = *strength;
-  const Indexed_cut_locus curve = solved.curve(asked, CGAL::Cut_loci::Curve::THROUGH_FACES);
+  const Indexed_cut_locus curve = solved.curve(asked, Curve::THROUGH_FACES);
   Shown result;
-  result.length = total_length(mesh, curve);
+  result.length = length(mesh, curve);
   for(Index i : leaves(curve))
-    result.tips.push_back(point_at(mesh, curve.nodes[i].location));
+    result.tips.push_back(position(mesh, curve.nodes[i].location));
   for(const auto& node : curve.nodes)
-    result.nodes.push_back(point_at(mesh, node.location));
+    result.nodes.push_back(position(mesh, node.location));
   result.least = solved.solver->default_thresholds();
   return result;
 }
@@ -124,7 +124,7 @@ double length_of_all(const Mesh_data& m)
 {
   const Indexed_triangle_mesh mesh = indexed(m);
   const Solved solved(mesh, in_face(static_cast<Index>(m.triangles.size() / 3), 0.21, 0.33, 0.46));
-  return total_length(mesh, solved.curve(at_least(0., solved), CGAL::Cut_loci::Curve::THROUGH_FACES));
+  return length(mesh, solved.curve(at_least(0., solved), Curve::THROUGH_FACES));
 }
 
 TEST(Default_strength, of_polyhedra_of_few_vertices_shows_all)

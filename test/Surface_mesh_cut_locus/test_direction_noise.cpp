@@ -26,7 +26,7 @@ Indexed_triangle_mesh noisy(const Indexed_triangle_mesh& mesh, double amplitude,
   for(const auto& t : mesh.triangles)
     for(Index v : t)
       normals[v] = normals[v] + cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]]);
-  const double h = CGAL::Cut_loci::Mesh_connectivity(mesh).mean_edge_length;
+  const double h = Mesh_connectivity(mesh).mean_edge_length;
   std::mt19937 generator(seed);
   std::normal_distribution<double> random(0., amplitude * h);
   Indexed_triangle_mesh result = mesh;
@@ -65,7 +65,7 @@ std::vector<Vector> nodes(const Indexed_triangle_mesh& mesh, const Indexed_cut_l
 {
   std::vector<Vector> result;
   for(const auto& node : graph.nodes)
-    result.push_back(point_at(mesh, node.location));
+    result.push_back(position(mesh, node.location));
   return result;
 }
 
@@ -95,7 +95,7 @@ TEST(Direction_noise, ellipsoids)
       const double h = reference.solver->connectivity().mean_edge_length;
       const auto true_curve = reference.through_faces();
       const auto truth = nodes(smooth, true_curve);
-      const double length = total_length(smooth, true_curve);
+      const double true_length = length(smooth, true_curve);
       for(double amplitude : {0.03, 0.1, 0.2})
       {
         SCOPED_TRACE(std::to_string(n) + ", noise " + std::to_string(amplitude));
@@ -107,7 +107,7 @@ TEST(Direction_noise, ellipsoids)
         // ends is lost in the noise whatever the edges; not the branch, unless the noise is as wide as the branch.
         if(amplitude < 0.1)
         {
-          EXPECT_GT(total_length(solved.mesh, curve), 0.5 * length) << "a lost branch";
+          EXPECT_GT(length(solved.mesh, curve), 0.5 * true_length) << "a lost branch";
         }
       }
     }
@@ -231,7 +231,7 @@ TEST(Direction_noise, limbs_of_voxels)
 TEST(Direction_noise, rough_shape_is_no_noise)
 {
   const Indexed_triangle_mesh smooth = ellipsoid(40);
-  const double h = CGAL::Cut_loci::Mesh_connectivity(smooth).mean_edge_length;
+  const double h = Mesh_connectivity(smooth).mean_edge_length;
   std::mt19937 generator(7);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> phase(0., 6.283185307);

@@ -113,11 +113,11 @@ TEST(Direction_topology, boundary)
 
 // The number of vertices that lie on the other side of the cycles than their shortest path, up to crossings within three
 // edges of the vertex.
-int paths_across_cycles(const Indexed_triangle_mesh& mesh, const CGAL::Cut_loci::Indexed_source& source)
+int paths_across_cycles(const Indexed_triangle_mesh& mesh, const Indexed_source& source)
 {
   using namespace CGAL::Cut_loci::internal;
   const Solved solved(mesh, source);
-  const Indexed_cut_locus cycles = solved.curve(at_least(1e9, solved), CGAL::Cut_loci::Curve::MESH_EDGES);
+  const Indexed_cut_locus cycles = solved.curve(at_least(1e9, solved), Curve::MESH_EDGES);
   std::set<std::pair<Index, Index>> cut;
   for(const auto& e : cycles.edges)
     cut.insert(std::minmax(cycles.nodes[e.source].vertex, cycles.nodes[e.target].vertex));
@@ -132,7 +132,7 @@ int paths_across_cycles(const Indexed_triangle_mesh& mesh, const CGAL::Cut_loci:
     std::array<double, 3> last = mesh.points[v];
     for(const auto& place : paths.path_from_vertex(v))
     {
-      const std::array<double, 3> point = point_at(mesh, place);
+      const std::array<double, 3> point = position(mesh, place);
       length += norm(point - last);
       last = point;
       const auto is_zero = [](double x) { return x < 1e-6; };
@@ -187,7 +187,7 @@ TEST(Direction_topology, sphere_is_cut_at_a_point)
   for(const auto& node : solved.through_faces().nodes)
   {
     using namespace CGAL::Cut_loci::internal;
-    EXPECT_LT(norm(point_at(ball, node.location) + ball.points[v]), 3. * h);
+    EXPECT_LT(norm(position(ball, node.location) + ball.points[v]), 3. * h);
   }
 }
 

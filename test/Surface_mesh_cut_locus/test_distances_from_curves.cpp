@@ -6,7 +6,7 @@
 
 #include "surface_test.h"
 #include "curve_sources_cases.h"
-#include "detour.h"
+#include "checked_curves.h"
 #include "distance_by_points.h"
 
 #include <CGAL/Cut_loci/injectivity_radius.h>
@@ -47,15 +47,13 @@ Point nearest_on_edge(const Built& built, Mesh::Edge_index e, const Point& p)
 
 Result cut_locus(const Built& built, const Curves& curves, Method method)
 {
-  return CGAL::compute_cut_locus(built.mesh, Vertices(), params::source_curves(curves).cut_locus_method(method));
+  return compute_cut_locus(built.mesh, Vertices(), params::source_curves(curves).cut_locus_method(method));
 }
 
 void expect_right_topology(const Built& built, const Result& result, const Curves& curves, const std::string& what)
 {
-  const curve_measures::Measures measures = curve_measures::measure(built.mesh, result, curves);
-  EXPECT_EQ(measures.topology_fault, "") << what;
-  EXPECT_EQ(measures.measuring_failed, "") << what;
-  EXPECT_LE(measures.max, exact) << what;
+  SCOPED_TRACE(what);
+  EXPECT_LE(checked_curves::measured(built.mesh, result, curves).max, exact);
 }
 
 // the largest difference, in units of the mean edge length

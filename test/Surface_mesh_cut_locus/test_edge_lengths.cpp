@@ -171,37 +171,18 @@ void expect_dirichlet_polygon(const Flat_surface& torus, const Result& result, c
   EXPECT_NEAR(sum, length, 1e-3);
 }
 
-TEST(Edge_lengths, of_a_mesh_in_space_give_its_distances)
+TEST(Edge_lengths, of_a_mesh_in_space_give_its_distances_and_its_curve)
 {
-  for(const test_meshes::Mesh_data& data :
-      {test_meshes::random_convex_polyhedron(60, 1), test_meshes::irregular_bumpy_sphere(6, 0.3, 2),
-       test_meshes::torus(1., 0.4, 16, 10, 0.15, 5), test_meshes::cylinder(1., 14, 5, 0.1, 4)})
-  {
-    Built built(data);
-    const std::vector<double> expected = distances(built.mesh, built.vertices[3]);
-    const Lengths lengths = lengths_in_space(built.mesh);
-    forget_points(built.mesh);
-    const std::vector<double> found = distances(built.mesh, built.vertices[3], lengths);
-    for(std::size_t v = 0; v < found.size(); ++v)
-      EXPECT_NEAR(found[v], expected[v], 1e-11);
-  }
-}
-
-TEST(Edge_lengths, of_a_mesh_in_space_give_its_curve)
-{
-  for(const test_meshes::Mesh_data& data :
-      {test_meshes::random_convex_polyhedron(60, 1), test_meshes::irregular_bumpy_sphere(6, 0.3, 2),
-       test_meshes::torus(1., 0.4, 16, 10, 0.15, 5), test_meshes::cylinder(1., 14, 5, 0.1, 4)})
+  for(const Mesh_data& data : {random_convex_polyhedron(60, 1), irregular_bumpy_sphere(6, 0.3, 2),
+                               torus(1., 0.4, 16, 10, 0.15, 5), cylinder(1., 14, 5, 0.1, 4)})
   {
     Built built(data);
     const Lengths lengths = lengths_in_space(built.mesh);
     for(const double gap : {0., 0.3})
     {
-      const auto expected = CGAL::compute_cut_locus(
-        built.mesh, built.vertices[3], params::cut_locus_method(Polyhedral_method().minimum_branch_gap(gap)));
-      const auto found = CGAL::compute_cut_locus(
-        built.mesh, built.vertices[3],
-        params::cut_locus_method(Polyhedral_method().minimum_branch_gap(gap)).edge_length_map(lengths));
+      const auto np = by(Polyhedral_method().minimum_branch_gap(gap));
+      const auto expected = compute_cut_locus(built.mesh, built.vertices[3], np);
+      const auto found = compute_cut_locus(built.mesh, built.vertices[3], np.edge_length_map(lengths));
       const auto &p = expected.graph(), &q = found.graph();
       ASSERT_EQ(num_vertices(p), num_vertices(q));
       ASSERT_EQ(num_edges(p), num_edges(q));
@@ -215,15 +196,20 @@ TEST(Edge_lengths, of_a_mesh_in_space_give_its_curve)
                  std::fabs(p[v].distance - q[w].distance) < 1e-7 && degree(v, p) == degree(w, q);
         }));
     }
+    const std::vector<double> expected = distances(built.mesh, built.vertices[3]);
+    forget_points(built.mesh);
+    const std::vector<double> found = distances(built.mesh, built.vertices[3], lengths);
+    for(std::size_t v = 0; v < found.size(); ++v)
+      EXPECT_NEAR(found[v], expected[v], 1e-11);
   }
 }
 
 TEST(Edge_lengths, of_a_smooth_mesh_give_its_default_curve_up_to_the_ends_of_branches)
 {
-  Built built(test_meshes::torus(1., 0.4, 60, 32, 0.2, 7));
+  Built built(torus(1., 0.4, 60, 32, 0.2, 7));
   const Lengths lengths = lengths_in_space(built.mesh);
-  const auto expected = CGAL::compute_cut_locus(built.mesh, built.vertices[0], mesh_edges);
-  const auto found = CGAL::compute_cut_locus(built.mesh, built.vertices[0], mesh_edges.edge_length_map(lengths));
+  const auto expected = compute_cut_locus(built.mesh, built.vertices[0], mesh_edges);
+  const auto found = compute_cut_locus(built.mesh, built.vertices[0], mesh_edges.edge_length_map(lengths));
   std::size_t in_both = 0;
   for(const auto v : CGAL::make_range(vertices(found.graph())))
     for(const auto w : CGAL::make_range(vertices(expected.graph())))
@@ -235,39 +221,34 @@ TEST(Edge_lengths, of_a_smooth_mesh_give_its_default_curve_up_to_the_ends_of_bra
 
 TEST(Edge_lengths, the_unit_of_length_may_be_of_any_size)
 {
-  Built built(test_meshes::torus(1., 0.4, 16, 10, 0.15, 5));
+  Built built(torus(1., 0.4, 16, 10, 0.15, 5));
   Lengths lengths = lengths_in_space(built.mesh);
-  const auto expected = CGAL::compute_cut_locus(built.mesh, built.vertices[3], params::edge_length_map(lengths));
+  const auto expected = compute_cut_locus(built.mesh, built.vertices[3], params::edge_length_map(lengths));
   for(const double unit : {std::ldexp(1., -500), std::ldexp(1., 500)})
   {
     Lengths scaled = built.mesh.add_property_map<Edge, double>("e:scaled", 0.).first;
     for(const Edge e : built.mesh.edges())
       scaled[e] = unit * lengths[e];
-    const auto found = CGAL::compute_cut_locus(built.mesh, built.vertices[3], params::edge_length_map(scaled));
+    const auto found = compute_cut_locus(built.mesh, built.vertices[3], params::edge_length_map(scaled));
     ASSERT_EQ(num_vertices(found.graph()), num_vertices(expected.graph()));
     for(std::size_t v = 0; v < num_vertices(found.graph()); ++v)
       EXPECT_EQ(found.graph()[v].distance, unit * expected.graph()[v].distance);
   }
 }
 
-TEST(Edge_lengths, the_cut_locus_of_a_flat_torus_of_a_square_lattice_is_the_boundary_of_a_square)
+// of a square lattice a square, of a hexagonal one a hexagon
+TEST(Edge_lengths, the_cut_locus_of_a_flat_torus_is_the_boundary_of_a_polygon_of_Dirichlet)
 {
-  const std::array<double, 2> a = {{1., 0.}}, b = {{0., 1.}};
-  const Flat_surface torus = flat_torus(a, b, 8);
-  const auto full = params::cut_locus_method(Polyhedral_method()).edge_length_map(torus.lengths);
-  const Location source(Mesh::Face_index(37), {{0.23, 0.31, 0.46}});
-  const auto found = CGAL::compute_cut_locus(torus.mesh, source, full);
-  expect_dirichlet_polygon(torus, found, torus.position(source), a, b, 1, 0.5, std::sqrt(0.5), 2.);
-}
-
-TEST(Edge_lengths, the_cut_locus_of_a_flat_torus_of_a_hexagonal_lattice_is_the_boundary_of_a_hexagon)
-{
-  const std::array<double, 2> a = {{1., 0.}}, b = {{-0.5, std::sqrt(0.75)}};
-  const Flat_surface torus = flat_torus(a, b, 8);
-  const auto full = params::cut_locus_method(Polyhedral_method()).edge_length_map(torus.lengths);
-  const Location source(Mesh::Face_index(37), {{0.23, 0.31, 0.46}});
-  const auto found = CGAL::compute_cut_locus(torus.mesh, source, full);
-  expect_dirichlet_polygon(torus, found, torus.position(source), a, b, 2, 0.5, 1. / std::sqrt(3.), std::sqrt(3.));
+  const std::array<double, 2> a = {{1., 0.}};
+  for(const bool is_square : {true, false})
+  {
+    const std::array<double, 2> b = {{is_square ? 0. : -0.5, is_square ? 1. : std::sqrt(0.75)}};
+    const Flat_surface torus = flat_torus(a, b, 8);
+    const Location source(Mesh::Face_index(37), {{0.23, 0.31, 0.46}});
+    const auto found = compute_cut_locus(torus.mesh, source, by(Polyhedral_method()).edge_length_map(torus.lengths));
+    expect_dirichlet_polygon(torus, found, torus.position(source), a, b, is_square ? 1 : 2, 0.5,
+                             is_square ? std::sqrt(0.5) : 1. / std::sqrt(3.), is_square ? 2. : std::sqrt(3.));
+  }
 }
 
 // The sources are a lattice of triangles, so that all cells are regular hexagons. They lie in faces, where the mesh does not
@@ -285,10 +266,8 @@ TEST(Edge_lengths, the_cells_of_a_hexagonal_lattice_on_a_flat_torus_are_hexagons
                            std::array<double, 3>{{0.23, 0.31, 0.46}});
   for(const Method method : {Method(Default_method()), Method(Polyhedral_method())})
   {
-    const auto found = CGAL::compute_cut_locus(torus.mesh, sources,
-                                               params::cut_locus_method(method)
-                                                 .cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)
-                                                 .edge_length_map(torus.lengths));
+    const auto found =
+      compute_cut_locus(torus.mesh, sources, through_faces.cut_locus_method(method).edge_length_map(torus.lengths));
     ASSERT_EQ(found.number_of_sources(), n * n);
     expect_dirichlet_polygon(torus, found, torus.position(sources[0]), a, b, 2 * n * n, 0.5, 1. / std::sqrt(3.),
                              n * n * std::sqrt(3.), n * n + 1);
@@ -324,7 +303,7 @@ TEST(Edge_lengths, the_logarithmic_map_of_a_flat_torus_is_the_nearest_image)
   const std::array<double, 2> a = {{1., 0.2}}, b = {{-0.3, 0.7}};
   const std::size_t n = 7; // odd: no vertex has two nearest images
   const Flat_surface torus = flat_torus(a, b, n);
-  CGAL::Surface_mesh_exact_geodesics<Mesh> geodesics(torus.mesh, params::edge_length_map(torus.lengths));
+  Geodesics geodesics(torus.mesh, params::edge_length_map(torus.lengths));
   geodesics.set_directions(true);
   geodesics.compute(Vertex(0));
   const auto image = [&](std::size_t v)
@@ -395,11 +374,9 @@ TEST(Edge_lengths, the_cut_locus_of_a_gluing_of_Alexandrov_is_that_of_its_polyhe
   const std::vector<double> distance = distances(square.mesh, corner, square.lengths);
   EXPECT_NEAR(*std::max_element(distance.begin(), distance.end()), std::sqrt(0.5), 1e-12);
 
-  const auto found = CGAL::compute_cut_locus(
-    square.mesh, corner, params::cut_locus_method(Polyhedral_method()).edge_length_map(square.lengths));
+  const auto found = compute_cut_locus(square.mesh, corner, by(Polyhedral_method()).edge_length_map(square.lengths));
   const auto& graph = found.graph();
-  EXPECT_EQ(num_edges(graph) + 1, num_vertices(graph));
-  std::size_t leaves = 0;
+  EXPECT_EQ(number_of_cycles(found), 0u);
   for(const auto v : CGAL::make_range(vertices(graph)))
   {
     // the middle lines of the unit square, all of whose points are as far from two of its corners
@@ -408,29 +385,24 @@ TEST(Edge_lengths, the_cut_locus_of_a_gluing_of_Alexandrov_is_that_of_its_polyhe
     EXPECT_NEAR(graph[v].distance, std::hypot((std::min)(p[0], 1. - p[0]), (std::min)(p[1], 1. - p[1])), 1e-5);
     if(degree(v, graph) == 1)
     {
-      ++leaves;
       EXPECT_NEAR(graph[v].distance, 0.5, 1e-5);
     }
   }
-  EXPECT_EQ(leaves, 4u); // the four midpoints, where the curvature is
+  EXPECT_EQ(number_of_leaves(found), 4u); // the four midpoints, where the curvature is
 }
 
 TEST(Edge_lengths, the_cut_locus_of_a_doubly_covered_polygon_is_on_the_other_side)
 {
-  Built built(test_meshes::doubly_covered(test_meshes::square(6)));
-  const std::size_t front = test_meshes::square(6).triangles.size();
+  Built built(doubly_covered(square(6)));
+  const std::size_t front = square(6).triangles.size();
   const Lengths lengths = lengths_in_space(built.mesh);
-  const auto found = CGAL::compute_cut_locus(built.mesh, built.location<double>(20, {{0.3, 0.45, 0.25}}),
-                                             params::cut_locus_method(Polyhedral_method()).edge_length_map(lengths));
+  const auto found = compute_cut_locus(built.mesh, built.location<double>(20, {{0.3, 0.45, 0.25}}),
+                                       by(Polyhedral_method()).edge_length_map(lengths));
   const auto& graph = found.graph();
-  std::size_t leaves = 0;
   for(const auto v : CGAL::make_range(vertices(graph)))
-  {
-    leaves += degree(v, graph) == 1;
     EXPECT_TRUE(degree(v, graph) == 1 || graph[v].location.first.idx() >= front);
-  }
-  EXPECT_EQ(leaves, 4u);
-  EXPECT_EQ(num_edges(graph) + 1, num_vertices(graph));
+  EXPECT_EQ(number_of_leaves(found), 4u);
+  EXPECT_EQ(number_of_cycles(found), 0u);
 }
 
 // Two triangles glued along their sides: the paths to the other side are straight across one of the three sides, so that
@@ -452,8 +424,8 @@ TEST(Edge_lengths, the_cut_locus_of_a_doubly_covered_triangle_from_its_incenter_
     lengths[mesh.edge(h)] = sides[i];
     coordinates[(i + 2) % 3] = sides[i];
   }
-  const auto found = CGAL::compute_cut_locus(mesh, Location(front, coordinates),
-                                             params::cut_locus_method(Polyhedral_method()).edge_length_map(lengths));
+  const auto found =
+    compute_cut_locus(mesh, Location(front, coordinates), by(Polyhedral_method()).edge_length_map(lengths));
   const auto& graph = found.graph();
   ASSERT_EQ(num_edges(graph), 3u);
   std::vector<double> distance;
@@ -473,8 +445,7 @@ TEST(Edge_lengths, several_sources_in_faces_divide_a_surface_of_lengths)
   const Flat_surface torus = flat_torus(a, b, 8);
   const std::vector<Location> sources = {Location(Mesh::Face_index(3), {{0.2, 0.3, 0.5}}),
                                          Location(Mesh::Face_index(70), {{0.5, 0.5, 0.}})};
-  const auto found = CGAL::compute_cut_locus(
-    torus.mesh, sources, params::cut_locus_method(Polyhedral_method()).edge_length_map(torus.lengths));
+  const auto found = compute_cut_locus(torus.mesh, sources, by(Polyhedral_method()).edge_length_map(torus.lengths));
   const auto& graph = found.graph();
   EXPECT_EQ(num_edges(graph) + 1, num_vertices(graph) + 3); // 2 g - 1 + k cycles
   for(const auto v : CGAL::make_range(vertices(graph)))
@@ -490,7 +461,7 @@ TEST(Edge_lengths, several_sources_in_faces_divide_a_surface_of_lengths)
 
 TEST(Edge_lengths, that_no_triangle_has_are_refused_by_the_name_of_the_face)
 {
-  Built built(test_meshes::torus(1., 0.4, 8, 6));
+  Built built(torus(1., 0.4, 8, 6));
   Lengths lengths = lengths_in_space(built.mesh);
   const Edge edge = built.mesh.edge(built.mesh.halfedge(built.faces[5]));
   for(const double bad :
@@ -498,20 +469,19 @@ TEST(Edge_lengths, that_no_triangle_has_are_refused_by_the_name_of_the_face)
   {
     lengths[edge] = bad;
     const std::vector<std::string> messages = {
-      message_of([&] { CGAL::compute_cut_locus(built.mesh, built.vertices[0], params::edge_length_map(lengths)); }),
+      message_of([&] { compute_cut_locus(built.mesh, built.vertices[0], params::edge_length_map(lengths)); }),
       message_of([&] { distances(built.mesh, built.vertices[0], lengths); })};
     for(const std::string& message : messages)
     {
-      EXPECT_NE(message.find(bad == 100. ? "triangle inequality" : "edge_length_map holds a length"), std::string::npos)
-        << message;
-      EXPECT_NE(message.find(bad == 100. ? "face #" : "the edge between vertex #"), std::string::npos) << message;
+      expect_has(message, bad == 100. ? "triangle inequality" : "edge_length_map holds a length");
+      expect_has(message, bad == 100. ? "face #" : "the edge between vertex #");
     }
   }
 }
 
 TEST(Edge_lengths, are_refused_by_name_where_points_are_needed)
 {
-  Built built(test_meshes::torus(1., 0.4, 8, 6));
+  Built built(torus(1., 0.4, 8, 6));
   const Lengths lengths = lengths_in_space(built.mesh);
   const auto by_name = [&](const std::string& message)
   { EXPECT_NE(message.find("edge_length_map is for"), std::string::npos) << message; };
@@ -519,20 +489,20 @@ TEST(Edge_lengths, are_refused_by_name_where_points_are_needed)
   by_name(message_of(
     [&]
     {
-    CGAL::compute_cut_locus(built.mesh, built.vertices[0],
-                            params::edge_length_map(lengths).cut_locus_method(Laplacian_method()));
+    compute_cut_locus(built.mesh, built.vertices[0],
+                      params::edge_length_map(lengths).cut_locus_method(Laplacian_method()));
   }));
   by_name(message_of(
     [&]
     {
-    CGAL::compute_cut_locus(built.mesh, built.vertices[0],
-                            params::edge_length_map(lengths).vertex_distance_map(CGAL::make_property_map(known)));
+    compute_cut_locus(built.mesh, built.vertices[0],
+                      params::edge_length_map(lengths).vertex_distance_map(CGAL::make_property_map(known)));
   }));
   by_name(message_of(
     [&]
     {
-    CGAL::compute_cut_locus(built.mesh, built.vertices[0],
-                            params::edge_length_map(lengths).geodesic_solver(CGAL::Graph_geodesic_solver()));
+    compute_cut_locus(built.mesh, built.vertices[0],
+                      params::edge_length_map(lengths).geodesic_solver(CGAL::Graph_geodesic_solver()));
   }));
 }
 

@@ -8,61 +8,61 @@
 // is told by an oracle that unfolds the surface on its own.
 
 #include "surface_test.h"
-#include "curve_topology.h"
-#include "detour.h"
+#include "direction_results.h"
 #include "polyhedral_oracle.h"
-
-#include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
 
 namespace test_exact_tree {
 
 namespace {
 
 using namespace surface_test;
-using CGAL::Cut_loci::internal::Exact_tree_solver;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
+using namespace direction_test;
+using checked_curves::measured;
 
-Indexed_cut_locus curve_of(Exact_tree_solver& solver, double gap = 0., double width = 0.)
+Indexed_cut_locus curve_of(const Solved& solved, double gap = 0., double width = 0.)
 {
-  CGAL::Cut_loci::internal::Exact_tree_thresholds thresholds;
+  Solved::Thresholds thresholds;
   thresholds.gap = gap;
   thresholds.width = width;
-  return solver.filter(thresholds, CGAL::Cut_loci::Curve::THROUGH_FACES);
+  return solved.curve(thresholds, Curve::THROUGH_FACES);
 }
 
 // in no symmetric position
 std::vector<Named_mesh> generic_meshes()
 {
-  return {{"convex", test_meshes::random_convex_polyhedron(60, 1)},
-          {"flat convex", test_meshes::random_convex_polyhedron(50, 2, {{1., 0.8, 0.1}})},
-          {"torus", test_meshes::torus(1., 0.4, 14, 9, 0.1, 5)},
-          {"saddle", test_meshes::saddle(8, 0.7, 0.2, 3)},
-          {"open cylinder", test_meshes::cylinder(1., 12, 4, 0.1, 4)},
-          {"rough torus", test_meshes::torus(1., 0.5, 20, 12, 0.3, 7)}};
+  return {{"convex", random_convex_polyhedron(60, 1)},
+          {"flat convex", random_convex_polyhedron(50, 2, {{1., 0.8, 0.1}})},
+          {"nonconvex", irregular_bumpy_sphere(6, 0.3, 2)},
+          {"torus", torus(1., 0.4, 14, 9, 0.1, 5)},
+          {"jittered torus", torus(1., 0.4, 16, 10, 0.15, 5)},
+          {"saddle", saddle(8, 0.7, 0.2, 3)},
+          {"open cylinder", cylinder(1., 12, 4, 0.1, 4)},
+          {"finer open cylinder", cylinder(1., 14, 5, 0.1, 4)},
+          {"rough torus", torus(1., 0.5, 20, 12, 0.3, 7)}};
 }
 
 // with all that CAD models have: flat parts, edges in a line, ties
 std::vector<Named_mesh> meshes()
 {
-  return {{"convex", test_meshes::random_convex_polyhedron(60, 1)},
-          {"flat convex", test_meshes::random_convex_polyhedron(50, 2, {{1., 0.8, 0.1}})},
-          {"cube", test_meshes::cube(2)},
-          {"cuboid", test_meshes::cuboid({{3., 1., 0.4}}, 2)},
-          {"L-shape", test_meshes::l_shape(2)},
-          {"torus", test_meshes::torus(1., 0.4, 14, 9, 0.1, 5)},
-          {"plate of genus 3", test_meshes::plate_with_holes(3, 1, 1)},
-          {"square with holes", test_meshes::square_with_holes(2, 2)},
-          {"saddle", test_meshes::saddle(8, 0.7, 0.2, 3)},
-          {"annulus", test_meshes::annulus(0.4, 1., 16, 3)},
-          {"open cylinder", test_meshes::cylinder(1., 12, 4, 0.1, 4)}};
+  return {{"convex", random_convex_polyhedron(60, 1)},
+          {"flat convex", random_convex_polyhedron(50, 2, {{1., 0.8, 0.1}})},
+          {"cube", cube(2)},
+          {"cuboid", cuboid({{3., 1., 0.4}}, 2)},
+          {"L-shape", l_shape(2)},
+          {"torus", torus(1., 0.4, 14, 9, 0.1, 5)},
+          {"plate of genus 3", plate_with_holes(3, 1, 1)},
+          {"square with holes", square_with_holes(2, 2)},
+          {"saddle", saddle(8, 0.7, 0.2, 3)},
+          {"annulus", annulus(0.4, 1., 16, 3)},
+          {"open cylinder", cylinder(1., 12, 4, 0.1, 4)}};
 }
 
-// a vertex, a border vertex if there is one, a point of an edge and one in a face
+// two vertices, a border vertex if there is one, a point of an edge and one in a face
 std::vector<Indexed_source> sources(const Indexed_triangle_mesh& mesh)
 {
-  std::vector<Indexed_source> result = {at_vertex(mesh, mesh.number_of_vertices() / 3),
-                                        in_face(mesh.number_of_faces() / 2, 0.5, 0.2, 0.3),
-                                        in_face(mesh.number_of_faces() / 5, 0.37, 0.63, 0.)};
+  std::vector<Indexed_source> result = {
+    at_vertex(mesh, mesh.number_of_vertices() / 3), at_vertex(mesh, mesh.number_of_vertices() / 2),
+    in_face(mesh.number_of_faces() / 2, 0.5, 0.2, 0.3), in_face(mesh.number_of_faces() / 5, 0.37, 0.63, 0.)};
   for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
     if(mesh.is_border_edge(h))
     {
@@ -72,102 +72,44 @@ std::vector<Indexed_source> sources(const Indexed_triangle_mesh& mesh)
   return result;
 }
 
-void solve(Exact_tree_solver& solver, const Indexed_source& source)
-{
-  solver.compute_distance(source);
-  solver.compute_strengths();
-  solver.grow_tree();
-  solver.close_cycles();
-}
-
-struct Graph_numbers
-{
-  std::size_t components, cycles;
-};
-
-// each border loop is one more node
-Graph_numbers count(const Indexed_triangle_mesh& mesh, const CGAL::Cut_loci::Mesh_connectivity& c,
-                    const Indexed_cut_locus& graph)
-{
-  const std::size_t n = graph.nodes.size();
-  std::vector<std::size_t> parent(n + c.number_of_border_loops);
-  for(std::size_t i = 0; i < parent.size(); ++i)
-    parent[i] = i;
-  const std::function<std::size_t(std::size_t)> root = [&](std::size_t i)
-  { return parent[i] == i ? i : parent[i] = root(parent[i]); };
-  Graph_numbers result{parent.size(), 0};
-  const auto unite = [&](std::size_t a, std::size_t b)
-  {
-    const bool is_new = root(a) != root(b);
-    parent[root(a)] = root(b);
-    result.components -= is_new;
-    return is_new;
-  };
-  for(std::size_t i = 0; i < n; ++i)
-  {
-    const Indexed_cut_locus::Node& node = graph.nodes[i];
-    if(node.vertex != null_index && c.is_border(node.vertex))
-      unite(i, n + c.border_loop[node.vertex]);
-    for(Index k = 0; k < 3 && node.vertex == null_index; ++k)
-      if(node.location.coordinates[(k + 2) % 3] == 0. && mesh.is_border_edge(3 * node.location.face + k))
-        unite(i, n + c.border_loop[mesh.source(3 * node.location.face + k)]);
-  }
-  for(const Indexed_cut_locus::Edge& e : graph.edges)
-    result.cycles += !unite(e.source, e.target);
-  return result;
-}
-
-void expect_topology(const Indexed_triangle_mesh& mesh, const CGAL::Cut_loci::Mesh_connectivity& c,
-                     const Indexed_cut_locus& graph)
-{
-  const Graph_numbers numbers = count(mesh, c, graph);
-  EXPECT_EQ(numbers.components, 1u);
-  EXPECT_EQ(numbers.cycles, 2 * c.genus(mesh));
-}
-
 TEST(Exact_tree, two_shortest_paths_lead_to_its_points_and_one_to_others)
 {
+  int number_of_nodes = 0;
   for(const Named_mesh& m : generic_meshes())
   {
     const Indexed_triangle_mesh mesh = indexed(m.data);
-    Exact_tree_solver solver(mesh);
     int number = 0;
     for(const Indexed_source& source : sources(mesh))
     {
       SCOPED_TRACE(m.name + ", source " + std::to_string(number++));
-      solve(solver, source);
-      const Indexed_cut_locus graph = curve_of(solver);
-      expect_topology(mesh, solver.connectivity(), graph);
-      polyhedral_oracle::Polyhedral_oracle oracle(mesh, source.location);
+      const Indexed_cut_locus graph = Solved(mesh, source, Branch_strength()).all();
+      expect_disk(mesh, graph);
+      const polyhedral_oracle::Polyhedral_oracle oracle(mesh, source.location);
       std::vector<int> degree(graph.nodes.size(), 0);
       for(const Indexed_cut_locus::Edge& e : graph.edges)
-      {
-        ++degree[e.source];
-        ++degree[e.target];
-      }
+        for(Index i : {e.source, e.target})
+          ++degree[i];
+      std::vector<std::size_t> inner; // tips and points on the border have one path
+      for(std::size_t i = 0; i < degree.size(); ++i)
+        if(degree[i] > 1)
+          inner.push_back(i);
+
       std::mt19937 generator(1);
-      for(int i = 0; i < 60 && !graph.edges.empty(); ++i)
+      constexpr double rounding = 1e-9;
+      for(int i = 0; i < 75; ++i)
       {
-        const std::size_t k = generator() % graph.nodes.size();
-        if(degree[k] < 2)
-          continue; // a tip, or a point on the border
-        const auto arrivals = oracle.shortest_arrivals(graph.nodes[k].location, 1e-8);
-        EXPECT_GE(arrivals.size(), 2u) << "node " << k;
-        EXPECT_NEAR(arrivals.front().distance, graph.nodes[k].distance, 1e-9);
-      }
-      std::uniform_real_distribution<double> uniform(0.05, 1.);
-      for(int i = 0; i < 60; ++i)
-      {
-        Indexed_location location;
-        location.face = static_cast<Index>(generator() % mesh.number_of_faces());
-        location.coordinates = {{uniform(generator), uniform(generator), uniform(generator)}};
-        const double sum = location.coordinates[0] + location.coordinates[1] + location.coordinates[2];
-        for(double& c : location.coordinates)
-          c /= sum;
-        EXPECT_EQ(oracle.shortest_arrivals(location, 1e-13).size(), 1u);
+        EXPECT_EQ(oracle.shortest_arrivals(random_location(mesh, generator), rounding).size(), 1u);
+        if(inner.empty())
+          continue; // a saddle has no cut locus from some of its points
+        const Indexed_cut_locus::Node& node = graph.nodes[inner[generator() % inner.size()]];
+        const auto arrivals = oracle.shortest_arrivals(node.location, rounding);
+        EXPECT_GE(arrivals.size(), 2u);
+        EXPECT_NEAR(arrivals.front().distance, node.distance, rounding);
+        ++number_of_nodes;
       }
     }
   }
+  EXPECT_GT(number_of_nodes, 2000);
 }
 
 // The detour is measured on a mesh whose faces are split along the curve, rounded to 2^-16 of an edge.
@@ -177,31 +119,29 @@ TEST(Exact_tree, no_shortest_path_crosses_it)
   {
     SCOPED_TRACE(m.name);
     const Mesh mesh = to_surface_mesh(m.data);
-    CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
+    Solver solver(mesh, by(Polyhedral_method()));
     for(int i : {0, 1, 2})
     {
       solver.set_source(Mesh::Vertex_index(Mesh::size_type(i * (mesh.number_of_vertices() - 1) / 2)));
       for(double width : {0., 0.02, 0.2})
       {
-        const auto cut_locus =
-          solver.cut_locus(params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method().minimum_branch_width(width)));
-        const curve_measures::Measures measures = curve_measures::measure(mesh, cut_locus);
-        EXPECT_EQ(measures.measuring_failed, "");
-        EXPECT_LT(measures.max, 1e-3);
+        const auto cut_locus = solver.cut_locus(by(Polyhedral_method().minimum_branch_width(width)));
+        EXPECT_LT(measured(mesh, cut_locus).max, 1e-3);
       }
     }
   }
 }
 
-// of all of the cut locus of some vertices
-curve_measures::Measures measures_of(const Mesh& mesh, const std::vector<std::size_t>& sources)
+// all of the cut locus of some vertices has no detour
+void expect_no_detour(const Mesh& mesh, const std::vector<std::size_t>& sources)
 {
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
-  std::vector<Mesh::Vertex_index> vertices;
+  SCOPED_TRACE("source " + std::to_string(sources.front()));
+  Solver solver(mesh, by(Polyhedral_method()));
+  Vertices vertices;
   for(std::size_t v : sources)
     vertices.push_back(Mesh::Vertex_index(Mesh::size_type(v)));
   solver.set_sources(vertices);
-  return curve_measures::measure(mesh, solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
+  EXPECT_LT(measured(mesh, solver.cut_locus(through_faces)).max, 1e-6);
 }
 
 // The boundary of a shadow, and the branches on its both sides, meet in a point that is known to fewer digits than others.
@@ -209,14 +149,10 @@ TEST(Exact_tree, no_branch_leads_to_a_vertex_at_which_paths_bend)
 {
   for(unsigned seed : {14u, 286u, 541u, 558u, 633u})
   {
-    const Mesh mesh = to_surface_mesh(test_meshes::rough(test_meshes::square_with_holes(2, 1), 0.3, seed));
+    const Mesh mesh = to_surface_mesh(rough(square_with_holes(2, 1), 0.3, seed));
+    SCOPED_TRACE(seed);
     for(std::size_t source = 0; source < mesh.number_of_vertices(); ++source)
-    {
-      SCOPED_TRACE(testing::Message() << "seed " << seed << ", source " << source);
-      const curve_measures::Measures measures = measures_of(mesh, {source});
-      EXPECT_EQ(measures.topology_fault, "");
-      EXPECT_LT(measures.max, 1e-6);
-    }
+      expect_no_detour(mesh, {source});
   }
 }
 
@@ -224,30 +160,21 @@ TEST(Exact_tree, no_branch_leads_to_a_vertex_at_which_paths_bend)
 // equally long on both of its sides.
 TEST(Exact_tree, branches_between_two_images_go_on_in_one_direction)
 {
-  const std::vector<std::pair<test_meshes::Mesh_data, std::vector<std::size_t>>> cases = {
-    {test_meshes::rough(test_meshes::torus(1., 0.4, 18, 12, 0.2, 52), 0.3, 52), {10, 82, 154}},
-    {test_meshes::rough(test_meshes::torus(1., 0.4, 18, 12, 0.2, 65), 0.3, 65), {70, 142, 214}},
-    {test_meshes::rough(test_meshes::torus(1., 0.4, 18, 12, 0.2, 72), 0.3, 72), {20, 92, 164}},
-    {test_meshes::bumpy_sphere(6, 0.3, 53), {0, 120, 240}}};
+  const std::vector<std::pair<Mesh_data, std::vector<std::size_t>>> cases = {
+    {rough(torus(1., 0.4, 18, 12, 0.2, 52), 0.3, 52), {10, 82, 154}},
+    {rough(torus(1., 0.4, 18, 12, 0.2, 65), 0.3, 65), {70, 142, 214}},
+    {rough(torus(1., 0.4, 18, 12, 0.2, 72), 0.3, 72), {20, 92, 164}},
+    {bumpy_sphere(6, 0.3, 53), {0, 120, 240}}};
   for(const auto& c : cases)
-  {
-    SCOPED_TRACE(testing::Message() << "sources " << c.second.front() << ", ...");
-    const curve_measures::Measures measures = measures_of(to_surface_mesh(c.first), c.second);
-    EXPECT_EQ(measures.topology_fault, "");
-    EXPECT_LT(measures.max, 1e-6);
-  }
+    expect_no_detour(to_surface_mesh(c.first), c.second);
 }
 
 // A branch starts nearly along an edge: rounding shows the paths of its other side at the end of the edge, too.
 TEST(Exact_tree, branches_leave_a_vertex_on_one_side_of_an_edge)
 {
-  const Mesh mesh = to_surface_mesh(test_meshes::rough(test_meshes::square_with_holes(2, 1), 0.2, 375));
-  for(const std::vector<std::size_t>& sources : {std::vector<std::size_t>{9, 27}, std::vector<std::size_t>{27, 9}})
-  {
-    const curve_measures::Measures measures = measures_of(mesh, sources);
-    EXPECT_EQ(measures.topology_fault, "");
-    EXPECT_LT(measures.max, 1e-6);
-  }
+  const Mesh mesh = to_surface_mesh(rough(square_with_holes(2, 1), 0.2, 375));
+  expect_no_detour(mesh, {9, 27});
+  expect_no_detour(mesh, {27, 9});
 }
 
 TEST(Exact_tree, thresholds_cut_branches_from_their_tips)
@@ -256,46 +183,27 @@ TEST(Exact_tree, thresholds_cut_branches_from_their_tips)
   {
     SCOPED_TRACE(m.name);
     const Indexed_triangle_mesh mesh = indexed(m.data);
-    Exact_tree_solver solver(mesh);
-    solve(solver, at_vertex(mesh, 1));
-    std::size_t more = curve_of(solver).edges.size();
-    for(double gap : {0.01, 0.1, 0.5, 1., 3.})
+    const Solved solved(mesh, at_vertex(mesh, 1), Branch_strength());
+    const auto expect_less_and_less = [&](const std::vector<std::pair<double, double>>& thresholds)
     {
-      const Indexed_cut_locus graph = curve_of(solver, gap, 0.);
-      expect_topology(mesh, solver.connectivity(), graph);
-      EXPECT_LE(graph.edges.size(), more);
-      more = graph.edges.size();
-    }
-    more = curve_of(solver).edges.size();
-    for(double width : {0.01, 0.1, 0.3, 1., 10.})
-    {
-      const Indexed_cut_locus graph = curve_of(solver, 0., width);
-      expect_topology(mesh, solver.connectivity(), graph);
-      EXPECT_LE(graph.edges.size(), more);
-      more = graph.edges.size();
-    }
+      std::size_t more = solved.all().edges.size();
+      for(const auto& [gap, width] : thresholds)
+      {
+        const Indexed_cut_locus graph = curve_of(solved, gap, width);
+        expect_disk(mesh, graph);
+        EXPECT_LE(graph.edges.size(), more);
+        more = graph.edges.size();
+      }
+    };
+    expect_less_and_less({{0.01, 0.}, {0.1, 0.}, {0.5, 0.}, {1., 0.}, {3., 0.}});
+    expect_less_and_less({{0., 0.01}, {0., 0.1}, {0., 0.3}, {0., 1.}, {0., 10.}});
   }
 }
 
 double length_of_tree(const Mesh_data& data, Index source)
 {
   const Indexed_triangle_mesh mesh = indexed(data);
-  Exact_tree_solver solver(mesh);
-  solve(solver, at_vertex(mesh, source));
-  return length(mesh, curve_of(solver));
-}
-
-TEST(Exact_tree, is_that_of_the_surface_and_not_of_its_triangulation)
-{
-  for(const Named_mesh& m : {generic_meshes()[0], generic_meshes()[1], generic_meshes()[3]})
-  {
-    SCOPED_TRACE(m.name);
-    // chords of curved pieces leave them by 1e-4 of an edge
-    const double expected = length_of_tree(m.data, 1);
-    EXPECT_NEAR(length_of_tree(test_meshes::split_in_plane(m.data), 1), expected, 1e-3 * expected);
-    EXPECT_NEAR(length_of_tree(test_meshes::scaled(m.data, {{1000., 1000., 1000.}}), 1), 1000. * expected,
-                1e-3 * expected);
-  }
+  return length(mesh, Solved(mesh, at_vertex(mesh, source), Branch_strength()).all());
 }
 
 TEST(Exact_tree, touches_the_border_wherever_a_symmetric_source_is_moved_to)
@@ -304,8 +212,8 @@ TEST(Exact_tree, touches_the_border_wherever_a_symmetric_source_is_moved_to)
   // that is where it comes from.
   for(int n : {1, 2})
   {
-    test_meshes::Mesh_data data = test_meshes::cube(n);
-    const auto is_in_window = [&](const test_meshes::Triangle& t)
+    Mesh_data data = cube(n);
+    const auto is_in_window = [&](const Triangle& t)
     {
       return std::all_of(t.begin(), t.end(),
                          [&](std::size_t v) {
@@ -315,8 +223,7 @@ TEST(Exact_tree, touches_the_border_wherever_a_symmetric_source_is_moved_to)
     data.triangles.erase(std::remove_if(data.triangles.begin(), data.triangles.end(), is_in_window),
                          data.triangles.end());
     const Indexed_triangle_mesh mesh = indexed(data);
-    const CGAL::Cut_loci::Mesh_connectivity connectivity(mesh);
-    Exact_tree_solver solver(mesh);
+    Solved solved(mesh, at_vertex(mesh, 0), Branch_strength());
     for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
     {
       Indexed_source source;
@@ -325,8 +232,8 @@ TEST(Exact_tree, touches_the_border_wherever_a_symmetric_source_is_moved_to)
       source.location.coordinates = {{0., 0., 0.}};
       source.location.coordinates[h % 3] = 1.;
       SCOPED_TRACE(testing::Message() << n << ", vertex " << source.vertex << ", face " << source.location.face);
-      solve(solver, source);
-      expect_topology(mesh, connectivity, curve_of(solver));
+      solved.solve(source);
+      expect_disk(mesh, solved.all());
     }
   }
 }
@@ -336,16 +243,11 @@ TEST(Exact_tree, gap_and_width_in_closed_form)
   // From the middle of a face of the unit cube the paths to the middle of the opposite one come over four faces. The two
   // that lead over faces beside each other part at a right angle, and are farthest apart at half of the way: there they
   // are in the middle of their faces.
-  const Indexed_triangle_mesh mesh = indexed(test_meshes::cube(2));
-  Index middle = null_index;
-  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-    if(mesh.points[v][0] == 0.5 && mesh.points[v][1] == 0.5 && mesh.points[v][2] == 0.)
-      middle = v;
-  ASSERT_NE(middle, null_index);
-  Exact_tree_solver solver(mesh);
-  solve(solver, at_vertex(mesh, middle));
+  const Indexed_triangle_mesh mesh = indexed(cube(2));
+  const auto middle = static_cast<Index>(nearest_vertex(mesh.points, {{0.5, 0.5, 0.}}));
+  const Solved solved(mesh, at_vertex(mesh, middle), Branch_strength());
   float gap = 0.f, width = 0.f;
-  for(const Indexed_cut_locus::Edge& e : curve_of(solver).edges)
+  for(const Indexed_cut_locus::Edge& e : solved.all().edges)
   {
     gap = (std::max)(gap, e.strength);
     width = (std::max)(width, e.width);
@@ -360,12 +262,12 @@ TEST(Exact_tree, shows_the_widths_of_its_pieces)
   for(const Named_mesh& m : generic_meshes())
   {
     const Indexed_triangle_mesh mesh = indexed(m.data);
-    Exact_tree_solver solver(mesh);
-    solve(solver, at_vertex(mesh, 0));
-    curve_of(solver);
-    for(const auto& branch : solver.tree().kept({}))
+    Solved solved(mesh, at_vertex(mesh, 0), Branch_strength());
+    solved.all();
+    auto& tree = solved.solver->tree();
+    for(const auto& branch : tree.kept({}))
     {
-      const double width = solver.tree().width(branch.edge), shown = solver.tree().shown_width(branch.edge);
+      const double width = tree.width(branch.edge), shown = tree.shown_width(branch.edge);
       EXPECT_EQ(width > 0., shown > 0.) << m.name;
       ++number;
       number_of_wrong += std::abs(width - shown) > 0.01 * width;
@@ -394,21 +296,26 @@ TEST(Exact_tree, pieces_are_drawn_in_their_face)
     EXPECT_GT((apex.x - corner.x) * (p.y - corner.y) - (apex.y - corner.y) * (p.x - corner.x), 0.);
 }
 
-TEST(Exact_tree, branches_closer_than_rounding_do_not_cross)
+void expect_disks(const Mesh_data& data, Index step)
 {
-  // nearly flat bands of a cylinder, in which many branches run beside each other
-  const Indexed_triangle_mesh mesh = indexed(test_meshes::cylinder(1., 12, 4, 1e-3, 5));
-  Exact_tree_solver solver(mesh);
-  for(Index source = 0; source < mesh.number_of_vertices(); source += 5)
+  const Indexed_triangle_mesh mesh = indexed(data);
+  Solved solved(mesh, at_vertex(mesh, 0), Branch_strength());
+  for(Index source = 0; source < mesh.number_of_vertices(); source += step)
   {
-    solve(solver, at_vertex(mesh, source));
-    const Indexed_cut_locus curve = curve_of(solver);
-    EXPECT_EQ(curve_measures::internal::Curve_topology(mesh, curve).fault(), "") << "source " << source;
+    SCOPED_TRACE(source);
+    solved.solve(at_vertex(mesh, source));
+    expect_disk(mesh, solved.all());
   }
 }
 
+// nearly flat bands of a cylinder, in which many branches run beside each other
+TEST(Exact_tree, branches_closer_than_rounding_do_not_cross)
+{
+  expect_disks(cylinder(1., 12, 4, 1e-3, 5), 5);
+}
+
 // a plate with square holes in rows and columns, divided by lines along their sides and one beside each
-test_meshes::Mesh_data plate_with_holes(int rows)
+Mesh_data plate_with_holes(int rows)
 {
   std::vector<double> x = {0.};
   for(int i = 0; i < rows; ++i)
@@ -418,25 +325,22 @@ test_meshes::Mesh_data plate_with_holes(int rows)
   const int n = static_cast<int>(x.size());
   const auto is_solid = [n](int i, int j)
   { return i >= 0 && j >= 0 && i < n - 1 && j < n - 1 && !(i % 3 == 2 && j % 3 == 2); };
-  test_meshes::Mesh_data m;
+  Mesh_data m;
   for(double a : x)
     for(double b : x)
       for(double height : {0., 1.})
         m.points.push_back({{a, b, height}});
   const auto at = [n](int i, int j, int k) { return static_cast<std::size_t>((i * n + j) * 2 + k); };
-  const auto add = [&m](std::size_t a, std::size_t b, std::size_t c, std::size_t d)
-  {
-    m.triangles.push_back({{a, b, c}});
-    m.triangles.push_back({{a, c, d}});
-  };
   for(int i = 0; i < n - 1; ++i)
     for(int j = 0; j < n - 1; ++j)
     {
       if(!is_solid(i, j))
         continue;
-      add(at(i, j, 1), at(i + 1, j, 1), at(i + 1, j + 1, 1), at(i, j + 1, 1));
-      add(at(i, j, 0), at(i, j + 1, 0), at(i + 1, j + 1, 0), at(i + 1, j, 0));
-      const auto wall = [&](int a, int b, int c, int d) { add(at(a, b, 0), at(c, d, 0), at(c, d, 1), at(a, b, 1)); };
+      add_square(m, {{at(i, j, 1), at(i + 1, j, 1), at(i + 1, j + 1, 1), at(i, j + 1, 1)}});
+      add_square(m, {{at(i, j, 0), at(i, j + 1, 0), at(i + 1, j + 1, 0), at(i + 1, j, 0)}});
+      const auto wall = [&](int a, int b, int c, int d) {
+        add_square(m, {{at(a, b, 0), at(c, d, 0), at(c, d, 1), at(a, b, 1)}});
+      };
       if(!is_solid(i - 1, j))
         wall(i, j + 1, i, j);
       if(!is_solid(i + 1, j))
@@ -452,14 +356,7 @@ test_meshes::Mesh_data plate_with_holes(int rows)
 // Sources are symmetric, and branches run along edges: what the topology adds there must not run along the same edges.
 TEST(Exact_tree, of_a_plate_with_holes_leaves_a_disk)
 {
-  const Indexed_triangle_mesh mesh = indexed(plate_with_holes(4));
-  Exact_tree_solver solver(mesh);
-  for(Index source = 0; source < mesh.number_of_vertices(); source += 8)
-  {
-    solve(solver, at_vertex(mesh, source));
-    const Indexed_cut_locus curve = curve_of(solver);
-    EXPECT_EQ(curve_measures::internal::Curve_topology(mesh, curve).fault(), "") << "source " << source;
-  }
+  expect_disks(plate_with_holes(4), 8);
 }
 
 TEST(Exact_tree, planar_positions)
@@ -476,21 +373,16 @@ TEST(Exact_tree, planar_positions)
 
 TEST(Exact_tree, needs_the_exact_solver)
 {
-  const Mesh mesh = to_surface_mesh(test_meshes::cube(1));
-  const auto method = params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method());
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, method);
+  const Mesh mesh = to_surface_mesh(cube(1));
+  Solver solver(mesh, by(Polyhedral_method()));
   std::vector<double> distances(mesh.number_of_vertices(), 1.);
   const auto map = boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, mesh));
-  EXPECT_THROW(solver.set_source(Mesh::Vertex_index(0), params::vertex_distance_map(map)),
-               CGAL::Cut_loci::Invalid_input);
+  EXPECT_THROW(solver.set_source(Mesh::Vertex_index(0), params::vertex_distance_map(map)), Invalid_input);
   solver.set_source(Mesh::Vertex_index(0));
-  EXPECT_THROW(solver.cut_locus(params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method().minimum_branch_gap(-1.))),
-               CGAL::Cut_loci::Invalid_input);
-  EXPECT_THROW(solver.cut_locus(params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method().minimum_branch_gap(4.))),
-               CGAL::Cut_loci::Invalid_input);
-  EXPECT_THROW(
-    solver.cut_locus(params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method().minimum_branch_width(-1.))),
-    CGAL::Cut_loci::Invalid_input);
+  for(const Polyhedral_method& wrong :
+      {Polyhedral_method().minimum_branch_gap(-1.), Polyhedral_method().minimum_branch_gap(4.),
+       Polyhedral_method().minimum_branch_width(-1.)})
+    EXPECT_THROW(solver.cut_locus(by(wrong)), Invalid_input);
 }
 
 } // namespace

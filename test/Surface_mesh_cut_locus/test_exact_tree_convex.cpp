@@ -9,7 +9,6 @@
 #include "surface_test.h"
 #include "direction_results.h"
 
-#include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
 #include <CGAL/boost/graph/generators.h>
 
 namespace test_exact_tree_convex {
@@ -20,40 +19,25 @@ using namespace surface_test;
 using namespace direction_test;
 using namespace CGAL::Cut_loci;
 
-struct Polyhedral
-{
-  CGAL::Cut_loci::internal::Exact_tree_solver solver;
-  Indexed_cut_locus graph;
-
-  Polyhedral(const Indexed_triangle_mesh& mesh, const Indexed_source& source) : solver(mesh)
-  {
-    solver.compute_distance(source);
-    solver.compute_strengths();
-    solver.grow_tree();
-    solver.close_cycles();
-    graph = solver.filter({}, CGAL::Cut_loci::Curve::THROUGH_FACES);
-  }
-
-  double total_angle(Index v) const { return solver.geodesics().faces().total_angle(v); }
-};
-
 // The cut locus is a tree whose leaves are the vertices of positive curvature, all of them on it but the source.
 void check_tree(const Indexed_triangle_mesh& mesh, const Indexed_source& source, const std::string& name)
 {
   SCOPED_TRACE(name);
-  const Polyhedral p(mesh, source);
-  expect_graph_topology(mesh, p.solver.connectivity(), p.graph);
+  const Solved solved(mesh, source, Branch_strength());
+  const Indexed_cut_locus graph = solved.all();
+  const auto total_angle = [&](Index v) { return solved.solver->geodesics().faces().total_angle(v); };
+  expect_disk(mesh, graph);
   std::set<Index> on_it;
-  for(const auto& node : p.graph.nodes)
+  for(const auto& node : graph.nodes)
     if(node.vertex != null_index)
       on_it.insert(node.vertex);
   for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-    EXPECT_TRUE(on_it.count(v) == 1 || v == source.vertex || p.total_angle(v) > 2. * pi - 1e-9) << "vertex " << v;
-  for(Index i : leaves(p.graph))
+    EXPECT_TRUE(on_it.count(v) == 1 || v == source.vertex || total_angle(v) > 2. * pi - 1e-9) << "vertex " << v;
+  for(Index i : leaves(graph))
   {
-    const Index v = p.graph.nodes[i].vertex;
+    const Index v = graph.nodes[i].vertex;
     ASSERT_NE(v, null_index);
-    EXPECT_LT(p.total_angle(v), 2. * pi - 1e-9);
+    EXPECT_LT(total_angle(v), 2. * pi - 1e-9);
   }
 }
 
@@ -92,12 +76,13 @@ TEST(Polyhedral_cut_locus, cube_in_closed_form)
   for(int n : {2, 4})
   {
     const Indexed_triangle_mesh mesh = indexed(cube(n, Diagonals::PARALLEL));
-    const Polyhedral p(mesh, at_vertex(mesh, static_cast<Index>(nearest_vertex(mesh.points, {{0.5, 0.5, 0.}}))));
-    EXPECT_NEAR(length(mesh, p.graph), 4. + 2. * std::sqrt(2.), 1e-6);
-    EXPECT_EQ(leaves(p.graph).size(), 4u);
-    for(const auto& node : p.graph.nodes)
+    const auto middle = static_cast<Index>(nearest_vertex(mesh.points, {{0.5, 0.5, 0.}}));
+    const Indexed_cut_locus graph = Solved(mesh, at_vertex(mesh, middle), Branch_strength()).all();
+    EXPECT_NEAR(length(mesh, graph), 4. + 2. * std::sqrt(2.), 1e-6);
+    EXPECT_EQ(leaves(graph).size(), 4u);
+    for(const auto& node : graph.nodes)
     {
-      const auto x = point_at(mesh, node.location);
+      const auto x = position(mesh, node.location);
       const bool on_vertical = std::fabs(x[0] - std::round(x[0])) < 1e-6 && std::fabs(x[1] - std::round(x[1])) < 1e-6;
       const bool on_diagonal =
         std::fabs(x[2] - 1.) < 1e-6 && (std::fabs(x[0] - x[1]) < 1e-6 || std::fabs(x[0] + x[1] - 1.) < 1e-6);
@@ -108,18 +93,14 @@ TEST(Polyhedral_cut_locus, cube_in_closed_form)
 
 TEST(Polyhedral_cut_locus, public_interface)
 {
-  namespace params = CGAL::parameters;
   Mesh mesh;
   CGAL::make_tetrahedron(Mesh::Point(0., 0., 0.), Mesh::Point(1., 0., 0.), Mesh::Point(0., 1., 0.),
                          Mesh::Point(0., 0., 1.), mesh);
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
+  Solver solver(mesh, by(Polyhedral_method()));
   solver.set_source(*mesh.vertices().begin());
   const auto result = solver.cut_locus();
-  EXPECT_EQ(num_edges(result.graph()) + 1, num_vertices(result.graph()));
-  int leaves_found = 0;
-  for(auto v : CGAL::make_range(vertices(result.graph())))
-    leaves_found += degree(v, result.graph()) == 1;
-  EXPECT_EQ(leaves_found, 3);
+  EXPECT_EQ(number_of_cycles(result), 0u);
+  EXPECT_EQ(number_of_leaves(result), 3u);
 }
 
 } // namespace

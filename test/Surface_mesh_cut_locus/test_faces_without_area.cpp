@@ -9,7 +9,7 @@
 
 #include "surface_test.h"
 #include "curve_topology.h"
-#include "detour.h"
+#include "checked_curves.h"
 #include "fuzz_surfaces.h"
 #include "node_distances.h"
 
@@ -57,7 +57,7 @@ Mesh_data with_flat_faces(Mesh_data m, std::size_t number, unsigned seed)
     const std::size_t face = engine() % m.triangles.size(), corner = engine() % 3;
     const bool is_edge_long = m.points[m.triangles[face][corner]] != m.points[m.triangles[face][(corner + 1) % 3]];
     if(i % 2 == 0 || !is_edge_long)
-      add_cap(m, face, corner, 0.5 + 0.4 * test_meshes::random_unit(engine));
+      add_cap(m, face, corner, 0.5 + 0.4 * random_unit(engine));
     else
       add_needles(m, face, corner);
   }
@@ -73,14 +73,14 @@ std::vector<double> distances(const Built& built, std::size_t source)
 
 std::vector<Mesh_data> clean_meshes()
 {
-  return {test_meshes::random_convex_polyhedron(40, 1), test_meshes::irregular_bumpy_sphere(5, 0.3, 2),
-          test_meshes::torus(1., 0.4, 12, 8, 0.15, 5), test_meshes::cylinder(1., 12, 4, 0.1, 4)};
+  return {random_convex_polyhedron(40, 1), test_meshes::irregular_bumpy_sphere(5, 0.3, 2),
+          torus(1., 0.4, 12, 8, 0.15, 5), test_meshes::cylinder(1., 12, 4, 0.1, 4)};
 }
 
 TEST(Faces_without_area, are_not_in_good_meshes_whose_results_stay_what_they_are)
 {
   for(const Mesh_data& data : clean_meshes())
-    EXPECT_FALSE(CGAL::Cut_loci::internal::needs_mollification(test_meshes::indexed(data)));
+    EXPECT_FALSE(CGAL::Cut_loci::internal::needs_mollification(indexed(data)));
 }
 
 TEST(Faces_without_area, make_no_distance_shorter_and_none_longer_than_the_bound)
@@ -88,8 +88,8 @@ TEST(Faces_without_area, make_no_distance_shorter_and_none_longer_than_the_bound
   for(const Mesh_data& data : clean_meshes())
   {
     const Built clean(data), flat(with_flat_faces(data, 12, 3));
-    ASSERT_TRUE(CGAL::Cut_loci::internal::needs_mollification(test_meshes::indexed(flat.data)));
-    const double gained = CGAL::Cut_loci::internal::Mollification(test_meshes::indexed(flat.data)).most_gained;
+    ASSERT_TRUE(CGAL::Cut_loci::internal::needs_mollification(indexed(flat.data)));
+    const double gained = CGAL::Cut_loci::internal::Mollification(indexed(flat.data)).most_gained;
     EXPECT_LT(gained, 1e-5);
     const std::vector<double> expected = distances(clean, 0), found = distances(flat, 0);
     // a path crosses each flat face once at most, of which there are up to two for each that has been added
@@ -131,10 +131,7 @@ TEST(Faces_without_area, leave_the_cut_locus_where_it_is)
   {
     const Built clean(data), flat(with_flat_faces(data, 8, 7));
     const auto curve = [](const Built& built, double width)
-    {
-      return CGAL::compute_cut_locus(built.mesh, built.vertices[0],
-                                     params::cut_locus_method(Polyhedral_method().minimum_branch_width(width)));
-    };
+    { return compute_cut_locus(built.mesh, built.vertices[0], by(Polyhedral_method().minimum_branch_width(width))); };
     // what is wide in one is in the other, where a little less is asked for
     EXPECT_LT(distance(curve(clean, 0.12), curve(flat, 0.1)), 1e-4);
     EXPECT_LT(distance(curve(flat, 0.12), curve(clean, 0.1)), 1e-4);
@@ -145,18 +142,18 @@ TEST(Faces_without_area, leave_the_cut_locus_where_it_is)
 TEST(Faces_without_area, at_which_paths_meet_leave_a_disk)
 {
   namespace lib = CGAL::Cut_loci::internal;
-  const Mesh_data clean = test_meshes::l_shape(1);
+  const Mesh_data clean = l_shape(1);
   for(std::size_t i = 0; i < 3 * clean.triangles.size(); ++i)
   {
     Mesh_data data = clean;
     add_needles(data, i / 3, i % 3);
     const Built built(data);
     const auto read = lib::read_triangle_mesh(built.mesh, get(CGAL::vertex_point, built.mesh));
-    CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, params::cut_locus_method(Polyhedral_method()));
+    Solver solver(built.mesh, by(Polyhedral_method()));
     for(const auto v : built.mesh.vertices())
     {
       solver.set_source(v);
-      const auto curve = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+      const auto curve = solver.cut_locus(through_faces);
       const auto on = lib::on_component(read.mesh, lib::curve_on_mesh(read, built.mesh, curve));
       EXPECT_EQ(curve_measures::internal::Curve_topology(on.component.mesh, on.curve.graph).fault(), "")
         << "needles at corner " << i % 3 << " of face " << i / 3 << ", from " << v;
@@ -168,12 +165,11 @@ TEST(Faces_without_area, do_not_hide_the_order_of_the_branches_at_a_vertex)
 {
   for(unsigned seed = 0; seed < 20; ++seed)
   {
-    const Built built(with_flat_faces(test_meshes::torus(1., 0.4, 12, 8, 0.15, seed), 40, seed));
-    CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh,
-                                              params::geodesic_solver(CGAL::Heat_method_geodesic_solver<>()));
+    const Built built(with_flat_faces(torus(1., 0.4, 12, 8, 0.15, seed), 40, seed));
+    Solver solver(built.mesh, params::geodesic_solver(CGAL::Heat_method_geodesic_solver<>()));
     solver.set_source(built.vertices[seed]);
-    const auto curve = solver.cut_locus();
-    EXPECT_EQ(curve_measures::measure(built.mesh, curve).topology_fault, "") << "seed " << seed;
+    SCOPED_TRACE(seed);
+    checked_curves::measured(built.mesh, solver.cut_locus());
   }
 }
 
@@ -182,7 +178,7 @@ void add_beside(Mesh_data& m, std::size_t f, double share, std::mt19937& engine)
 {
   using test_meshes::operator*, test_meshes::operator+;
   const Triangle t = m.triangles[f];
-  const double along = engine() % 2 == 0 ? 0. : test_meshes::random_unit(engine); // of the first edge
+  const double along = engine() % 2 == 0 ? 0. : random_unit(engine); // of the first edge
   const double a = (1. - share) * (1. - along) + 0.2 * share, b = (1. - share) * along + 0.3 * share;
   const std::size_t v = m.points.size();
   m.points.push_back(a * m.points[t[0]] + b * m.points[t[1]] + (1. - a - b) * m.points[t[2]]);
@@ -198,18 +194,17 @@ TEST(Faces_without_area, or_nearly_so_block_hardly_a_path)
   for(unsigned seed = 0; seed < 60; ++seed)
   {
     std::mt19937 engine(seed);
-    Mesh_data data = seed % 2 == 0 ? test_meshes::random_convex_polyhedron(6 + seed % 9, seed)
-                                   : test_meshes::torus(1., 0.4, 3 + seed % 5, 3 + seed % 3, 0.1, seed);
-    const double share = std::pow(10., -9.5 - 3. * test_meshes::random_unit(engine));
+    Mesh_data data = seed % 2 == 0 ? random_convex_polyhedron(6 + seed % 9, seed)
+                                   : torus(1., 0.4, 3 + seed % 5, 3 + seed % 3, 0.1, seed);
+    const double share = std::pow(10., -9.5 - 3. * random_unit(engine));
     const std::size_t faces = data.triangles.size(), first = engine() % faces;
     for(std::size_t i = 0; i < 1 + seed % 5; ++i)
       add_beside(data, (first + i) % faces, share, engine);
     const Built built(data);
     for(const Method method : {Method(Default_method()), Method(Polyhedral_method())})
     {
-      const auto curve =
-        CGAL::compute_cut_locus(built.mesh, built.vertices[engine() % built.vertices.size()],
-                                params::cut_locus_method(method).cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+      const auto curve = compute_cut_locus(built.mesh, built.vertices[engine() % built.vertices.size()],
+                                           through_faces.cut_locus_method(method));
       const auto measures = curve_measures::measure(built.mesh, curve);
       EXPECT_EQ(measures.measuring_failed, "") << "seed " << seed;
       // also where labels alone tell what is drawn
@@ -234,8 +229,8 @@ TEST(Faces_without_area, or_nearly_so_hide_no_place_from_queries)
     fuzz_surfaces::Surface surface = fuzz_surfaces::surface(random);
     fuzz_surfaces::add_thin_faces(surface, random);
     const Built built({surface.points, {surface.faces.begin(), surface.faces.end()}});
-    const auto curve = CGAL::compute_cut_locus(built.mesh, built.vertices[random.below(built.vertices.size())],
-                                               params::cut_locus_method(Polyhedral_method()));
+    const auto curve =
+      compute_cut_locus(built.mesh, built.vertices[random.below(built.vertices.size())], by(Polyhedral_method()));
     EXPECT_LT(curve_measures::node_distance_errors(built.mesh, curve).max, 5e-5) << "seed " << seed;
   }
 }
@@ -244,12 +239,11 @@ TEST(Faces_without_area, or_nearly_so_hide_no_place_from_queries)
 template <typename GeodesicSolver>
 std::vector<double> laplacian_by(const Built& built, const GeodesicSolver& geodesic_solver)
 {
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(
-    built.mesh, params::cut_locus_method(Laplacian_method()).geodesic_solver(geodesic_solver));
+  Solver solver(built.mesh, by(Laplacian_method()).geodesic_solver(geodesic_solver));
   solver.set_source(built.vertices[0]);
   const auto edges = solver.cut_locus(mesh_edges);
   EXPECT_EQ(fault_of(built, edges, 0, {0}, Laplacian_method()), "");
-  const auto straight = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+  const auto straight = solver.cut_locus(through_faces);
   for(const auto v : CGAL::make_range(vertices(straight.graph())))
     EXPECT_TRUE(std::isfinite(straight.graph()[v].point.x()) && std::isfinite(straight.graph()[v].distance));
   std::vector<double> result;
@@ -265,7 +259,7 @@ TEST(Faces_without_area, are_taken_by_laplacian_with_any_distances)
     {
       const Built flat(with_flat_faces(data, 12, seed));
       const std::vector<double> exact = distances(flat, 0);
-      const double h = test_meshes::mean_edge_length(data);
+      const double h = mean_edge_length(data);
       const std::vector<double> by_exact = laplacian_by(flat, CGAL::Exact_geodesic_solver()),
                                 by_graph = laplacian_by(flat, CGAL::Graph_geodesic_solver());
       for(std::size_t v = 0; v < exact.size(); ++v)
@@ -284,7 +278,7 @@ TEST(Faces_without_area, are_taken_by_solvers_of_CGAL)
     {
       const Built flat(with_flat_faces(data, number, 3));
       const std::vector<double> exact = distances(flat, 0);
-      const double h = test_meshes::mean_edge_length(data), far = *std::max_element(exact.begin(), exact.end());
+      const double h = mean_edge_length(data), far = *std::max_element(exact.begin(), exact.end());
       const std::vector<double> by_cgal = laplacian_by(flat, CGAL::Shortest_path_geodesic_solver()),
                                 by_heat = laplacian_by(flat, CGAL::Heat_method_geodesic_solver()),
                                 by_direct =
@@ -304,12 +298,11 @@ TEST(Faces_without_area, hold_sources_of_solvers_of_CGAL)
   for(const Mesh_data& data : clean_meshes())
   {
     const Built flat(with_flat_faces(data, 12, 5));
-    const double h = test_meshes::mean_edge_length(data);
+    const double h = mean_edge_length(data);
     for(std::size_t f : {data.triangles.size() + 1, flat.data.triangles.size() - 1})
     {
       const auto face = Mesh::Face_index(static_cast<Mesh::size_type>(f));
-      CGAL::Surface_mesh_cut_locus<Mesh> exact(flat.mesh),
-        by_cgal(flat.mesh, params::geodesic_solver(CGAL::Shortest_path_geodesic_solver()));
+      Solver exact(flat.mesh), by_cgal(flat.mesh, params::geodesic_solver(CGAL::Shortest_path_geodesic_solver()));
       const std::pair<Mesh::Face_index, std::array<double, 3>> source(face, {{0.3, 0.3, 0.4}});
       exact.set_source(source);
       by_cgal.set_source(source);
@@ -322,14 +315,13 @@ TEST(Faces_without_area, hold_sources_of_solvers_of_CGAL)
 
 TEST(Faces_without_area, can_be_cut_and_refined_along_a_cut_locus)
 {
-  const Built flat(with_flat_faces(test_meshes::torus(1., 0.4, 12, 8, 0.15, 5), 8, 7));
-  const auto edges = CGAL::compute_cut_locus(flat.mesh, flat.vertices[0], mesh_edges);
+  const Built flat(with_flat_faces(torus(1., 0.4, 12, 8, 0.15, 5), 8, 7));
+  const auto edges = compute_cut_locus(flat.mesh, flat.vertices[0], mesh_edges);
   EXPECT_EQ(fault_of(flat, edges, 0, {0}, Default_method()), "");
   Mesh disk;
   CGAL::cut_along_cut_locus(flat.mesh, edges, disk);
   EXPECT_EQ(disk.number_of_vertices() + disk.number_of_faces(), disk.number_of_edges() + 1);
-  const auto curve =
-    CGAL::compute_cut_locus(flat.mesh, flat.vertices[0], params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+  const auto curve = compute_cut_locus(flat.mesh, flat.vertices[0], through_faces);
   Mesh refined, straight_disk;
   CGAL::refine_along_cut_locus(flat.mesh, curve, refined);
   EXPECT_EQ(refined.number_of_vertices() + refined.number_of_faces(), refined.number_of_edges());

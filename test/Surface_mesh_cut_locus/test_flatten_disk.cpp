@@ -54,8 +54,8 @@ Layout_quality expect_injective(Mesh& disk)
 Mesh cut_open(const Mesh_data& data, std::size_t source)
 {
   Mesh mesh = to_surface_mesh(data), disk;
-  CGAL::cut_along_cut_locus(
-    mesh, CGAL::compute_cut_locus(mesh, Mesh::Vertex_index(Mesh::size_type(source)), mesh_edges), disk);
+  CGAL::cut_along_cut_locus(mesh, compute_cut_locus(mesh, Mesh::Vertex_index(Mesh::size_type(source)), mesh_edges),
+                            disk);
   return disk;
 }
 
@@ -76,10 +76,7 @@ Mesh_data strip(double turns, std::size_t columns, double climb)
     }
   for(std::size_t i = 0; i < columns; ++i)
     for(std::size_t a : {3 * i, 3 * i + 1})
-    {
-      m.triangles.push_back({{a, a + 1, a + 4}});
-      m.triangles.push_back({{a, a + 4, a + 3}});
-    }
+      add_square(m, {{a, a + 1, a + 4, a + 3}});
   return m;
 }
 
@@ -108,10 +105,7 @@ TEST(Flatten_disk, Seams_through_the_faces)
   {
     SCOPED_TRACE(name);
     Mesh mesh = to_surface_mesh(surface), along_edges = cut_open(surface, 0), along_curve;
-    CGAL::cut_along_cut_locus(mesh,
-                              CGAL::compute_cut_locus(mesh, *mesh.vertices().begin(),
-                                                      params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)),
-                              along_curve);
+    CGAL::cut_along_cut_locus(mesh, compute_cut_locus(mesh, *mesh.vertices().begin(), through_faces), along_curve);
     const double energy = expect_injective(along_edges).symmetric_dirichlet_energy;
     EXPECT_NEAR(expect_injective(along_curve).symmetric_dirichlet_energy, energy, 0.02 * energy);
   }
@@ -292,16 +286,7 @@ TEST(Flatten_disk, Bad_input)
   for(Mesh* mesh : {&sphere, &cylindrical, &two})
   {
     UV_map uv = add_uv_map(*mesh);
-    try
-    {
-      flatten_disk(*mesh, uv);
-      ADD_FAILURE();
-    }
-    catch(const Invalid_input& e)
-    {
-      EXPECT_EQ(e.cause(), CGAL::Cut_loci::Cause::NO_DISK);
-      EXPECT_NE(std::string(e.what()).find("cut_along_cut_locus"), std::string::npos);
-    }
+    expect_refused([&] { flatten_disk(*mesh, uv); }, Cause::NO_DISK, {"cut_along_cut_locus"});
   }
   Mesh disk = to_surface_mesh(square(2));
   UV_map uv = add_uv_map(disk);

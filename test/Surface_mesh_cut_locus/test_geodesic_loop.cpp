@@ -22,7 +22,7 @@ double length(const Points& points)
 {
   double result = 0.;
   for(std::size_t i = 0; i + 1 < points.size(); ++i)
-    result += std::sqrt(CGAL::squared_distance(points[i], points[i + 1]));
+    result += distance(points[i], points[i + 1]);
   return result;
 }
 
@@ -33,8 +33,8 @@ TEST(Geodesic_loop, of_a_cylinder_goes_around)
   const Mesh& mesh = built.mesh;
   for(const Mesh::Vertex_index source : {built.vertices[0], built.vertices[built.vertices.size() / 2]})
   {
-    const Points loop = CGAL::Cut_loci::geodesic_loop(mesh, CGAL::compute_cut_locus(mesh, source));
-    EXPECT_NEAR(length(loop), 48. * std::sin(3.14159265358979323846 / 24.), 1e-5);
+    const Points loop = CGAL::Cut_loci::geodesic_loop(mesh, compute_cut_locus(mesh, source));
+    EXPECT_NEAR(length(loop), 48. * std::sin(pi / 24.), 1e-5);
     EXPECT_EQ(loop.front(), loop.back());
     for(const Kernel::Point_3& p : loop)
       EXPECT_NEAR(p.z(), mesh.point(source).z(), 2e-3);
@@ -51,7 +51,7 @@ TEST(Geodesic_loop, is_twice_the_radius_on_random_surfaces)
                       : seed % 3 == 1 ? irregular_bumpy_sphere(6, 0.3, seed)
                                       : random_convex_polyhedron(15, seed));
     const std::pair<Mesh::Face_index, std::array<double, 3>> source(Mesh::Face_index(seed), {{0.2, 0.5, 0.3}});
-    const auto cut_locus = CGAL::compute_cut_locus(built.mesh, source);
+    const auto cut_locus = compute_cut_locus(built.mesh, source);
     const auto nearest = CGAL::Cut_loci::injectivity_radius(cut_locus);
     const Points loop = CGAL::Cut_loci::geodesic_loop(built.mesh, cut_locus);
     // between the ends of an edge, the radius is that in a plane, which is known to this
@@ -80,9 +80,8 @@ TEST(Geodesic_loop, is_twice_the_radius_on_random_surfaces)
 TEST(Geodesic_loop, is_that_of_one_source)
 {
   const Built built(torus(2., 0.8, 18, 10));
-  const auto of_two =
-    CGAL::compute_cut_locus(built.mesh, std::vector<Mesh::Vertex_index>{built.vertices[0], built.vertices[50]});
-  EXPECT_THROW(CGAL::Cut_loci::geodesic_loop(built.mesh, of_two), CGAL::Cut_loci::Invalid_input);
+  const auto of_two = compute_cut_locus(built.mesh, Vertices{built.vertices[0], built.vertices[50]});
+  EXPECT_THROW(CGAL::Cut_loci::geodesic_loop(built.mesh, of_two), Invalid_input);
 }
 
 } // namespace

@@ -6,7 +6,6 @@
 
 #include "surface_test.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>
@@ -18,25 +17,17 @@ namespace test_geodesic_solvers {
 using namespace surface_test;
 using Direct_heat = CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct>;
 using Intrinsic_heat = CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Intrinsic_Delaunay>;
-using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
-using Built = Built_mesh<Mesh>;
 
 namespace {
 
 Indexed_source location(Index face, const std::array<double, 3>& coordinates)
 {
-  Indexed_source source;
-  source.location.face = face;
-  source.location.coordinates = coordinates;
-  return source;
+  return {{face, coordinates}, null_index};
 }
 
 Point point_of(const Indexed_triangle_mesh& mesh, const Indexed_source& source)
 {
-  Point p = {{0., 0., 0.}};
-  for(int i = 0; i < 3; ++i)
-    p = p + source.location.coordinates[i] * mesh.points[mesh.triangles[source.location.face][i]];
-  return p;
+  return CGAL::Cut_loci::internal::position(mesh, source.location);
 }
 
 template <typename Solver>
@@ -273,7 +264,7 @@ TEST(Insert_vertex, keeps_the_surface_and_puts_the_vertex_where_it_was_asked_for
         EXPECT_EQ(refined.number_of_faces(), mesh.number_of_faces() + (is_on_border ? 1 : 2));
         EXPECT_EQ(border_size(refined), border_size(mesh) + (is_on_border ? 1 : 0));
 
-        const CGAL::Cut_loci::Mesh_connectivity before(mesh), after(refined);
+        const Mesh_connectivity before(mesh), after(refined);
         ASSERT_TRUE(after.first_non_manifold.empty());
         EXPECT_EQ(after.valence(v), is_on_border || !is_on_edge ? 3u : 4u);
         EXPECT_EQ(after.is_border(v), is_on_border);
@@ -289,7 +280,7 @@ TEST(Surface_mesh_copy, is_a_valid_mesh_with_the_same_numbering)
       {jittered_sphere(3, 0.2, 1), square(3, 0.2, 2), cylinder(1., 6, 2, 0.1, 3), perforated_plate(2, 1, 1, 4)})
   {
     const Indexed_triangle_mesh mesh = indexed(data);
-    const Mesh copy = CGAL::Cut_loci::internal::surface_mesh_copy(mesh);
+    const auto copy = CGAL::Cut_loci::internal::surface_mesh_copy(mesh);
     EXPECT_TRUE(copy.is_valid(false));
     EXPECT_TRUE(CGAL::is_triangle_mesh(copy));
     ASSERT_EQ(copy.number_of_faces(), mesh.number_of_faces());
@@ -307,14 +298,14 @@ TEST(Surface_mesh_copy, of_a_surface_with_two_edges_between_the_same_vertices_ca
 {
   const Indexed_triangle_mesh mesh = two_sided_strip(6);
   expect_consistent(mesh);
-  const Mesh copy = CGAL::Cut_loci::internal::surface_mesh_copy(mesh);
+  const auto copy = CGAL::Cut_loci::internal::surface_mesh_copy(mesh);
   EXPECT_TRUE(copy.is_valid(false));
   // both strips are flat: the distance is that in the plane
   EXPECT_LT(largest_error(
               distances(CGAL::Shortest_path_geodesic_solver(), mesh, at_vertex(mesh, 0)),
               [&](std::size_t v) { return norm(mesh.points[v] - mesh.points[0]); }, 1.),
             1e-7);
-  const auto cut_locus = CGAL::compute_cut_locus(copy, Mesh::Vertex_index(4));
+  const auto cut_locus = compute_cut_locus(copy, Mesh::Vertex_index(4));
   EXPECT_EQ(cut_locus.genus(), 0u);
   EXPECT_EQ(cut_locus.number_of_border_loops(), 2u);
   for(Mesh::Vertex_index v : copy.vertices())
@@ -326,7 +317,7 @@ TEST(Geodesic_solver, can_be_written_by_the_user)
   const Mesh_data data = jittered_sphere(5, 0.2, 1);
   const Built built(data);
   const Euclidean_solver euclidean;
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, CGAL::parameters::geodesic_solver(euclidean));
+  Solver solver(built.mesh, params::geodesic_solver(euclidean));
   for(std::size_t v : {3, 70})
   {
     solver.set_source(built.vertices[v]);
@@ -341,13 +332,10 @@ TEST(Geodesic_solver, can_be_written_by_the_user)
 
 TEST(Geodesic_solver, chooses_the_method_for_its_distances)
 {
-  using CGAL::Cut_loci::Default_method;
-  using CGAL::Cut_loci::Laplacian_method;
   const Built built(jittered_sphere(5, 0.2, 1));
-  const auto method_with = [&](const auto& geodesic_solver) {
-    return CGAL::Surface_mesh_cut_locus<Mesh>(built.mesh, CGAL::parameters::geodesic_solver(geodesic_solver)).method();
-  };
-  EXPECT_TRUE(std::holds_alternative<Default_method>(CGAL::Surface_mesh_cut_locus<Mesh>(built.mesh).method()));
+  const auto method_with = [&](const auto& geodesic_solver)
+  { return Solver(built.mesh, params::geodesic_solver(geodesic_solver)).method(); };
+  EXPECT_TRUE(std::holds_alternative<Default_method>(Solver(built.mesh).method()));
   EXPECT_TRUE(std::holds_alternative<Default_method>(method_with(CGAL::Exact_geodesic_solver())));
   EXPECT_TRUE(std::holds_alternative<Laplacian_method>(method_with(CGAL::Shortest_path_geodesic_solver())));
   EXPECT_TRUE(std::holds_alternative<Laplacian_method>(method_with(CGAL::Heat_method_geodesic_solver<>())));
@@ -360,7 +348,7 @@ TEST(Geodesic_solver, gets_the_component_of_the_source_alone)
   const Mesh_data ball = jittered_sphere(3, 0.2, 1);
   const Built built(disjoint_union(ball, ball, {{4., 0., 0.}}));
   const Euclidean_solver euclidean;
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, CGAL::parameters::geodesic_solver(euclidean));
+  Solver solver(built.mesh, params::geodesic_solver(euclidean));
   for(std::size_t v : {std::size_t(0), ball.points.size(), std::size_t(5)})
   {
     solver.set_source(built.vertices[v]);
@@ -374,15 +362,8 @@ TEST(Geodesic_solver, that_returns_too_few_distances_is_refused)
   const Built built(icosahedron());
   Euclidean_solver euclidean;
   euclidean.missing = 2;
-  try
-  {
-    CGAL::compute_cut_locus(built.mesh, built.vertices[0], CGAL::parameters::geodesic_solver(euclidean));
-    FAIL() << "nothing was thrown";
-  }
-  catch(const CGAL::Cut_loci::Invalid_input& error)
-  {
-    EXPECT_EQ(std::string(error.what()), "the geodesic solver returned 10 distances for 12 vertices");
-  }
+  expect_refused([&] { compute_cut_locus(built.mesh, built.vertices[0], params::geodesic_solver(euclidean)); },
+                 Cause::INVALID_DISTANCE, {"the geodesic solver returned 10 distances for 12 vertices"});
 }
 
 namespace {
@@ -401,7 +382,7 @@ TEST(Visitor, is_told_of_each_stage_and_keeps_its_state_by_reference)
   using CGAL::Cut_loci::Stage;
   const Built built(jittered_sphere(3, 0.2, 1));
   Counting_visitor visitor;
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, CGAL::parameters::visitor(std::ref(visitor)));
+  Solver solver(built.mesh, params::visitor(std::ref(visitor)));
   solver.set_source(built.vertices[0]);
   solver.cut_locus();
   visitor.started.clear();
@@ -413,7 +394,7 @@ TEST(Visitor, is_told_of_each_stage_and_keeps_its_state_by_reference)
   EXPECT_EQ(visitor.started.back(), Stage::FILTER);
   EXPECT_EQ(visitor.started, visitor.ended);
   visitor.started.clear();
-  solver.cut_locus(CGAL::parameters::cut_locus_method(CGAL::Cut_loci::Default_method().minimum_branch_width(0.3)));
+  solver.cut_locus(by(Default_method().minimum_branch_width(0.3)));
   EXPECT_EQ(visitor.started, std::vector<Stage>{Stage::FILTER}) << "a new threshold runs nothing else";
 }
 

@@ -81,10 +81,9 @@ void expect_bounds(const Built& built, const Solver& direction, const Result& fu
   const double far = 2.5e-4 * longest_edge(built.mesh); // twice as far as any move
   const auto of_all = injectivity_radius(full);
   EXPECT_GE(of_all.lower_bound, of_all.distance - far);
-  for(const Result& result :
-      {direction.cut_locus(), direction.cut_locus(params::cut_locus_method(Default_method().minimum_branch_width(1.))),
-       direction.cut_locus(params::cut_locus_method(Default_method().minimum_branch_gap(0.5))),
-       direction.cut_locus(params::cut_locus_method(Default_method().minimum_branch_width(0.01)))})
+  for(const Result& result : {direction.cut_locus(), direction.cut_locus(by(Default_method().minimum_branch_width(1.))),
+                              direction.cut_locus(by(Default_method().minimum_branch_gap(0.5))),
+                              direction.cut_locus(by(Default_method().minimum_branch_width(0.01)))})
   {
     const auto radius = injectivity_radius(result);
     EXPECT_LE(radius.lower_bound, least + rounding);
@@ -104,7 +103,7 @@ TEST(Injectivity_lower_bound, of_points_is_the_least_distance_of_the_full_tree)
   for(const Named_mesh& m : meshes())
   {
     const Built built(m.data);
-    Solver full(built.mesh, params::cut_locus_method(Polyhedral_method())), direction(built.mesh);
+    Solver full(built.mesh, by(Polyhedral_method())), direction(built.mesh);
     std::mt19937 engine(7);
     for(std::size_t k : {1, 1, 1, 1, 3, 6})
     {
@@ -135,7 +134,7 @@ TEST(Injectivity_lower_bound, of_curves_is_zero_at_corners_and_else_the_least_di
     const Built built(m.data);
     if(built.vertices.size() < 40)
       continue;
-    Solver full(built.mesh, params::cut_locus_method(Polyhedral_method())), direction(built.mesh);
+    Solver full(built.mesh, by(Polyhedral_method())), direction(built.mesh);
     std::vector<std::vector<Edges>> sets = {border_loops(built)};
     for(unsigned seed = 1; seed <= 4; ++seed)
       sets.push_back(random_curves(built, seed % 3 + 1, seed % 2 == 0 ? 1 : 4, seed)); // one edge has no corner
@@ -175,8 +174,7 @@ TEST(Injectivity_lower_bound, is_the_radius_where_no_vertex_has_positive_curvatu
 TEST(Injectivity_lower_bound, is_zero_where_it_is_not_known)
 {
   const Built built(torus(1., 0.4, 24, 12, 0.2, 4));
-  const auto radius = injectivity_radius(
-    CGAL::compute_cut_locus(built.mesh, built.vertices[0], params::cut_locus_method(Laplacian_method())));
+  const auto radius = injectivity_radius(compute_cut_locus(built.mesh, built.vertices[0], by(Laplacian_method())));
   EXPECT_GT(radius.distance, 0.);
   EXPECT_EQ(radius.lower_bound, 0.);
 }

@@ -53,7 +53,7 @@ TEST(Injectivity_radius, Is_reached_at_a_vertex_or_within_an_edge)
   EXPECT_DOUBLE_EQ(injectivity_radius(made_of({{3., 4., 0.}, {3., 4., 0.}}, {{0, 1}})).distance, 5.); // no length
   EXPECT_DOUBLE_EQ(
     CGAL::Cut_loci::compute_statistics(made_of({{-1., 1., 0.}, {3., 1., 0.}}, {{0, 1}})).injectivity_radius, 1.);
-  EXPECT_THROW(injectivity_radius(made_of({}, {})), CGAL::Cut_loci::Invalid_input);
+  EXPECT_THROW(injectivity_radius(made_of({}, {})), Invalid_input);
 }
 
 // ---- closed forms
@@ -133,8 +133,8 @@ std::vector<Estimate> estimates(const Surface& surface, Method method, bool is_t
     for(unsigned seed = 0; seed < number; ++seed)
     {
       const Mesh_data data = surface.make(n, seed);
-      const Built_mesh<Mesh> built(data);
-      CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, params::cut_locus_method(method));
+      const Built built(data);
+      Solver solver(built.mesh, by(method));
       solver.set_source(built.vertices[nearest_vertex(data, surface.source)]);
       const auto radius = injectivity_radius(
         solver.cut_locus(params::cut_locus_curve(is_through_faces ? Curve::THROUGH_FACES : Curve::MESH_EDGES)));
@@ -198,12 +198,12 @@ TEST(Farthest_node, Is_beyond_the_opposite_corner_of_a_box)
   for(const int n : {1, 2, 4, 5})
   {
     const Mesh_data data = cuboid({{1., 1., 2.}}, n);
-    const Built_mesh<Mesh> built(data);
+    const Built built(data);
     for(const Method method : {Method(Default_method()), Method(Polyhedral_method())})
     {
-      CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, params::cut_locus_method(method));
+      Solver solver(built.mesh, by(method));
       solver.set_source(built.vertices[nearest_vertex(data, {{0., 0., 0.}})]);
-      const auto cut_locus = solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES));
+      const auto cut_locus = solver.cut_locus(through_faces);
       const auto& farthest = cut_locus.graph()[cut_locus.farthest_node()];
       EXPECT_NEAR(farthest.distance, std::sqrt(130.) / 4., 1e-5) << n;
       EXPECT_NEAR(farthest.point.z(), 2., 1e-5);

@@ -39,6 +39,11 @@ std::vector<double> levels_and_vertices(const Mesh& mesh, const Geodesics& geode
   return {result.begin(), result.end()};
 }
 
+struct Geodesics_with_isolines : Geodesics
+{
+  explicit Geodesics_with_isolines(const Mesh& mesh) : Geodesics(mesh) { set_isolines(true); }
+};
+
 Isolines isolines(const Geodesics& geodesics, const std::vector<double>& levels, double deviation)
 {
   Isolines result;
@@ -134,8 +139,7 @@ TEST(Isolines, of_a_plane_are_circles)
     const Built built(square(9, 0.3, seed));
     const Mesh& mesh = built.mesh;
     std::mt19937 random(seed);
-    Geodesics geodesics(mesh);
-    geodesics.set_isolines(true);
+    Geodesics_with_isolines geodesics(mesh);
     const Location source(Mesh::Face_index(static_cast<Mesh::size_type>(mesh.number_of_faces() / 2 + seed)),
                           {{0.2, 0.3, 0.5}});
     geodesics.compute(source);
@@ -175,8 +179,7 @@ TEST(Isolines, through_vertices_are_whole)
   const Built built(grid(12, 12));
   const Mesh& mesh = built.mesh;
   const std::size_t middle = nearest_vertex(built.data, {{6., 6., 0.}});
-  Geodesics geodesics(mesh);
-  geodesics.set_isolines(true);
+  Geodesics_with_isolines geodesics(mesh);
   geodesics.compute(built.vertices[middle]);
   std::vector<double> levels;
   for(const Mesh::Vertex_index v : mesh.vertices())
@@ -210,8 +213,7 @@ TEST(Isolines, of_a_cylinder_part_behind_it)
 {
   const std::size_t n = 8, m = 20;
   const Built built(prism(n, m, 3));
-  Geodesics geodesics(built.mesh);
-  geodesics.set_isolines(true);
+  Geodesics_with_isolines geodesics(built.mesh);
   geodesics.compute(built.vertices[n * m / 2]);
   const std::vector<double> levels = {1., 3.9, 4.1, 7.3};
   const Isolines lines = isolines(geodesics, levels, 1e-7);
@@ -252,8 +254,7 @@ TEST(Isolines, of_a_cone_are_as_long_as_its_angle)
       data.triangles.push_back({{0, 1 + i, 1 + (i + 1) % n}});
     }
     const Built built(data);
-    Geodesics geodesics(built.mesh);
-    geodesics.set_isolines(true);
+    Geodesics_with_isolines geodesics(built.mesh);
     geodesics.compute(built.vertices[0]);
     const Isolines lines = isolines(geodesics, {0.4}, 1e-7);
     ASSERT_EQ(lines.size(), 1u);
@@ -270,8 +271,7 @@ constexpr double rounding = 1e-9;
 TEST(Isolines, of_the_border_of_a_square_are_squares)
 {
   const Built built(square(7, 0.3, 2));
-  Geodesics geodesics(built.mesh);
-  geodesics.set_isolines(true);
+  Geodesics_with_isolines geodesics(built.mesh);
   geodesics.add_source_border();
   geodesics.compute();
   const Isolines lines = isolines(geodesics, {0.01, 0.2, 0.43}, 1e-6);
@@ -289,8 +289,7 @@ TEST(Isolines, of_the_border_of_a_cylinder_go_around)
 {
   const std::size_t n = 12, m = 9;
   const Built built(prism(n, m, 5));
-  Geodesics geodesics(built.mesh);
-  geodesics.set_isolines(true);
+  Geodesics_with_isolines geodesics(built.mesh);
   geodesics.add_source_border();
   geodesics.compute();
   std::vector<double> levels;
@@ -472,7 +471,7 @@ double distance_behind_a_gap(double gap, double further)
   namespace internal = CGAL::Cut_loci::internal;
   const auto mesh = indexed(Mesh_data{{{{0., 0., 0.}}, {{1., 0., 0.}}, {{0.5, 1., 0.}}}, {{{0, 1, 2}}}});
   internal::Exact_geodesic_propagation geodesics(mesh);
-  geodesics.run({CGAL::Cut_loci::Indexed_location{0, {{1., 0., 0.}}}}, {});
+  geodesics.run({Indexed_location{0, {{1., 0., 0.}}}}, {});
   const std::vector<internal::Crossing_window> windows = {{0, false, 0., 0.5, 0.5, -1., 0.},
                                                           {0, false, 0.5 + gap, 1., 0.5, -1., further}};
   double result = std::numeric_limits<double>::infinity();
@@ -497,8 +496,7 @@ TEST(Isolines, bound_what_is_nearer_on_random_surfaces)
     const Built built(random_surface(seed));
     const Mesh& mesh = built.mesh;
     std::mt19937 random(seed);
-    Geodesics geodesics(mesh);
-    geodesics.set_isolines(true);
+    Geodesics_with_isolines geodesics(mesh);
     std::vector<Location> sources;
     for(unsigned i = 0; i < 1 + seed % 4 / 2; ++i)
     {
@@ -534,6 +532,15 @@ TEST(Isolines, bound_what_is_nearer_on_random_surfaces)
   EXPECT_GT(compared, 2 * unsure);
 }
 
+void expect_whole(const Mesh& mesh, Geodesics& geodesics)
+{
+  const double largest = largest_distance(mesh, geodesics);
+  const Isolines lines = isolines(geodesics, levels_and_vertices(mesh, geodesics), 1e-3 * largest);
+  expect_closed(mesh, lines);
+  expect_connected(mesh, lines);
+  expect_right_places(mesh, geodesics, lines, rounding * largest);
+}
+
 /// sources in faces, on edges and at vertices, several of them, and many levels
 TEST(Isolines, are_whole_on_random_surfaces)
 {
@@ -542,16 +549,11 @@ TEST(Isolines, are_whole_on_random_surfaces)
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Built built(random_surface(seed));
     std::mt19937 random(seed);
-    Geodesics geodesics(built.mesh);
-    geodesics.set_isolines(true);
+    Geodesics_with_isolines geodesics(built.mesh);
     for(unsigned i = 0; i < 1 + seed % 4; ++i)
       geodesics.add_source(random_location(built.mesh, random));
     geodesics.compute();
-    const double largest = largest_distance(built.mesh, geodesics);
-    const Isolines lines = isolines(geodesics, levels_and_vertices(built.mesh, geodesics), 1e-3 * largest);
-    expect_closed(built.mesh, lines);
-    expect_connected(built.mesh, lines);
-    expect_right_places(built.mesh, geodesics, lines, rounding * largest);
+    expect_whole(built.mesh, geodesics);
   }
 }
 
@@ -564,9 +566,8 @@ TEST(Isolines, of_curves_are_whole_on_random_surfaces)
     const Built built(random_surface(seed));
     const Mesh& mesh = built.mesh;
     std::mt19937 random(seed);
-    Geodesics geodesics(mesh);
-    geodesics.set_isolines(true);
-    std::vector<Mesh::Edge_index> curve;
+    Geodesics_with_isolines geodesics(mesh);
+    Edges curve;
     Mesh::Halfedge_index h(static_cast<Mesh::size_type>(random() % mesh.number_of_halfedges()));
     for(std::size_t length = 1 + random() % 6; curve.size() < length; h = mesh.opposite(mesh.next(h)))
       curve.push_back(mesh.edge(h));
@@ -574,11 +575,7 @@ TEST(Isolines, of_curves_are_whole_on_random_surfaces)
     if(seed % 3 == 0)
       geodesics.add_source(random_location(mesh, random));
     geodesics.compute();
-    const double largest = largest_distance(mesh, geodesics);
-    const Isolines lines = isolines(geodesics, levels_and_vertices(mesh, geodesics), 1e-3 * largest);
-    expect_closed(mesh, lines);
-    expect_connected(mesh, lines);
-    expect_right_places(mesh, geodesics, lines, rounding * largest);
+    expect_whole(mesh, geodesics);
   }
 }
 
@@ -591,8 +588,7 @@ TEST(Isolines, are_whole_on_symmetric_surfaces)
     {
       SCOPED_TRACE(std::to_string(data.points.size()) + " vertices, sources " + std::to_string(k));
       const Built built(data);
-      Geodesics geodesics(built.mesh);
-      geodesics.set_isolines(true);
+      Geodesics_with_isolines geodesics(built.mesh);
       const Mesh::Face_index f(static_cast<Mesh::size_type>(built.mesh.number_of_faces() / 3));
       if(k % 2 == 0)
         geodesics.add_source(built.vertices[0]);
@@ -603,10 +599,7 @@ TEST(Isolines, are_whole_on_symmetric_surfaces)
       if(k == 3)
         geodesics.add_source(Location(f, {{0.5, 0.5, 0.}}));
       geodesics.compute();
-      const double largest = largest_distance(built.mesh, geodesics);
-      const Isolines lines = isolines(geodesics, levels_and_vertices(built.mesh, geodesics), 1e-3 * largest);
-      expect_closed(built.mesh, lines);
-      expect_right_places(built.mesh, geodesics, lines, rounding * largest);
+      expect_whole(built.mesh, geodesics);
     }
 }
 
@@ -615,31 +608,21 @@ TEST(Isolines, are_refused_where_there_are_none)
   const Built built(icosahedron());
   Geodesics geodesics(built.mesh);
   Isolines lines;
-  const auto expect_refused = [&](const std::string& text, const std::function<void()>& call)
-  {
-    try
-    {
-      call();
-      ADD_FAILURE() << text;
-    }
-    catch(const Invalid_input& error)
-    {
-      EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
-    }
-  };
+  const auto expect_error = [](const std::string& text, const std::function<void()>& call)
+  { refusals::expect_words(call, {text}); };
   const auto write = [&](double level) { geodesics.isolines(std::vector<double>{level}, std::back_inserter(lines)); };
-  expect_refused("compute() comes before", [&] { write(0.1); });
+  expect_error("compute() comes before", [&] { write(0.1); });
   geodesics.compute(built.vertices[0]);
-  expect_refused("set_isolines() comes before compute()", [&] { write(0.1); });
+  expect_error("set_isolines() comes before compute()", [&] { write(0.1); });
   geodesics.set_isolines(true);
   geodesics.set_maximum_relative_error(0.01);
-  expect_refused("need exact distances", [&] { geodesics.compute(built.vertices[0]); });
+  expect_error("need exact distances", [&] { geodesics.compute(built.vertices[0]); });
   geodesics.set_maximum_relative_error(0.);
   geodesics.set_maximum_distance(0.5);
   geodesics.compute(built.vertices[0]);
   for(const double level : {0., -1., std::nan(""), 0.6, std::numeric_limits<double>::infinity()})
-    expect_refused("no isoline of the level", [&] { write(level); });
-  expect_refused("deviation must be positive", [&] { isolines(geodesics, {0.3}, 0.); });
+    expect_error("no isoline of the level", [&] { write(level); });
+  expect_error("deviation must be positive", [&] { isolines(geodesics, {0.3}, 0.); });
   EXPECT_TRUE(lines.empty());
   write(0.5);
   EXPECT_EQ(lines.size(), 1u);

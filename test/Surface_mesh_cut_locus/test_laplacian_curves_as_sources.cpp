@@ -11,44 +11,17 @@
 // without a vertex inside leaves no such edges, that is said.
 
 #include "curve_sources_cases.h"
-#include "detour.h"
 
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <string>
-#include <vector>
 
 namespace test_laplacian_curves_as_sources {
 
 namespace {
 
 using namespace curve_sources;
-using CGAL::Cut_loci::Curve;
-using CGAL::Cut_loci::Filter_policy;
 
-const auto laplacian = params::cut_locus_method(Laplacian_method());
-
-Result cut_locus_of_border(const Built& built, Curve curve)
-{
-  return CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_border(true).cut_locus_curve(curve));
-}
-
-double largest_edge(const Built& built)
-{
-  double result = 0.;
-  for(const Mesh::Edge_index e : built.mesh.edges())
-    result = (std::max)(result, CGAL::squared_distance(built.mesh.point(built.mesh.vertex(e, 0)),
-                                                       built.mesh.point(built.mesh.vertex(e, 1))));
-  return std::sqrt(result);
-}
+const auto laplacian = by(Laplacian_method());
 
 // -- closed forms ------------------------------------------------------------------------------------------------------
 
@@ -61,18 +34,14 @@ TEST(Laplacian_curves, the_border_of_a_rectangle_has_its_medial_axis)
       const double h = mean_edge_length(built.data);
       for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
       {
-        const Result result = cut_locus_of_border(built, curve);
+        const Result result = of_border(built, Laplacian_method(), curve);
         expect_topology(built, border_loops(built), result, "rectangle");
         EXPECT_EQ(number_of_leaves(result), 4u) << "towards the corners";
         // the branches end an edge before the corners
         EXPECT_GT(length(result), width - 1. + 2. * std::sqrt(2.) - 8. * h) << width << ' ' << n;
         for(const auto v : CGAL::make_range(vertices(result.graph())))
-        {
-          const Point p = to_point(result.graph()[v].point);
-          std::array<double, 4> d = {{p[0], width - p[0], p[1], 1. - p[1]}};
-          std::sort(d.begin(), d.end());
-          EXPECT_LT(d[1] - d[0], 2. * largest_edge(built)) << width << ' ' << n;
-        }
+          EXPECT_LT(excess_of_second_side(to_point(result.graph()[v].point), width), 2. * longest_edge(built.mesh))
+            << width << ' ' << n;
       }
     }
 }
@@ -85,7 +54,7 @@ TEST(Laplacian_curves, the_borders_of_a_ring_have_the_circle_between_them)
       for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
       {
         const Built built(annulus(0.5, 1.5, nu, nr));
-        const Result result = cut_locus_of_border(built, curve);
+        const Result result = of_border(built, Laplacian_method(), curve);
         expect_topology(built, border_loops(built), result, "ring");
         if(nr % 2 == 0)
         {
@@ -120,7 +89,7 @@ TEST(Laplacian_curves, both_ends_of_a_cylinder_have_the_circle_between_them)
 {
   const std::size_t nu = 32, nz = 12;
   const Built built(cylinder(2., nu, nz, 0., 0));
-  const Result result = cut_locus_of_border(built, Curve::MESH_EDGES);
+  const Result result = of_border(built, Laplacian_method(), Curve::MESH_EDGES);
   EXPECT_EQ(num_edges(result.graph()), nu);
   double low = 1e9, high = -1e9;
   for(const auto v : CGAL::make_range(vertices(result.graph())))
@@ -130,37 +99,6 @@ TEST(Laplacian_curves, both_ends_of_a_cylinder_have_the_circle_between_them)
     EXPECT_NEAR(result.graph()[v].distance, 1., 1e-4);
   }
   EXPECT_EQ(low, high) << "edges of the mesh are there";
-}
-
-TEST(Laplacian_curves, a_circle_on_a_sphere_has_its_two_centers)
-{
-  for(const std::size_t n : {16, 32})
-  {
-    const Built built(sphere_with_circle(2 * n, n));
-    const std::vector<Edges> curves = {path(built, circle(2 * n, n / 4, 0, 2 * n))};
-    const Result result = CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(curves));
-    expect_topology(built, curves, result, "circle");
-    EXPECT_EQ(num_edges(result.graph()), 0u);
-    ASSERT_EQ(num_vertices(result.graph()), 2u);
-    for(const auto v : CGAL::make_range(vertices(result.graph())))
-      EXPECT_EQ(std::fabs(result.graph()[v].point.z()), 1.) << "a pole";
-  }
-}
-
-TEST(Laplacian_curves, two_sides_of_a_rectangle_have_the_line_between_them)
-{
-  const std::size_t n = 12;
-  const Built built(rectangle(2., n, 0., 1));
-  const std::vector<Edges> sides = {side_of_square(built, n, true), side_of_square(built, n, false)};
-  for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
-  {
-    const Result result =
-      CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(sides).cut_locus_curve(curve));
-    expect_topology(built, sides, result, "sides");
-    EXPECT_NEAR(length(result), 2., 1e-6);
-    for(const auto v : CGAL::make_range(vertices(result.graph())))
-      EXPECT_NEAR(result.graph()[v].point.y(), 0.5, 1e-6);
-  }
 }
 
 // All points nearest to the end of a slit in a strip, and to its sides, are beside it: nothing is between them.
@@ -174,8 +112,7 @@ TEST(Laplacian_curves, a_slit_in_a_rectangle_alone_leaves_a_point)
   const std::vector<Edges> curves = {path(built, along)};
   for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
   {
-    const Result result =
-      CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(curves).cut_locus_curve(curve));
+    const Result result = of_curves(built, {}, curves, Laplacian_method(), curve);
     expect_topology(built, curves, result, "slit");
     EXPECT_EQ(num_edges(result.graph()), 0u);
     for(const Mesh::Vertex_index v : built.vertices)
@@ -205,13 +142,12 @@ void expect_topology_of_solver(const GeodesicSolver& geodesics, const std::strin
         Solver solver(built.mesh, laplacian.geodesic_solver(geodesics));
         solver.set_sources(Vertices(), params::source_curves(curves));
         ++number;
-        bool is_there = has_mesh_edges(built, solver, curves, params::kept_part(CGAL::Cut_loci::Kept_part::ALL), what);
+        bool is_there = has_mesh_edges(built, solver, curves, params::kept_part(Kept_part::ALL), what);
         number_of_refused += !is_there;
         for(const double angle : {0., 1.5, 3.14})
           for(const Filter_policy policy : {Filter_policy::PRUNING, Filter_policy::GROWING})
             EXPECT_EQ(has_mesh_edges(built, solver, curves,
-                                     params::cut_locus_method(
-                                       Laplacian_method().gradient_angle_threshold(angle).filter_policy(policy)),
+                                     by(Laplacian_method().gradient_angle_threshold(angle).filter_policy(policy)),
                                      what),
                       is_there)
               << what << ", angle " << angle;
@@ -222,18 +158,10 @@ void expect_topology_of_solver(const GeodesicSolver& geodesics, const std::strin
   EXPECT_LE(number_of_refused, number / 4) << "where a curve coils up, there are corridors without a vertex";
 }
 
-TEST(Laplacian_curves, leave_what_shrinks_to_the_cut_locus_with_exact_distances)
+TEST(Laplacian_curves, leave_what_shrinks_to_the_cut_locus_with_each_solver)
 {
   expect_topology_of_solver(CGAL::Exact_geodesic_solver(), "exact");
-}
-
-TEST(Laplacian_curves, leave_what_shrinks_to_the_cut_locus_with_the_heat_method)
-{
   expect_topology_of_solver(CGAL::Heat_method_geodesic_solver<>(), "heat");
-}
-
-TEST(Laplacian_curves, leave_what_shrinks_to_the_cut_locus_with_a_graph)
-{
   expect_topology_of_solver(CGAL::Graph_geodesic_solver(), "graph");
 }
 
@@ -254,7 +182,7 @@ TEST(Laplacian_curves, leave_what_shrinks_to_the_cut_locus_whatever_the_distance
       solver.set_sources(Vertices(),
                          params::source_curves(curves).vertex_distance_map(boost::make_assoc_property_map(distance)));
       const std::string what = "surface " + std::to_string(i);
-      if(has_mesh_edges(built, solver, curves, params::kept_part(CGAL::Cut_loci::Kept_part::ALL), what))
+      if(has_mesh_edges(built, solver, curves, params::kept_part(Kept_part::ALL), what))
         expect_topology(built, curves, solver.cut_locus(), what + ", through faces");
     }
   }
@@ -267,10 +195,10 @@ TEST(Laplacian_curves, have_exact_distances_and_cells_by_the_descent_of_them)
   {
     const Built built(surfaces()[i]);
     const std::vector<Edges> curves = random_curves(built, 4, 2, unsigned(i));
-    const double edge = largest_edge(built);
+    const double edge = longest_edge(built.mesh);
     Solver solver(built.mesh, laplacian), exact(built.mesh);
     solver.set_sources(Vertices(), params::source_curves(curves));
-    const Result result = solver.cut_locus(params::cut_locus_method(Laplacian_method().gradient_angle_threshold(3.14)));
+    const Result result = solver.cut_locus(by(Laplacian_method().gradient_angle_threshold(3.14)));
     std::vector<Result> alone;
     for(const Edges& curve : curves)
     {
@@ -288,49 +216,6 @@ TEST(Laplacian_curves, have_exact_distances_and_cells_by_the_descent_of_them)
       EXPECT_LT(alone[*result.nearest_source(v)].distance(v), least + 0.5 * edge) << "surface " << i;
     }
   }
-}
-
-TEST(Laplacian_curves, may_be_loops_that_separate_the_surface_or_do_not)
-{
-  const std::size_t nu = 28, nw = 14;
-  const Built built(torus(1., 0.4, nu, nw)), ball(sphere_with_circle(24, 12));
-  for(const std::vector<Edges>& curves : curves_of_torus(built, nu, nw))
-  {
-    EXPECT_TRUE(has_mesh_edges(built, {}, curves, Laplacian_method(), "torus"));
-    expect_topology(built, curves, CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(curves)),
-                    "torus");
-  }
-  const std::vector<Edges> loops = {path(ball, circle(24, 3, 0, 24)), path(ball, circle(24, 8, 0, 24))};
-  EXPECT_TRUE(has_mesh_edges(ball, {}, loops, Laplacian_method(), "ball"));
-}
-
-TEST(Laplacian_curves, may_be_borders_and_touch_them)
-{
-  for(const Mesh_data& data :
-      {square(7, 0.2, 1), cylinder(1., 14, 5, 0.1, 4), annulus(0.5, 1.5, 24, 6), square_with_holes(2, 4),
-       punctured(torus(1., 0.4, 30, 16, 0.1, 2), {{{1.4, 0., 0.}}, {{-1., 0., 0.4}}}, 0.25)})
-  {
-    const Built built(data);
-    EXPECT_TRUE(has_mesh_edges(built, {}, border_loops(built), Laplacian_method(), "border"));
-    expect_topology(built, border_loops(built), cut_locus_of_border(built, Curve::THROUGH_FACES), "border");
-  }
-  std::size_t number_of_refused = 0, number = 0;
-  for(const Mesh_data& data : {square(14, 0.2, 6), cylinder(2., 24, 12, 0.2, 7), annulus(0.5, 1.5, 40, 12)})
-  {
-    const Built built(data);
-    for(unsigned seed = 0; seed < 8; ++seed)
-    {
-      const std::vector<Edges> curves = curves_at_border(built, 3, 6, seed);
-      const std::string what = "seed " + std::to_string(seed);
-      ++number;
-      if(has_mesh_edges(built, {}, curves, Laplacian_method(), what))
-        expect_topology(built, curves, CGAL::compute_cut_locus(built.mesh, Vertices(), laplacian.source_curves(curves)),
-                        what);
-      else
-        ++number_of_refused;
-    }
-  }
-  EXPECT_LE(number_of_refused, number / 4);
 }
 
 TEST(Laplacian_curves, and_points_mix_with_the_points_first)
@@ -353,17 +238,16 @@ TEST(Laplacian_curves, and_points_mix_with_the_points_first)
       const double d = (std::min)({p[0], 1. - p[0], p[1], 1. - p[1]});
       if(result.graph()[e].sources[0] != result.graph()[e].sources[1])
       {
-        EXPECT_NEAR(norm(p - c), d, largest_edge(built)) << "four parabolas";
+        EXPECT_NEAR(norm(p - c), d, longest_edge(built.mesh)) << "four parabolas";
       }
     }
-  const Result voronoi = solver.cut_locus(params::kept_part(CGAL::Cut_loci::Kept_part::VORONOI)),
-               medial = solver.cut_locus(params::kept_part(CGAL::Cut_loci::Kept_part::MEDIAL));
+  const Result voronoi = solver.cut_locus(params::kept_part(Kept_part::VORONOI)),
+               medial = solver.cut_locus(params::kept_part(Kept_part::MEDIAL));
   EXPECT_EQ(num_edges(voronoi.graph()) + num_edges(medial.graph()), num_edges(result.graph()));
   EXPECT_GT(num_edges(voronoi.graph()), 0u);
   const Result strong = solver.cut_locus(
     mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(3.14).minimum_branch_edges(1000)));
-  EXPECT_EQ(num_edges(strong.graph()),
-            num_edges(solver.cut_locus(mesh_edges.kept_part(CGAL::Cut_loci::Kept_part::VORONOI)).graph()))
+  EXPECT_EQ(num_edges(strong.graph()), num_edges(solver.cut_locus(mesh_edges.kept_part(Kept_part::VORONOI)).graph()))
     << "no threshold removes what is between two";
   std::map<Mesh::Edge_index, bool> marks;
   const Result edges_of_mesh =
@@ -375,13 +259,9 @@ TEST(Laplacian_curves, and_points_mix_with_the_points_first)
 template <typename GeodesicSolver>
 double detour(const Built& built, const std::vector<Edges>& curves, const GeodesicSolver& geodesics, Curve curve)
 {
-  const Result result = CGAL::compute_cut_locus(
+  const Result result = compute_cut_locus(
     built.mesh, Vertices(), laplacian.geodesic_solver(geodesics).source_curves(curves).cut_locus_curve(curve));
-  std::vector<double> exact;
-  const curve_measures::Measures m = curve_measures::measure(built.mesh, result, exact, curves);
-  EXPECT_EQ(m.topology_fault, "");
-  EXPECT_EQ(m.measuring_failed, "");
-  return m.max;
+  return measured(built.mesh, result, curves).max;
 }
 
 TEST(Laplacian_curves, lengthen_no_path_by_much)

@@ -6,26 +6,12 @@
 
 // The method LAPLACIAN with sets of points: any distances, and one disk for each source.
 
-#include "detour.h"
+#include "result_numbers.h"
 #include "several_sources_cases.h"
 
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/Shortest_path_geodesic_solver.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <random>
-#include <set>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 
 namespace test_laplacian_several_sources {
 
@@ -33,7 +19,7 @@ namespace {
 
 using namespace several_sources;
 
-const auto laplacian = params::cut_locus_method(Laplacian_method());
+const auto laplacian = by(Laplacian_method());
 
 // cells and labels of the edges fit each other, and what is between two sources is one closed part of the graph
 void expect_labels(const Built& built, const Result& result, const std::string& what)
@@ -61,12 +47,12 @@ void expect_all(const Built& built, const Solver& solver, const std::string& wha
 {
   for(const double angle : {0., 0.7, 3.14})
   {
-    const auto np = params::cut_locus_method(Laplacian_method().gradient_angle_threshold(angle));
-    const Result edges = solver.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+    const auto np = by(Laplacian_method().gradient_angle_threshold(angle));
+    const Result edges = solver.cut_locus(np.cut_locus_curve(Curve::MESH_EDGES));
     ASSERT_EQ(fault_of_mesh_edges(built, edges), "") << what << ", angle " << angle;
     expect_labels(built, edges, what);
   }
-  EXPECT_EQ(fault_through_faces(built, solver.cut_locus(params::cut_locus_curve(Curve::THROUGH_FACES))), "") << what;
+  EXPECT_EQ(fault_through_faces(built, solver.cut_locus(through_faces)), "") << what;
 }
 
 // `set` is called with the object and the sources; some sets may have too few faces
@@ -83,30 +69,6 @@ bool is_set(const Set& set, const std::string& what)
     EXPECT_NE(std::string(error.what()).find("has no face to itself"), std::string::npos) << what << error.what();
     return false;
   }
-}
-
-// each triangle becomes four
-Mesh_data divided(const Mesh_data& data)
-{
-  Mesh_data result = data;
-  result.triangles.clear();
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> middle;
-  for(const auto& t : data.triangles)
-  {
-    std::array<std::size_t, 3> m;
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      const std::size_t a = t[i], b = t[(i + 1) % 3];
-      const auto found = middle.insert({{(std::min)(a, b), (std::max)(a, b)}, result.points.size()});
-      if(found.second)
-        result.points.push_back(0.5 * (data.points[a] + data.points[b]));
-      m[i] = found.first->second;
-    }
-    for(std::size_t i = 0; i < 3; ++i)
-      result.triangles.push_back({{t[i], m[i], m[(i + 2) % 3]}});
-    result.triangles.push_back({{m[0], m[1], m[2]}});
-  }
-  return result;
 }
 
 // random ones that share few faces: most sets of them leave a face to each
@@ -128,7 +90,7 @@ void expect_disks_of_solver(const GeodesicSolver& geodesics, const std::string& 
   std::vector<Named_mesh> all = meshes();
   for(Named_mesh& m : all)
     while(m.data.points.size() < 300) // or a hundred sources are too many
-      m.data = divided(m.data);
+      m.data = split_in_plane(m.data);
   for(const Named_mesh& m : all)
   {
     const Built built(m.data);
@@ -148,34 +110,22 @@ void expect_disks_of_solver(const GeodesicSolver& geodesics, const std::string& 
   EXPECT_LE(number_of_refused, 2u) << "where 100 sources are more than a third of the vertices";
 }
 
-TEST(Laplacian_several_sources, have_one_disk_each_with_exact_distances)
-{
-  expect_disks_of_solver(CGAL::Exact_geodesic_solver(), "exact");
-}
-
-TEST(Laplacian_several_sources, have_one_disk_each_with_the_heat_method)
-{
-  expect_disks_of_solver(CGAL::Heat_method_geodesic_solver<>(), "heat");
-}
-
-TEST(Laplacian_several_sources, have_one_disk_each_with_a_graph)
-{
-  expect_disks_of_solver(CGAL::Graph_geodesic_solver(), "graph");
-}
-
 // as anybody may write it: for one source only
 struct Plain_solver
 {
   CGAL::Exact_geodesic_solver exact;
-  void set_mesh(const CGAL::Cut_loci::Indexed_triangle_mesh& mesh) { exact.set_mesh(mesh); }
-  void compute_distances(const CGAL::Cut_loci::Indexed_source& source, std::vector<double>& distances)
+  void set_mesh(const Indexed_triangle_mesh& mesh) { exact.set_mesh(mesh); }
+  void compute_distances(const Indexed_source& source, std::vector<double>& distances)
   {
     exact.compute_distances(source, distances);
   }
 };
 
-TEST(Laplacian_several_sources, have_one_disk_each_with_a_solver_for_one)
+TEST(Laplacian_several_sources, have_one_disk_each_with_each_solver)
 {
+  expect_disks_of_solver(CGAL::Exact_geodesic_solver(), "exact");
+  expect_disks_of_solver(CGAL::Heat_method_geodesic_solver<>(), "heat");
+  expect_disks_of_solver(CGAL::Graph_geodesic_solver(), "graph");
   expect_disks_of_solver(Plain_solver(), "one after another");
 }
 
@@ -251,8 +201,7 @@ TEST(Laplacian_several_sources, have_the_cells_that_single_sources_say)
   {
     const Built built(m.data);
     const std::vector<Source> sources = random_sources(built, 8, 3);
-    const Result result =
-      CGAL::compute_cut_locus(built.mesh, sources, laplacian.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+    const Result result = compute_cut_locus(built.mesh, sources, laplacian.cut_locus_curve(Curve::MESH_EDGES));
     const Distances d(built, sources, result);
     const double exact = 1e-9 * diagonal(built);
     for(std::size_t v = 0; v < built.vertices.size(); ++v)
@@ -269,8 +218,8 @@ TEST(Laplacian_several_sources, have_the_cells_that_single_sources_say)
 template <typename GeodesicSolver>
 double worst_cell(const Built& built, const std::vector<Source>& sources, const GeodesicSolver& geodesics)
 {
-  const Result result = CGAL::compute_cut_locus(
-    built.mesh, sources, laplacian.geodesic_solver(geodesics).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+  const Result result =
+    compute_cut_locus(built.mesh, sources, laplacian.geodesic_solver(geodesics).cut_locus_curve(Curve::MESH_EDGES));
   const Distances d(built, sources, result);
   double worst = 0.;
   for(std::size_t v = 0; v < built.vertices.size(); ++v)
@@ -300,8 +249,8 @@ TEST(Laplacian_several_sources, have_distances_to_the_nearest_with_each_solver)
   const std::vector<Source> sources = random_sources(built, 12, 2);
   const auto distances = [&](const auto& geodesics)
   {
-    const Result result = CGAL::compute_cut_locus(
-      built.mesh, sources, laplacian.geodesic_solver(geodesics).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+    const Result result =
+      compute_cut_locus(built.mesh, sources, laplacian.geodesic_solver(geodesics).cut_locus_curve(Curve::MESH_EDGES));
     std::vector<double> all;
     for(const Mesh::Vertex_index v : built.vertices)
       all.push_back(result.distance(v));
@@ -326,30 +275,22 @@ TEST(Laplacian_several_sources, have_distances_to_the_nearest_with_each_solver)
 TEST(Laplacian_several_sources, lengthen_hardly_any_way)
 {
   for(const Mesh_data& data : {jittered_sphere(16, 0.2, 1), torus(1., 0.4, 48, 24, 0.2, 4), bumpy_sphere(16, 0.5, 3),
-                               divided(perforated_plate(2, 1, 2, 5))})
+                               split_in_plane(perforated_plate(2, 1, 2, 5))})
     for(const std::size_t k : {1, 5, 20})
     {
       const Built built(data);
       const std::vector<Source> sources = separate_sources(built, k, 3);
       std::vector<double> exact;
-      const auto measured = [&](const Result& result) { return curve_measures::measure(built.mesh, result, exact); };
-      const auto edges = measured(CGAL::compute_cut_locus(
-                   built.mesh, sources, laplacian.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES))),
-                 faces = measured(
-                   CGAL::compute_cut_locus(built.mesh, sources, laplacian.cut_locus_curve(Curve::THROUGH_FACES))),
-                 heat =
-                   measured(CGAL::compute_cut_locus(built.mesh, sources,
-                                                    laplacian.geodesic_solver(CGAL::Heat_method_geodesic_solver<>())
-                                                      .cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)));
-      for(const auto& m : {edges, faces, heat})
-      {
-        EXPECT_EQ(m.topology_fault, "") << k;
-        EXPECT_EQ(m.measuring_failed, "") << k;
-      }
-      EXPECT_LT(edges.mean, 5e-4) << k;
-      EXPECT_LT(edges.max, 0.5) << k;
-      EXPECT_LT(faces.max, 1.) << k;
-      EXPECT_LT(heat.max, 2.) << k << ", where one source has 1.2";
+      SCOPED_TRACE(k);
+      const auto measured = [&](const auto& parameters)
+      { return checked_curves::measured(built.mesh, compute_cut_locus(built.mesh, sources, parameters), exact); };
+      const auto in_edges = laplacian.cut_locus_curve(Curve::MESH_EDGES);
+      const auto edges = measured(in_edges), faces = measured(laplacian.cut_locus_curve(Curve::THROUGH_FACES)),
+                 heat = measured(in_edges.geodesic_solver(CGAL::Heat_method_geodesic_solver<>()));
+      EXPECT_LT(edges.mean, 5e-4);
+      EXPECT_LT(edges.max, 0.5);
+      EXPECT_LT(faces.max, 1.);
+      EXPECT_LT(heat.max, 2.) << "where one source has 1.2";
     }
 }
 
@@ -357,19 +298,14 @@ TEST(Laplacian_several_sources, lengthen_hardly_any_way)
 
 bool is_same(const Result& a, const Result& b)
 {
-  const auto &g = a.graph(), &h = b.graph();
-  if(num_vertices(g) != num_vertices(h) || num_edges(g) != num_edges(h))
-    return false;
-  for(std::size_t v = 0; v < num_vertices(g); ++v)
-    if(g[v].point != h[v].point || g[v].distance != h[v].distance)
-      return false;
-  const auto of_a = edges(g), of_b = edges(h);
-  return std::equal(of_a.first, of_a.second, of_b.first,
-                    [&](const auto& e, const auto& f)
-                    {
-    return source(e, g) == source(f, h) && target(e, g) == target(f, h) && g[e].strength == h[f].strength &&
-           g[e].sources == h[f].sources && g[e].mesh_halfedge == h[f].mesh_halfedge;
-  });
+  const auto labels = [](const Result& r)
+  {
+    std::vector<std::pair<std::array<std::size_t, 2>, Mesh::Halfedge_index>> result;
+    for(const auto e : CGAL::make_range(edges(r.graph())))
+      result.push_back({r.graph()[e].sources, r.graph()[e].mesh_halfedge});
+    return result;
+  };
+  return result_numbers(a) == result_numbers(b) && labels(a) == labels(b);
 }
 
 TEST(Laplacian_several_sources, one_of_them_is_a_source_as_ever)
@@ -381,14 +317,10 @@ TEST(Laplacian_several_sources, one_of_them_is_a_source_as_ever)
     for(const Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
     {
       const auto np = laplacian.cut_locus_curve(curve);
-      EXPECT_TRUE(
-        is_same(CGAL::compute_cut_locus(built.mesh, location, np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)),
-                CGAL::compute_cut_locus(built.mesh, std::vector<Location>{location},
-                                        np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES))));
-      EXPECT_TRUE(is_same(
-        CGAL::compute_cut_locus(built.mesh, built.vertices[9], np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)),
-        CGAL::compute_cut_locus(built.mesh, std::vector<Mesh::Vertex_index>{built.vertices[9]},
-                                np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES))));
+      EXPECT_TRUE(is_same(compute_cut_locus(built.mesh, location, np),
+                          compute_cut_locus(built.mesh, std::vector<Location>{location}, np)));
+      EXPECT_TRUE(is_same(compute_cut_locus(built.mesh, built.vertices[9], np),
+                          compute_cut_locus(built.mesh, Vertices{built.vertices[9]}, np)));
     }
   }
 }
@@ -402,11 +334,8 @@ TEST(Laplacian_several_sources, leave_the_parts_that_are_asked_for)
     Solver solver(built.mesh, laplacian);
     solver.set_sources(sources);
     const auto np = params::cut_locus_curve(curve);
-    const Result all = solver.cut_locus(np.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)),
-                 voronoi = solver.cut_locus(
-                   np.kept_part(CGAL::Cut_loci::Kept_part::VORONOI).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES)),
-                 medial = solver.cut_locus(
-                   np.kept_part(CGAL::Cut_loci::Kept_part::MEDIAL).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+    const Result all = solver.cut_locus(np), voronoi = solver.cut_locus(np.kept_part(Kept_part::VORONOI)),
+                 medial = solver.cut_locus(np.kept_part(Kept_part::MEDIAL));
     EXPECT_EQ(num_edges(voronoi.graph()) + num_edges(medial.graph()), num_edges(all.graph()));
     EXPECT_GT(num_edges(voronoi.graph()), 0u);
     EXPECT_GT(num_edges(medial.graph()), 0u);
@@ -420,9 +349,8 @@ TEST(Laplacian_several_sources, leave_the_parts_that_are_asked_for)
     for(const auto v : CGAL::make_range(vertices(voronoi.graph())))
       EXPECT_GT(out_degree(v, voronoi.graph()), 1u) << "on a closed surface it has no ends";
   }
-  const Result none = CGAL::compute_cut_locus(
-    built.mesh, built.vertices[0],
-    laplacian.kept_part(CGAL::Cut_loci::Kept_part::VORONOI).cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+  const Result none = compute_cut_locus(built.mesh, built.vertices[0],
+                                        laplacian.kept_part(Kept_part::VORONOI).cut_locus_curve(Curve::MESH_EDGES));
   EXPECT_EQ(num_edges(none.graph()), 0u);
   EXPECT_EQ(num_vertices(none.graph()), 1u);
 }
@@ -432,7 +360,7 @@ TEST(Laplacian_several_sources, no_threshold_removes_what_is_between_two)
   const Built built(bumpy_sphere(10, 0.5, 3));
   Solver solver(built.mesh, laplacian);
   solver.set_sources(random_sources(built, 6, 3));
-  const std::size_t all = num_edges(solver.cut_locus(mesh_edges.kept_part(CGAL::Cut_loci::Kept_part::VORONOI)).graph());
+  const std::size_t all = num_edges(solver.cut_locus(mesh_edges.kept_part(Kept_part::VORONOI)).graph());
   const Result strong = solver.cut_locus(
     mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(3.14).minimum_branch_edges(1000)));
   EXPECT_EQ(num_edges(strong.graph()), all) << "on a sphere nothing else has to stay";
@@ -443,16 +371,8 @@ TEST(Laplacian_several_sources, without_a_face_to_themselves_are_refused)
   const Built built(sphere(4));
   const Mesh::Face_index f = built.faces[5];
   const std::vector<Location> both = {Location(f, {{0.3, 0.3, 0.4}}), Location(f, {{0.4, 0.3, 0.3}})};
-  try
-  {
-    CGAL::compute_cut_locus(built.mesh, both, laplacian.cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
-    FAIL() << "nothing was thrown";
-  }
-  catch(const Invalid_input& error)
-  {
-    EXPECT_EQ(error.cause(), CGAL::Cut_loci::Cause::NO_FACE_AT_SOURCE);
-    EXPECT_NE(std::string(error.what()).find("Default_method()"), std::string::npos) << error.what();
-  }
+  expect_refused([&] { compute_cut_locus(built.mesh, both, laplacian.cut_locus_curve(Curve::MESH_EDGES)); },
+                 Cause::NO_FACE_AT_SOURCE, {"Default_method()"});
 }
 
 } // namespace

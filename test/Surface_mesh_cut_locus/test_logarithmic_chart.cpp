@@ -37,7 +37,7 @@ struct Chart
     const auto face = disk.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:origin").first;
     CGAL::cut_along_cut_locus(mesh, cut_locus, disk,
                               params::snapping_tolerance(snapping).vertex_to_vertex_map(origin).face_to_face_map(face));
-    std::vector<CGAL::Cut_loci::Index> faces;
+    std::vector<Index> faces;
     for(const Mesh::Face_index f : disk.faces())
       faces.push_back(face[f].idx());
     const auto& source = cut_locus.source().location;
@@ -61,8 +61,7 @@ TEST(Logarithmic_chart, is_isometric_on_convex_polyhedra)
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Built built(random_convex_polyhedron(12 + seed, seed));
     const std::pair<Mesh::Face_index, std::array<double, 3>> source(Mesh::Face_index(seed), {{0.2, 0.5, 0.3}});
-    const Chart chart(built.mesh, CGAL::compute_cut_locus(
-                                    built.mesh, source, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method())));
+    const Chart chart(built.mesh, compute_cut_locus(built.mesh, source, by(Polyhedral_method())));
     for(const Mesh::Edge_index e : chart.disk.edges())
     {
       const Mesh::Vertex_index a = chart.disk.vertex(e, 0), b = chart.disk.vertex(e, 1);
@@ -81,9 +80,9 @@ TEST(Logarithmic_chart, has_exact_distances)
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Built built(seed % 2 ? torus(2., 0.8, 18, 10, 0.2, seed) : irregular_bumpy_sphere(6, 0.3, seed));
     const Mesh::Vertex_index source = built.vertices[5 * seed];
-    CGAL::Surface_mesh_exact_geodesics<Mesh> geodesics(built.mesh);
+    Geodesics geodesics(built.mesh);
     geodesics.compute(source);
-    const Chart chart(built.mesh, CGAL::compute_cut_locus(built.mesh, source));
+    const Chart chart(built.mesh, compute_cut_locus(built.mesh, source));
     for(const Mesh::Vertex_index v : chart.disk.vertices())
       if(chart.origin[v] != Mesh::null_vertex())
       {

@@ -118,7 +118,7 @@ Mesh_data union_jacks(int n, double begin, double step)
 Result medial_axis(const Mesh_data& data)
 {
   const Built built(data);
-  return CGAL::compute_cut_locus(built.mesh, Vertices(), params::source_border(true));
+  return compute_cut_locus(built.mesh, Vertices(), params::source_border(true));
 }
 
 // at the corners, and nowhere else
@@ -161,11 +161,11 @@ TEST(Medial_axes, of_squares_whose_coordinates_are_rounded_have_four_tips)
   const auto expect_four_tips = [](const Mesh_data& data)
   {
     const Built built(data);
-    std::vector<std::vector<Mesh::Edge_index>> border(1);
+    std::vector<Edges> border(1);
     for(const Mesh::Edge_index e : built.mesh.edges())
       if(built.mesh.is_border(e))
         border[0].push_back(e);
-    EXPECT_EQ(number_of_leaves(CGAL::compute_cut_locus(built.mesh, Vertices(), params::source_curves(border))), 4u);
+    EXPECT_EQ(number_of_leaves(compute_cut_locus(built.mesh, Vertices(), params::source_curves(border))), 4u);
   };
   expect_four_tips(union_jacks(12, -0.9681535195910175, 0.09022943229912081));
   expect_four_tips(union_jacks(12, -0.1379633835207268, 0.0633577607283677));

@@ -8,7 +8,6 @@
 
 #include "surface_test.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
 
@@ -18,19 +17,13 @@ namespace {
 
 using namespace surface_test;
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Built = Built_mesh<Mesh>;
-using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
-using Cut_locus = Solver::Result;
-
-const auto the_papers_method = params::cut_locus_method(CGAL::Cut_loci::Laplacian_method());
+const auto the_papers_method = by(Laplacian_method());
 
 double distance_to(const Cut_locus& cut_locus, const Kernel::Point_3& p)
 {
   double result = (std::numeric_limits<double>::infinity)();
   for(auto v : CGAL::make_range(vertices(cut_locus.graph())))
-    result = (std::min)(result, std::sqrt(CGAL::squared_distance(cut_locus.graph()[v].point, p)));
+    result = (std::min)(result, distance(cut_locus.graph()[v].point, p));
   return result;
 }
 
@@ -38,21 +31,8 @@ double farthest_from(const Cut_locus& cut_locus, const Kernel::Point_3& p)
 {
   double result = 0.;
   for(auto v : CGAL::make_range(vertices(cut_locus.graph())))
-    result = (std::max)(result, std::sqrt(CGAL::squared_distance(cut_locus.graph()[v].point, p)));
+    result = (std::max)(result, distance(cut_locus.graph()[v].point, p));
   return result;
-}
-
-std::size_t number_of_leaves(const Cut_locus& cut_locus)
-{
-  std::size_t result = 0;
-  for(auto v : CGAL::make_range(vertices(cut_locus.graph())))
-    result += degree(v, cut_locus.graph()) == 1 ? 1 : 0;
-  return result;
-}
-
-std::size_t number_of_cycles(const Cut_locus& cut_locus)
-{
-  return num_edges(cut_locus.graph()) + 1 - num_vertices(cut_locus.graph());
 }
 
 // how many branches meet at each leaf and branch point, sorted
@@ -101,8 +81,8 @@ protected:
 
 TEST_F(Sphere_with_bump, pruning_keeps_the_line_from_the_bump_to_the_antipode)
 {
-  const Cut_locus result = solver.cut_locus(
-    mesh_edges.cut_locus_method(CGAL::Cut_loci::Laplacian_method().filter_policy(Filter_policy::PRUNING)));
+  const Cut_locus result =
+    solver.cut_locus(mesh_edges.cut_locus_method(Laplacian_method().filter_policy(Filter_policy::PRUNING)));
   const double h = mean_edge_length(built.data);
   EXPECT_LT(distance_to(result, top), 2. * h);
   EXPECT_LT(distance_to(result, antipode), 2. * h);
@@ -112,8 +92,8 @@ TEST_F(Sphere_with_bump, pruning_keeps_the_line_from_the_bump_to_the_antipode)
 
 TEST_F(Sphere_with_bump, growing_takes_the_bump_for_noise)
 {
-  const Cut_locus result = solver.cut_locus(
-    mesh_edges.cut_locus_method(CGAL::Cut_loci::Laplacian_method().filter_policy(Filter_policy::GROWING)));
+  const Cut_locus result =
+    solver.cut_locus(mesh_edges.cut_locus_method(Laplacian_method().filter_policy(Filter_policy::GROWING)));
   EXPECT_LT(farthest_from(result, antipode), 0.5);
 }
 
@@ -127,7 +107,7 @@ TEST(Capsule, rising_thresholds_simplify_the_cut_locus_down_to_its_plane_of_symm
   for(double angle : {0.05, 0.2, 0.5, 1., 2., 3., CGAL_PI})
   {
     const Cut_locus result =
-      solver.cut_locus(mesh_edges.cut_locus_method(CGAL::Cut_loci::Laplacian_method().gradient_angle_threshold(angle)));
+      solver.cut_locus(mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(angle)));
     EXPECT_LE(num_edges(result.graph()), previous) << angle;
     previous = num_edges(result.graph());
     if(angle == CGAL_PI)
@@ -145,7 +125,7 @@ TEST(Sphere, is_cut_in_one_point_opposite_to_the_source)
   Solver solver(built.mesh, the_papers_method);
   solver.set_source(built.vertices[0]);
   const Cut_locus result =
-    solver.cut_locus(mesh_edges.cut_locus_method(CGAL::Cut_loci::Laplacian_method().gradient_angle_threshold(1.)));
+    solver.cut_locus(mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(1.)));
   const auto source = built.mesh.point(built.vertices[0]);
   EXPECT_LT(farthest_from(result, CGAL::ORIGIN - (source - CGAL::ORIGIN)), 4. * mean_edge_length(built.data));
 }
@@ -176,7 +156,7 @@ TEST(Torus, has_no_branch_shorter_than_the_least_length)
     for(std::size_t least : {3, 6})
     {
       const Cut_locus result =
-        solver.cut_locus(mesh_edges.cut_locus_method(CGAL::Cut_loci::Laplacian_method().minimum_branch_edges(least)));
+        solver.cut_locus(mesh_edges.cut_locus_method(Laplacian_method().minimum_branch_edges(least)));
       const auto& graph = result.graph();
       for(auto leaf : CGAL::make_range(vertices(graph)))
       {
@@ -212,8 +192,8 @@ TEST(Methods_for_distances, agree_on_strong_branches)
     {
       solver->set_source(built->vertices[source]);
       whole.push_back(solver->cut_locus(mesh_edges));
-      strong.push_back(solver->cut_locus(
-        mesh_edges.cut_locus_method(CGAL::Cut_loci::Laplacian_method().gradient_angle_threshold(1.5))));
+      strong.push_back(
+        solver->cut_locus(mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(1.5))));
       EXPECT_EQ(fault_at(*built, whole.back(), source), "");
       EXPECT_EQ(fault_at(*built, strong.back(), source), "");
     }
@@ -235,8 +215,8 @@ TEST(Irregular_mesh, has_fewer_leaves_when_remeshed)
     Solver solver(built->mesh, the_papers_method);
     solver.set_source(built->vertices[source]);
     const Cut_locus pruned = solver.cut_locus(mesh_edges);
-    const Cut_locus grown = solver.cut_locus(
-      mesh_edges.cut_locus_method(CGAL::Cut_loci::Laplacian_method().filter_policy(Filter_policy::GROWING)));
+    const Cut_locus grown =
+      solver.cut_locus(mesh_edges.cut_locus_method(Laplacian_method().filter_policy(Filter_policy::GROWING)));
     EXPECT_EQ(fault_at(*built, pruned, source), "");
     EXPECT_EQ(fault_at(*built, grown, source), "");
     leaves.push_back(number_of_leaves(pruned));
@@ -259,8 +239,8 @@ TEST(Irregular_mesh, has_the_same_loops_as_remeshed)
     for(Filter_policy policy : {Filter_policy::PRUNING, Filter_policy::GROWING})
     {
       // Angles are seen two edges to either side: on slim faces this may leave whiskers of three edges.
-      const Cut_locus result = solver.cut_locus(
-        mesh_edges.cut_locus_method(CGAL::Cut_loci::Laplacian_method().filter_policy(policy).minimum_branch_edges(4)));
+      const Cut_locus result =
+        solver.cut_locus(mesh_edges.cut_locus_method(Laplacian_method().filter_policy(policy).minimum_branch_edges(4)));
       EXPECT_EQ(fault_at(*built, result, source), "");
       EXPECT_EQ(number_of_cycles(result), 2u);
       EXPECT_EQ(number_of_leaves(result), 2u);
@@ -277,7 +257,7 @@ TEST(Smooth_curves, keep_the_branches)
     Solver solver(built.mesh, the_papers_method);
     solver.set_source(built.vertices[5]);
     const Cut_locus edges_of_mesh = solver.cut_locus(mesh_edges);
-    const Cut_locus curves = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+    const Cut_locus curves = solver.cut_locus(through_faces);
     EXPECT_EQ(junctions(curves), junctions(edges_of_mesh));
     EXPECT_EQ(number_of_cycles(curves), number_of_cycles(edges_of_mesh));
     EXPECT_LT(one_sided_distance(curves, edges_of_mesh), 2. * mean_edge_length(data));
@@ -291,11 +271,11 @@ TEST(Rough_sphere, is_cleared_by_a_wider_angle_or_by_growing)
   Solver solver(built.mesh, the_papers_method);
   solver.set_source(built.vertices[5]);
   const Cut_locus fine =
-    solver.cut_locus(mesh_edges.cut_locus_method(CGAL::Cut_loci::Laplacian_method().gradient_angle_threshold(0.1)));
+    solver.cut_locus(mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(0.1)));
   const Cut_locus coarse =
-    solver.cut_locus(mesh_edges.cut_locus_method(CGAL::Cut_loci::Laplacian_method().gradient_angle_threshold(1.)));
+    solver.cut_locus(mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(1.)));
   const Cut_locus grown = solver.cut_locus(mesh_edges.cut_locus_method(
-    CGAL::Cut_loci::Laplacian_method().gradient_angle_threshold(0.1).filter_policy(Filter_policy::GROWING)));
+    Laplacian_method().gradient_angle_threshold(0.1).filter_policy(Filter_policy::GROWING)));
   EXPECT_LT(number_of_leaves(coarse), number_of_leaves(fine) / 2);
   EXPECT_LT(num_edges(grown.graph()), num_edges(fine.graph()));
 }
@@ -310,7 +290,7 @@ TEST(Surface_of_genus_56, is_cut_into_a_disk_at_any_threshold)
   for(double angle : {0., 0.7, 3.14})
   {
     const Cut_locus result =
-      solver.cut_locus(mesh_edges.cut_locus_method(CGAL::Cut_loci::Laplacian_method().gradient_angle_threshold(angle)));
+      solver.cut_locus(mesh_edges.cut_locus_method(Laplacian_method().gradient_angle_threshold(angle)));
     EXPECT_EQ(result.genus(), 56u);
     EXPECT_EQ(number_of_cycles(result), 112u);
     EXPECT_EQ(fault_at(built, result, source), "") << angle;

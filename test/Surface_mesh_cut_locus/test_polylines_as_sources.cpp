@@ -8,7 +8,6 @@
 
 #include "surface_test.h"
 
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/refine_along_polylines.h>
 
 namespace test_polylines_as_sources {
@@ -42,15 +41,6 @@ Polyline line_across(const Built& built, double y)
     if(i == 0 || crossings[i].first > crossings[i - 1].first + 1e-12) // inner edges come from both sides
       result.push_back(crossings[i].second);
   return result;
-}
-
-Kernel::Point_3 point_at(const Built& built, const Location& location)
-{
-  Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
-  Mesh::Halfedge_index h = built.mesh.halfedge(location.first);
-  for(std::size_t i = 0; i < 3; ++i, h = built.mesh.next(h))
-    sum = sum + location.second[i] * (built.mesh.point(built.mesh.source(h)) - CGAL::ORIGIN);
-  return CGAL::ORIGIN + sum;
 }
 
 double length(const Mesh& mesh, const Edges& edges)
@@ -102,7 +92,7 @@ TEST(Polylines_as_sources, two_parallel_lines_have_the_line_between_them)
     Mesh refined;
     const std::vector<Edges> edges = CGAL::refine_along_polylines(
       built.mesh, std::vector<Polyline>{line_across(built, 0.31), line_across(built, 0.73)}, refined);
-    const auto result = CGAL::compute_cut_locus(refined, Vertices(), params::source_curves(edges));
+    const auto result = compute_cut_locus(refined, Vertices(), params::source_curves(edges));
     const double tolerance = mean_edge_length(built.data) / 64.;
     for(const Mesh::Vertex_index v : refined.vertices())
     {
@@ -125,7 +115,7 @@ TEST(Polylines_as_sources, two_parallel_lines_have_the_line_between_them)
 TEST(Polylines_as_sources, a_shortest_path_has_the_distances_to_its_points)
 {
   const Built built(torus(1., 0.4, 30, 16, 0.2, 3));
-  CGAL::Surface_mesh_exact_geodesics<Mesh> geodesics(built.mesh);
+  Geodesics geodesics(built.mesh);
   geodesics.compute(built.vertices[0]);
   Polyline path;
   geodesics.shortest_path(built.vertices[165], std::back_inserter(path));
@@ -135,7 +125,7 @@ TEST(Polylines_as_sources, a_shortest_path_has_the_distances_to_its_points)
                                                                 params::snapping_tolerance(1. / 65536.));
   ASSERT_EQ(edges.size(), 1u);
   EXPECT_NEAR(length(refined, edges[0]), geodesics.distance(built.vertices[165]), 1e-4);
-  const auto result = CGAL::compute_cut_locus(refined, Vertices(), params::source_curves(edges));
+  const auto result = compute_cut_locus(refined, Vertices(), params::source_curves(edges));
   EXPECT_EQ(num_edges(result.graph()), num_vertices(result.graph()) + 1) << "an arc leaves the two cycles of the torus";
   geodesics.clear_sources();
   double longest = 0.; // distances to the points are too long by half of a segment at most
@@ -143,8 +133,7 @@ TEST(Polylines_as_sources, a_shortest_path_has_the_distances_to_its_points)
     geodesics.add_source(path[i]);
   geodesics.compute();
   for(std::size_t i = 0; i + 1 < path.size(); ++i)
-    longest =
-      (std::max)(longest, std::sqrt(CGAL::squared_distance(point_at(built, path[i]), point_at(built, path[i + 1]))));
+    longest = (std::max)(longest, distance(point(built.mesh, path[i]), point(built.mesh, path[i + 1])));
   for(std::size_t v = 0; v < built.vertices.size(); ++v) // the first vertices are those of the mesh
   {
     const double d = result.distance(Mesh::Vertex_index(static_cast<Mesh::size_type>(v)));
@@ -162,18 +151,12 @@ TEST(Polylines_as_sources, that_cross_are_one)
   for(std::size_t j = 0; j <= 6; ++j)
   {
     const auto v = built.vertices[7 * 3 + j];
-    const Mesh::Halfedge_index h = built.mesh.halfedge(v);
-    const Mesh::Face_index f = built.mesh.face(built.mesh.is_border(h) ? built.mesh.opposite(h) : h);
-    std::array<double, 3> c = {{0., 0., 0.}};
-    Mesh::Halfedge_index k = built.mesh.halfedge(f);
-    for(std::size_t i = 0; i < 3; ++i, k = built.mesh.next(k))
-      c[i] = built.mesh.source(k) == v ? 1. : 0.;
-    other.emplace_back(f, c);
+    other.push_back(CGAL::Polygon_mesh_processing::locate_vertex<double>(v, built.mesh));
   }
   Mesh refined;
   const std::vector<Edges> edges = CGAL::refine_along_polylines(built.mesh, std::vector<Polyline>{one, other}, refined);
   ASSERT_EQ(edges.size(), 1u);
-  const auto result = CGAL::compute_cut_locus(refined, Vertices(), params::source_curves(edges));
+  const auto result = compute_cut_locus(refined, Vertices(), params::source_curves(edges));
   EXPECT_EQ(result.number_of_sources(), 1u);
 }
 
@@ -187,16 +170,16 @@ TEST(Polylines_as_sources, that_can_not_be_used_are_refused_by_their_points)
     return refusals::message_of([&] { CGAL::refine_along_polylines(built.mesh, polylines, output); });
   };
   EXPECT_EQ(message({line}), "nothing was thrown");
-  EXPECT_NE(message({line, {line[0]}}).find("polyline 1 has less than two points"), std::string::npos);
-  EXPECT_NE(message({{line[0], line[0]}}).find("polyline 0 is a point after rounding"), std::string::npos);
+  expect_has(message({line, {line[0]}}), "polyline 1 has less than two points");
+  expect_has(message({{line[0], line[0]}}), "polyline 0 is a point after rounding");
   Polyline gap = line;
   gap.erase(gap.begin() + 2);
-  EXPECT_NE(message({line, gap}).find("polyline 1: points 1 and 2 are in no common face"), std::string::npos);
+  expect_has(message({line, gap}), "polyline 1: points 1 and 2 are in no common face");
   Polyline outside = line;
   outside[1].second = {{-0.5, 0.5, 1.}};
-  EXPECT_NE(message({outside}).find("polyline 0: point 1: a barycentric coordinate"), std::string::npos);
+  expect_has(message({outside}), "polyline 0: point 1: a barycentric coordinate");
   outside[1].first = Mesh::Face_index(99999);
-  EXPECT_NE(message({outside}).find("its face is not a face of the mesh"), std::string::npos);
+  expect_has(message({outside}), "its face is not a face of the mesh");
 }
 
 } // namespace

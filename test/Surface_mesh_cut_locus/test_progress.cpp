@@ -62,7 +62,7 @@ struct Canceling_visitor
 class Progress_of_stages : public testing::Test
 {
 protected:
-  const Built_mesh<Mesh> built{test_meshes::torus(1., 0.4, 120, 48, 0.2, 1)};
+  const Built built{torus(1., 0.4, 120, 48, 0.2, 1)};
   const Mesh::Vertex_index source = built.vertices[7], other = built.vertices[5000];
 };
 
@@ -71,7 +71,7 @@ TEST_F(Progress_of_stages, It_grows_from_zero_to_one)
   for(Method method : {Method(Default_method()), Method(Polyhedral_method()), Method(Laplacian_method())})
   {
     Recording_visitor visitor;
-    Solver solver(built.mesh, params::cut_locus_method(method).visitor(std::ref(visitor)));
+    Solver solver(built.mesh, by(method).visitor(std::ref(visitor)));
     solver.set_source(source);
     EXPECT_GE(visitor.shares[Stage::DISTANCE].size(), 4u);
     EXPECT_LT(visitor.shares[Stage::DISTANCE].front(), 0.1);
@@ -79,7 +79,7 @@ TEST_F(Progress_of_stages, It_grows_from_zero_to_one)
     for(Stage stage : {Stage::PREPROCESSING, Stage::STRENGTH, Stage::TREE})
       EXPECT_FALSE(visitor.shares[stage].empty());
     EXPECT_EQ(visitor.shares[Stage::HOMOLOGY].empty(), !std::holds_alternative<Laplacian_method>(method));
-    solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+    solver.cut_locus(through_faces);
     EXPECT_FALSE(visitor.shares[Stage::FILTER].empty());
     for(const auto& [stage, shares] : visitor.shares)
       for(std::size_t i = 0; i < shares.size(); ++i)
@@ -94,14 +94,14 @@ TEST_F(Progress_of_stages, What_is_thrown_leaves_no_source_and_an_object_that_ca
 {
   for(Method method : {Method(Default_method()), Method(Polyhedral_method()), Method(Laplacian_method())})
   {
-    Solver untouched(built.mesh, params::cut_locus_method(method));
+    Solver untouched(built.mesh, by(method));
     untouched.set_source(source);
     const std::vector<double> expected = result_numbers(untouched.cut_locus());
     std::vector<Stage> stages = {Stage::DISTANCE, Stage::STRENGTH, Stage::TREE};
     if(std::holds_alternative<Laplacian_method>(method))
       stages.push_back(Stage::HOMOLOGY);
     Canceling_visitor visitor(Stage::DISTANCE, 0);
-    Solver solver(built.mesh, params::cut_locus_method(method).visitor(std::ref(visitor)));
+    Solver solver(built.mesh, by(method).visitor(std::ref(visitor)));
     solver.set_source(other);
     for(Stage stage : stages)
     {
@@ -112,7 +112,7 @@ TEST_F(Progress_of_stages, What_is_thrown_leaves_no_source_and_an_object_that_ca
       {
         visitor = Canceling_visitor(stage, at);
         EXPECT_THROW(solver.set_source(source), Canceled);
-        EXPECT_THROW(solver.cut_locus(), CGAL::Cut_loci::Invalid_input);
+        EXPECT_THROW(solver.cut_locus(), Invalid_input);
       }
       solver.set_source(source);
       EXPECT_EQ(result_numbers(solver.cut_locus()), expected);
@@ -122,10 +122,9 @@ TEST_F(Progress_of_stages, What_is_thrown_leaves_no_source_and_an_object_that_ca
 
 TEST_F(Progress_of_stages, What_is_done_once_for_a_mesh_can_be_canceled_and_done_again)
 {
-  const auto smooth = params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES);
   for(Method method : {Method(Default_method()), Method(Laplacian_method())})
   {
-    const auto parameters = params::cut_locus_method(method);
+    const auto parameters = by(method);
     Solver untouched(built.mesh, parameters);
     untouched.set_source(source);
     Canceling_visitor visitor(Stage::PREPROCESSING, 1);
@@ -144,9 +143,9 @@ TEST_F(Progress_of_stages, What_is_done_once_for_a_mesh_can_be_canceled_and_done
     {
       visitor.at = at;
       visitor.number = 0;
-      EXPECT_THROW(solver.cut_locus(smooth), Canceled);
+      EXPECT_THROW(solver.cut_locus(through_faces), Canceled);
     }
-    EXPECT_EQ(result_numbers(solver.cut_locus(smooth)), result_numbers(untouched.cut_locus(smooth)));
+    EXPECT_EQ(result_numbers(solver.cut_locus(through_faces)), result_numbers(untouched.cut_locus(through_faces)));
   }
 }
 
@@ -157,7 +156,7 @@ TEST_F(Progress_of_stages, A_threshold_that_needs_more_can_be_canceled_too)
   solver.set_source(source);
   visitor.number = visitor.at; // not yet
   const std::vector<double> by_default = result_numbers(solver.cut_locus());
-  const auto all = params::cut_locus_method(Default_method().minimum_branch_width(0.));
+  const auto all = by(Default_method().minimum_branch_width(0.));
   for(std::size_t at : {1, 3, 20})
   {
     visitor.at = at;

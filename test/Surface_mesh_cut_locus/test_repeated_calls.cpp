@@ -4,9 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
+#include "result_numbers.h"
 #include "surface_test.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <future>
 
@@ -17,25 +16,6 @@ namespace test_repeated_calls {
 namespace {
 
 using namespace surface_test;
-using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
-using Built = Built_mesh<Mesh>;
-using Solver = CGAL::Surface_mesh_cut_locus<Mesh>;
-using Result = Solver::Result;
-
-// all points and distances, and what they are joined to
-std::vector<double> numbers(const Result& result)
-{
-  std::vector<double> all;
-  const auto& graph = result.graph();
-  for(const auto v : CGAL::make_range(vertices(graph)))
-    for(double x : {graph[v].point.x(), graph[v].point.y(), graph[v].point.z(), graph[v].distance})
-      all.push_back(x);
-  for(const auto e : CGAL::make_range(edges(graph)))
-    for(double x : {double(source(e, graph)), double(target(e, graph)), graph[e].width})
-      all.push_back(x);
-  return all;
-}
-
 // widths below the default and above, from none on
 const std::vector<double> widths = {0., 0.001, 0.02, 0.3};
 
@@ -53,15 +33,15 @@ TEST(Repeated_calls, have_the_result_of_the_first_one)
     for(std::size_t s = 0; s < data.points.size() / 2; s += 17)
     {
       solver.set_source(built.vertices[s]);
-      const std::vector<double> by_default = numbers(solver.cut_locus());
+      const std::vector<double> by_default = result_numbers(solver.cut_locus());
       for(double width : widths)
       {
-        const auto np = params::cut_locus_method(CGAL::Cut_loci::Default_method().minimum_branch_width(width));
+        const auto np = by(Default_method().minimum_branch_width(width));
         first.set_source(built.vertices[s]);
-        EXPECT_EQ(numbers(first.cut_locus(np)), numbers(solver.cut_locus(np))) << width << " from " << s;
-        EXPECT_EQ(numbers(solver.cut_locus()), by_default) << "after " << width << " from " << s;
+        EXPECT_EQ(result_numbers(first.cut_locus(np)), result_numbers(solver.cut_locus(np))) << width << " from " << s;
+        EXPECT_EQ(result_numbers(solver.cut_locus()), by_default) << "after " << width << " from " << s;
       }
-      EXPECT_EQ(numbers(first.cut_locus()), by_default) << s;
+      EXPECT_EQ(result_numbers(first.cut_locus()), by_default) << s;
     }
   }
 }
@@ -76,8 +56,7 @@ TEST(Repeated_calls, may_come_from_several_threads)
   {
     std::vector<std::vector<double>> all;
     for(double width : widths)
-      all.push_back(numbers(
-        shared.cut_locus(params::cut_locus_method(CGAL::Cut_loci::Default_method().minimum_branch_width(width)))));
+      all.push_back(result_numbers(shared.cut_locus(by(Default_method().minimum_branch_width(width)))));
     return all;
   };
   auto other = std::async(std::launch::async, ask);

@@ -15,7 +15,6 @@
 #include <CGAL/refine_along_cut_locus.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 
 namespace test_results_are_taken {
 
@@ -89,11 +88,11 @@ void expect_functions_on_all_sources(const Mesh_data& data)
   for(std::size_t f = 0; f < data.triangles.size(); ++f)
     for(const Location& source : sources_in(built, f))
     {
-      const auto full = CGAL::compute_cut_locus(built.mesh, source, params::cut_locus_method(Polyhedral_method()));
+      const auto full = compute_cut_locus(built.mesh, source, by(Polyhedral_method()));
       EXPECT_EQ(fault_of_functions(built.mesh, full, area), "") << f;
-      const auto curve = CGAL::compute_cut_locus(built.mesh, source, params::cut_locus_curve(Curve::THROUGH_FACES));
+      const auto curve = compute_cut_locus(built.mesh, source, through_faces);
       EXPECT_EQ(fault_of_functions(built.mesh, curve, area), "") << f;
-      const auto edges = CGAL::compute_cut_locus(built.mesh, source, mesh_edges);
+      const auto edges = compute_cut_locus(built.mesh, source, mesh_edges);
       EXPECT_EQ(fault_of_functions_on_edges(built.mesh, edges), "") << f;
     }
 }
@@ -105,8 +104,8 @@ TEST(Results_are_taken, where_they_cover_parts_of_edges_of_an_octahedron)
 
 TEST(Results_are_taken, where_they_cover_parts_of_edges_of_a_cube)
 {
-  expect_functions_on_all_sources(test_meshes::cube(1));
-  expect_functions_on_all_sources(test_meshes::cube(2));
+  expect_functions_on_all_sources(cube(1));
+  expect_functions_on_all_sources(cube(2));
 }
 
 std::vector<Mesh_data> doubly_covered_triangles()
@@ -135,9 +134,8 @@ void expect_length_of_edges(const Mesh_data& data, std::size_t corner, double le
 {
   const Built built(data);
   const auto edges =
-    CGAL::compute_cut_locus(built.mesh, built.vertices[corner],
-                            params::cut_locus_method(Default_method().minimum_branch_gap(0.).minimum_branch_width(0.))
-                              .cut_locus_curve(Curve::MESH_EDGES));
+    compute_cut_locus(built.mesh, built.vertices[corner],
+                      mesh_edges.cut_locus_method(Default_method().minimum_branch_gap(0.).minimum_branch_width(0.)));
   EXPECT_NEAR(CGAL::Cut_loci::compute_statistics(edges).length, length, 1e-12 * length) << corner;
 }
 
@@ -150,35 +148,35 @@ TEST(Results_are_taken, as_edges_of_the_mesh_where_the_cut_locus_runs_along_them
       expect_length_of_edges(m, corner, std::hypot(q[0] - p[0], q[1] - p[1]));
     }
   for(std::size_t n : {2, 4, 6})
-    expect_length_of_edges(test_meshes::doubly_covered(test_meshes::square(n)), 0, 2.);
+    expect_length_of_edges(doubly_covered(square(n)), 0, 2.);
   // from a vertex of an octahedron, the four edges at the opposite one
   expect_length_of_edges(octahedron(), 0, 4. * std::sqrt(2.));
 }
 
 TEST(Results_are_taken, on_doubly_covered_squares)
 {
-  expect_functions_on_all_sources(test_meshes::doubly_covered(test_meshes::square(4)));
+  expect_functions_on_all_sources(doubly_covered(square(4)));
 }
 
 // Two octahedra with one vertex in common, each a surface of its own.
 TEST(Results_are_taken, where_components_touch_in_a_vertex)
 {
-  Built built(test_meshes::disjoint_union(octahedron(), octahedron(), {{2., 0., 0.}}));
+  Built built(disjoint_union(octahedron(), octahedron(), {{2., 0., 0.}}));
   const auto kept = built.vertices[0], replaced = built.vertices[7];
   const std::vector<Mesh::Halfedge_index> around(CGAL::halfedges_around_target(replaced, built.mesh).begin(),
                                                  CGAL::halfedges_around_target(replaced, built.mesh).end());
   for(const Mesh::Halfedge_index h : around)
     built.mesh.set_target(h, kept);
   built.mesh.remove_vertex(replaced);
-  for(test_meshes::Triangle& t : built.data.triangles)
+  for(Triangle& t : built.data.triangles)
     std::replace(t.begin(), t.end(), std::size_t(7), std::size_t(0));
   const double area = 0.5 * PMP::area(built.mesh);
   for(const std::size_t f : {0, 1, 8, 13})
     for(const Location& source : sources_in(built, f))
     {
-      const auto full = CGAL::compute_cut_locus(built.mesh, source, params::cut_locus_method(Polyhedral_method()));
+      const auto full = compute_cut_locus(built.mesh, source, by(Polyhedral_method()));
       EXPECT_EQ(fault_of_functions(built.mesh, full, area), "") << f;
-      const auto edges = CGAL::compute_cut_locus(built.mesh, source, mesh_edges);
+      const auto edges = compute_cut_locus(built.mesh, source, mesh_edges);
       EXPECT_EQ(fault_of_functions_on_edges(built.mesh, edges), "") << f;
     }
 }

@@ -9,7 +9,7 @@
 // and paths pass vertices by less than windows are accurate.
 
 #include "surface_test.h"
-#include "detour.h"
+#include "checked_curves.h"
 
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Face_ridges.h>
@@ -32,15 +32,15 @@ struct Named_mesh
 };
 
 // each unit square is divided in n x n
-Mesh rounded(const test_meshes::Mesh_data& m, int n, unsigned seed)
+Mesh rounded(const Mesh_data& m, int n, unsigned seed)
 {
   std::mt19937 engine(seed);
   Mesh mesh;
-  for(test_meshes::Point p : m.points)
+  for(Point p : m.points)
   {
     for(double& x : p)
     {
-      const double jitter = 0.3 / n * test_meshes::random_unit(engine);
+      const double jitter = 0.3 / n * random_unit(engine);
       x += x != std::round(x) ? jitter : 0.;
     }
     const double x = 0.8 * p[0] - 0.6 * p[1], y = 0.6 * p[0] + 0.8 * p[1];
@@ -49,7 +49,7 @@ Mesh rounded(const test_meshes::Mesh_data& m, int n, unsigned seed)
       c = std::round(1e7 * c) * 1e-7;
     mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
   }
-  for(const test_meshes::Triangle& t : m.triangles)
+  for(const Triangle& t : m.triangles)
     mesh.add_face(Mesh::Vertex_index(Mesh::size_type(t[0])), Mesh::Vertex_index(Mesh::size_type(t[1])),
                   Mesh::Vertex_index(Mesh::size_type(t[2])));
   return mesh;
@@ -63,19 +63,19 @@ std::vector<Named_mesh> meshes()
     const std::string end = ", seed " + std::to_string(seed);
     for(int n : {3, 6, 10})
     {
-      result.push_back({"cube " + std::to_string(n) + end, rounded(test_meshes::cube(n), n, seed)});
-      result.push_back({"L-shape " + std::to_string(n) + end, rounded(test_meshes::l_shape(n), n, seed)});
+      result.push_back({"cube " + std::to_string(n) + end, rounded(cube(n), n, seed)});
+      result.push_back({"L-shape " + std::to_string(n) + end, rounded(l_shape(n), n, seed)});
     }
     for(int n : {1, 2, 3})
       result.push_back(
-        {"plate with holes " + std::to_string(n) + end, rounded(test_meshes::plate_with_holes(2, 1, n), 3 * n, seed)});
+        {"plate with holes " + std::to_string(n) + end, rounded(plate_with_holes(2, 1, n), 3 * n, seed)});
   }
   return result;
 }
 
-std::vector<Mesh::Vertex_index> sources(const Mesh& mesh)
+Vertices sources(const Mesh& mesh)
 {
-  std::vector<Mesh::Vertex_index> result;
+  Vertices result;
   for(int i : {0, 1, 2})
     result.push_back(Mesh::Vertex_index(Mesh::size_type(i * (mesh.number_of_vertices() - 1) / 2)));
   return result;
@@ -93,13 +93,13 @@ TEST(Rounded_polyhedra, distances_are_those_of_cgal)
     CGAL::Cut_loci::internal::Exact_geodesic_propagation geodesics(read.mesh);
     for(Mesh::Vertex_index source : sources(mesh))
     {
-      geodesics.run(static_cast<CGAL::Cut_loci::Index>(source.idx()));
+      geodesics.run(static_cast<Index>(source.idx()));
       CGAL::Surface_mesh_shortest_path<Traits> other(mesh);
       other.add_source_point(source);
       for(Mesh::Vertex_index v : mesh.vertices())
       {
         const double expected = other.shortest_distance_to_source_points(v).first;
-        EXPECT_NEAR(geodesics.distance(static_cast<CGAL::Cut_loci::Index>(v.idx())), expected, 1e-9 * (1. + expected))
+        EXPECT_NEAR(geodesics.distance(static_cast<Index>(v.idx())), expected, 1e-9 * (1. + expected))
           << "from " << source << " to " << v;
       }
     }
@@ -110,15 +110,12 @@ TEST(Rounded_polyhedra, no_shortest_path_crosses_the_cut_locus)
 {
   for(const Named_mesh& m : meshes())
   {
-    CGAL::Surface_mesh_cut_locus<Mesh> solver(m.mesh, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
+    Solver solver(m.mesh, by(Polyhedral_method()));
     for(Mesh::Vertex_index source : sources(m.mesh))
     {
       SCOPED_TRACE(testing::Message() << m.name << ", from " << source);
       solver.set_source(source);
-      const curve_measures::Measures measures = curve_measures::measure(
-        m.mesh, solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
-      EXPECT_EQ(measures.topology_fault, "");
-      EXPECT_LT(measures.max, 0.01);
+      EXPECT_LT(checked_curves::measured(m.mesh, solver.cut_locus(through_faces)).max, 0.01);
     }
   }
 }
@@ -127,11 +124,11 @@ TEST(Rounded_polyhedra, no_shortest_path_crosses_the_cut_locus)
 Mesh part_of_a_ring(int n, double opening, bool has_seven_digits)
 {
   Mesh mesh;
-  std::vector<Mesh::Vertex_index> v;
+  Vertices v;
   const auto rounded = [&](double x) { return has_seven_digits ? static_cast<double>(static_cast<float>(x)) : x; };
   for(int i = 0; i <= n; ++i)
   {
-    const double angle = 0.5 * opening + (2. * test_meshes::pi - opening) * i / n;
+    const double angle = 0.5 * opening + (2. * pi - opening) * i / n;
     const double c = 0.8 * std::cos(angle) - 0.6 * std::sin(angle), s = 0.6 * std::cos(angle) + 0.8 * std::sin(angle);
     for(const auto& [radius, height] :
         std::array<std::pair<double, double>, 4>{{{1., 0.3}, {1., 0.}, {0.5, 0.}, {0.5, 0.3}}})
@@ -158,16 +155,13 @@ TEST(Rounded_polyhedra, no_shortest_path_that_grazes_a_rim_crosses_the_cut_locus
     for(double opening : {0.5, 3.})
     {
       const Mesh mesh = part_of_a_ring(120, opening, has_seven_digits);
-      CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
+      Solver solver(mesh, by(Polyhedral_method()));
       for(Mesh::size_type source = 0; source < mesh.number_of_vertices(); source += 7)
       {
         SCOPED_TRACE(testing::Message() << "opening " << opening << ", from " << source
                                         << (has_seven_digits ? ", seven digits" : ""));
         solver.set_source(Mesh::Vertex_index(source));
-        const curve_measures::Measures measures = curve_measures::measure(
-          mesh, solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
-        EXPECT_EQ(measures.topology_fault, "");
-        EXPECT_LT(measures.max, 1e-9);
+        EXPECT_LT(checked_curves::measured(mesh, solver.cut_locus(through_faces)).max, 1e-9);
       }
     }
 }
@@ -176,14 +170,14 @@ TEST(Rounded_polyhedra, no_shortest_path_that_grazes_a_rim_crosses_the_cut_locus
 Mesh plate_with_a_round_hole(int n, double half_side, double height)
 {
   Mesh mesh;
-  std::array<std::vector<Mesh::Vertex_index>, 2> rim, corners;
+  std::array<Vertices, 2> rim, corners;
   const auto rounded = [](double x) { return std::round(1e4 * x) / 1e4; };
   for(std::size_t level : {0, 1})
   {
     const double z = level == 0 ? 0. : height;
     for(int k = 0; k < n; ++k)
     {
-      const double angle = 2. * test_meshes::pi * k / n;
+      const double angle = 2. * pi * k / n;
       rim[level].push_back(mesh.add_vertex(Kernel::Point_3(rounded(std::cos(angle)), rounded(std::sin(angle)), z)));
     }
     for(const auto& [x, y] : std::array<std::pair<int, int>, 4>{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}})
@@ -218,15 +212,12 @@ TEST(Rounded_polyhedra, no_shortest_path_around_a_round_hole_crosses_the_cut_loc
   for(double height : {1., 0.3})
   {
     const Mesh mesh = plate_with_a_round_hole(40, 20., height);
-    CGAL::Surface_mesh_cut_locus<Mesh> solver(mesh, params::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
+    Solver solver(mesh, by(Polyhedral_method()));
     for(Mesh::Vertex_index source : mesh.vertices())
     {
       SCOPED_TRACE(testing::Message() << "height " << height << ", from " << source);
       solver.set_source(source);
-      const curve_measures::Measures measures =
-        curve_measures::measure(mesh, solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES)));
-      EXPECT_EQ(measures.topology_fault, "");
-      EXPECT_LT(measures.max, 1e-9);
+      EXPECT_LT(checked_curves::measured(mesh, solver.cut_locus(through_faces)).max, 1e-9);
     }
   }
 }

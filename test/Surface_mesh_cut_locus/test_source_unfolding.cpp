@@ -11,65 +11,40 @@
 #include <CGAL/Cut_loci/source_unfolding.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
-#include <CGAL/convex_hull_3.h>
 
 namespace test_source_unfolding {
 
 namespace {
 
 using namespace surface_test;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex_index = Mesh::Vertex_index;
-using Location = std::pair<Mesh::Face_index, std::array<double, 3>>;
+using Named_surface = std::pair<std::string, Mesh>;
 using Unfolding = CGAL::Cut_loci::Source_unfolding<Mesh, Kernel::Point_3>;
 using CGAL::Cut_loci::source_unfolding;
 
-Mesh built(const Mesh_data& data)
-{
-  Mesh mesh;
-  for(const Point& p : data.points)
-    mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
-  const auto vertex = [](std::size_t i) { return Vertex_index(static_cast<Mesh::size_type>(i)); };
-  for(const Triangle& t : data.triangles)
-    mesh.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
-  return mesh;
-}
-
-Mesh hull(const std::vector<Kernel::Point_3>& points)
-{
-  Mesh mesh;
-  CGAL::convex_hull_3(points.begin(), points.end(), mesh);
-  return mesh;
-}
-
-Mesh dodecahedron()
+Mesh_data dodecahedron()
 {
   const double g = 0.5 * (1. + std::sqrt(5.));
-  std::vector<Kernel::Point_3> points;
+  std::vector<Point> points;
   for(double x : {-1., 1.})
     for(double y : {-1., 1.})
-    {
-      for(double z : {-1., 1.})
-        points.push_back(Kernel::Point_3(x, y, z));
-      points.push_back(Kernel::Point_3(0., x / g, y * g));
-      points.push_back(Kernel::Point_3(x / g, y * g, 0.));
-      points.push_back(Kernel::Point_3(x * g, 0., y / g));
-    }
-  return hull(points);
+      points.insert(points.end(),
+                    {{{x, y, -1.}}, {{x, y, 1.}}, {{0., x / g, y * g}}, {{x / g, y * g, 0.}}, {{x * g, 0., y / g}}});
+  return convex_hull(points);
 }
 
-Mesh hull_of_ball(std::size_t n, unsigned seed)
+Mesh_data hull_of_ball(std::size_t n, unsigned seed)
 {
   std::mt19937 engine(seed);
-  std::vector<Kernel::Point_3> points;
+  std::vector<Point> points;
   while(points.size() < n)
   {
     const Point p = {{random_unit(engine), random_unit(engine), random_unit(engine)}};
     if(norm(p) < 1.)
-      points.push_back(Kernel::Point_3(p[0], p[1], p[2]));
+      points.push_back(p);
   }
-  return hull(points);
+  return convex_hull(points);
 }
 
 double length(const Kernel::Vector_3& v)
@@ -252,14 +227,14 @@ private:
 
   void check_overlap() const
   {
-    std::vector<Kernel::Point_2> points;
+    std::vector<Epick::Point_2> points;
     for(std::size_t i = 0; i < u_.corners.size(); ++i)
     {
-      points.push_back(corner(i).point);
+      points.push_back({corner(i).point.x(), corner(i).point.y()});
       const auto &p = corner(i).point, &q = corner(i + 1).point;
       EXPECT_GE(p.x() * q.y() - p.y() * q.x(), -1e-12 * scale_ * scale_) << "not star-shaped";
     }
-    EXPECT_TRUE(CGAL::is_simple_2(points.begin(), points.end(), Kernel()));
+    EXPECT_TRUE(CGAL::is_simple_2(points.begin(), points.end(), Epick()));
   }
 
   const Mesh& mesh_;
@@ -293,50 +268,34 @@ int check_location(const Mesh& mesh, std::size_t f, const std::array<double, 3>&
   return u().is_source_moved;
 }
 
+// From most of these points many paths are equally long.
 TEST(Source_unfolding, regular_and_divided_polyhedra)
 {
-  std::vector<std::pair<std::string, Mesh>> meshes = {
-    {"tetrahedron", hull({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}})},
-    {"octahedron", hull({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}})},
-    {"icosahedron", built(icosahedron())}};
+  std::vector<std::pair<std::string, Mesh_data>> meshes = {
+    {"tetrahedron", convex_hull({{{1., 1., 1.}}, {{1., -1., -1.}}, {{-1., 1., -1.}}, {{-1., -1., 1.}}})},
+    {"octahedron", octahedron()},
+    {"icosahedron", icosahedron()},
+    {"dodecahedron", dodecahedron()}};
   for(int n : {1, 2, 3})
   {
-    meshes.push_back({"cube " + std::to_string(n), built(cube(n))});
-    meshes.push_back({"box " + std::to_string(n), built(cuboid({{3., 1., 0.4}}, n))});
+    meshes.push_back({"cube " + std::to_string(n), cube(n)});
+    meshes.push_back({"box " + std::to_string(n), cuboid({{3., 1., 0.4}}, n)});
   }
   int number = 0, moved = 0;
-  for(const auto& m : meshes)
+  for(const auto& [name, data] : meshes)
   {
-    for(Vertex_index v : m.second.vertices())
-    {
-      moved += check_vertex(m.second, v, m.first);
-      ++number;
-    }
-    for(std::size_t f = 0; f < m.second.number_of_faces(); f += 3)
-      for(const std::array<double, 3>& c :
-          {std::array<double, 3>{{0.5, 0.3, 0.2}}, std::array<double, 3>{{1. / 3., 1. / 3., 1. / 3.}},
-           std::array<double, 3>{{0.5, 0.5, 0.}}, std::array<double, 3>{{0.4, 0., 0.6}}})
+    const Mesh mesh = to_surface_mesh(data);
+    for(Vertex_index v : mesh.vertices())
+      moved += check_vertex(mesh, v, name);
+    for(std::size_t f = 0; f < mesh.number_of_faces(); f += name == "dodecahedron" ? 1 : 3)
+      for(const Point& c :
+          {Point{{0.5, 0.3, 0.2}}, Point{{1. / 3., 1. / 3., 1. / 3.}}, Point{{0.5, 0.5, 0.}}, Point{{0.4, 0., 0.6}}})
       {
-        moved += check_location(m.second, f, c, m.first);
+        moved += check_location(mesh, f, c, name);
         ++number;
       }
   }
-  RecordProperty("sources", number);
-  RecordProperty("moved", moved);
-}
-
-// From most of these points many paths are equally long.
-TEST(Source_unfolding, dodecahedron)
-{
-  const Mesh mesh = dodecahedron();
-  int moved = 0;
-  for(Vertex_index v : mesh.vertices())
-    moved += check_vertex(mesh, v, "dodecahedron");
-  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for(const std::array<double, 3>& c :
-        {std::array<double, 3>{{0.5, 0.3, 0.2}}, std::array<double, 3>{{1. / 3., 1. / 3., 1. / 3.}},
-         std::array<double, 3>{{0.5, 0.5, 0.}}, std::array<double, 3>{{0.4, 0., 0.6}}})
-      moved += check_location(mesh, f, c, "dodecahedron");
+  RecordProperty("locations", number);
   RecordProperty("moved", moved);
 }
 
@@ -344,12 +303,12 @@ TEST(Source_unfolding, random_convex_polyhedra)
 {
   for(unsigned seed = 1; seed <= 12; ++seed)
   {
-    std::vector<std::pair<std::string, Mesh>> meshes = {
-      {"sphere", built(random_convex_polyhedron(8 * seed, seed))},
-      {"ellipsoid", built(random_convex_polyhedron(6 * seed + 10, seed, {{1., 0.6, 0.2}}))},
-      {"needle", built(random_convex_polyhedron(40, seed, {{10., 1., 1.}}))},
-      {"ball", hull_of_ball(20 * seed + 10, seed)},
-      {"split", built(split_in_plane(random_convex_polyhedron(4 + seed, seed)))}};
+    std::vector<Named_surface> meshes = {
+      {"sphere", to_surface_mesh(random_convex_polyhedron(8 * seed, seed))},
+      {"ellipsoid", to_surface_mesh(random_convex_polyhedron(6 * seed + 10, seed, {{1., 0.6, 0.2}}))},
+      {"needle", to_surface_mesh(random_convex_polyhedron(40, seed, {{10., 1., 1.}}))},
+      {"ball", to_surface_mesh(hull_of_ball(20 * seed + 10, seed))},
+      {"split", to_surface_mesh(split_in_plane(random_convex_polyhedron(4 + seed, seed)))}};
     for(const auto& m : meshes)
     {
       const std::string name = m.first + ' ' + std::to_string(seed);
@@ -365,30 +324,27 @@ TEST(Source_unfolding, random_convex_polyhedra)
 
 TEST(Source_unfolding, large_polyhedra)
 {
-  const std::vector<std::pair<std::string, Mesh>> meshes = {
-    {"sphere", built(random_convex_polyhedron(2502, 5))},
-    {"ellipsoid", built(random_convex_polyhedron(2502, 7, {{1., 0.8, 0.5}}))},
-    {"cube", built(cube(20))}};
+  const std::vector<Named_surface> meshes = {
+    {"sphere", to_surface_mesh(random_convex_polyhedron(2502, 5))},
+    {"ellipsoid", to_surface_mesh(random_convex_polyhedron(2502, 7, {{1., 0.8, 0.5}}))},
+    {"cube", to_surface_mesh(cube(20))}};
   for(const auto& m : meshes)
   {
     ASSERT_GE(m.second.number_of_faces(), 4800u);
     check_location(m.second, 17, {{0.2, 0.5, 0.3}}, m.first);
     check_location(m.second, 100, {{0.2, 0.5, 0.3}}, m.first);
   }
-  check_vertex(built(random_convex_polyhedron(1002, 6)), Vertex_index(100), "2000 faces");
+  check_vertex(to_surface_mesh(random_convex_polyhedron(1002, 6)), Vertex_index(100), "2000 faces");
 }
 
 // The boundary has both sides of the cut locus.
 TEST(Source_unfolding, is_as_long_as_the_cut_locus)
 {
-  const Mesh mesh = built(random_convex_polyhedron(60, 3, {{1., 0.8, 0.5}}));
+  const Mesh mesh = to_surface_mesh(random_convex_polyhedron(60, 3, {{1., 0.8, 0.5}}));
   const Location location(Mesh::Face_index(7), {{0.2, 0.5, 0.3}});
-  const auto cut_locus =
-    CGAL::compute_cut_locus(mesh, location, CGAL::parameters::cut_locus_method(CGAL::Cut_loci::Polyhedral_method()));
-  double expected = 0., sum = 0.;
-  const auto& graph = cut_locus.graph();
-  for(auto e : CGAL::make_range(edges(graph)))
-    expected += length(graph[target(e, graph)].point - graph[source(e, graph)].point);
+  const auto cut_locus = compute_cut_locus(mesh, location, by(Polyhedral_method()));
+  double sum = 0.;
+  const double expected = surface_test::length(cut_locus);
   const Unfolding u = source_unfolding(mesh, location);
   for(std::size_t i = 0; i < u.corners.size(); ++i)
     sum += std::sqrt(CGAL::squared_distance(u.corners[i].point, u.corners[(i + 1) % u.corners.size()].point));
@@ -398,7 +354,7 @@ TEST(Source_unfolding, is_as_long_as_the_cut_locus)
 // From the middle of a face whose diagonal is an edge of the mesh: four arms, as is well known.
 TEST(Source_unfolding, cube)
 {
-  const Mesh mesh = built(cube(1));
+  const Mesh mesh = to_surface_mesh(cube(1));
   const Unfolding u = source_unfolding(mesh, Location(Mesh::Face_index(0), {{0.5, 0.5, 0.}}));
   std::vector<int> copies(u.vertices.size(), 0);
   for(const auto& c : u.corners)
@@ -430,10 +386,10 @@ TEST(Source_unfolding, surfaces_with_border)
     m.triangles.erase(std::remove_if(m.triangles.begin(), m.triangles.end(), is_on_side), m.triangles.end());
     return without_isolated_vertices(m);
   };
-  const std::vector<std::pair<std::string, Mesh>> meshes = {
-    {"open cube", built(open(cube(1), {{0., 0., 1.}}, 1.))},
-    {"open box", built(open(cuboid({{3., 1., 0.4}}, 2), {{0., 0., 1.}}, 0.4))},
-    {"square", built(square(3, 0.1, 1))},
+  const std::vector<Named_surface> meshes = {
+    {"open cube", to_surface_mesh(open(cube(1), {{0., 0., 1.}}, 1.))},
+    {"open box", to_surface_mesh(open(cuboid({{3., 1., 0.4}}, 2), {{0., 0., 1.}}, 0.4))},
+    {"square", to_surface_mesh(square(3, 0.1, 1))},
   };
   for(const auto& m : meshes)
     for(std::size_t f = 0; f < m.second.number_of_faces(); ++f)
@@ -455,35 +411,27 @@ TEST(Source_unfolding, surfaces_with_border)
 
 std::string message(const Mesh& mesh, Vertex_index source)
 {
-  try
-  {
-    source_unfolding(mesh, source);
-  }
-  catch(const CGAL::Cut_loci::Invalid_input& error)
-  {
-    return error.what();
-  }
-  return "";
+  return message_of([&] { source_unfolding(mesh, source); });
 }
 
 TEST(Source_unfolding, refuses_surfaces_on_which_paths_bend)
 {
-  const Mesh l = built(l_shape(1));
+  const Mesh l = to_surface_mesh(l_shape(1));
   const std::string text = message(l, Vertex_index(0));
-  EXPECT_NE(text.find("450 degrees"), std::string::npos) << text;
+  expect_has(text, "450 degrees");
   const std::vector<double> angles = total_angles(l);
   const auto saddle = std::find_if(angles.begin(), angles.end(), [](double a) { return a > 2. * pi + 1e-9; });
-  EXPECT_NE(text.find("vertex #" + std::to_string(saddle - angles.begin()) + ' '), std::string::npos) << text;
+  expect_has(text, "vertex #" + std::to_string(saddle - angles.begin()) + ' ');
 
-  const Mesh ring = built(annulus(0.5, 1., 20, 2));
-  EXPECT_NE(message(ring, Vertex_index(0)).find("on the border"), std::string::npos);
-  EXPECT_NE(message(built(torus(2., 1., 20, 12)), Vertex_index(0)).find("more than 360"), std::string::npos);
-  EXPECT_NE(message(l, Mesh::null_vertex()).find("null"), std::string::npos);
+  const Mesh ring = to_surface_mesh(annulus(0.5, 1., 20, 2));
+  expect_has(message(ring, Vertex_index(0)), "on the border");
+  expect_has(message(to_surface_mesh(torus(2., 1., 20, 12)), Vertex_index(0)), "more than 360");
+  expect_has(message(l, Mesh::null_vertex()), "null");
 }
 
 TEST(Source_unfolding, takes_the_component_of_the_source)
 {
-  const Mesh mesh = built(disjoint_union(l_shape(1), cube(1), {{5., 0., 0.}}));
+  const Mesh mesh = to_surface_mesh(disjoint_union(l_shape(1), cube(1), {{5., 0., 0.}}));
   const Vertex_index v(static_cast<Mesh::size_type>(mesh.number_of_vertices() - 1));
   const Unfolding u = source_unfolding(mesh, v);
   for(const auto& c : u.vertices)

@@ -26,21 +26,21 @@ namespace test_sources_in_threads {
 namespace {
 
 using namespace surface_test;
-using Face_location = CGAL::Surface_mesh_cut_locus<Mesh>::Face_location;
-using Source = CGAL::Surface_mesh_cut_locus<Mesh>::Source;
+using Face_location = Solver::Face_location;
+using Source = Solver::Source;
 
 class Many_sources : public testing::Test
 {
 protected:
-  std::vector<Mesh::Vertex_index> some_vertices() const
+  Vertices some_vertices() const
   {
-    std::vector<Mesh::Vertex_index> result;
+    Vertices result;
     for(std::size_t v = 3; v < built.vertices.size(); v += built.vertices.size() / 23)
       result.push_back(built.vertices[v]);
     return result;
   }
 
-  const Built_mesh<Mesh> built{test_meshes::two_tori()};
+  const Built built{two_tori()};
 #ifdef CGAL_LINKED_WITH_TBB
   // also on a machine with one core
   tbb::global_control threads{tbb::global_control::max_allowed_parallelism, 4};
@@ -53,7 +53,7 @@ TEST_F(Many_sources, Each_has_the_cut_locus_that_it_has_alone_in_threads_too)
   for(Method method : {Method(Default_method()), Method(Polyhedral_method()), Method(Laplacian_method())})
     for(Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
     {
-      const auto np = params::cut_locus_method(method).cut_locus_curve(curve);
+      const auto np = by(method).cut_locus_curve(curve);
       std::vector<Cut_locus> one_by_one, in_threads;
       CGAL::compute_cut_loci(built.mesh, sources, std::back_inserter(one_by_one), np);
       CGAL::compute_cut_loci(built.mesh, sources, std::back_inserter(in_threads),
@@ -62,7 +62,7 @@ TEST_F(Many_sources, Each_has_the_cut_locus_that_it_has_alone_in_threads_too)
       ASSERT_EQ(in_threads.size(), sources.size());
       for(std::size_t i = 0; i < sources.size(); ++i)
       {
-        const std::vector<double> alone = result_numbers(CGAL::compute_cut_locus(built.mesh, sources[i], np));
+        const std::vector<double> alone = result_numbers(compute_cut_locus(built.mesh, sources[i], np));
         EXPECT_FALSE(alone.empty());
         EXPECT_EQ(result_numbers(one_by_one[i]), alone);
         EXPECT_EQ(result_numbers(in_threads[i]), alone);
@@ -79,15 +79,15 @@ TEST_F(Many_sources, They_may_be_vertices_and_points_of_faces)
   CGAL::compute_cut_loci(built.mesh, sources, std::back_inserter(found),
                          params::concurrency_tag(CGAL::Parallel_if_available_tag()));
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_EQ(result_numbers(found[0]), result_numbers(CGAL::compute_cut_locus(built.mesh, at)));
-  EXPECT_EQ(result_numbers(found[1]), result_numbers(CGAL::compute_cut_locus(built.mesh, built.vertices[7])));
+  EXPECT_EQ(result_numbers(found[0]), result_numbers(compute_cut_locus(built.mesh, at)));
+  EXPECT_EQ(result_numbers(found[1]), result_numbers(compute_cut_locus(built.mesh, built.vertices[7])));
 }
 
 TEST_F(Many_sources, A_range_of_the_mesh_is_taken_and_an_empty_one_gives_nothing)
 {
   std::size_t number = 0;
   const auto count = boost::make_function_output_iterator([&](const Cut_locus&) { ++number; });
-  CGAL::compute_cut_loci(built.mesh, std::vector<Mesh::Vertex_index>(), count);
+  CGAL::compute_cut_loci(built.mesh, Vertices(), count);
   EXPECT_EQ(number, 0u);
   CGAL::compute_cut_loci(built.mesh, built.mesh.vertices(), count,
                          params::concurrency_tag(CGAL::Parallel_if_available_tag()));
@@ -96,19 +96,13 @@ TEST_F(Many_sources, A_range_of_the_mesh_is_taken_and_an_empty_one_gives_nothing
 
 TEST_F(Many_sources, A_wrong_one_is_named_before_anything_is_computed)
 {
-  std::vector<Mesh::Vertex_index> sources = some_vertices();
+  Vertices sources = some_vertices();
   sources[5] = Mesh::null_vertex();
   std::size_t number = 0;
   const auto count = boost::make_function_output_iterator([&](const Cut_locus&) { ++number; });
-  try
-  {
-    CGAL::compute_cut_loci(built.mesh, sources, count, params::concurrency_tag(CGAL::Parallel_if_available_tag()));
-    FAIL();
-  }
-  catch(const CGAL::Cut_loci::Invalid_input& error)
-  {
-    EXPECT_EQ(error.what(), std::string("source 5: the source is the null vertex"));
-  }
+  const auto np = params::concurrency_tag(CGAL::Parallel_if_available_tag());
+  EXPECT_EQ(message_of([&] { CGAL::compute_cut_loci(built.mesh, sources, count, np); }),
+            "source 5: the source is the null vertex");
   EXPECT_EQ(number, 0u);
 }
 
@@ -146,7 +140,7 @@ TEST_F(Many_sources, The_class_prepares_what_its_copies_share_and_keeps_its_sour
     explicit Counting_visitor(int& n) : number(n) {}
     void start_stage(CGAL::Cut_loci::Stage stage) { number += stage == CGAL::Cut_loci::Stage::PREPROCESSING; }
   };
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh, params::visitor(Counting_visitor(number)));
+  Solver solver(built.mesh, params::visitor(Counting_visitor(number)));
   solver.set_source(built.vertices[5]);
   const std::vector<double> before = result_numbers(solver.cut_locus());
   const std::size_t last = built.vertices.size() - 1; // on the other torus
@@ -155,9 +149,9 @@ TEST_F(Many_sources, The_class_prepares_what_its_copies_share_and_keeps_its_sour
   EXPECT_EQ(number, 3); // for the mesh, and for each torus
   for(std::size_t v : {std::size_t(9), last})
   {
-    CGAL::Surface_mesh_cut_locus<Mesh> copy(solver);
+    Solver copy(solver);
     copy.set_source(built.vertices[v]);
-    EXPECT_EQ(result_numbers(copy.cut_locus()), result_numbers(CGAL::compute_cut_locus(built.mesh, built.vertices[v])));
+    EXPECT_EQ(result_numbers(copy.cut_locus()), result_numbers(compute_cut_locus(built.mesh, built.vertices[v])));
   }
   EXPECT_EQ(number, 3);
 }
@@ -170,8 +164,8 @@ protected:
   void expect_the_same(const Mesh& mesh, const NamedParameters& np) const
   {
     const auto v = *mesh.vertices().begin();
-    EXPECT_EQ(result_numbers(CGAL::compute_cut_locus(mesh, v, np.concurrency_tag(CGAL::Parallel_if_available_tag()))),
-              result_numbers(CGAL::compute_cut_locus(mesh, v, np)));
+    EXPECT_EQ(result_numbers(compute_cut_locus(mesh, v, np.concurrency_tag(CGAL::Parallel_if_available_tag()))),
+              result_numbers(compute_cut_locus(mesh, v, np)));
   }
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -182,33 +176,24 @@ protected:
 // of several blocks of faces each
 TEST_F(One_source, Has_the_same_cut_locus_in_threads)
 {
-  const Built_mesh<Mesh> torus(test_meshes::torus(1., 0.4, 180, 70, 0.2, 1));
-  const auto faces = params::cut_locus_curve(Curve::THROUGH_FACES);
-  expect_the_same(torus.mesh, faces.cut_locus_method(Default_method()));
-  expect_the_same(torus.mesh, faces.cut_locus_method(Default_method()).maximum_relative_error(1e-4));
-  expect_the_same(torus.mesh, params::cut_locus_method(Laplacian_method()));
-  const Built_mesh<Mesh> smaller(test_meshes::torus(1., 0.4, 80, 30, 0.2, 1));
-  expect_the_same(smaller.mesh, faces.cut_locus_method(Polyhedral_method()));
+  const Built torus(test_meshes::torus(1., 0.4, 180, 70, 0.2, 1));
+  expect_the_same(torus.mesh, through_faces.cut_locus_method(Default_method()));
+  expect_the_same(torus.mesh, through_faces.cut_locus_method(Default_method()).maximum_relative_error(1e-4));
+  expect_the_same(torus.mesh, by(Laplacian_method()));
+  const Built smaller(test_meshes::torus(1., 0.4, 80, 30, 0.2, 1));
+  expect_the_same(smaller.mesh, through_faces.cut_locus_method(Polyhedral_method()));
 }
 
 TEST_F(One_source, Has_the_same_errors_in_threads)
 {
-  test_meshes::Mesh_data flat = test_meshes::torus(1., 0.4, 20, 10, 0.2, 1);
+  Mesh_data flat = test_meshes::torus(1., 0.4, 20, 10, 0.2, 1);
   for(auto& p : flat.points) // no face has an area
     p[1] = p[2] = 0.;
-  const Built_mesh<Mesh> built(flat);
+  const Built built(flat);
+  const auto np = params::concurrency_tag(CGAL::Parallel_if_available_tag());
   for(int run = 0; run < 20; ++run)
-    try
-    {
-      CGAL::compute_cut_locus(built.mesh, built.vertices[3],
-                              params::concurrency_tag(CGAL::Parallel_if_available_tag()));
-      FAIL();
-    }
-    catch(const CGAL::Cut_loci::Invalid_input& error)
-    {
-      EXPECT_EQ(error.cause(), CGAL::Cut_loci::Cause::FACE_WITHOUT_AREA);
-      EXPECT_NE(std::string(error.what()).find("remove_degenerate_faces"), std::string::npos) << error.what();
-    }
+    expect_refused([&] { compute_cut_locus(built.mesh, built.vertices[3], np); }, Cause::FACE_WITHOUT_AREA,
+                   {"remove_degenerate_faces"});
 }
 
 } // namespace

@@ -155,14 +155,11 @@ std::vector<Mesh_data> meshes_with_border()
           punctured(torus(1., 0.4, 24, 14, 0.2, 4), {{{-1.4, 0., 0.}}, {{0., 1.4, 0.}}}, 0.3)};
 }
 
-Indexed_source source_at(const Fixture& f, std::size_t v)
+std::vector<Mesh_data> all_meshes()
 {
-  Indexed_source source;
-  source.vertex = static_cast<Index>(v);
-  const Index h = f.connectivity.ring_halfedge[f.connectivity.ring_begin[v]];
-  source.location.face = h / 3;
-  source.location.coordinates[h % 3] = 1.;
-  return source;
+  std::vector<Mesh_data> result = closed_meshes(), others = meshes_with_border();
+  result.insert(result.end(), others.begin(), others.end());
+  return result;
 }
 
 // the library's order of the stages on one key
@@ -191,17 +188,16 @@ Index farthest(const std::vector<double>& distance)
 
 TEST(Region_growing_tree, spans_the_mesh_from_its_root)
 {
-  for(const auto& meshes : {closed_meshes(), meshes_with_border()})
-    for(const Mesh_data& data : meshes)
-      for(unsigned seed = 0; seed < 3; ++seed)
-      {
-        const Fixture f(data);
-        const Index root = static_cast<Index>(7 * seed % data.points.size());
-        const Spanning_tree tree = region_growing_tree(f.connectivity, random_keys(data.points.size(), seed), root);
-        EXPECT_EQ(tree.root, root);
-        EXPECT_EQ(tree.order.size(), data.points.size());
-        expect_tree(f, tree);
-      }
+  for(const Mesh_data& data : all_meshes())
+    for(unsigned seed = 0; seed < 3; ++seed)
+    {
+      const Fixture f(data);
+      const Index root = static_cast<Index>(7 * seed % data.points.size());
+      const Spanning_tree tree = region_growing_tree(f.connectivity, random_keys(data.points.size(), seed), root);
+      EXPECT_EQ(tree.root, root);
+      EXPECT_EQ(tree.order.size(), data.points.size());
+      expect_tree(f, tree);
+    }
 }
 
 TEST(Region_growing_tree, leads_each_vertex_to_the_root_by_the_path_of_lowest_keys)
@@ -275,20 +271,19 @@ TEST(Region_growing_tree, enters_each_border_loop_once)
 
 TEST(Thinning, leaves_a_tree_and_removes_whole_branches_from_their_tips)
 {
-  for(const auto& meshes : {closed_meshes(), meshes_with_border()})
-    for(const Mesh_data& data : meshes)
-      for(unsigned seed = 0; seed < 3; ++seed)
-      {
-        const Fixture f(data);
-        const std::vector<double> distance = distances(data, 0);
-        const Trees trees = grow(f, random_keys(data.points.size(), seed), farthest(distance));
-        expect_tree(f, trees.thinned);
-        EXPECT_LT(trees.thinned.order.size(), trees.full.order.size());
-        for(Index v : trees.thinned.order)
-          EXPECT_EQ(trees.thinned.parent[v], trees.full.parent[v]);
-        expect_tree(f, trees.extended);
-        EXPECT_EQ(trees.extended.order.size(), data.points.size());
-      }
+  for(const Mesh_data& data : all_meshes())
+    for(unsigned seed = 0; seed < 3; ++seed)
+    {
+      const Fixture f(data);
+      const std::vector<double> distance = distances(data, 0);
+      const Trees trees = grow(f, random_keys(data.points.size(), seed), farthest(distance));
+      expect_tree(f, trees.thinned);
+      EXPECT_LT(trees.thinned.order.size(), trees.full.order.size());
+      for(Index v : trees.thinned.order)
+        EXPECT_EQ(trees.thinned.parent[v], trees.full.parent[v]);
+      expect_tree(f, trees.extended);
+      EXPECT_EQ(trees.extended.order.size(), data.points.size());
+    }
 }
 
 TEST(Thinning, removes_a_leaf_exactly_if_it_has_a_stronger_neighbor_outside_its_family)
@@ -332,27 +327,26 @@ TEST(Thinning, removes_a_leaf_exactly_if_it_has_a_stronger_neighbor_outside_its_
 
 TEST(Homology_generators, are_two_per_handle_and_cut_the_surface_into_a_disk_together_with_the_tree)
 {
-  for(const auto& meshes : {closed_meshes(), meshes_with_border()})
-    for(const Mesh_data& data : meshes)
-      for(unsigned seed = 0; seed < 10; ++seed)
-      {
-        const Fixture f(data);
-        const topology_checker::Surface surface(data.triangles, 0);
-        const Index source = static_cast<Index>(11 * seed % data.points.size());
-        const std::vector<double> distance = distances(data, source);
-        const Indexed_source at = source_at(f, source);
-        const Trees trees =
-          grow(f, random_keys(data.points.size(), seed), farthest(distance), Source_element(f.connectivity, at));
-        const std::vector<Index> generators = homology_generators(f.mesh, f.connectivity, trees.extended, distance,
-                                                                  Source_roots(f.mesh, f.connectivity, {at}));
-        EXPECT_EQ(long(generators.size()), 2 * surface.genus());
-        EXPECT_EQ(long(f.connectivity.genus(f.mesh)), surface.genus());
-        EXPECT_EQ(f.connectivity.number_of_border_loops, surface.number_of_loops);
-        topology_checker::Cut cut{edges_of(trees.extended), trees.extended.root};
-        for(Index h : generators)
-          EXPECT_TRUE(cut.edges.insert(make_edge(f.mesh.source(h), f.mesh.target(h))).second);
-        EXPECT_EQ(topology_checker::fault(surface, cut), "") << data.points.size() << " vertices, seed " << seed;
-      }
+  for(const Mesh_data& data : all_meshes())
+    for(unsigned seed = 0; seed < 10; ++seed)
+    {
+      const Fixture f(data);
+      const topology_checker::Surface surface(data.triangles, 0);
+      const Index source = static_cast<Index>(11 * seed % data.points.size());
+      const std::vector<double> distance = distances(data, source);
+      const Indexed_source at = at_vertex(f.mesh, source);
+      const Trees trees =
+        grow(f, random_keys(data.points.size(), seed), farthest(distance), Source_element(f.connectivity, at));
+      const std::vector<Index> generators = homology_generators(f.mesh, f.connectivity, trees.extended, distance,
+                                                                Source_roots(f.mesh, f.connectivity, {at}));
+      EXPECT_EQ(long(generators.size()), 2 * surface.genus());
+      EXPECT_EQ(long(f.connectivity.genus(f.mesh)), surface.genus());
+      EXPECT_EQ(f.connectivity.number_of_border_loops, surface.number_of_loops);
+      topology_checker::Cut cut{edges_of(trees.extended), trees.extended.root};
+      for(Index h : generators)
+        EXPECT_TRUE(cut.edges.insert(make_edge(f.mesh.source(h), f.mesh.target(h))).second);
+      EXPECT_EQ(topology_checker::fault(surface, cut), "") << data.points.size() << " vertices, seed " << seed;
+    }
 }
 
 TEST(Gradient_angles, a_fold_of_the_plane_has_the_angle_of_its_two_gradients)
@@ -445,12 +439,8 @@ TEST(Gradient_angles, of_the_distance_vanish_in_the_plane_and_its_laplacian_is_o
       if(is_inside)
         inside.push_back(v);
     }
-    Indexed_source source;
-    source.vertex = inside[inside.size() / 2];
-    source.location = CGAL::Cut_loci::internal::location_of_vertex(f.connectivity, source.vertex);
-    std::vector<double> distance;
-    for(const Point& p : data.points)
-      distance.push_back(norm(p - data.points[source.vertex]));
+    const Indexed_source source = at_vertex(f.mesh, inside[inside.size() / 2]);
+    const std::vector<double> distance = distances(data, source.vertex);
     CGAL::Cut_loci::internal::Laplacian_solver solver(f.mesh, Laplacian_operator::QUADRATIC_FIT);
     solver.set_distance({source}, distance);
     solver.compute_strengths();
@@ -492,7 +482,7 @@ struct Filter_case
   {
     const std::size_t n = data.points.size();
     const std::vector<double> distance = distances(data, seed % n);
-    const Indexed_source source = source_at(f, seed % n);
+    const Indexed_source source = at_vertex(f.mesh, static_cast<Index>(seed % n));
     trees = grow(f, random_keys(n, seed), farthest(distance), Source_element(f.connectivity, source));
     generators = homology_generators(f.mesh, f.connectivity, trees.extended, distance,
                                      Source_roots(f.mesh, f.connectivity, {source}));
@@ -613,13 +603,12 @@ std::vector<Filter_case> filter_cases()
 {
   std::vector<Filter_case> cases;
   unsigned seed = 0;
-  for(const auto& meshes : {closed_meshes(), meshes_with_border()})
-    for(const Mesh_data& data : meshes)
-    {
-      cases.emplace_back(data, seed);
-      cases.emplace_back(data, seed + 1);
-      seed += 2;
-    }
+  for(const Mesh_data& data : all_meshes())
+  {
+    cases.emplace_back(data, seed);
+    cases.emplace_back(data, seed + 1);
+    seed += 2;
+  }
   return cases;
 }
 

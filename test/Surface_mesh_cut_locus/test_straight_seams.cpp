@@ -115,9 +115,9 @@ void expect_disk(const Mesh& mesh, const Cut_locus& cut_locus, double tolerance)
 void expect_straight_seams(const Mesh_data& data, const std::vector<std::size_t>& sources,
                            const std::vector<double>& tolerances = {1. / 256.})
 {
-  const Built_mesh<Mesh> built(data);
-  Solver laplacian(built.mesh, params::cut_locus_method(Laplacian_method()));
-  Solver direction(built.mesh, params::cut_locus_method(Default_method()));
+  const Built built(data);
+  Solver laplacian(built.mesh, by(Laplacian_method()));
+  Solver direction(built.mesh, by(Default_method()));
   const auto check = [&](const Cut_locus& cut_locus)
   {
     for(double tolerance : tolerances)
@@ -133,15 +133,14 @@ void expect_straight_seams(const Mesh_data& data, const std::vector<std::size_t>
     for(double angle : {0., 0.7, 3.14})
     {
       SCOPED_TRACE("angle " + std::to_string(angle));
-      check(laplacian.cut_locus(params::cut_locus_method(Laplacian_method().gradient_angle_threshold(angle))));
+      check(laplacian.cut_locus(by(Laplacian_method().gradient_angle_threshold(angle))));
     }
     check(laplacian.cut_locus());
     direction.set_source(built.vertices[s]);
     for(double width : {1., 0.1, 0.03, 0.})
     {
       SCOPED_TRACE("width " + std::to_string(width));
-      check(direction.cut_locus(
-        params::cut_locus_method(Default_method().minimum_branch_width(width)).cut_locus_curve(Curve::THROUGH_FACES)));
+      check(direction.cut_locus(through_faces.cut_locus_method(Default_method().minimum_branch_width(width))));
     }
   }
 }
@@ -178,8 +177,8 @@ TEST(Straight_seams, Curves_along_edges_of_the_mesh)
 
 TEST(Straight_seams, Faces_off_the_curve_stay)
 {
-  const Built_mesh<Mesh> built(torus(1., 0.4, 24, 12, 0.2, 3));
-  const Cut_locus on_edges = CGAL::compute_cut_locus(built.mesh, built.vertices[0], mesh_edges);
+  const Built built(torus(1., 0.4, 24, 12, 0.2, 3));
+  const Cut_locus on_edges = compute_cut_locus(built.mesh, built.vertices[0], mesh_edges);
   Mesh refined;
   CGAL::refine_along_cut_locus(built.mesh, on_edges, refined);
   EXPECT_EQ(refined.number_of_faces(), built.mesh.number_of_faces());
@@ -188,14 +187,13 @@ TEST(Straight_seams, Faces_off_the_curve_stay)
 
 TEST(Straight_seams, Bad_input_gives_an_error)
 {
-  const Built_mesh<Mesh> built(torus(1., 0.4, 24, 12, 0.2, 3)), other(jittered_sphere(5, 0.1, 1));
-  const Cut_locus curve = CGAL::compute_cut_locus(built.mesh, built.vertices[0],
-                                                  params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+  const Built built(torus(1., 0.4, 24, 12, 0.2, 3)), other(jittered_sphere(5, 0.1, 1));
+  const Cut_locus curve = compute_cut_locus(built.mesh, built.vertices[0], through_faces);
   Mesh output;
-  EXPECT_THROW(CGAL::cut_along_cut_locus(other.mesh, curve, output), CGAL::Cut_loci::Invalid_input);
+  EXPECT_THROW(CGAL::cut_along_cut_locus(other.mesh, curve, output), Invalid_input);
   for(double tolerance : {-1., 0., 1e-9, 0.6, std::nan("")})
     EXPECT_THROW(CGAL::refine_along_cut_locus(built.mesh, curve, output, params::snapping_tolerance(tolerance)),
-                 CGAL::Cut_loci::Invalid_input);
+                 Invalid_input);
   EXPECT_TRUE(output.is_empty());
 }
 

@@ -29,13 +29,13 @@ struct Range
 Range radii(const Mesh_data& data, const std::vector<std::size_t>& sources)
 {
   const Built built(data);
-  CGAL::Surface_mesh_cut_locus<Mesh> solver(built.mesh);
+  Solver solver(built.mesh);
   Range result;
-  result.h = test_meshes::mean_edge_length(data);
+  result.h = mean_edge_length(data);
   for(std::size_t source : sources)
   {
     solver.set_source(built.vertices[source]);
-    const auto cut_locus = solver.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::THROUGH_FACES));
+    const auto cut_locus = solver.cut_locus(through_faces);
     const auto statistics = CGAL::Cut_loci::compute_statistics(cut_locus);
     result.least = (std::min)(result.least, statistics.injectivity_radius);
     result.most = (std::max)(result.most, statistics.injectivity_radius);
@@ -64,7 +64,7 @@ TEST(Symmetric_sources, have_one_radius_on_a_torus)
       for(std::size_t u = 0; u < c.nu; u += c.nu / 12)
         sources.push_back(u * c.nw + w);
       sources.push_back((c.nu - 1) * c.nw + w);
-      const Range range = radii(test_meshes::torus(c.R, c.r, c.nu, c.nw), sources);
+      const Range range = radii(torus(c.R, c.r, c.nu, c.nw), sources);
       EXPECT_LT(range.width(), 1e-6) << c.nu << " x " << c.nw << ", row " << w;
       EXPECT_EQ(range.number_of_several, int(sources.size())); // paths on both sides are equally long
     }
@@ -74,7 +74,7 @@ TEST(Symmetric_sources, have_one_radius_on_convex_surfaces_and_no_other_curve_is
 {
   for(int n : {1, 2, 4})
   {
-    const Mesh_data data = test_meshes::cube(n);
+    const Mesh_data data = cube(n);
     std::vector<std::size_t> corners;
     for(std::size_t v = 0; v < data.points.size(); ++v)
       if(std::all_of(data.points[v].begin(), data.points[v].end(), [](double x) { return x == 0. || x == 1.; }))
@@ -88,11 +88,11 @@ TEST(Symmetric_sources, have_one_radius_on_convex_surfaces_and_no_other_curve_is
 
 TEST(Symmetric_sources, are_told_from_others)
 {
-  const Range irregular = radii(test_meshes::torus(1., 0.4, 24, 12, 0.2, 3), {0, 5, 50, 100});
+  const Range irregular = radii(torus(1., 0.4, 24, 12, 0.2, 3), {0, 5, 50, 100});
   EXPECT_EQ(irregular.number_of_several, 0);
   // Behind the saddles of the edge in the middle, paths on both sides are equally long from a point in the plane of symmetry.
-  const Mesh_data l = test_meshes::l_shape(2);
-  const Range symmetric = radii(l, {test_meshes::nearest_vertex(l.points, {{0., 0., 0.}})});
+  const Mesh_data l = l_shape(2);
+  const Range symmetric = radii(l, {nearest_vertex(l.points, {{0., 0., 0.}})});
   EXPECT_EQ(symmetric.number_of_several, 1);
 }
 

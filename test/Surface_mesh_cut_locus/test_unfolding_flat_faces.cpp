@@ -226,7 +226,7 @@ std::vector<std::pair<std::string, Mesh_data>> convex_polyhedra(unsigned seed)
 {
   return {{"sphere", test_meshes::random_convex_polyhedron(6 + 2 * seed, seed)},
           {"ellipsoid", test_meshes::random_convex_polyhedron(30, seed, {{1., 0.6, 0.3}})},
-          {"divided", test_meshes::split_in_plane(test_meshes::random_convex_polyhedron(4 + seed, seed))}};
+          {"divided", test_meshes::split_in_plane(random_convex_polyhedron(4 + seed, seed))}};
 }
 
 TEST(Unfolding_flat_faces, change_nothing_seen_from_vertices_and_from_faces)
@@ -264,7 +264,7 @@ TEST(Unfolding_flat_faces, can_hold_the_source)
   Counts counts;
   for(unsigned seed = 1; seed <= 8; ++seed)
   {
-    const Mesh_data data = test_meshes::random_convex_polyhedron(12, seed);
+    const Mesh_data data = random_convex_polyhedron(12, seed);
     const Built clean(data), flat(with_flat_faces(data, 1, seed));
     std::mt19937 engine(seed);
     const std::size_t face = engine() % data.triangles.size(), corner = engine() % 3;

@@ -19,12 +19,11 @@ namespace test_voronoi_neighbors {
 namespace {
 
 using namespace curve_sources;
-using Geodesics = CGAL::Surface_mesh_exact_geodesics<Mesh>;
 using Neighbors = std::vector<CGAL::Cut_loci::Voronoi_neighbors>;
 
 Neighbors neighbors(const Built& built, const Vertices& sources)
 {
-  return CGAL::Cut_loci::voronoi_neighbors(CGAL::compute_cut_locus(built.mesh, sources));
+  return CGAL::Cut_loci::voronoi_neighbors(compute_cut_locus(built.mesh, sources));
 }
 
 /// four corners of a square, whose cells touch along lines of half of its side, and in its middle
@@ -57,7 +56,7 @@ TEST(Voronoi_neighbors, are_the_cells_on_both_sides)
     Vertices sources;
     for(const std::size_t v : chosen)
       sources.push_back(built.vertices[v]);
-    const Result cut_locus = CGAL::compute_cut_locus(built.mesh, sources);
+    const Result cut_locus = compute_cut_locus(built.mesh, sources);
     std::set<std::array<std::size_t, 2>> touching;
     double sum = 0.;
     for(const auto& pair : CGAL::Cut_loci::voronoi_neighbors(cut_locus))
@@ -67,9 +66,7 @@ TEST(Voronoi_neighbors, are_the_cells_on_both_sides)
       EXPECT_TRUE(touching.insert(pair.sources).second);
       sum += pair.length;
     }
-    EXPECT_NEAR(
-      sum, length(CGAL::compute_cut_locus(built.mesh, sources, params::kept_part(CGAL::Cut_loci::Kept_part::VORONOI))),
-      1e-9);
+    EXPECT_NEAR(sum, length(compute_cut_locus(built.mesh, sources, params::kept_part(Kept_part::VORONOI))), 1e-9);
     // two cells that are met along an edge of the mesh without a third one in between touch
     for(const Mesh::Edge_index e : built.mesh.edges())
     {
@@ -91,7 +88,7 @@ TEST(Voronoi_neighbors, are_the_cells_on_both_sides)
 TEST(Voronoi_neighbors, of_one_point_are_none)
 {
   const Built built(torus(2., 0.8, 24, 14));
-  EXPECT_TRUE(CGAL::Cut_loci::voronoi_neighbors(CGAL::compute_cut_locus(built.mesh, built.vertices[0])).empty());
+  EXPECT_TRUE(CGAL::Cut_loci::voronoi_neighbors(compute_cut_locus(built.mesh, built.vertices[0])).empty());
 }
 
 /// sources in a square whose cells are known polygons: between parallel lines, and in quarters
@@ -106,7 +103,7 @@ TEST(Voronoi_cells, of_a_square_have_areas_in_closed_form)
     return result;
   };
   const Vertices quarters = locations({{{0., 0., 0.}}, {{1., 0., 0.}}, {{1., 1., 0.}}, {{0., 1., 0.}}});
-  const Result cut_locus = CGAL::compute_cut_locus(built.mesh, quarters);
+  const Result cut_locus = compute_cut_locus(built.mesh, quarters);
   for(const double found : CGAL::Cut_loci::voronoi_cell_areas(built.mesh, cut_locus))
     EXPECT_NEAR(found, 0.25, 1e-6);
 }
@@ -125,7 +122,7 @@ TEST(Voronoi_cells, divide_random_surfaces)
     Vertices sources;
     for(const std::size_t v : chosen)
       sources.push_back(built.vertices[v]);
-    const Result cut_locus = CGAL::compute_cut_locus(built.mesh, sources);
+    const Result cut_locus = compute_cut_locus(built.mesh, sources);
     Mesh refined;
     auto cell = refined.add_property_map<Mesh::Face_index, std::size_t>("f:cell", 1000).first;
     std::map<Mesh::Face_index, Mesh::Face_index> origin;
@@ -172,7 +169,7 @@ TEST(Voronoi_cells, divide_random_surfaces)
 TEST(Voronoi_cells, of_one_point_are_its_component)
 {
   const Built built(two_tori());
-  const Result cut_locus = CGAL::compute_cut_locus(built.mesh, built.vertices[0]);
+  const Result cut_locus = compute_cut_locus(built.mesh, built.vertices[0]);
   Mesh refined;
   auto cell = refined.add_property_map<Mesh::Face_index, std::size_t>("f:cell", 1000).first;
   CGAL::refine_along_cut_locus(built.mesh, cut_locus, refined, params::default_values(), params::face_patch_map(cell));

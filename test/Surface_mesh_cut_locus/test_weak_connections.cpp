@@ -22,16 +22,10 @@ using CGAL::Cut_loci::internal::Exact_tree_solver;
 using CGAL::Cut_loci::internal::Path_classes;
 using CGAL::Cut_loci::internal::Tree_graph;
 
-struct Case
-{
-  std::string name;
-  Mesh_data data;
-};
-
 // a rough surface without some of its faces, no two of which have a vertex in common
 Mesh_data scan(std::size_t n, std::size_t number_of_holes, unsigned seed)
 {
-  Mesh_data m = test_meshes::irregular_bumpy_sphere(n, 0.3, seed);
+  Mesh_data m = irregular_bumpy_sphere(n, 0.3, seed);
   std::vector<unsigned char> is_at_hole(m.points.size(), 0);
   std::mt19937 engine(seed);
   while(number_of_holes > 0)
@@ -47,32 +41,16 @@ Mesh_data scan(std::size_t n, std::size_t number_of_holes, unsigned seed)
   return m;
 }
 
-std::vector<Case> cases()
+std::vector<Named_mesh> cases()
 {
   return {{"scan with two holes", scan(8, 2, 1)},
           {"scan with seven holes", scan(20, 7, 2)},
-          {"torus", test_meshes::torus(1., 0.4, 24, 14, 0.2, 5)},
-          {"thin torus", test_meshes::torus(1., 0.1, 40, 6, 0.2, 6)},
-          {"annulus", test_meshes::annulus(0.4, 1., 17, 4)},
-          {"square with holes", test_meshes::square_with_holes(2, 2)},
-          {"square with more holes", test_meshes::square_with_holes(3, 2)},
-          {"open cylinder", test_meshes::cylinder(1., 16, 6, 0.1, 4)}};
-}
-
-Indexed_source at_vertex(const Exact_tree_solver& solver, Index v)
-{
-  Indexed_source source;
-  source.vertex = v;
-  source.location = CGAL::Cut_loci::internal::location_of_vertex(solver.connectivity(), v);
-  return source;
-}
-
-Indexed_source in_face(Index f, double a, double b)
-{
-  Indexed_source source;
-  source.location.face = f;
-  source.location.coordinates = {{a, b, 1. - a - b}};
-  return source;
+          {"torus", torus(1., 0.4, 24, 14, 0.2, 5)},
+          {"thin torus", torus(1., 0.1, 40, 6, 0.2, 6)},
+          {"annulus", annulus(0.4, 1., 17, 4)},
+          {"square with holes", square_with_holes(2, 2)},
+          {"square with more holes", square_with_holes(3, 2)},
+          {"open cylinder", cylinder(1., 16, 6, 0.1, 4)}};
 }
 
 // Whether something that passes was not looked for at first.
@@ -121,8 +99,7 @@ std::vector<int> crossings_of_core(const Exact_tree_solver& solver, const Tree_g
 }
 
 // those of the border loops
-std::vector<Path_classes::Mark> marks(const Indexed_triangle_mesh& mesh,
-                                      const CGAL::Cut_loci::Mesh_connectivity& connectivity)
+std::vector<Path_classes::Mark> marks(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity)
 {
   std::vector<Path_classes::Mark> result(connectivity.number_of_border_loops);
   for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
@@ -155,16 +132,16 @@ void expect_classes_of_core(const Indexed_triangle_mesh& mesh, const Exact_tree_
 TEST(Weak_connections, cross_the_edges_whose_shortest_paths_separate_what_they_join)
 {
   double number = 0., number_of_sure = 0.;
-  for(const Case& c : cases())
+  for(const Named_mesh& c : cases())
   {
     const Indexed_triangle_mesh mesh = indexed(c.data);
     Exact_tree_solver solver(mesh);
     std::vector<Indexed_source> sources;
     for(Index v : {Index(1), mesh.number_of_vertices() / 3, mesh.number_of_vertices() - 1})
-      sources.push_back(at_vertex(solver, v));
+      sources.push_back(at_vertex(mesh, v));
     for(Index f = 0; f < mesh.number_of_faces(); f += mesh.number_of_faces() / 7)
       for(double a : {0., 0.31}) // on an edge, and inside
-        sources.push_back(in_face(f, a, 0.37));
+        sources.push_back(in_face(f, a, 0.37, 0.63 - a));
     for(std::size_t i = 0; i < sources.size(); ++i)
     {
       SCOPED_TRACE(c.name + ", source " + std::to_string(i));
@@ -181,7 +158,7 @@ TEST(Weak_connections, cross_the_edges_whose_shortest_paths_separate_what_they_j
 TEST(Weak_connections, are_found_where_they_are_though_what_is_weak_is_not_looked_for)
 {
   std::size_t number_of_weak = 0;
-  for(const Case& c : cases())
+  for(const Named_mesh& c : cases())
   {
     const Indexed_triangle_mesh mesh = indexed(c.data);
     for(Index source :
@@ -191,11 +168,11 @@ TEST(Weak_connections, are_found_where_they_are_though_what_is_weak_is_not_looke
       {
         SCOPED_TRACE(c.name + ", source " + std::to_string(source) + ", width " + std::to_string(width));
         CGAL::Cut_loci::internal::Exact_tree_thresholds least;
-        least.width = width * test_meshes::mean_edge_length(c.data);
+        least.width = width * mean_edge_length(c.data);
         Exact_tree_solver full(mesh), run(mesh);
-        solve(full, at_vertex(full, source), {});
-        number_of_weak += solve(run, at_vertex(run, source), least);
-        const auto faces = CGAL::Cut_loci::Curve::THROUGH_FACES;
+        solve(full, at_vertex(mesh, source), {});
+        number_of_weak += solve(run, at_vertex(mesh, source), least);
+        const auto faces = Curve::THROUGH_FACES;
         const double expected = length(mesh, full.filter(least, faces)), found = length(mesh, run.filter(least, faces));
         EXPECT_TRUE(run.tree().is_known(run.tree().kept(least)));
         EXPECT_NEAR(found, expected, 0.01 * expected);
