@@ -218,7 +218,8 @@ public:
   double curvature(Index e) const { return enclosed(e).curvature; }
 
   /// finds what `shown_width()` returns, for edges that are kept
-  void measure_widths(const std::vector<Tree_branches::Edge>& edges, const Progress& progress = {})
+  void measure_widths(const std::vector<Tree_branches::Edge>& edges, const Threads& threads = {},
+                      const Progress& progress = {})
   {
     const auto measure = [this](Index e) { return static_cast<float>(width(e)); };
     // some faces: in each it crosses, a branch has about as many pieces as there are on average
@@ -226,7 +227,8 @@ public:
     shown_width_.assign(graph_.edges.size(), 0.f);
     const auto length_of = [this](Index e) { return length(e); };
     Branch_widths<decltype(measure), decltype(length_of)>(edges, static_cast<Index>(graph_.nodes.size()), most, measure,
-                                                          length_of, shown_width_, progress);
+                                                          length_of, shown_width_,
+                                                          geodesics_.is_approximate() ? Threads() : threads, progress);
   }
   float shown_width(Index edge) const { return shown_width_[edge]; }
 
