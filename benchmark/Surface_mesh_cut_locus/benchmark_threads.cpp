@@ -6,7 +6,8 @@
 
 // What threads give to the stages of one cut locus: for each stage and number of threads, the processor time of the thread
 // that calls, that of all threads, and the time that passes. The first is what the caller would wait on a machine with
-// nothing else to do; the second tells what the threads cost. Each figure is the median of some runs, in turns.
+// nothing else to do, where no other thread takes longer; the second tells what the threads cost. Each figure is the median
+// of some runs, in turns.
 
 #include "command_line.h"
 #include "measuring.h"

@@ -127,8 +127,10 @@ public:
    *                     others, `CGAL/Cut_loci/Laplacian_method.h` has to be included.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{concurrency_tag}
-   *     \cgalParamDescription{whether several threads are used, by TBB, for what depends on the mesh and for strengths. Most
-   *                           of the time is that of distances, which take one. The results are the same.}
+   *     \cgalParamDescription{whether several threads are used, by TBB, for what depends on the mesh, for strengths and widths
+   *                           and, where the default has one source, for distances and where the cut locus crosses edges.
+   *                           That takes the memory of distances twice. Other distances take one thread. The results are
+   *                           the same.}
    *     \cgalParamType{`Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`}
    *     \cgalParamDefault{`Sequential_tag`}
    *     \cgalParamExtra{Copies of the object use one thread each.}

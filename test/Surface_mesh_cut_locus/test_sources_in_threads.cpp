@@ -19,6 +19,7 @@
 #endif
 
 #include <atomic>
+#include <functional>
 #include <stdexcept>
 
 namespace test_sources_in_threads {
@@ -182,6 +183,60 @@ TEST_F(One_source, Has_the_same_cut_locus_in_threads)
   expect_the_same(torus.mesh, by(Laplacian_method()));
   const Built smaller(test_meshes::torus(1., 0.4, 80, 30, 0.2, 1));
   expect_the_same(smaller.mesh, through_faces.cut_locus_method(Polyhedral_method()));
+}
+
+// One run of windows finds the faces that matter, and another one follows it in a thread of its own. On the cube the first
+// one finds that the source has to be moved.
+TEST_F(One_source, Has_the_same_curves_in_threads_each_time)
+{
+  for(const test_meshes::Mesh_data& data :
+      {test_meshes::irregular_bumpy_sphere(24, 0.2, 3), test_meshes::cube(6), test_meshes::plate_with_holes(2, 1, 4),
+       test_meshes::cylinder(1., 30, 12, 0.2, 1), test_meshes::needles(20)})
+  {
+    const Built_mesh<Mesh> built(data);
+    CGAL::Surface_mesh_cut_locus<Mesh> alone(built.mesh),
+      in_threads(built.mesh, params::concurrency_tag(CGAL::Parallel_if_available_tag()));
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const Mesh::Vertex_index source = built.vertices[k * built.vertices.size() / 3];
+      alone.set_source(source);
+      for(int run = 0; run < 5; ++run)
+      {
+        in_threads.set_source(source);
+        for(Curve curve : {Curve::MESH_EDGES, Curve::THROUGH_FACES})
+          EXPECT_EQ(result_numbers(in_threads.cut_locus(params::cut_locus_curve(curve))),
+                    result_numbers(alone.cut_locus(params::cut_locus_curve(curve))));
+      }
+    }
+  }
+}
+
+// throws the next time that it is told how far distances are
+struct Canceling_visitor : public CGAL::Cut_loci::Default_visitor
+{
+  bool is_canceled = false;
+  void progress(CGAL::Cut_loci::Stage stage, double share)
+  {
+    if(is_canceled && stage == CGAL::Cut_loci::Stage::DISTANCE && share > 0.)
+      throw std::runtime_error("canceled");
+  }
+};
+
+TEST_F(One_source, Is_left_by_what_a_visitor_throws_in_threads_too)
+{
+  const Built_mesh<Mesh> torus(test_meshes::torus(1., 0.4, 180, 70, 0.2, 1));
+  Canceling_visitor visitor;
+  CGAL::Surface_mesh_cut_locus<Mesh> solver(
+    torus.mesh, params::visitor(std::ref(visitor)).concurrency_tag(CGAL::Parallel_if_available_tag()));
+  for(int run = 0; run < 5; ++run)
+  {
+    visitor.is_canceled = true;
+    EXPECT_THROW(solver.set_source(torus.vertices[3]), std::runtime_error);
+    visitor.is_canceled = false;
+    solver.set_source(torus.vertices[run]);
+    EXPECT_EQ(result_numbers(solver.cut_locus()),
+              result_numbers(CGAL::compute_cut_locus(torus.mesh, torus.vertices[run])));
+  }
 }
 
 TEST_F(One_source, Has_the_same_errors_in_threads)

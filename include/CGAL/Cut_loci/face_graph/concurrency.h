@@ -14,6 +14,8 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 #endif
 
 #include <cstddef>
@@ -42,8 +44,31 @@ Threads threads_of()
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr(is_parallel<NamedParameters>())
+  {
+    // what else waits may be another call for the same object, which the thread in work must not take up
+    using tbb::this_task_arena::isolate;
     return Threads([](std::size_t number, const Threads::Task& task)
-                   { tbb::parallel_for(std::size_t(0), number, [&](std::size_t i) { task(i); }); });
+                   { isolate([&] { tbb::parallel_for(std::size_t(0), number, [&](std::size_t i) { task(i); }); }); },
+                   [](const Threads::Job& first, const Threads::Job& second)
+                   {
+      isolate(
+        [&]
+        {
+        tbb::task_group group;
+        group.run(second);
+        try
+        {
+          first();
+        }
+        catch(...)
+        {
+          group.wait();
+          throw;
+        }
+        group.wait();
+      });
+    });
+  }
 #endif
   return Threads();
 }

@@ -111,6 +111,7 @@ public:
   }
 
   const Geodesic_faces& faces() const { return faces_; }
+  const std::shared_ptr<const Geodesic_faces>& shared_faces() const { return shared_faces_; }
 
   std::size_t number_of_sources() const { return sources_.size(); }
   /// the total angle at source number `i`: two pi in faces

@@ -42,6 +42,19 @@ public:
     size_ = size;
   }
 
+  /// removes all elements for which `predicate()` does not hold
+  template <typename Predicate>
+  void keep_if(const Predicate& predicate)
+  {
+    std::size_t n = 0;
+    for(std::size_t i = 0; i < size_; ++i)
+      if(predicate((*this)[i]))
+        (*this)[n++] = (*this)[i];
+    for(std::size_t i = n; i < size_; ++i)
+      (*this)[i] = Element();
+    size_ = n;
+  }
+
 private:
   static constexpr std::size_t block = 1024;
 

@@ -23,9 +23,11 @@ class Threads
 public:
   using Task = std::function<void(std::size_t)>;
   using Run = std::function<void(std::size_t, const Task&)>;
+  using Job = std::function<void()>;
+  using Run_both = std::function<void(const Job&, const Job&)>;
 
   Threads() = default;
-  explicit Threads(Run run) : run_(std::move(run)) {}
+  Threads(Run run, Run_both run_both) : run_(std::move(run)), run_both_(std::move(run_both)) {}
 
   bool are_there() const { return run_ != nullptr; }
   // how many tasks are worth to be given to `run()` at once, where their results take memory
@@ -40,8 +42,19 @@ public:
       task(i);
   }
 
+  // Calls `first()` in this thread and `second()`, which must not throw, in another one at the same time, or, if none is
+  // free, afterwards. So `second()` may wait for `first()`.
+  void run_both(const Job& first, const Job& second) const
+  {
+    if(are_there())
+      return run_both_(first, second);
+    first();
+    second();
+  }
+
 private:
   Run run_;
+  Run_both run_both_;
 };
 
 } // namespace CGAL::Cut_loci::internal

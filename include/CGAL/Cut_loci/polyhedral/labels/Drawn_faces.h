@@ -9,6 +9,7 @@
 
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
+#include <CGAL/Cut_loci/polyhedral/labels/Halfedge_trail.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Label_jumps.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Vertex_labels.h>
 
@@ -23,7 +24,8 @@ namespace CGAL::Cut_loci::internal {
  * by half as much.
  *
  * It is an observer of `Exact_geodesic_propagation`, and keeps no windows. Which faces matter is known at the end only:
- * `Edge_crossings` gets the windows of their edges from a second run.
+ * `Edge_crossings` gets the windows of their edges from a second run. Which ones may matter is known as soon as all windows
+ * have come to their edges, so that the second run may follow the first one in another thread.
  */
 class Drawn_faces : public Geodesic_window_observer
 {
@@ -34,14 +36,17 @@ public:
   /// for other edges, by halfedge of smaller index: see `Label_jumps::bend()`
   std::vector<float> bend;
 
-  Drawn_faces(Exact_geodesic_propagation& geodesics, const Branch_strength& least)
+  /// @param trail gets the halfedges beside faces that may matter
+  Drawn_faces(Exact_geodesic_propagation& geodesics, const Branch_strength& least, Halfedge_trail& trail)
     : is_drawn(geodesics.faces().number_of_halfedges() / 3, 0), bend(geodesics.faces().number_of_halfedges(), 0.f),
       geodesics_(geodesics), faces_(geodesics.faces()), at_vertices_(geodesics),
       jumps_(geodesics, at_vertices_, least, 1.),
       weak_jumps_(geodesics, at_vertices_, least, Label_jumps::linking_share),
-      is_crossed_(faces_.number_of_halfedges(), 0), is_weak_(faces_.number_of_halfedges(), 0)
+      is_crossed_(faces_.number_of_halfedges(), 0), is_weak_(faces_.number_of_halfedges(), 0), trail_(trail)
   {
   }
+
+  void advance(double front) override { trail_.advance(front); }
 
   bool take(Index h, Geodesic_window_list& list) override
   {
@@ -50,7 +55,12 @@ public:
     if(is_drawn[h / 3] && is_drawn[o / 3])
       return false;
     unsigned char& is_weak = is_weak_[(std::min)(h, o)];
-    is_weak = is_weak || has_jump(weak_jumps_, h, o, list);
+    if(!is_weak)
+    {
+      is_weak = has_jump(weak_jumps_, h, o, list);
+      if(is_weak)
+        trail_.add(h);
+    }
     if(is_weak && has_jump(jumps_, h, o, list))
       is_drawn[h / 3] = is_drawn[o / 3] = 1;
     return false;
@@ -62,7 +72,10 @@ public:
     jumps_.start(faces_.target(h), faces_.source(h), faces_.length(h)); // in the frame of the opposite
     if(!is_drawn[h / 3] &&
        (geodesics_.is_approximate() ? has_jump_on_border<9>(h, *list) : has_jump_on_border<7>(h, *list)))
+    {
       is_drawn[h / 3] = 1;
+      trail_.add(h);
+    }
     geodesics_.release(list);
   }
 
@@ -143,6 +156,7 @@ private:
   Label_jumps jumps_, weak_jumps_;
   std::vector<unsigned char> is_crossed_; // by halfedge: whether windows have come to it
   std::vector<unsigned char> is_weak_;    // by that of smaller index: whether a jump is half as large as needed
+  Halfedge_trail& trail_;
 };
 
 } // namespace CGAL::Cut_loci::internal

@@ -13,11 +13,13 @@
 #include <CGAL/Cut_loci/internal/Growing_list.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Edge_envelope.h>
+#include <CGAL/Cut_loci/polyhedral/labels/Halfedge_trail.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Label_jumps.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Path_label.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <queue>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -67,7 +69,8 @@ struct Edge_ends
  * collects, while the windows are propagated, where the label changes on the edges of the faces that are drawn.
  *
  * It is an observer of `Exact_geodesic_propagation`. It keeps the windows of an edge until the front has passed it, so
- * that they take the memory of the front. An edge on which windows arrive after that is late.
+ * that they take the memory of the front. An edge on which windows arrive after that is late. So is one of which it is
+ * found only then that it has a face that is drawn, if these are not known before.
  */
 class Edge_crossings : public Geodesic_window_observer
 {
@@ -75,11 +78,13 @@ public:
   /// @param is_drawn by face; of their edges all changes become known, of other edges none
   /// @param least what is weaker is told from the rest
   /// @param slack how far beyond an edge the front has to be, in sizes of its faces, for its windows to be complete
-  Edge_crossings(Exact_geodesic_propagation& geodesics, const std::vector<unsigned char>& is_drawn,
-                 const Branch_strength& least, double slack)
+  /// @param trail beside the halfedges of which faces may be drawn: they are added to those that are; which ones are has to
+  ///        be known when `finish()` is called. Null if it is known before.
+  Edge_crossings(Exact_geodesic_propagation& geodesics, std::vector<unsigned char>& is_drawn,
+                 const Branch_strength& least, double slack, Halfedge_trail* trail = nullptr)
     : geodesics_(geodesics), faces_(geodesics.faces()), is_drawn_(is_drawn), envelope_(geodesics),
       parting_angle_(geodesics), least_(least), slack_(slack), kept_(faces_.number_of_halfedges(), nullptr),
-      state_(faces_.number_of_halfedges(), 0)
+      state_(faces_.number_of_halfedges(), 0), trail_(trail)
   {
   }
 
@@ -87,12 +92,12 @@ public:
 
   void advance(double front) override
   {
-    while(next_ < waiting_.size() && waiting_[next_].until < front)
-      divide(waiting_[next_++].halfedge);
-    if(next_ > 1000 && 2 * next_ > waiting_.size())
+    if(trail_ != nullptr)
+      trail_->throw_if_stopped();
+    while(!waiting_.empty() && waiting_.top().until < front)
     {
-      waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(next_));
-      next_ = 0;
+      divide(waiting_.top().halfedge);
+      waiting_.pop();
     }
     front_ = front;
   }
@@ -100,11 +105,11 @@ public:
   bool take(Index h, Geodesic_window_list& list) override
   {
     const Index o = faces_.opposite(h);
-    if(!is_needed(h, o))
+    if(!may_be_needed(h, o))
       return false;
     if((state_[(std::min)(h, o)] & divided) != 0)
     {
-      ++number_of_late_;
+      state_[(std::min)(h, o)] |= late;
       return false;
     }
     wait(h, o);
@@ -126,10 +131,10 @@ public:
   /// not there. Takes over the list.
   void take_on_border(Index h, Geodesic_window_list* list) override
   {
-    const bool is_late = (state_[h] & divided) != 0;
-    if(is_late || !is_drawn_[h / 3])
+    if((state_[h] & divided) != 0)
+      state_[h] |= late;
+    if(!may_be_needed(h, null_index) || (state_[h] & divided) != 0)
     {
-      number_of_late_ += is_late;
       geodesics_.release(list);
       return;
     }
@@ -143,18 +148,21 @@ public:
   /// the end of the propagation
   void finish(const Progress& progress = {})
   {
-    for(; next_ < waiting_.size(); ++next_)
-    {
-      progress(next_, waiting_.size());
-      divide(waiting_[next_].halfedge);
-    }
-    waiting_.clear();
     for(Index h = 0; h < faces_.number_of_halfedges(); ++h)
     {
       progress(h, faces_.number_of_halfedges());
-      if(h < faces_.opposite(h) && (state_[h] & divided) == 0 &&
-         is_needed(h, faces_.opposite(h))) // edges along which all paths run
+      if(h > faces_.opposite(h) || !is_needed(h, faces_.opposite(h)))
+        continue;
+      if((state_[h] & divided) == 0) // where the front ends, or edges along which all paths run
         divide(h);
+      number_of_late_ += (state_[h] & late) != 0;
+    }
+    if(trail_ != nullptr)
+    {
+      // what is on edges of faces that are not drawn after all
+      const auto is_needed_there = [this](const auto& e) { return is_needed(e.halfedge, faces_.opposite(e.halfedge)); };
+      crossings.keep_if(is_needed_there);
+      ends.keep_if(is_needed_there);
     }
   }
 
@@ -164,16 +172,18 @@ public:
   Growing_list<Path_label> labels;       ///< those of an edge together, in order, in the frame of its halfedge
   Growing_list<Edge_ends> ends;          ///< of all edges of the faces that are drawn
 
-  /// how often windows came too late
+  /// of how many edges it is not known whether the windows are complete
   std::size_t number_of_late() const { return number_of_late_; }
 
 private:
-  enum : unsigned char { waits = 1, divided = 2 };
+  enum : unsigned char { waits = 1, divided = 2, late = 4 };
 
   struct Waiting
   {
     Index halfedge;
     double until; // the front is there
+
+    bool operator<(const Waiting& other) const { return until > other.until; } // the next one is on top
   };
 
   void wait(Index h, Index o)
@@ -182,12 +192,38 @@ private:
     if((state_[first] & waits) != 0)
       return;
     state_[first] |= waits;
+    waiting_.push({first, passed(h, o)});
+  }
+
+  /// where the front is when it has passed an edge
+  double passed(Index h, Index o) const
+  {
     double size = faces_.mean_edge_length(); // batches of the propagation are no finer
     for(Index k : {h, o})
       if(k != null_index)
         for(Index g = 3 * (k / 3); g < 3 * (k / 3) + 3; ++g)
           size = (std::max)(size, faces_.length(g));
-    waiting_.push_back({first, front_ + slack_ * size});
+    return front_ + slack_ * size;
+  }
+
+  /// whether it is, or that is not known yet; what is not is late if it turns out to be
+  bool may_be_needed(Index h, Index o)
+  {
+    if(is_needed(h, o))
+      return true;
+    if(trail_ == nullptr)
+      return false;
+    trail_->follow_to(passed(h, o),
+                      [this](Index g)
+                      {
+      is_drawn_[g / 3] = 1;
+      if(faces_.opposite(g) != null_index)
+        is_drawn_[faces_.opposite(g) / 3] = 1;
+    });
+    if(is_needed(h, o))
+      return true;
+    state_[(std::min)(h, o)] |= late;
+    return false;
   }
 
   /// Around a spike windows come to the same halfedge many times.
@@ -238,7 +274,7 @@ private:
     if(is_reached)
       add_crossings(h, along, against);
     else
-      ++number_of_late_; // nothing can be said of it yet
+      state_[h] |= late; // nothing can be said of it yet
     for(Geodesic_window_list* list : {along, against})
       if(list != nullptr)
         geodesics_.release(list);
@@ -290,7 +326,7 @@ public:
 private:
   Exact_geodesic_propagation& geodesics_;
   const Geodesic_faces& faces_;
-  const std::vector<unsigned char>& is_drawn_;
+  std::vector<unsigned char>& is_drawn_;
   Edge_envelope envelope_;
   Parting_angle parting_angle_;
   Branch_strength least_;
@@ -298,8 +334,9 @@ private:
   std::vector<Geodesic_window_list*> kept_;               // by halfedge: the first list
   std::unordered_map<Index, Geodesic_window_lists> more_; // and others
   std::vector<unsigned char> state_;
-  std::vector<Waiting> waiting_; // edges with windows, from `next_` on
-  std::size_t next_ = 0, number_of_late_ = 0;
+  std::priority_queue<Waiting> waiting_; // edges with windows
+  Halfedge_trail* trail_;
+  std::size_t number_of_late_ = 0;
 };
 
 } // namespace CGAL::Cut_loci::internal

@@ -93,7 +93,7 @@ public:
     const Progress all = progress_;
     std::vector<Tree_branches::Edge> kept;
     Sources_tree& of = tree_for(thresholds, kept, all.part(0., 0.7));
-    of.tree().measure_widths(kept, all.part(0.7, 0.8));
+    of.tree().measure_widths(kept, threads_, all.part(0.7, 0.8));
     Indexed_cut_locus result = curve == Curve::MESH_EDGES
                                  ? mesh_edges_of_sources(of, kept, thresholds, all.part(0.8, 1.))
                                  : curve_through_faces(of, kept, thresholds, all.part(0.8, 1.));

@@ -257,7 +257,7 @@ private:
       tree_->add_lines(prepared_->cut()->lines(), prepared_->cut()->owners());
     // Windows may be merged where what is between them is half of what the weakest branch needs.
     tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(surface_->extent));
-    tree_->propagate(locations(number), prepared_->vertices(), least_,
+    tree_->propagate(locations(number), prepared_->vertices(), least_, threads_,
                      [this](std::vector<Indexed_location>& sources)
                      {
       if(!distance_.empty())

@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/Index.h>
 #include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
+#include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Tree_branches.h>
 
 #include <algorithm>
@@ -30,35 +31,51 @@ class Branch_widths
 {
 public:
   /// @param width of each edge; those in `edges` are set
-  /// @param measure returns the width of an edge
+  /// @param measure returns the width of an edge; called for several at once, if there are threads
   /// @param length returns the length of an edge
   /// @param most edges are passed over at most: between two that are measured the width may be larger than at both
   Branch_widths(const std::vector<Tree_branches::Edge>& edges, Index number_of_nodes, std::size_t most,
-                const Measure& measure, const Length& length, std::vector<float>& width, const Progress& progress = {})
+                const Measure& measure, const Length& length, std::vector<float>& width, const Threads& threads = {},
+                const Progress& progress = {})
     : edges_(edges), measure_(measure), length_(length), width_(width),
       at_nodes_(number_of_nodes, edges.size(), Ends{edges}), is_done_(edges.size(), 0)
   {
-    // parts of rows: the two paths of each edge that is measured take a part of a millisecond
-    constexpr std::size_t seldom = 8;
-    std::size_t number = 0;
     for(Index seed = 0; seed < edges.size(); ++seed)
-    {
-      if(is_done_[seed])
-        continue;
-      find_row(seed);
-      at(row_.front()) = measure(edges[row_.front()].edge);
-      for(std::size_t first = 0; first + 1 < row_.size(); first += most)
-      {
-        if(number++ % seldom == 0)
-          progress(static_cast<double>(seed) / static_cast<double>(edges.size()));
-        const std::size_t last = (std::min)(first + most, row_.size() - 1);
-        at(row_[last]) = measure(edges[row_[last]].edge);
-        fill_between(first, last);
-      }
-    }
+      if(!is_done_[seed])
+        add_row(seed, most);
+    for_each(ends_.size(), threads, progress.part(0., 0.3),
+             [&](std::size_t i) { at(row_[ends_[i]]) = measured(ends_[i]); });
+    for_each(parts_.size(), threads, progress.part(0.3, 1.),
+             [&](std::size_t i) { fill_between(parts_[i].first, parts_[i].last); });
   }
 
 private:
+  /// of a row, from one edge that is measured to the next
+  struct Part
+  {
+    std::size_t first, last;
+  };
+
+  /// calls `function(i)` for all i below `number`: what they set is not what others need
+  template <typename Function>
+  static void for_each(std::size_t number, const Threads& threads, const Progress& progress, const Function& function)
+  {
+    constexpr std::size_t block = 8; // the two paths of each edge that is measured take a part of a millisecond
+    const std::size_t at_once = block * threads.number_at_once();
+    for(std::size_t first = 0; first < number; first += at_once)
+    {
+      progress(static_cast<double>(first) / static_cast<double>(number));
+      const std::size_t end = (std::min)(first + at_once, number);
+      threads.run((end - first + block - 1) / block,
+                  [&](std::size_t task)
+                  {
+        const std::size_t begin = first + task * block;
+        for(std::size_t i = begin; i < (std::min)(begin + block, end); ++i)
+          function(i);
+      });
+    }
+  }
+
   float& at(Index e) { return width_[edges_[e].edge]; }
 
   struct Ends
@@ -70,7 +87,7 @@ private:
   Index next(Index e, Index node) const { return at_nodes_.degree(node) == 2 ? at_nodes_.next(node, e) : e; }
   Index other_end(Index e, Index node) const { return edges_[e].outer == node ? edges_[e].inner : edges_[e].outer; }
 
-  void find_row(Index seed)
+  void add_row(Index seed, std::size_t most)
   {
     Index e = seed, from = edges_[seed].outer;
     for(Index k = next(e, from); k != e && k != seed; k = next(e, from))
@@ -78,8 +95,7 @@ private:
       e = k;
       from = other_end(e, from);
     }
-    row_.clear();
-    place_.clear();
+    const std::size_t begin = row_.size();
     double place = 0.;
     for(Index k = e; !is_done_[k]; k = next(e, from))
     {
@@ -89,6 +105,12 @@ private:
       place += length_(edges_[e].edge);
       place_.push_back(place);
       from = other_end(e, from);
+    }
+    ends_.push_back(begin);
+    for(std::size_t first = begin; first + 1 < row_.size(); first += most)
+    {
+      parts_.push_back({first, (std::min)(first + most, row_.size() - 1)});
+      ends_.push_back(parts_.back().last);
     }
   }
 
@@ -146,8 +168,10 @@ private:
   std::vector<float>& width_;
   Edges_left at_nodes_;
   std::vector<unsigned char> is_done_;
-  std::vector<Index> row_;
-  std::vector<double> place_; // of the end of each edge of the row
+  std::vector<Index> row_;        // one after the other
+  std::vector<double> place_;     // of the end of each edge in its row
+  std::vector<Part> parts_;       // of rows
+  std::vector<std::size_t> ends_; // of them
 };
 
 } // namespace CGAL::Cut_loci::internal

@@ -18,6 +18,7 @@
 #include <CGAL/Cut_loci/polyhedral/joining/Tree_graph_builder.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Drawn_faces.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Edge_crossings.h>
+#include <CGAL/Cut_loci/polyhedral/labels/Halfedge_trail.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Label_changes.h>
 #include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Branch_widths.h>
@@ -87,15 +88,21 @@ public:
   /// @param move may move the sources by a little once the distances are known, if something is left out; returns whether
   template <typename Move>
   void propagate(const std::vector<Indexed_location>& sources, const std::vector<Index>& source_vertices,
-                 const Branch_strength& least, const Move& move)
+                 const Branch_strength& least, const Threads& threads, const Move& move)
   {
     least_ = least;
     source_vertices_ = source_vertices;
     sources_ = sources;
-    find_drawn_faces();
-    if(!least.is_none() && move(sources_))
-      find_drawn_faces();
-    find_crossings();
+    crossings_.reset();
+    if(least.is_none())
+    {
+      is_drawn_.assign(mesh_.number_of_faces(), 1);
+      bend_.clear();
+    }
+    else if(find_drawn_faces(threads, move))
+      find_drawn_faces(threads, [](std::vector<Indexed_location>&) { return false; });
+    if(!crossings_)
+      find_crossings();
   }
 
   /// The same, with what `edges` need that are not known: `draw_ridges()` and what follows have to be called again. The
@@ -218,7 +225,8 @@ public:
   double curvature(Index e) const { return enclosed(e).curvature; }
 
   /// finds what `shown_width()` returns, for edges that are kept
-  void measure_widths(const std::vector<Tree_branches::Edge>& edges, const Progress& progress = {})
+  void measure_widths(const std::vector<Tree_branches::Edge>& edges, const Threads& threads = {},
+                      const Progress& progress = {})
   {
     const auto measure = [this](Index e) { return static_cast<float>(width(e)); };
     // some faces: in each it crosses, a branch has about as many pieces as there are on average
@@ -226,7 +234,8 @@ public:
     shown_width_.assign(graph_.edges.size(), 0.f);
     const auto length_of = [this](Index e) { return length(e); };
     Branch_widths<decltype(measure), decltype(length_of)>(edges, static_cast<Index>(graph_.nodes.size()), most, measure,
-                                                          length_of, shown_width_, progress);
+                                                          length_of, shown_width_,
+                                                          geodesics_.is_approximate() ? Threads() : threads, progress);
   }
   float shown_width(Index edge) const { return shown_width_[edge]; }
 
@@ -483,10 +492,9 @@ private:
 
   void find_crossings()
   {
-    // Windows of an edge come once the front is there, up to a face or two. If that is not enough on this mesh, once
-    // more with room for more, and then for all.
+    // If the first slack is not enough on this mesh, once more with room for more, and then for all.
     options_.progress = progress_.part(least_.is_none() ? 0. : 0.5, 1.);
-    for(double slack : {4., 32., (std::numeric_limits<double>::infinity)()})
+    for(double slack : {first_slack, 32., (std::numeric_limits<double>::infinity)()})
     {
       crossings_.reset(new Edge_crossings(geodesics_, is_drawn_, least_, slack));
       geodesics_.run(sources_, options_, *crossings_);
@@ -497,18 +505,60 @@ private:
     }
   }
 
-  void find_drawn_faces()
+  /// finds, if there are threads, the crossings at the same time, in a run that follows the one that finds the faces
+  ///
+  /// @return whether the sources have been moved, so that all is to be found for these
+  template <typename Move>
+  bool find_drawn_faces(const Threads& threads, const Move& move)
   {
-    if(least_.is_none())
-    {
-      is_drawn_.assign(mesh_.number_of_faces(), 1);
-      bend_.clear();
-      return;
-    }
-    Drawn_faces found(geodesics_, least_);
+    const std::vector<Indexed_location> sources = sources_;
+    Halfedge_trail trail(geodesics_.faces().mean_edge_length());
+    Drawn_faces found(geodesics_, least_, trail);
+    Exact_geodesic_options options = options_;
     options_.progress = progress_.part(0., 0.5);
-    geodesics_.run(sources_, options_, found);
-    found.finish();
+    options.progress = Progress();
+    is_drawn_.assign(mesh_.number_of_faces(), 0);
+    bool is_moved = false;
+    const auto find = [&]
+    {
+      try
+      {
+        geodesics_.run(sources, options_, found);
+        trail.end();
+        found.finish();
+        is_moved = move(sources_);
+      }
+      catch(...)
+      {
+        trail.stop();
+        throw;
+      }
+      if(is_moved)
+        trail.stop();
+    };
+    const auto follow = [&]
+    {
+      try
+      {
+        if(!following_)
+          following_.reset(new Exact_geodesic_propagation(geodesics_.shared_faces()));
+        crossings_.reset(new Edge_crossings(*following_, is_drawn_, least_, first_slack, &trail));
+        following_->run(sources, options, *crossings_);
+      }
+      catch(...) // what is wrong will be so once more, in the thread that asks
+      {
+        crossings_.reset();
+      }
+    };
+    if(threads.are_there() && sources.size() == 1) // which faces are between several is known at the end
+      threads.run_both(find, follow);
+    else
+      find();
+    if(is_moved)
+    {
+      crossings_.reset();
+      return true;
+    }
     // between sources at the ends of an edge there may be no windows
     for(Index f = 0; f < mesh_.number_of_faces() && sources_.size() > 1; ++f)
       for(Index v : mesh_.triangles[f])
@@ -516,11 +566,22 @@ private:
           found.is_drawn[f] = 1;
     is_drawn_ = std::move(found.is_drawn);
     bend_ = std::move(found.bend);
+    if(crossings_)
+    {
+      crossings_->finish();
+      if(crossings_->number_of_late() > 0)
+        crossings_.reset();
+    }
+    return false;
   }
+
+  // windows of an edge come once the front is there, up to a face or two
+  static constexpr double first_slack = 4.;
 
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   Exact_geodesic_propagation& geodesics_;
+  std::unique_ptr<Exact_geodesic_propagation> following_; // in another thread
   std::vector<Index> source_vertices_;
   std::vector<Indexed_location> sources_;
   Exact_geodesic_options options_;
