@@ -5,9 +5,8 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 // What threads give to the stages of one cut locus: for each stage and number of threads, the processor time of the thread
-// that calls, that of all threads, and the time that passes. The first is what the caller would wait on a machine with
-// nothing else to do, where no other thread takes longer; the second tells what the threads cost. Each figure is the median
-// of some runs, in turns.
+// that calls, that of all threads, and the time that passes, on a machine with nothing else to do. The second tells what the
+// threads cost. Each figure is the median of some runs, in turns.
 
 #include "command_line.h"
 #include "measuring.h"
