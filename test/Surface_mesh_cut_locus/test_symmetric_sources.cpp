@@ -8,6 +8,7 @@
 // curves are as right, the result says so.
 
 #include "surface_test.h"
+#include "checked_curves.h"
 #include "node_distances.h"
 
 #include <CGAL/Cut_loci/injectivity_radius.h>
@@ -94,6 +95,53 @@ TEST(Symmetric_sources, are_told_from_others)
   const Mesh_data l = l_shape(2);
   const Range symmetric = radii(l, {nearest_vertex(l.points, {{0., 0., 0.}})});
   EXPECT_EQ(symmetric.number_of_several, 1);
+}
+
+// a body of `n` sides, turned from a profile of radii and heights that starts and ends on the axis
+Mesh_data turned(const std::vector<std::array<double, 2>>& profile, std::size_t n)
+{
+  const double pi = std::acos(-1.);
+  const std::size_t last = profile.size() - 1;
+  Mesh_data result;
+  const auto vertex = [&](std::size_t k, std::size_t i) {
+    return k == 0 ? 0 : k == last ? 1 + (last - 1) * n : 1 + (k - 1) * n + i % n;
+  };
+  result.points.push_back({{0., 0., profile[0][1]}});
+  for(std::size_t k = 1; k < last; ++k)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double angle = 2. * pi * double(i) / double(n);
+      result.points.push_back({{profile[k][0] * std::cos(angle), profile[k][0] * std::sin(angle), profile[k][1]}});
+    }
+  result.points.push_back({{0., 0., profile[last][1]}});
+  for(std::size_t k = 0; k < last; ++k)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      if(k > 0)
+        result.triangles.push_back({{vertex(k, i), vertex(k, i + 1), vertex(k + 1, i + 1)}});
+      if(k + 1 < last)
+        result.triangles.push_back({{vertex(k, i), vertex(k + 1, i + 1), vertex(k + 1, i)}});
+    }
+  return result;
+}
+
+// Families of paths that others part may have the same image there, and leave the source in the same directions.
+TEST(Symmetric_sources, on_turned_bodies_cut_no_shortest_path)
+{
+  const std::vector<std::array<double, 2>> profile = {
+    {{0., 0.}},  {{0.5, 0.}},  {{1., 0.}},    {{1., 0.5}}, {{1.75, 0.5}}, {{2.5, 0.5}}, {{2.5, 1.}}, {{2., 1.}},
+    {{1.5, 1.}}, {{1.5, 1.5}}, {{1.25, 1.5}}, {{1., 1.5}}, {{1., 2.}},    {{0.5, 2.}},  {{0., 3.}}};
+  for(std::size_t n : {5, 6, 7})
+  {
+    const Built built(turned(profile, n));
+    Solver solver(built.mesh);
+    for(auto v : built.vertices)
+    {
+      SCOPED_TRACE(std::to_string(n) + " sides, source " + std::to_string(std::size_t(v)));
+      solver.set_source(v);
+      EXPECT_LT(checked_curves::measured(built.mesh, solver.cut_locus(through_faces)).max, 1e-6);
+    }
+  }
 }
 
 } // namespace

@@ -148,7 +148,8 @@ private:
     const Front &first = fronts_[i], &second = fronts_[j];
     const Plane_point &p = nodes[first.node], &q = nodes[second.node];
     const bool have_same_image = is_same_image(first.before, second.after);
-    Meeting meeting{infinity, i, j, q, have_same_image && are_one_path(first.before, second.after, q, true)};
+    Meeting meeting{infinity, i, j, q,
+                    have_same_image && are_in_line(first, second) && are_one_path(first.before, second.after, q, true)};
     std::array<Plane_point, 2> points;
     std::size_t n = 0;
     if(meeting.is_end && entries_ == nullptr)
@@ -197,6 +198,16 @@ private:
       return;
     meetings_.push_back(meeting);
     std::push_heap(meetings_.begin(), meetings_.end());
+  }
+
+  /// whether two rays from the same light are one, up to the accuracy of windows: where a surface is symmetric, families of
+  /// paths that other ones part may have the same image, and leave the source in the same directions
+  bool are_in_line(const Front& first, const Front& second) const
+  {
+    if(!first.is_ray && !second.is_ray)
+      return true;
+    const Plane_point l = light(first), &p = nodes[first.node], &q = nodes[second.node];
+    return std::fabs(cross(l, p, q)) <= tolerance_ * (std::max)(distance(l, p), distance(l, q));
   }
 
   /// Where several pieces meet nearly in a point, a front may have been put beyond a ray, by as little as the paths on both

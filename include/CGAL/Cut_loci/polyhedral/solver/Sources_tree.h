@@ -23,6 +23,7 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -106,13 +107,13 @@ public:
     report_to(all.part(0., first));
     tree_->join();
     remove_branches_to_moved_sources();
-    const int most = !curves_.empty() || is_one_of_several_ ? Source_moves::most_moves : most_moves;
     // what is kept is looked at when it is known
     const auto needs_move = [this]
     {
       const bool counts_all = !curves_.empty() || (least_.is_none() && number_of_moves_ > 0);
       return (least_.is_none() && !tree_->is_sure()) || (counts_all && tree_->has_doubtful_faces());
     };
+    constexpr int most = Source_moves::most_moves;
     for(int number = number_of_moves_ + 1; number <= most && needs_move(); ++number)
     {
       const Progress part = all.part(first + (1. - first) * (number - 1) / most, first + (1. - first) * number / most);
@@ -186,11 +187,9 @@ public:
   }
 
 private:
-  static constexpr int most_moves = 2; // of a source: what one leaves doubtful, another one decides
-
-  // By how much it is moved. Where regions have several shortest paths, by the same each time, in other directions: the
-  // radius of sources that are symmetric to each other differs by no more, whichever move leaves no doubts.
-  double share_of_face(int number) const { return is_one_of_several_ ? 2e-6 : 1e-6 * number; }
+  // By how much a source is moved. What one move leaves doubtful, the next one decides, in another direction and farther, but
+  // not much: the radius of sources that are symmetric to each other differs by no more.
+  static double share_of_face(int number) { return 2e-6 * std::pow(1.5, number - 1); }
 
   double longest_edge() const
   {
@@ -305,9 +304,10 @@ private:
     look_where_paths_part(kept, asked, progress.part(0., 0.4));
     const auto is_open = [&]
     { return !tree_->is_known(kept) || (is_symmetric_ && !tree_->faces_off_bisectors(kept).empty()); };
-    for(int number = number_of_moves_ + 1; number <= most_moves && points_.size() == 1 && is_open(); ++number)
+    constexpr int most = Source_moves::most_moves;
+    for(int number = number_of_moves_ + 1; number <= most && points_.size() == 1 && is_open(); ++number)
     {
-      const Progress part = progress.part(0.4 + 0.3 * (number - 1), 0.4 + 0.3 * number);
+      const Progress part = progress.part(0.4 + 0.6 * (number - 1) / most, 0.4 + 0.6 * number / most);
       compute_more(least_, number, part.part(0., 0.5));
       kept = tree_->kept(asked);
       look_where_paths_part(kept, asked, part.part(0.5, 1.));
