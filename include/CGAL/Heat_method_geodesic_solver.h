@@ -9,7 +9,7 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/Laplacian_method.h>
-#include <CGAL/Cut_loci/polyhedral/sources/Mesh_with_sources.h>
+#include <CGAL/Cut_loci/graph/Divided_mesh.h>
 #include <CGAL/Cut_loci/face_graph/intrinsic_flips.h>
 #include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -64,7 +64,7 @@ public:
       vertices.push_back(source.vertex);
     if(std::find(vertices.begin(), vertices.end(), Cut_loci::null_index) != vertices.end())
     {
-      const Cut_loci::internal::Mesh_with_sources refined(*input_, sources);
+      const Cut_loci::internal::Divided_mesh refined(*input_, sources);
       Factored(refined.mesh()).compute(refined.vertices(), distances);
       distances.resize(input_->number_of_vertices());
       return;

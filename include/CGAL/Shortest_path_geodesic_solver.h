@@ -8,7 +8,7 @@
 #define CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
 
 #include <CGAL/Cut_loci/Laplacian_method.h>
-#include <CGAL/Cut_loci/polyhedral/sources/Mesh_with_sources.h>
+#include <CGAL/Cut_loci/graph/Divided_mesh.h>
 #include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
@@ -59,7 +59,7 @@ public:
       return compute_distances(*mesh_, sources, distances);
     // CGAL 5.5 takes the mirror image of a source on an edge, on the border as inside: there it becomes a vertex of its own,
     // and everywhere if faces have other numbers.
-    const Cut_loci::internal::Mesh_with_sources refined(*input_, sources);
+    const Cut_loci::internal::Divided_mesh refined(*input_, sources);
     std::vector<Cut_loci::Indexed_source> inserted = sources;
     for(std::size_t i = 0; i < sources.size(); ++i)
       inserted[i].vertex = refined.vertices()[i];

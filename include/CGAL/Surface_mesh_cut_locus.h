@@ -20,6 +20,7 @@
 #include <CGAL/Cut_loci/face_graph/read_edge_lengths.h>
 #include <CGAL/Cut_loci/face_graph/read_source.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/graph/Divided_mesh.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/method/Geodesic_solver_handle.h>
 #include <CGAL/Cut_loci/named_parameters.h>
@@ -605,7 +606,7 @@ private:
         Cut_loci::internal::refuse_distances(method_);
       component.exact_tree->compute_distance(points_, curves_);
       Cut_loci::internal::check_distances(component.exact_tree->distance(), component, read_->positions,
-                                          "the geodesic solver returned");
+                                          "the geodesic solver returned", component.mesh->number_of_vertices());
       return;
     }
     std::vector<double> distance;
@@ -634,13 +635,17 @@ private:
   {
     Solver_handle& solver = component.geodesic_solver;
     const Cut_loci::internal::Progress progress = visitor_.progress(Cut_loci::Stage::DISTANCE);
+    const Cut_loci::internal::Divided_mesh* divided = component.laplacian->divided();
+    const Cut_loci::Indexed_triangle_mesh& mesh = divided != nullptr ? divided->mesh() : component.measured();
     if(solver.empty())
-      solver = solver_.bound_to(component.measured(), progress);
+      solver = solver_.bound_to(mesh, progress);
     if(!solver.set_maximum_relative_error(maximum_relative_error_) && maximum_relative_error_ > 0.)
       Cut_loci::internal::refuse_error();
     solver.report_to(progress);
-    solver.compute_distances(points_, curves_, distance, nearest);
-    Cut_loci::internal::check_distances(distance, component, read_->positions, "the geodesic solver returned");
+    solver.compute_distances(divided != nullptr ? divided->divided(points_) : points_,
+                             divided != nullptr ? divided->divided(curves_) : curves_, distance, nearest);
+    Cut_loci::internal::check_distances(distance, component, read_->positions, "the geodesic solver returned",
+                                        mesh.number_of_vertices());
     Cut_loci::internal::check_range(distance, component, read_->positions, "the geodesic solver returned",
                                     "take another solver, or a mesh with better faces");
   }
@@ -652,7 +657,8 @@ private:
     distance.resize(component.mesh->number_of_vertices());
     for(Index v = 0; v < distance.size(); ++v)
       distance[v] = to_double(get(internal_np::get_reference(map), read_->vertices[component.vertex(v)])) / read_->unit;
-    Cut_loci::internal::check_distances(distance, component, read_->positions, "the vertex distance map holds");
+    Cut_loci::internal::check_distances(distance, component, read_->positions, "the vertex distance map holds",
+                                        component.mesh->number_of_vertices());
     Cut_loci::internal::check_range(distance, component, read_->positions, "the vertex distance map holds",
                                     "it must hold the geodesic distances to the source, in the unit of the points");
     Cut_loci::internal::check_is_not_constant(distance, *component.mesh, points_, curves_);

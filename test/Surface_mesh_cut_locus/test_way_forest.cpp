@@ -184,6 +184,28 @@ TEST(Way_forest, leads_ways_along_edges_beside_fans)
   }
 }
 
+// Where all edges at a vertex are longer than its distance, that rises along them, and the way to it passes slim faces whose far
+// corners come late. No way starts there but at the source.
+TEST(Way_forest, comes_from_the_source_where_edges_are_long)
+{
+  test_meshes::Mesh_data data;
+  data.points = {{0., 0., 0.},  {-4., .1, 0.},  {0., -5., 0.}, {4., .1, 0.}, {-30., .3, 0.},
+                 {30., .5, 0.}, {-4., .62, 0.}, {4., .8, 0.},  {0., 1., 0.}, {0., 6., 0.}};
+  data.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 4}, {4, 3, 5},
+                    {4, 5, 6}, {6, 5, 7}, {6, 7, 8}, {7, 9, 8}, {9, 6, 8}};
+  const Mesh mesh = test_meshes::indexed(data);
+  const Mesh_connectivity connectivity(mesh);
+  const Indexed_source source = test_meshes::at_vertex(mesh, 0);
+  internal::Exact_geodesic_propagation exact(mesh);
+  exact.run({source.location});
+  EXPECT_NEAR(exact.distance(8), 1., 1e-12);
+  const Source_roots roots(mesh, connectivity, {source});
+  internal::Way_forest forest(mesh, connectivity, roots, exact.distances());
+  forest.grow({});
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+    EXPECT_EQ(forest.starts_at(v), v < 4) << v;
+}
+
 // The mean error of the lengths of ways that approximate distances lead to, and of the same straightened, in mean edge lengths.
 std::array<double, 2> errors_of_ways(const Mesh& mesh, Index v)
 {

@@ -12,7 +12,8 @@
  * `CGAL::Surface_mesh_cut_locus` and `CGAL::compute_cut_locus()` take it in the named parameter `geodesic_solver`.
  *
  * A solver sees one connected component, manifold and orientable, in dense arrays, whatever the type of the user's
- * mesh. What it can prepare for all sources belongs in `set_mesh()` or in the first call of `compute_distances()`.
+ * mesh. Edges that are longer than three in the mean are divided there, and the vertices on them are the last ones.
+ * What it can prepare for all sources belongs in `set_mesh()` or in the first call of `compute_distances()`.
  *
  * The cut locus is found by `CGAL::Cut_loci::Laplacian_method` then, whose header `CGAL/Cut_loci/Laplacian_method.h` has to
  * be included.

@@ -82,6 +82,11 @@ struct Surface_component
   const Indexed_triangle_mesh& measured() const { return mollified ? *mollified : *mesh; }
   // the indices in the whole mesh
   Index vertex(Index local) const { return is_whole() ? local : part->vertex(local); }
+  // of messages; one behind those of the mesh is on an edge that has been divided
+  std::string name_of(Index local, const std::vector<Index>& positions) const
+  {
+    return local < mesh->number_of_vertices() ? vertex_name(positions[vertex(local)]) : "a point of a long edge";
+  }
   Index face(Index local) const { return is_whole() ? local : part->face(local); }
   Index halfedge(Index local) const { return is_whole() ? local : part->halfedge(local); }
 

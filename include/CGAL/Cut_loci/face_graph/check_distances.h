@@ -20,17 +20,18 @@
 namespace CGAL::Cut_loci::internal {
 
 /// Throws if these are not finite distances, one for each vertex of a component of a mesh. `positions` are
-/// those of its vertices in the range of all, for the message, and `who` tells where the distances come from.
+/// those of its vertices in the range of all, for the message, and `who` tells where the distances come from. `number`
+/// is that of the vertices if there are more than those.
 inline void check_distances(const std::vector<double>& distance, const Surface_component& component,
-                            const std::vector<Index>& positions, const std::string& who)
+                            const std::vector<Index>& positions, const std::string& who, Index number)
 {
-  if(distance.size() != component.mesh->number_of_vertices())
+  if(distance.size() != number)
     throw Invalid_input(Cause::INVALID_DISTANCE, who + " " + std::to_string(distance.size()) + " distances for " +
-                                                   std::to_string(component.mesh->number_of_vertices()) + " vertices");
+                                                   std::to_string(number) + " vertices");
   for(Index v = 0; v < distance.size(); ++v)
     if(!std::isfinite(distance[v]))
-      throw Invalid_input(Cause::INVALID_DISTANCE, who + " a distance that is not a finite number for " +
-                                                     vertex_name(positions[component.vertex(v)]));
+      throw Invalid_input(Cause::INVALID_DISTANCE,
+                          who + " a distance that is not a finite number for " + component.name_of(v, positions));
 }
 
 /// Throws if one of the distances cannot be that of a shortest path: none is longer than one of edges, which passes each of
@@ -45,7 +46,7 @@ inline void check_range(const std::vector<double>& distance, const Surface_compo
       std::string message = who;
       message += " a distance that is ";
       message += distance[v] < 0. ? "negative" : "longer than all edges together";
-      message += " for " + vertex_name(positions[component.vertex(v)]) + ": " + what_to_do;
+      message += " for " + component.name_of(v, positions) + ": " + what_to_do;
       throw Invalid_input(Cause::INVALID_DISTANCE, message);
     }
 }

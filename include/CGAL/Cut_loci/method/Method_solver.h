@@ -18,6 +18,8 @@
 
 namespace CGAL::Cut_loci::internal {
 
+class Divided_mesh;
+
 // What a method does on one connected component, on dense indices. The mesh is read by the constructor; the functions
 // are called in this order, those of a stage once per source.
 class Method_solver
@@ -48,6 +50,8 @@ class Laplacian_stages : public Method_solver
 public:
   // another one for the same mesh, which shares what depends on it alone, also in another thread
   virtual std::unique_ptr<Laplacian_stages> for_other_sources() const = 0;
+  // the mesh with long edges divided, its further vertices last; null if there are none; `distance` may have these
+  virtual const Divided_mesh* divided() const = 0;
   // comes first; `distance` is that to the nearest source, of which the points come first, and `nearest` which that is
   // for each vertex; empty if it has to be found. Straightened lengths of ways take the place of approximate distances.
   virtual void set_distance(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,

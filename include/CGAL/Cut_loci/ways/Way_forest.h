@@ -185,23 +185,27 @@ private:
   }
 
   // A user's map may be that of another source, or of several: then the given distances rise in all directions from a vertex,
-  // by more than half the way. If no way has come there until all edges at it could have been passed, ways start there. Or
-  // its waves may be slower: then it rises by more than the way, and by half more than solvers ever say.
+  // also to where ways could come in between its neighbors: for those of an edge, by more than its length together. If no way
+  // has come there until all edges at it could have been passed, ways start there. Or its waves may be slower: then it rises
+  // by more than the way, and by half more than solvers ever say.
   void look_at_slopes()
   {
     for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
     {
-      double longest = 0., slope = 1., steepest = 0.;
+      double longest = 0., steepest = 0.;
+      bool is_tip = way_[v] == null_index;
+      const auto rise = [&](Index w) { return distance_[w] - distance_[v]; };
       for(Index k = connectivity_.ring_begin[v]; k < connectivity_.ring_begin[v + 1]; ++k)
       {
-        const double length = edge_length(mesh_, connectivity_.ring_halfedge[k]);
+        const Index h = connectivity_.ring_halfedge[k], w = connectivity_.ring_vertex[k];
+        const double length = edge_length(mesh_, h);
         longest = (std::max)(longest, length);
-        const double rise = (distance_[connectivity_.ring_vertex[k]] - distance_[v]) / length;
-        slope = (std::min)(slope, rise);
-        steepest = (std::max)(steepest, std::abs(rise));
+        steepest = (std::max)(steepest, std::abs(rise(w) / length));
+        if(mesh_.source(h) == v) // not the last one at a border
+          is_tip = is_tip && rise(w) + rise(mesh_.source(mesh_.previous(h))) > edge_length(mesh_, mesh_.next(h));
       }
       is_slow_[v] = steepest > 1.5;
-      if(way_[v] == null_index && slope > 0.5)
+      if(is_tip)
         queue_.push({distance_[v] + longest, first_tip() + v});
     }
   }

@@ -15,7 +15,7 @@
 #include <CGAL/Cut_loci/internal/Source_forest.h>
 #include <CGAL/Cut_loci/polyhedral/curves/Face_cells.h>
 #include <CGAL/Cut_loci/polyhedral/joining/Tree_graph.h>
-#include <CGAL/Cut_loci/polyhedral/sources/Mesh_with_sources.h>
+#include <CGAL/Cut_loci/graph/Divided_mesh.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Tree_branches.h>
 #include <CGAL/Cut_loci/polyhedral/tree/Exact_tree.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -68,10 +68,10 @@ public:
   /// @param distance of the vertices
   /// @param distance_cut_open of the vertices, on the mesh that is cut open along `Seams`
   /// @param lone the vertex that is left if nothing else is, or null for none
-  Mesh_edge_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                  const Mesh_with_sources* divided, Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept,
-                  const Source_roots& sources, const std::vector<double>& distance,
-                  const Distance_cut_open& distance_cut_open, Index lone, const Progress& progress = {})
+  Mesh_edge_curve(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Divided_mesh* divided,
+                  Exact_tree& tree, const std::vector<Tree_branches::Edge>& kept, const Source_roots& sources,
+                  const std::vector<double>& distance, const Distance_cut_open& distance_cut_open, Index lone,
+                  const Progress& progress = {})
     : mesh_(mesh), connectivity_(connectivity), divided_(divided), sources_(sources), distance_(distance),
       nodes_(mesh, connectivity, sources.parts()), tree_(tree), kept_(kept)
   {
@@ -385,7 +385,7 @@ private:
 
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
-  const Mesh_with_sources* divided_;
+  const Divided_mesh* divided_;
   const Source_roots& sources_;
   const std::vector<double>& distance_;
   const Nodes_with_sources nodes_;

@@ -11,7 +11,7 @@
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/method/distances_from_curves.h>
-#include <CGAL/Cut_loci/polyhedral/sources/Mesh_with_sources.h>
+#include <CGAL/Cut_loci/graph/Divided_mesh.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
@@ -44,7 +44,7 @@ public:
     }
     if(curves.empty() && (points.size() < 2 || vertices_.size() == points.size()))
       return;
-    divided_.reset(new Mesh_with_sources(mesh, points));
+    divided_.reset(new Divided_mesh(mesh, points));
     vertices_ = divided_->vertices();
     mesh_ = &divided_->mesh();
     if(!curves.empty())
@@ -73,7 +73,7 @@ public:
   /// of the points, and of the vertices of curves
   const std::vector<Indexed_location>& locations() const { return locations_; }
   /// with the vertices, before it is cut open; null if it is the mesh
-  const Mesh_with_sources* divided() const { return divided_.get(); }
+  const Divided_mesh* divided() const { return divided_.get(); }
   /// null if there are no curves
   const Mesh_with_curves* cut() const { return cut_.get(); }
 
@@ -83,7 +83,7 @@ public:
     if(cut_)
       cut_->close(curve);
     if(divided_)
-      divided_->remove_sources(curve, face);
+      divided_->to_whole(curve, face);
   }
 
 private:
@@ -92,7 +92,7 @@ private:
   Exact_geodesic_propagation* geodesics_;
   std::vector<Index> vertices_;
   std::vector<Indexed_location> locations_;
-  std::unique_ptr<Mesh_with_sources> divided_; // what is other, as far as it is
+  std::unique_ptr<Divided_mesh> divided_; // what is other, as far as it is
   std::unique_ptr<Mesh_with_curves> cut_;
   std::unique_ptr<Mesh_connectivity> own_connectivity_;
   std::unique_ptr<Exact_geodesic_propagation> own_geodesics_;

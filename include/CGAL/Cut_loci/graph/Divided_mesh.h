@@ -4,8 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_POLYHEDRAL_SOURCES_MESH_WITH_SOURCES_H
-#define CGAL_CUT_LOCI_POLYHEDRAL_SOURCES_MESH_WITH_SOURCES_H
+#ifndef CGAL_CUT_LOCI_GRAPH_DIVIDED_MESH_H
+#define CGAL_CUT_LOCI_GRAPH_DIVIDED_MESH_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
@@ -17,35 +17,39 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <queue>
+#include <set>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Cut_loci::internal {
 
 /*!
- * is a mesh with a vertex more at each of several sources that is at none, and the way back to the mesh without them.
- *
- * A cell of a source inside a face may be enclosed by others and touch no edge. With all sources at vertices, all paths
- * enter a face through its boundary, so that all cells touch that. Faces are divided in their plane, which changes
- * nothing else.
+ * is a mesh with a vertex more at each of several sources that is at none, and on long edges, and the way back to the mesh
+ * without them. Faces are divided in their plane, which changes nothing else. A cell of a source inside a face may be enclosed
+ * by others and touch no edge: with all sources at vertices, all paths enter a face through its boundary.
  */
-class Mesh_with_sources
+class Divided_mesh
 {
 public:
-  Mesh_with_sources(const Indexed_triangle_mesh& without, const std::vector<Indexed_source>& sources)
+  /// The longest edges are halved until none is longer than `longest`, or that has added as many vertices as there were.
+  Divided_mesh(const Indexed_triangle_mesh& without, const std::vector<Indexed_source>& sources,
+               double longest = HUGE_VAL)
     : without_(without), mesh_(without), face_(without.number_of_faces()), halfedge_(without.number_of_halfedges())
   {
-    for(Index f = 0; f < face_.size(); ++f)
-      face_[f] = f;
-    for(Index h = 0; h < halfedge_.size(); ++h)
-      halfedge_[h] = h;
+    std::iota(face_.begin(), face_.end(), Index(0));
+    std::iota(halfedge_.begin(), halfedge_.end(), Index(0));
     for(const Indexed_source& source : sources)
     {
       vertices_.push_back(source.vertex != null_index ? source.vertex : mesh_.number_of_vertices());
       if(source.vertex == null_index)
-        insert(source.location);
+        insert(source.location, located(source.location));
     }
+    divide_long_edges(longest);
     if(!inserted_.empty() && needs_mollification(mesh_)) // sources that are close to each other, or to an edge
       mesh_.lengths = Mollification(mesh_).lengths;
     parts_ = Compressed_rows<Index>(without_.number_of_halfedges(),
@@ -61,10 +65,10 @@ public:
   /// the vertices of the sources
   const std::vector<Index>& vertices() const { return vertices_; }
 
-  /// tells of a face of the mesh without the sources whether there are some in it
+  /// tells of a face of the mesh without them whether there are some in it
   bool is_divided(Index f) const { return parts_of_face_.count(f) > 0; }
 
-  /// the parts of a halfedge of the mesh without the sources
+  /// the parts of a halfedge of the mesh without them
   Compressed_rows<Index>::Row parts(Index h) const { return parts_[h]; }
 
   /// curves of that mesh as ones of this
@@ -77,8 +81,45 @@ public:
     return result;
   }
 
-  /// a curve through the faces, and the face of each of its edges, becomes one of the mesh without the sources
-  void remove_sources(Indexed_cut_locus& curve, std::vector<Index>& face) const
+  /// and points
+  std::vector<Indexed_source> divided(std::vector<Indexed_source> points) const
+  {
+    for(Indexed_source& point : points)
+      point.location = located(point.location);
+    return points;
+  }
+
+  /// a location of the mesh without them in one of the parts of its face, as far inside as there is one
+  Indexed_location located(const Indexed_location& at) const
+  {
+    const auto parts = parts_of_face_.find(at.face);
+    if(parts == parts_of_face_.end())
+      return at;
+    Indexed_location best;
+    double most = -1e300;
+    for(Index f : parts->second)
+    {
+      std::array<Coordinates, 3> corners;
+      for(std::size_t i = 0; i < 3; ++i)
+        corners[i] = coordinates(mesh_.triangles[f][i], at.face);
+      const double area = twice_area(corners[0], corners[1], corners[2]);
+      Indexed_location here;
+      here.face = f;
+      for(std::size_t i = 0; i < 3; ++i)
+        here.coordinates[i] = twice_area(at.coordinates, corners[(i + 1) % 3], corners[(i + 2) % 3]) / area;
+      const double least = *std::min_element(here.coordinates.begin(), here.coordinates.end());
+      if(least > most)
+      {
+        most = least;
+        best = here;
+      }
+    }
+    normalize(best.coordinates, rounding); // on an edge, or at a vertex
+    return best;
+  }
+
+  /// a curve through the faces, and the face of each of its edges, becomes one of the mesh without them
+  void to_whole(Indexed_cut_locus& curve, std::vector<Index>& face) const
   {
     for(Indexed_cut_locus::Node& node : curve.nodes)
     {
@@ -99,7 +140,7 @@ public:
 private:
   using Coordinates = std::array<double, 3>;
 
-  /// of a vertex in a face of the mesh without the sources
+  /// of a vertex in a face of the mesh without them
   Coordinates coordinates(Index v, Index f) const
   {
     Coordinates result = {{0., 0., 0.}};
@@ -133,9 +174,32 @@ private:
     return result;
   }
 
-  void insert(const Indexed_location& at)
+  void divide_long_edges(double longest)
   {
-    const Indexed_location place = located(at);
+    std::priority_queue<std::pair<double, Index>> queue;
+    const auto push = [&](Index h)
+    {
+      if(const double length = edge_length(mesh_, h); length > longest)
+        queue.push({length, h});
+    };
+    for(Index h = 0; h < mesh_.number_of_halfedges(); ++h)
+      push(h);
+    while(!queue.empty() && inserted_.size() < without_.number_of_vertices())
+    {
+      const auto [length, h] = queue.top();
+      queue.pop();
+      if(edge_length(mesh_, h) == length) // else another one by now
+        for(const Face_at_inserted_vertex& f : insert(location(location_on(h, 0.5)), location_on(h, 0.5)))
+          for(Index g = 3 * f.face; g < 3 * f.face + 3; ++g)
+            push(g);
+    }
+  }
+
+  /// a vertex at a location of the mesh without them, which is at `place`
+  std::vector<Face_at_inserted_vertex> insert(const Indexed_location& at, const Indexed_location& place)
+  {
+    if(vertex_of(mesh_, place) != null_index)
+      throw Invalid_input(Cause::SAME_SOURCES, "two sources in a face are at the same point, up to rounding");
     inserted_.push_back(at);
     // what the faces that are divided, and their halfedges, are part of
     std::array<Index, 2> replaced = {{place.face, null_index}};
@@ -149,8 +213,7 @@ private:
       whole[k] = face_[replaced[k]];
       for(std::size_t i = 0; i < 3; ++i)
         sides[k][i] = halfedge_[3 * replaced[k] + i];
-      std::vector<Index>& parts = parts_of_face_[whole[k]];
-      parts.erase(std::remove(parts.begin(), parts.end(), replaced[k]), parts.end());
+      parts_of_face_[whole[k]].erase(replaced[k]);
     }
     const std::vector<Face_at_inserted_vertex> faces = insert_vertex_into(mesh_, place);
     face_.resize(mesh_.number_of_faces());
@@ -159,7 +222,7 @@ private:
     {
       const std::size_t k = f.base / 3 == replaced[0] ? 0 : 1;
       face_[f.face] = whole[k];
-      parts_of_face_[whole[k]].push_back(f.face);
+      parts_of_face_[whole[k]].insert(f.face);
       halfedge_[3 * f.face + 1] = sides[k][f.base % 3];
       // a spoke is along an edge of the mesh if no face is over that edge
       const Index before = (f.base % 3 + 2) % 3, after = (f.base % 3 + 1) % 3;
@@ -171,40 +234,7 @@ private:
       halfedge_[3 * f.face] = is_divided(before) ? sides[k][before] : null_index;
       halfedge_[3 * f.face + 2] = is_divided(after) ? sides[k][after] : null_index;
     }
-  }
-
-  /// a location of the mesh without the sources in one of the parts of its face, as far inside as there is one
-  Indexed_location located(const Indexed_location& at)
-  {
-    std::vector<Index>& parts = parts_of_face_[at.face];
-    if(parts.empty())
-    {
-      parts.push_back(at.face);
-      return at;
-    }
-    Indexed_location best;
-    double most = -1e300;
-    for(Index f : parts)
-    {
-      std::array<Coordinates, 3> corners;
-      for(std::size_t i = 0; i < 3; ++i)
-        corners[i] = coordinates(mesh_.triangles[f][i], at.face);
-      const double area = twice_area(corners[0], corners[1], corners[2]);
-      Indexed_location here;
-      here.face = f;
-      for(std::size_t i = 0; i < 3; ++i)
-        here.coordinates[i] = twice_area(at.coordinates, corners[(i + 1) % 3], corners[(i + 2) % 3]) / area;
-      const double least = *std::min_element(here.coordinates.begin(), here.coordinates.end());
-      if(least > most)
-      {
-        most = least;
-        best = here;
-      }
-    }
-    normalize(best.coordinates, rounding); // on an edge
-    if(std::count(best.coordinates.begin(), best.coordinates.end(), 0.) > 1)
-      throw Invalid_input(Cause::SAME_SOURCES, "two sources in a face are at the same point, up to rounding");
-    return best;
+    return faces;
   }
 
   static constexpr double rounding = 1e-12; // of barycentric coordinates, with some room
@@ -217,12 +247,12 @@ private:
   const Indexed_triangle_mesh& without_;
   Indexed_triangle_mesh mesh_;
   std::vector<Index> vertices_;
-  std::vector<Indexed_location> inserted_;                      // of the vertices that come last
-  std::vector<Index> face_, halfedge_;                          // that each is part of, the latter may be null
-  std::unordered_map<Index, std::vector<Index>> parts_of_face_; // of those that are divided
-  Compressed_rows<Index> parts_;                                // of each halfedge without the sources
+  std::vector<Indexed_location> inserted_;                   // of the vertices that come last
+  std::vector<Index> face_, halfedge_;                       // that each is part of, the latter may be null
+  std::unordered_map<Index, std::set<Index>> parts_of_face_; // of those that are divided
+  Compressed_rows<Index> parts_;                             // of each halfedge of the mesh without them
 };
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_POLYHEDRAL_SOURCES_MESH_WITH_SOURCES_H
+#endif // CGAL_CUT_LOCI_GRAPH_DIVIDED_MESH_H
