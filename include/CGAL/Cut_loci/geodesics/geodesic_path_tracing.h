@@ -30,17 +30,6 @@ public:
   {
   }
 
-  /// the shortest path from the vertex `v` to its source, empty if `v` is not reached
-  std::vector<Indexed_location> path_from_vertex(Index v)
-  {
-    path_.clear();
-    if(!geodesics_.is_reached(v))
-      return path_;
-    add(at_vertex(v));
-    trace_from_vertex(v);
-    return path_;
-  }
-
   /// the last straight piece of the shortest path to `v`, from there to the vertex `begin`, to a source in a face, or to the
   /// first face edge nearer than a distance; valid until the next call
   /// \pre `v` is reached and no source
@@ -54,7 +43,7 @@ public:
     return path_;
   }
 
-  /// the shortest path from a query location to its source, empty if it is not reached
+  /// the shortest path from a vertex or a query location to its source, empty if it is not reached
   std::vector<Indexed_location> path_from_query(const Geodesic_query& query)
   {
     path_.clear();
