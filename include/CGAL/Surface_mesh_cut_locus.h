@@ -13,7 +13,6 @@
 #include <CGAL/Cut_loci/face_graph/Cut_locus_builder.h>
 #include <CGAL/Cut_loci/face_graph/Surface_component.h>
 #include <CGAL/Cut_loci/face_graph/Visitor_handle.h>
-#include <CGAL/Cut_loci/face_graph/check_distances.h>
 #include <CGAL/Cut_loci/face_graph/concurrency.h>
 #include <CGAL/Cut_loci/face_graph/method_parameters.h>
 #include <CGAL/Cut_loci/face_graph/read_curves.h>
@@ -148,8 +147,7 @@ public:
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Surface_mesh_cut_locus(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
-    : tm_(tm), vpm_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                 get_const_property_map(vertex_point, tm))),
+    : tm_(tm), vpm_(Cut_loci::internal::point_map(tm, np)),
       has_own_solver_(Cut_loci::internal::has_own_solver<CGAL_NP_CLASS>()),
       solver_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_solver),
                                            Exact_geodesic_solver()))
@@ -565,21 +563,15 @@ private:
   // The solver is of any method: where its type says which, compilers take in the code of the only class that it can be.
   void finish(Component& component, Cut_loci::internal::Method_solver& solver)
   {
+    const auto run = [&](Cut_loci::Stage stage, const auto& function)
     {
-      const Stage_scope scope(visitor_, Cut_loci::Stage::STRENGTH);
-      report(component, Cut_loci::Stage::STRENGTH);
-      solver.compute_strengths();
-    }
-    {
-      const Stage_scope scope(visitor_, Cut_loci::Stage::TREE);
-      report(component, Cut_loci::Stage::TREE);
-      solver.grow_tree();
-    }
-    {
-      const Stage_scope scope(visitor_, Cut_loci::Stage::HOMOLOGY);
-      report(component, Cut_loci::Stage::HOMOLOGY);
-      solver.close_cycles();
-    }
+      const Stage_scope scope(visitor_, stage);
+      report(component, stage);
+      function();
+    };
+    run(Cut_loci::Stage::STRENGTH, [&] { solver.compute_strengths(); });
+    run(Cut_loci::Stage::TREE, [&] { solver.grow_tree(); });
+    run(Cut_loci::Stage::HOMOLOGY, [&] { solver.close_cycles(); });
 
     auto result = std::make_shared<Cut_loci::internal::Source_result>();
     result->root = component.vertex(solver.root());

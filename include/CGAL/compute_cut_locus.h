@@ -10,26 +10,8 @@
 #include <CGAL/Surface_mesh_cut_locus.h>
 
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
-
-namespace Cut_loci {
-namespace internal {
-
-template <typename T, typename = void>
-struct Is_range : std::false_type
-{
-};
-
-template <typename T>
-struct Is_range<T, std::void_t<decltype(std::declval<const T&>().begin()), decltype(std::declval<const T&>().end())>>
-  : std::true_type
-{
-};
-
-} // namespace internal
-} // namespace Cut_loci
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusRef

@@ -14,7 +14,6 @@
 #include <CGAL/Cut_loci/geodesics/Geodesic_slim_edges.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_starts.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_filters.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_window_kernels.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
 

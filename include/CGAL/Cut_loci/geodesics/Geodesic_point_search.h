@@ -10,7 +10,6 @@
 #include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_queries.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_results.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_filters.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_window_kernels.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>

@@ -13,7 +13,6 @@
 #include <CGAL/Cut_loci/geodesics/Geodesic_queries.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_sources.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_filters.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_window_kernels.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>

@@ -209,13 +209,6 @@ private:
     return std::fabs(geodesics_.distance(v) - d) <= geodesic_cover * d;
   }
 
-  static Plane_point change_frame(const Plane_point& p, const Plane_point& from, const Plane_point& to, double length)
-  {
-    const double ux = (to.x - from.x) / length, uy = (to.y - from.y) / length;
-    const double dx = p.x - from.x, dy = p.y - from.y;
-    return {dx * ux + dy * uy, dy * ux - dx * uy};
-  }
-
   /// remembers the point of the face of `h` that fits the image best; returns whether it fits
   bool look_for_root(const Geodesic_arrival& arrival, Index h, const Plane_point& image)
   {
