@@ -9,11 +9,11 @@
 // the truth to the estimate; the larger max is the two-sided Hausdorff distance.
 
 #include "accuracy_benchmark.h"
+#include "Shortest_path_geodesic_solver.h"
 
 #include <CGAL/Exact_geodesic_solver.h>
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
-#include <CGAL/Shortest_path_geodesic_solver.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
 
 #include <boost/program_options.hpp>

@@ -79,7 +79,9 @@ Times time_ours(const Mesh& mesh, Vertex source, bool directions, bool centroids
     const double have_read = now();
     geodesics.set_maximum_relative_error(maximum_relative_error);
     geodesics.set_directions(directions);
-    geodesics.set_centroids(centroids);
+    for(auto f : mesh.faces())
+      if(centroids)
+        geodesics.add_query({f, {{1. / 3., 1. / 3., 1. / 3.}}});
     geodesics.compute(source);
     for(Vertex v : mesh.vertices())
       distances[v] = geodesics.distance(v);

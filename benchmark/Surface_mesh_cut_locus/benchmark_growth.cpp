@@ -16,10 +16,10 @@
 
 #include "jittered_torus.h"
 #include "measuring.h"
+#include "Shortest_path_geodesic_solver.h"
 
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
-#include <CGAL/Shortest_path_geodesic_solver.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
 
 #include <CGAL/Simple_cartesian.h>

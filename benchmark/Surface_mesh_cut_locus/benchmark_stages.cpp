@@ -9,9 +9,9 @@
 
 #include "command_line.h"
 #include "measuring.h"
+#include "Shortest_path_geodesic_solver.h"
 
 #include <CGAL/Heat_method_geodesic_solver.h>
-#include <CGAL/Shortest_path_geodesic_solver.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

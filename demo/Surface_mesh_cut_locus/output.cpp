@@ -11,10 +11,8 @@
 #include "report_json.h"
 #include "views.h"
 
-#include <CGAL/Cut_loci/IO/edges.h>
 #include <CGAL/Cut_loci/IO/write_cut_locus.h>
 #include <CGAL/Cut_loci/extract_polylines.h>
-#include <CGAL/Cut_loci/internal/edge_arrays.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -200,7 +198,7 @@ void write_curve(std::ostream& os, const std::string& extension, const Cut_locus
                  const NamedParameters& np)
 {
   if(extension == ".json")
-    write_graph(os, cut_locus, input, CGAL::Cut_loci::internal::edge_marks(cut_locus.graph(), np));
+    write_graph(os, cut_locus, input, CGAL::Cut_loci::internal::edge_marks(np));
   else if(extension == ".obj")
     CGAL::IO::write_OBJ(os, cut_locus, np);
   else if(extension == ".ply")

@@ -5,11 +5,11 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "solvers.h"
+#include "Shortest_path_geodesic_solver.h"
 
 #include <CGAL/Exact_geodesic_solver.h>
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
-#include <CGAL/Shortest_path_geodesic_solver.h>
 
 #include <algorithm>
 #include <iterator>

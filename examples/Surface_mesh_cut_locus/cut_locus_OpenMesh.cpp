@@ -11,7 +11,7 @@
 
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 #include <CGAL/compute_cut_locus.h>
-#include <CGAL/Cut_loci/IO/OBJ.h>
+#include <CGAL/Cut_loci/IO/write_cut_locus.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -32,5 +32,5 @@ int main(int argc, char* argv[])
   const auto cut_locus = CGAL::compute_cut_locus(mesh, *vertices(mesh).begin());
   std::cout << "a cut locus of " << num_edges(cut_locus.graph()) << " edges on a surface of genus " << cut_locus.genus()
             << '\n';
-  return CGAL::IO::write_OBJ("cut_locus.obj", cut_locus) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return CGAL::IO::write_cut_locus("cut_locus.obj", cut_locus) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -7,7 +7,7 @@
 // The free function: the cut locus of a vertex, with the defaults.
 
 #include <CGAL/compute_cut_locus.h>
-#include <CGAL/Cut_loci/IO/polylines.h>
+#include <CGAL/Cut_loci/IO/write_cut_locus.h>
 #include <CGAL/Cut_loci/statistics.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -39,7 +39,7 @@ int main(int argc, char* argv[])
             << statistics.edges << " edges and " << statistics.cycles << " independent cycles.\n"
             << "The injectivity radius is " << statistics.injectivity_radius << ", the farthest vertex is at "
             << cut_locus.distance(cut_locus.farthest_vertex()) << ".\n";
-  if(!CGAL::IO::write_polylines("cut_locus.polylines.txt", cut_locus))
+  if(!CGAL::IO::write_cut_locus("cut_locus.polylines.txt", cut_locus))
     return EXIT_FAILURE;
   return EXIT_SUCCESS;
 }

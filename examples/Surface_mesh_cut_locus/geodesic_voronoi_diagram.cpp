@@ -6,7 +6,7 @@
 
 // Several sources: samples each as far as possible from those before, and their geodesic Voronoi diagram.
 
-#include <CGAL/Cut_loci/IO/polylines.h>
+#include <CGAL/Cut_loci/IO/write_cut_locus.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
 #include <CGAL/Surface_mesh_exact_geodesics.h>
 
@@ -61,5 +61,5 @@ int main(int argc, char* argv[])
             << *std::min_element(size.begin(), size.end()) << " to " << *std::max_element(size.begin(), size.end())
             << " vertices; no point is farther than " << diagram.distance(diagram.farthest_vertex())
             << " from a sample.\n";
-  return CGAL::IO::write_polylines("voronoi.polylines.txt", diagram) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return CGAL::IO::write_cut_locus("voronoi.polylines.txt", diagram) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#include <CGAL/Cut_loci/IO/polylines.h>
+#include <CGAL/Cut_loci/IO/write_cut_locus.h>
 #include <CGAL/Cut_loci/statistics.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
 
@@ -55,5 +55,5 @@ int main()
       graph[e].sources[0] == 1; // the vertex comes first: it is source 0, and the sides are 1 and 2
   std::cout << "The diagram of a vertex and two sides has " << num_edges(graph) << " edges, " << number_between_sides
             << " of them between the sides.\n";
-  return CGAL::IO::write_polylines("medial_axis.polylines.txt", medial_axis) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return CGAL::IO::write_cut_locus("medial_axis.polylines.txt", medial_axis) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -8,8 +8,8 @@
 #define CGAL_GRAPH_GEODESIC_SOLVER_H
 
 #include <CGAL/Cut_loci/Laplacian_method.h>
+#include <CGAL/Cut_loci/geodesics/Geodesic_bucket_queue.h>
 #include <CGAL/Cut_loci/internal/Compressed_rows.h>
-#include <CGAL/Cut_loci/internal/monotone_queue.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
@@ -57,14 +57,16 @@ public:
   /// computes the distances to the nearest of several sources, in one run
   void compute_distances(const std::vector<Cut_loci::Indexed_source>& sources, std::vector<double>& distances)
   {
-    distances.assign(mesh_->number_of_vertices(), (std::numeric_limits<double>::infinity)());
-    queue_.clear();
+    constexpr double infinity = (std::numeric_limits<double>::infinity)();
+    distances.assign(mesh_->number_of_vertices(), infinity);
+    std::vector<double> taken_at(distances); // the distance from which the arcs of a vertex have been followed
+    Cut_loci::internal::Geodesic_bucket_queue queue(graph_->width);
     const auto reach = [&](Index v, double distance)
     {
       if(!(distance < distances[v]))
         return;
       distances[v] = distance;
-      queue_.push(static_cast<float>(distance), v);
+      queue.push(distance, v);
     };
     const double scale = graph_->unit;
     for(const Cut_loci::Indexed_source& source : sources)
@@ -73,15 +75,14 @@ public:
       else
         reach_from(source.location, [&](Index v, double distance) { reach(v, distance / scale); });
 
-    // An item whose vertex has come closer since it was pushed is left in the queue and skipped; one that has come
-    // closer by less than the precision of the keys is taken again. The distances are the only solution of Bellman's
-    // equations in floating point, whatever the order of equal keys.
-    while(!queue_.empty())
+    // Within a bucket, vertices may be taken before a shorter way comes there, and then once more. The distances are the only
+    // solution of Bellman's equations in floating point, whatever the order.
+    for(Index v; queue.pop(v);)
     {
-      const auto [key, v] = queue_.pop();
       const double distance = distances[v];
-      if(key > static_cast<float>(distance))
+      if(!(distance < taken_at[v]))
         continue;
+      taken_at[v] = distance;
       for(const Arc& arc : graph_->arcs[v])
         reach(arc.target, distance + arc.length);
     }
@@ -105,15 +106,20 @@ private:
   {
     Cut_loci::internal::Compressed_rows<Arc> arcs; // of each vertex
     double unit = 1.; // of the lengths: a power of two, so that meshes of any size fit single precision
+    double width;     // of the buckets of waiting vertices: few arcs are shorter than a quarter of the mean edge
 
     explicit Graph(const Mesh& mesh)
     {
       using namespace Cut_loci::internal;
-      double longest = 0.;
+      double longest = 0., sum = 0.;
       for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+      {
         longest = (std::max)(longest, edge_length(mesh, h));
+        sum += edge_length(mesh, h);
+      }
       if(longest > 0.)
         unit = std::ldexp(1., std::ilogb(longest));
+      width = 0.25 * sum / (unit * mesh.number_of_halfedges());
 
       std::vector<float> dual_length(mesh.number_of_halfedges(), -1.f);
       for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
@@ -198,7 +204,6 @@ private:
 
   const Mesh* mesh_ = nullptr;
   std::shared_ptr<const Graph> graph_;
-  Cut_loci::internal::Monotone_queue queue_; // kept for its memory
 };
 
 } // namespace CGAL

@@ -13,7 +13,6 @@
 #include <CGAL/Cut_loci/face_graph/Cut_locus_builder.h>
 #include <CGAL/Cut_loci/face_graph/Surface_component.h>
 #include <CGAL/Cut_loci/face_graph/Visitor_handle.h>
-#include <CGAL/Cut_loci/face_graph/check_distances.h>
 #include <CGAL/Cut_loci/face_graph/concurrency.h>
 #include <CGAL/Cut_loci/face_graph/method_parameters.h>
 #include <CGAL/Cut_loci/face_graph/read_curves.h>
@@ -85,7 +84,7 @@ public:
   /// a point of the mesh: a face, and barycentric coordinates in the order of the vertices from
   /// `source(halfedge(f, tm), tm)`
   using Face_location = std::pair<face_descriptor, std::array<FT, 3>>;
-  /// a source of a set of both kinds
+  /// a source: a vertex, or any point
   using Source = std::variant<vertex_descriptor, Face_location>;
   using Result = Cut_locus<TriangleMesh, Point_3>;
 
@@ -149,8 +148,7 @@ public:
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Surface_mesh_cut_locus(const TriangleMesh& tm, const CGAL_NP_CLASS& np = parameters::default_values())
-    : tm_(tm), vpm_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                 get_const_property_map(vertex_point, tm))),
+    : tm_(tm), vpm_(Cut_loci::internal::point_map(tm, np)),
       has_own_solver_(Cut_loci::internal::has_own_solver<CGAL_NP_CLASS>()),
       solver_(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_solver),
                                            Exact_geodesic_solver()))
@@ -221,9 +219,10 @@ public:
   }
 
   /*!
-   * computes the distances to vertex `v` and all that `cut_locus()` needs.
+   * computes the distances to a source and all that `cut_locus()` needs.
    *
-   * @param v the source
+   * @param source a vertex; or the face in which the source lies, or one of those at its edge or vertex, and its barycentric
+   *        coordinates there, which are normalized to sum up to one
    * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
    *
    * \cgalNamedParamsBegin
@@ -253,33 +252,16 @@ public:
    *
    * Faces without area are taken: see Section \ref Surface_mesh_cut_locus_robustness.
    *
-   * @throws Cut_loci::Invalid_input if the source is null, isolated or not in the mesh, if no face of its component
-   *         has an area, if a vertex of its component is not manifold, if a distance is not a finite number, if a
-   *         `vertex_distance_map` has the same one everywhere, or if there is a `maximum_relative_error` or
-   *         `snapping_tolerance` that is out of its range, or an error that is not zero where the distances are not those
-   *         of `Exact_geodesic_solver` or the method is `Cut_loci::Polyhedral_method`
+   * @throws Cut_loci::Invalid_input if the source is null, isolated or not in the mesh, or has coordinates that are not
+   *         finite, are negative or sum up to zero, if no face of its component has an area, if a vertex of its component is
+   *         not manifold, if a distance is not a finite number, if a `vertex_distance_map` has the same one everywhere, or if
+   *         there is a `maximum_relative_error` or `snapping_tolerance` that is out of its range, or an error that is not zero
+   *         where the distances are not those of `Exact_geodesic_solver` or the method is `Cut_loci::Polyhedral_method`
    */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
-  void set_source(vertex_descriptor v, const CGAL_NP_CLASS& np = parameters::default_values())
+  void set_source(const Source& source, const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    solve({Cut_loci::internal::source_at_vertex(tm_, *read_, v)}, np);
-  }
-
-  /*!
-   * does the same for a source at any point of the mesh.
-   *
-   * @param location the face in which the source lies, or one of those at its edge or vertex, and its barycentric
-   *        coordinates there, which are normalized to sum up to one
-   * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" as for a source at a vertex
-   *
-   * @throws Cut_loci::Invalid_input also if the face is null or not in the mesh, or if the coordinates are not
-   *         finite, are negative or sum up to zero
-   */
-  template <typename CGAL_NP_TEMPLATE_PARAMETERS>
-  void set_source(const Face_location& location, const CGAL_NP_CLASS& np = parameters::default_values())
-  {
-    solve({Cut_loci::internal::source_in_face(tm_, *read_, location.first, location.second, snapping_tolerance(np))},
-          np);
+    solve({Cut_loci::internal::read_source(tm_, *read_, source, snapping_tolerance(np))}, np);
   }
 
   /*!
@@ -566,21 +548,15 @@ private:
   // The solver is of any method: where its type says which, compilers take in the code of the only class that it can be.
   void finish(Component& component, Cut_loci::internal::Method_solver& solver)
   {
+    const auto run = [&](Cut_loci::Stage stage, const auto& function)
     {
-      const Stage_scope scope(visitor_, Cut_loci::Stage::STRENGTH);
-      report(component, Cut_loci::Stage::STRENGTH);
-      solver.compute_strengths();
-    }
-    {
-      const Stage_scope scope(visitor_, Cut_loci::Stage::TREE);
-      report(component, Cut_loci::Stage::TREE);
-      solver.grow_tree();
-    }
-    {
-      const Stage_scope scope(visitor_, Cut_loci::Stage::HOMOLOGY);
-      report(component, Cut_loci::Stage::HOMOLOGY);
-      solver.close_cycles();
-    }
+      const Stage_scope scope(visitor_, stage);
+      report(component, stage);
+      function();
+    };
+    run(Cut_loci::Stage::STRENGTH, [&] { solver.compute_strengths(); });
+    run(Cut_loci::Stage::TREE, [&] { solver.grow_tree(); });
+    run(Cut_loci::Stage::HOMOLOGY, [&] { solver.close_cycles(); });
 
     auto result = std::make_shared<Cut_loci::internal::Source_result>();
     result->root = component.vertex(solver.root());

@@ -33,6 +33,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -95,6 +96,19 @@ public:
   /// a direction at a vertex: a halfedge that leaves it, and the angle from that halfedge, counterclockwise within
   /// its face
   using Direction = std::pair<halfedge_descriptor, FT>;
+
+  /// a point that has been named before the run, see `add_query()`
+  struct Query
+  {
+    std::size_t number;
+  };
+
+  /// what is asked for: a vertex, a point that has been named before the run, or any other point of the surface
+  ///
+  /// For the last ones, functions look for the shortest path by the distances of the vertices: see Section
+  /// \ref Surface_mesh_cut_locus_points for the time. For thousands of points, queries are faster. Where a location is no point
+  /// of the surface, or there is no such query, `Cut_loci::Invalid_input` is thrown.
+  using Place = std::variant<vertex_descriptor, Face_location, Query>;
 
   /// a point in the plane, by two coordinates
   using Plane_coordinates = std::array<FT, 2>;
@@ -224,17 +238,14 @@ public:
   /// asks for the directions at the source, at the price of some 10 % more time. Off by default.
   void set_directions(bool wanted) { options_.directions = wanted; }
 
-  /// asks for the distances at the centroids of all faces. Off by default.
-  void set_centroids(bool wanted) { options_.all_centroids = wanted; }
-
   /// asks for isolines: all windows are kept, 48 bytes for each. Off by default.
   void set_isolines(bool wanted) { options_.windows = wanted ? &windows_ : nullptr; }
 
-  /// adds a point to which the distance is wanted, and returns its number
-  std::size_t add_query(const Face_location& location)
+  /// adds a point to which the distance is wanted
+  Query add_query(const Face_location& location)
   {
     options_.queries.push_back(to_indexed(location));
-    return options_.queries.size() - 1;
+    return {options_.queries.size() - 1};
   }
 
   /// removes all points added by `add_query()`
@@ -259,7 +270,6 @@ public:
         "sources that are curves have no directions, and need exact distances: leave out the "
         "curves, or both the directions and the maximum relative error");
     number_of_points_ = sources_.size();
-    has_centroids_ = options_.all_centroids;
     has_directions_ = options_.directions;
     has_isolines_ = options_.windows != nullptr;
     windows_.clear();
@@ -286,12 +296,8 @@ public:
   /// follow, throw `Cut_loci::Invalid_input`, and so does what has been asked for after the last one.
   /// @{
 
-  /// the distance from `v` to the nearest source
-  FT distance(vertex_descriptor v) const
-  {
-    const Cut_loci::Index i = index(v);
-    return i == Cut_loci::null_index ? infinity() : mesh_.unit() * computed().distance(i);
-  }
+  /// the distance to the nearest source
+  FT distance(const Place& place) const { return mesh_.unit() * at(place).distance; }
 
   /// how much longer than the exact distance `distance(v)` may be; zero if no error has been allowed
   FT distance_error(vertex_descriptor v) const
@@ -310,54 +316,22 @@ public:
       put(vdm, v, distance(v));
   }
 
-  /// the same for a point of the surface, which need not have been named before
-  ///
-  /// Like all functions that take a location, it looks for the shortest path by the distances of the vertices: see Section
-  /// \ref Surface_mesh_cut_locus_points for the time. For thousands of points, `add_query()` is faster.
-  /// \throws Cut_loci::Invalid_input if the face is null or excluded, or the coordinates are not barycentric
-  FT distance(const Face_location& location) const { return mesh_.unit() * at(location).distance; }
-
-  /// the same for query location number `i`
-  FT query_distance(std::size_t i) const { return mesh_.unit() * at(i).distance; }
-
-  /// the distance to the centroid of `f`, infinite if it is excluded
-  /// \pre centroids have been asked for
-  FT centroid_distance(face_descriptor f) const
-  {
-    return mesh_.is_excluded(f) ? infinity() : query_distance(centroid(f));
-  }
-
   /// @}
 
   /// \name Sources and Directions
   /// @{
 
-  /// the number of the source nearest to `v`, in the order in which sources were added
-  /// \pre `v` is reached
-  std::size_t nearest_source(vertex_descriptor v) const { return computed().nearest_source(index(v)); }
+  /// the number of the nearest source, in the order in which sources were added
+  /// \pre the place is reached
+  std::size_t nearest_source(const Place& place) const { return computed().nearest_source(at(place)); }
 
-  /// the same for a point of the surface
-  std::size_t nearest_source(const Face_location& location) const { return computed().nearest_source(at(location)); }
-
-  /// the same for query location number `i`
-  std::size_t query_nearest_source(std::size_t i) const { return computed().nearest_source(at(i)); }
-
-  /// the direction at its source in which the shortest path to `v` starts
+  /// the direction at its source in which the shortest path starts
   ///
   /// It is an angle in the tangent plane of the source, unrolled without scaling: counterclockwise, in
   /// `[0, source_angle())`, up to and including `source_angle()` for a source on the border. Zero is
   /// `source_halfedge()`.
-  /// \pre directions have been asked for, `v` is reached and not a source
-  FT direction_at_source(vertex_descriptor v) const { return with_directions().direction_at_source(index(v)); }
-
-  /// the same for a point of the surface
-  FT direction_at_source(const Face_location& location) const
-  {
-    return with_directions().direction_at_source(at(location));
-  }
-
-  /// the same for query location number `i`
-  FT query_direction_at_source(std::size_t i) const { return with_directions().direction_at_source(at(i)); }
+  /// \pre directions have been asked for, the place is reached and not a source
+  FT direction_at_source(const Place& place) const { return with_directions().direction_at_source(at(place)); }
 
   /// the sum of the angles around source number `i`; \f$2\pi\f$ in faces
   /// \throws Cut_loci::Invalid_input if there is no such source, or it is a curve
@@ -400,35 +374,23 @@ public:
   /// the border with a `source_angle()` of more than \f$2\pi\f$, which only polar coordinates tell apart.
   /// @{
 
-  /// the Cartesian coordinates of `v`, in the unit of the points
-  Plane_coordinates logarithmic_map(vertex_descriptor v) const { return cartesian(polar_coordinates(v)); }
-
-  /// the same for a point of the surface
-  Plane_coordinates logarithmic_map(const Face_location& location) const
+  /// the Cartesian coordinates, in the unit of the points
+  Plane_coordinates logarithmic_map(const Place& place) const
   {
-    return cartesian(polar_coordinates(location));
+    const Plane_coordinates polar = polar_coordinates(place);
+    return {{polar[0] * std::cos(polar[1]), polar[0] * std::sin(polar[1])}};
   }
 
-  /// the same for query location number `i`
-  Plane_coordinates query_logarithmic_map(std::size_t i) const { return cartesian(query_polar_coordinates(i)); }
-
-  /// the distance of `v`, and the angle of its place from the x-axis, in radians: from 0 to \f$2\pi\f$, or on the border
-  /// to `source_angle()`
-  Plane_coordinates polar_coordinates(vertex_descriptor v) const
+  /// the distance, and the angle from the x-axis, in radians: from 0 to \f$2\pi\f$, or on the border to `source_angle()`
+  Plane_coordinates polar_coordinates(const Place& place) const
   {
-    with_directions();
-    const FT d = distance(v);
-    return has_direction(d) ? scaled(d, direction_at_source(v), nearest_source(v)) : without_direction(d);
+    const Cut_loci::internal::Exact_geodesic_propagation& geodesics = with_directions();
+    const Cut_loci::internal::Geodesic_query query = at(place);
+    const FT d = mesh_.unit() * query.distance;
+    if(d > 0. && d < infinity())
+      return {{d, geodesics.direction_at_source(query) * geodesics.angle_scale(geodesics.nearest_source(query))}};
+    return {{d, d == 0. ? 0. : (std::numeric_limits<FT>::quiet_NaN)()}};
   }
-
-  /// the same for a point of the surface
-  Plane_coordinates polar_coordinates(const Face_location& location) const
-  {
-    return polar_coordinates_of(at(location));
-  }
-
-  /// the same for query location number `i`
-  Plane_coordinates query_polar_coordinates(std::size_t i) const { return polar_coordinates_of(at(i)); }
 
   /// the point at which a straight walk from source number `i` ends, whose direction and length are those of `place` in
   /// the tangent plane of the source
@@ -465,38 +427,13 @@ public:
   /// `Cut_loci::Invalid_input` if the last call of `compute()` has been allowed an error.
   /// @{
 
-  /// writes the shortest path from `v` to its source
+  /// writes the shortest path to the source
   /// @tparam OutputIterator a model of `OutputIterator` that holds `Face_location`
   template <typename OutputIterator>
-  OutputIterator shortest_path(vertex_descriptor v, OutputIterator out) const
+  OutputIterator shortest_path(const Place& place, OutputIterator out) const
   {
     require_exact();
-    const Cut_loci::Index i = index(v);
-    if(i == Cut_loci::null_index)
-      return out;
-    return write(Cut_loci::internal::Geodesic_path_tracing(computed()).path_from_vertex(i), out);
-  }
-
-  /// writes the shortest path from a point of the surface to its source
-  template <typename OutputIterator>
-  OutputIterator shortest_path(const Face_location& location, OutputIterator out) const
-  {
-    return write_path(at(location), out);
-  }
-
-  /// writes the shortest path from query location number `i` to its source
-  template <typename OutputIterator>
-  OutputIterator query_shortest_path(std::size_t i, OutputIterator out) const
-  {
-    return write_path(at(i), out);
-  }
-
-  /// writes the shortest path from the centroid of `f` to its source
-  /// \pre centroids have been asked for
-  template <typename OutputIterator>
-  OutputIterator centroid_shortest_path(face_descriptor f, OutputIterator out) const
-  {
-    return mesh_.is_excluded(f) ? out : query_shortest_path(centroid(f), out);
+    return write(Cut_loci::internal::Geodesic_path_tracing(computed()).path_from_query(at(place)), out);
   }
 
   /// @}
@@ -594,17 +531,26 @@ private:
                                                                      " of them, and curves have no tangent plane");
   }
 
-  // what is known of a query location
-  Cut_loci::internal::Geodesic_query at(std::size_t i) const
+  Cut_loci::internal::Geodesic_query at(const Place& place) const
   {
-    if(i >= computed().number_of_queries())
-      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
-                                    "query location " + std::to_string(i) +
-                                      " has not been computed: add_query() comes before compute()");
-    return {computed().query(i).location, computed().query_distance(i), computed().query(i).arrival};
+    return std::visit([this](const auto& p) { return at(p); }, place);
   }
 
-  // what is found of any other
+  Cut_loci::internal::Geodesic_query at(vertex_descriptor v) const
+  {
+    const Cut_loci::Index i = index(v);
+    return i == Cut_loci::null_index ? Cut_loci::internal::Geodesic_query{{}, infinity(), {}} : computed().at_vertex(i);
+  }
+
+  Cut_loci::internal::Geodesic_query at(const Query& query) const
+  {
+    if(query.number >= computed().number_of_queries())
+      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
+                                    "query location " + std::to_string(query.number) +
+                                      " has not been computed: add_query() comes before compute()");
+    return computed().answer(query.number);
+  }
+
   Cut_loci::internal::Geodesic_query at(const Face_location& location) const
   {
     Cut_loci::internal::Geodesic_point_search search(computed(), maximum_distance_ / mesh_.unit());
@@ -647,40 +593,11 @@ private:
 
   static constexpr double default_deviation = 1e-3; // in mean edge lengths
   static constexpr double longest_walk = 1000.;     // in all edges: what is longer would not end in any time
-  static bool has_direction(FT distance) { return distance > 0. && distance < infinity(); }
-  static Plane_coordinates without_direction(FT distance)
-  {
-    return {{distance, distance == 0. ? 0. : (std::numeric_limits<FT>::quiet_NaN)()}};
-  }
-  Plane_coordinates scaled(FT distance, FT direction, std::size_t source) const
-  {
-    return {{distance, direction * computed().angle_scale(source)}};
-  }
-  static Plane_coordinates cartesian(const Plane_coordinates& polar)
-  {
-    return {{polar[0] * std::cos(polar[1]), polar[0] * std::sin(polar[1])}};
-  }
-
-  Plane_coordinates polar_coordinates_of(const Cut_loci::internal::Geodesic_query& query) const
-  {
-    const FT d = mesh_.unit() * query.distance;
-    const Cut_loci::internal::Exact_geodesic_propagation& geodesics = with_directions();
-    return has_direction(d) ? scaled(d, geodesics.direction_at_source(query), geodesics.nearest_source(query))
-                            : without_direction(d);
-  }
 
   // the number of `v`; where its faces form several fans, of the copy that is nearest to the sources
   Cut_loci::Index index(vertex_descriptor v) const
   {
     return mesh_.index(v, [this](Cut_loci::Index i) { return computed().distance(i); });
-  }
-
-  std::size_t centroid(face_descriptor f) const
-  {
-    if(!has_centroids_)
-      throw Cut_loci::Invalid_input(Cut_loci::Cause::INVALID_PARAMETER,
-                                    "centroids have not been computed: set_centroids() comes before compute()");
-    return computed().number_of_queries() - geodesics_.faces().number_of_faces() + get(mesh_.read().index_of_face, f);
   }
 
   Cut_loci::Indexed_location to_indexed(const Face_location& location) const
@@ -698,13 +615,6 @@ private:
     return out;
   }
 
-  template <typename OutputIterator>
-  OutputIterator write_path(const Cut_loci::internal::Geodesic_query& query, OutputIterator out) const
-  {
-    require_exact();
-    return write(Cut_loci::internal::Geodesic_path_tracing(computed()).path_from_query(query), out);
-  }
-
   Cut_loci::internal::Mesh_of_fans<TriangleMesh> mesh_;
   Cut_loci::internal::Exact_geodesic_propagation geodesics_;
   std::unique_ptr<Cut_loci::internal::Exact_geodesic_propagation> with_curves_; // in place of it, if there are curves
@@ -714,7 +624,7 @@ private:
   std::vector<Cut_loci::internal::Crossing_window> windows_; // if isolines have been asked for
   FT maximum_distance_ = 0.;                                 // of the last call of `compute()`
   std::size_t number_of_points_ = 0;                         // that were sources in the last call of `compute()`
-  bool is_computed_ = false, has_centroids_ = false, has_directions_ = false,
+  bool is_computed_ = false, has_directions_ = false,
        has_isolines_ = false; // by the last call of `compute()`
 };
 

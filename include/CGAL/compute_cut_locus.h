@@ -10,26 +10,8 @@
 #include <CGAL/Surface_mesh_cut_locus.h>
 
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
-
-namespace Cut_loci {
-namespace internal {
-
-template <typename T, typename = void>
-struct Is_range : std::false_type
-{
-};
-
-template <typename T>
-struct Is_range<T, std::void_t<decltype(std::declval<const T&>().begin()), decltype(std::declval<const T&>().end())>>
-  : std::true_type
-{
-};
-
-} // namespace internal
-} // namespace Cut_loci
 
 /*!
  * \ingroup PkgSurfaceMeshCutLocusRef
@@ -81,8 +63,7 @@ auto compute_cut_locus(const TriangleMesh& tm, const Source& source,
   {
     using Solver = decltype(solver);
     static_assert(
-      std::is_convertible<Source, typename Solver::vertex_descriptor>::value ||
-        std::is_convertible<Source, typename Solver::Face_location>::value,
+      std::is_convertible<Source, typename Solver::Source>::value,
       "the source must be a vertex_descriptor, a pair of a face_descriptor and three barycentric coordinates, "
       "or a range of these; Polygon_mesh_processing::locate() finds such a pair for a point in space");
     solver.set_source(source, np);

@@ -8,8 +8,7 @@
 #define CGAL_CUT_ALONG_CUT_LOCUS_H
 
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
-#include <CGAL/Cut_loci/face_graph/output_maps.h>
-#include <CGAL/Cut_loci/face_graph/snapping_of_curves.h>
+#include <CGAL/Cut_loci/face_graph/build_face_graph.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_locus.h>
 
@@ -104,15 +103,11 @@ void cut_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh, P
                          const NamedParametersIn& np_in = parameters::default_values(),
                          const NamedParametersOut& np_out = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   namespace internal = Cut_loci::internal;
   using Cut_loci::Index;
 
-  const Index resolution = internal::resolution_of(
-    choose_parameter(get_parameter(np_in, internal_np::snapping_tolerance), internal::default_snapping_of_curves));
-  const auto read = internal::read_triangle_mesh(
-    tm, choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm)));
+  const Index resolution = internal::read_resolution(np_in);
+  const auto read = internal::read_triangle_mesh(tm, internal::point_map(tm, np_in));
   const internal::Disk_of_curve disk =
     internal::cut_along(read.mesh, internal::curve_on_mesh(read, tm, cut_locus), resolution);
   const internal::Mesh_component& component = disk.on.component;

@@ -10,8 +10,7 @@
 #include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/face_graph/cells_of_faces.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
-#include <CGAL/Cut_loci/face_graph/output_maps.h>
-#include <CGAL/Cut_loci/face_graph/snapping_of_curves.h>
+#include <CGAL/Cut_loci/face_graph/build_face_graph.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_locus.h>
@@ -89,14 +88,11 @@ void refine_along_cut_locus(const TriangleMesh& tm, const Cut_locus<TriangleMesh
                             OutputMesh& output, const NamedParametersIn& np_in = parameters::default_values(),
                             const NamedParametersOut& np_out = parameters::default_values())
 {
-  using parameters::choose_parameter;
   using parameters::get_parameter;
   namespace internal = Cut_loci::internal;
 
-  const Cut_loci::Index resolution = internal::resolution_of(
-    choose_parameter(get_parameter(np_in, internal_np::snapping_tolerance), internal::default_snapping_of_curves));
-  const auto read = internal::read_triangle_mesh(
-    tm, choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm)));
+  const Cut_loci::Index resolution = internal::read_resolution(np_in);
+  const auto read = internal::read_triangle_mesh(tm, internal::point_map(tm, np_in));
   const internal::Curve_on_mesh curve = internal::curve_on_mesh(read, tm, cut_locus);
   const Cut_loci::Cut_mesh fans = Cut_loci::cut_open(read.mesh); // components may touch in a vertex
   const Cut_loci::Refined_mesh refined =

@@ -8,10 +8,9 @@
 #define CGAL_REFINE_ALONG_POLYLINES_H
 
 #include <CGAL/Cut_loci/graph/curve_refinement.h>
-#include <CGAL/Cut_loci/face_graph/output_maps.h>
+#include <CGAL/Cut_loci/face_graph/build_face_graph.h>
 #include <CGAL/Cut_loci/face_graph/read_polylines.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
-#include <CGAL/Cut_loci/face_graph/snapping_of_curves.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 
@@ -68,15 +67,12 @@ refine_along_polylines(const TriangleMesh& tm, const PolylineRange& polylines, O
                        const NamedParametersIn& np_in = parameters::default_values(),
                        const NamedParametersOut& np_out = parameters::default_values())
 {
-  using parameters::choose_parameter;
   using parameters::get_parameter;
   namespace internal = Cut_loci::internal;
   using Cut_loci::Index;
 
-  const Index resolution = internal::resolution_of(
-    choose_parameter(get_parameter(np_in, internal_np::snapping_tolerance), internal::default_snapping_of_curves));
-  const auto read = internal::read_triangle_mesh(
-    tm, choose_parameter(get_parameter(np_in, internal_np::vertex_point), get_const_property_map(vertex_point, tm)));
+  const Index resolution = internal::read_resolution(np_in);
+  const auto read = internal::read_triangle_mesh(tm, internal::point_map(tm, np_in));
   const internal::Indexed_polylines indexed = internal::read_polylines(tm, read, polylines);
   const Cut_loci::Cut_mesh fans = Cut_loci::cut_open(read.mesh); // components may touch in a vertex
   const Cut_loci::Mesh_connectivity connectivity(fans.mesh);

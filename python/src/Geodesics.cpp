@@ -88,7 +88,7 @@ std::vector<double> Geodesics::target_distances() const
   require_result();
   std::vector<double> result;
   for(std::size_t i = 0; i < number_of_targets_; ++i)
-    result.push_back(geodesics_.query_distance(i));
+    result.push_back(geodesics_.distance(Query{i}));
   return result;
 }
 
@@ -97,8 +97,9 @@ std::vector<std::int64_t> Geodesics::target_nearest_sources() const
   require_result();
   std::vector<std::int64_t> result;
   for(std::size_t i = 0; i < number_of_targets_; ++i)
-    result.push_back(
-      std::isfinite(geodesics_.query_distance(i)) ? static_cast<std::int64_t>(geodesics_.query_nearest_source(i)) : -1);
+    result.push_back(std::isfinite(geodesics_.distance(Query{i}))
+                       ? static_cast<std::int64_t>(geodesics_.nearest_source(Query{i}))
+                       : -1);
   return result;
 }
 
@@ -118,7 +119,7 @@ std::vector<double> Geodesics::target_log_map() const
   require_result();
   std::vector<double> result;
   for(std::size_t i = 0; i < number_of_targets_; ++i)
-    for(double x : geodesics_.query_logarithmic_map(i))
+    for(double x : geodesics_.logarithmic_map(Query{i}))
       result.push_back(x);
   return result;
 }
@@ -211,7 +212,7 @@ Geodesic_path Geodesics::path_from_target(std::size_t i) const
 {
   require_result();
   std::vector<Location> locations;
-  geodesics_.query_shortest_path(i, std::back_inserter(locations));
+  geodesics_.shortest_path(Query{i}, std::back_inserter(locations));
   return path(locations);
 }
 

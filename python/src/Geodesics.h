@@ -84,6 +84,8 @@ private:
   void require_result() const;
   Geodesic_path path(const std::vector<Location>& locations) const;
 
+  using Query = CGAL::Surface_mesh_exact_geodesics<Mesh>::Query;
+
   std::shared_ptr<const Mesh> mesh_;
   CGAL::Surface_mesh_exact_geodesics<Mesh> geodesics_;
   std::size_t number_of_targets_ = 0;

@@ -5,9 +5,9 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "solvers.h"
+#include "Shortest_path_geodesic_solver.h"
 
 #include <CGAL/Heat_method_geodesic_solver.h>
-#include <CGAL/Shortest_path_geodesic_solver.h>
 
 std::unique_ptr<Solver> make_cgal_exact_solver(const Mesh& mesh, const CGAL::Cut_loci::Laplacian_method& method,
                                                Progress& progress)

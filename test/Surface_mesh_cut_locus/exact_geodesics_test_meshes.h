@@ -381,6 +381,14 @@ inline Indexed_location location(Index face, double a, double b, double c)
   return result;
 }
 
+inline std::vector<Indexed_location> centroids(const Mesh& mesh)
+{
+  std::vector<Indexed_location> result;
+  for(Index f = 0; f < mesh.number_of_faces(); ++f)
+    result.push_back({f, {{1. / 3., 1. / 3., 1. / 3.}}});
+  return result;
+}
+
 /// a random point in a face, on an edge, or at a vertex of it, in turn
 inline Indexed_location random_location(const Mesh& mesh, std::mt19937& random, unsigned kind)
 {

@@ -108,7 +108,7 @@ struct Distances
         to_vertex.back().push_back(exact.distance(v));
       to_node.emplace_back();
       for(std::size_t i = 0; i < num_vertices(result.graph()); ++i)
-        to_node.back().push_back(exact.query_distance(i));
+        to_node.back().push_back(exact.distance(Geodesics::Query{i}));
     }
   }
 

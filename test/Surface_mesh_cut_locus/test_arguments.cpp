@@ -92,11 +92,10 @@ TEST(Arguments, exact_geodesics_have_no_answers_before_they_are_computed)
   expect_refused([&] { geodesics.shortest_path(v, std::back_inserter(path)); }, Cause::NO_SOURCE);
   geodesics.compute(built.vertices[0]);
   EXPECT_GT(geodesics.distance(v), 0.);
-  geodesics.add_query({face, {{0.2, 0.3, 0.5}}});
-  expect_refused([&] { geodesics.query_distance(0); }, Cause::INVALID_PARAMETER);
-  expect_refused([&] { geodesics.centroid_distance(face); }, Cause::INVALID_PARAMETER);
+  const auto query = geodesics.add_query({face, {{0.2, 0.3, 0.5}}});
+  expect_refused([&] { geodesics.distance(query); }, Cause::INVALID_PARAMETER);
   geodesics.compute(built.vertices[0]);
-  EXPECT_GE(geodesics.query_distance(0), 0.);
+  EXPECT_GE(geodesics.distance(query), 0.);
 }
 
 } // namespace

@@ -12,9 +12,9 @@
 #include "../../benchmark/Surface_mesh_cut_locus/curve_distance.h"
 #include "../../benchmark/Surface_mesh_cut_locus/remeshed_surface.h"
 #include "../../benchmark/Surface_mesh_cut_locus/shot_cut_locus.h"
+#include "Shortest_path_geodesic_solver.h"
 
 #include <CGAL/Cut_loci/statistics.h>
-#include <CGAL/Shortest_path_geodesic_solver.h>
 #include <CGAL/Surface_mesh_cut_locus.h>
 
 #include <gtest/gtest.h>

@@ -130,7 +130,7 @@ int paths_across_cycles(const Indexed_triangle_mesh& mesh, const Indexed_source&
     bool is_across = false;
     double length = 0.;
     std::array<double, 3> last = mesh.points[v];
-    for(const auto& place : paths.path_from_vertex(v))
+    for(const auto& place : paths.path_from_query(geodesics.at_vertex(v)))
     {
       const std::array<double, 3> point = position(mesh, place);
       length += norm(point - last);

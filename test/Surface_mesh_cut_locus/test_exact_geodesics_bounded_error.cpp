@@ -46,7 +46,7 @@ void expect_bounds(const Mesh& mesh, std::size_t number_of_sources, unsigned see
   for(unsigned k = 0; k < number_of_sources; ++k)
     sources.push_back(random_location(mesh, random, seed + k));
   Options options;
-  options.all_centroids = true;
+  options.queries = centroids(mesh);
   for(unsigned k = 0; k < 30; ++k)
     options.queries.push_back(random_location(mesh, random, k));
   Geodesics geodesics(mesh), exact(mesh);
@@ -97,7 +97,7 @@ void expect_bounds_with_directions(const Mesh& mesh, std::size_t number_of_sourc
     sources.push_back(random_location(mesh, random, seed + k));
   Options options;
   options.directions = true;
-  options.all_centroids = true;
+  options.queries = centroids(mesh);
   Geodesics geodesics(mesh), exact(mesh);
   exact.run(sources, options);
   for(const double error : {0.1, 0.01, 1e-4})

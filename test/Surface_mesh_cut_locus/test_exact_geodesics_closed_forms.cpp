@@ -26,7 +26,7 @@ void expect_distances(const Mesh& mesh, const std::function<double(const Point&,
 {
   Geodesics geodesics(mesh);
   Options options;
-  options.all_centroids = true;
+  options.queries = centroids(mesh);
   for(const Indexed_location& source : sources)
   {
     const Point s = point(mesh, source);
@@ -39,7 +39,7 @@ void expect_distances(const Mesh& mesh, const std::function<double(const Point&,
     }
     for(std::size_t i = 0; i < geodesics.number_of_queries(); ++i)
     {
-      const double d = expected(s, point(mesh, geodesics.query(i).location));
+      const double d = expected(s, point(mesh, geodesics.answer(i).location));
       worst_centroid = (std::max)(worst_centroid, std::fabs(geodesics.query_distance(i) - d) / (d + 1e-3));
     }
     EXPECT_LE(worst, tolerance) << "source in face " << source.face;
@@ -213,15 +213,15 @@ TEST(Closed_forms, doubly_covered_disk)
   for(const Indexed_location& source : random_sources(mesh, 12))
   {
     Options options;
-    options.all_centroids = true;
+    options.queries = centroids(mesh);
     geodesics.run({source}, options);
     const Point s = point(mesh, source);
     double worst = 0.;
     for(std::size_t i = 0; i < geodesics.number_of_queries(); ++i)
     {
-      const Point t = point(mesh, geodesics.query(i).location);
+      const Point t = point(mesh, geodesics.answer(i).location);
       double d = distance(s, t);
-      if(sheet(geodesics.query(i).location.face) != sheet(source.face))
+      if(sheet(geodesics.answer(i).location.face) != sheet(source.face))
       {
         // over the nearest point of each side, by reflection
         d = 1e300;
@@ -300,13 +300,13 @@ void expect_cone(Index sides, const std::function<Point(Index)>& rim)
   for(const Indexed_location& source : random_sources(mesh, 15))
   {
     Options options;
-    options.all_centroids = true;
+    options.queries = centroids(mesh);
     geodesics.run({source}, options);
     const auto s = polar(source);
     double worst = 0.;
     for(std::size_t i = 0; i < geodesics.number_of_queries(); ++i)
     {
-      const auto t = polar(geodesics.query(i).location);
+      const auto t = polar(geodesics.answer(i).location);
       double a = std::fabs(s.second - t.second);
       a = (std::min)(a, start[sides] - a);
       const double d = a >= pi ? s.first + t.first

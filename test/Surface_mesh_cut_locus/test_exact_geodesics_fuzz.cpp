@@ -32,17 +32,17 @@ constexpr double relative = 1e-9;
 /// expects of a point that has been looked for what is known of it since it was named before the run
 void expect_found(const Geodesics& geodesics, const Mesh& mesh, std::size_t q, Path_tracing& tracing)
 {
-  const Indexed_location& named = geodesics.query(q).location;
+  const Indexed_location& named = geodesics.answer(q).location;
   const Found_point found = Point_search(geodesics)(named);
   const double d = geodesics.query_distance(q);
   EXPECT_LT(distance(point(mesh, found.location), point(mesh, named)), 1e-12);
   EXPECT_NEAR(found.distance, d, relative * d);
-  EXPECT_EQ(geodesics.nearest_source(found), geodesics.nearest_source(geodesics.query(q)));
+  EXPECT_EQ(geodesics.nearest_source(found), geodesics.nearest_source(geodesics.answer(q)));
   if(d == 0.)
     return;
   const double full = geodesics.source_angle(geodesics.nearest_source(found)),
                turn =
-                 std::fabs(geodesics.direction_at_source(found) - geodesics.direction_at_source(geodesics.query(q)));
+                 std::fabs(geodesics.direction_at_source(found) - geodesics.direction_at_source(geodesics.answer(q)));
   EXPECT_LT((std::min)(turn, full - turn), relative);
   EXPECT_EQ(defect_of_path(geodesics, mesh, tracing.path_from_query(found), point(mesh, named), d), "");
 }
@@ -116,7 +116,9 @@ void expect_agreement(const Mesh& mesh, std::size_t number_of_sources, unsigned 
     scale = (std::max)(scale, expected);
     if(v % 7 == 0)
     {
-      EXPECT_EQ(defect_of_path(geodesics, mesh, tracing.path_from_vertex(v), mesh.points[v], geodesics.distance(v)), "")
+      EXPECT_EQ(defect_of_path(geodesics, mesh, tracing.path_from_query(geodesics.at_vertex(v)), mesh.points[v],
+                               geodesics.distance(v)),
+                "")
         << "vertex " << v;
     }
   }

@@ -170,8 +170,7 @@ TYPED_TEST(Exact_geodesics_interface, everything_asked_for)
   const auto f = *std::next(faces(mesh).begin(), 40);
   const Location query(f, {{0.6, 0.1, 0.3}});
   geodesics.set_directions(true);
-  geodesics.set_centroids(true);
-  EXPECT_EQ(geodesics.add_query(query), 0u);
+  const auto named = geodesics.add_query(query);
   for(auto s : vertices(mesh))
   {
     geodesics.compute(s);
@@ -206,14 +205,13 @@ TYPED_TEST(Exact_geodesics_interface, everything_asked_for)
       EXPECT_EQ(source(arrival.first, mesh), v);
       EXPECT_LT(turn(arrival.second + along(arrival.first), direction(get(vpm, v), get(vpm, s))), 1e-10);
     }
-    const auto q = Fixture::point(mesh, query), c = Fixture::point(mesh, Location(f, {{1. / 3., 1. / 3., 1. / 3.}}));
-    EXPECT_NEAR(geodesics.query_distance(0), Fixture::distance(get(vpm, s), q), 1e-12);
-    EXPECT_LT(turn(geodesics.query_direction_at_source(0) + along(zero), direction(get(vpm, s), q)), 1e-10);
-    EXPECT_LT(Fixture::distance(Fixture::point(mesh, geodesics.exponential_map(geodesics.query_logarithmic_map(0))), q),
+    const auto q = Fixture::point(mesh, query);
+    EXPECT_NEAR(geodesics.distance(named), Fixture::distance(get(vpm, s), q), 1e-12);
+    EXPECT_LT(turn(geodesics.direction_at_source(named) + along(zero), direction(get(vpm, s), q)), 1e-10);
+    EXPECT_LT(Fixture::distance(Fixture::point(mesh, geodesics.exponential_map(geodesics.logarithmic_map(named))), q),
               1e-10);
-    EXPECT_NEAR(geodesics.centroid_distance(f), Fixture::distance(get(vpm, s), c), 1e-12);
     std::vector<Location> path;
-    geodesics.query_shortest_path(0, std::back_inserter(path));
+    geodesics.shortest_path(named, std::back_inserter(path));
     ASSERT_FALSE(path.empty());
     EXPECT_LT(Fixture::distance(Fixture::point(mesh, path.front()), q), 1e-12);
     // points that have not been named: in another face, on an edge, at a vertex
@@ -236,10 +234,6 @@ TYPED_TEST(Exact_geodesics_interface, everything_asked_for)
         EXPECT_LT(turn(geodesics.direction_at_source(other) + along(zero), direction(get(vpm, s), p)), 1e-10);
       }
     }
-    path.clear();
-    geodesics.centroid_shortest_path(f, std::back_inserter(path));
-    ASSERT_FALSE(path.empty());
-    EXPECT_LT(Fixture::distance(Fixture::point(mesh, path.front()), c), 1e-12);
   }
   geodesics.set_maximum_distance(2.5);
   const auto s = *vertices(mesh).begin();

@@ -90,7 +90,7 @@ void expect_right(const Built& built, const Sources& sources, unsigned seed)
     std::vector<double> expected;
     back.compute(target);
     for(std::size_t i = 0; i < sources.points.size(); ++i)
-      expected.push_back(back.query_distance(i));
+      expected.push_back(back.distance(Geodesics::Query{i}));
     for(const Distance_by_points<Built>& distance : of_curve)
       expected.push_back(distance(target));
     const double least = *std::min_element(expected.begin(), expected.end());
@@ -107,8 +107,8 @@ void expect_right(const Built& built, const Sources& sources, unsigned seed)
   for(std::size_t i = 0; i < queries.size(); ++i)
   {
     std::vector<Location> path;
-    geodesics.query_shortest_path(i, std::back_inserter(path));
-    expect(queries[i], geodesics.query_distance(i), geodesics.query_nearest_source(i), path);
+    geodesics.shortest_path(Geodesics::Query{i}, std::back_inserter(path));
+    expect(queries[i], geodesics.distance(Geodesics::Query{i}), geodesics.nearest_source(Geodesics::Query{i}), path);
     path.clear();
     geodesics.shortest_path(queries[i], std::back_inserter(path));
     expect(queries[i], geodesics.distance(queries[i]), geodesics.nearest_source(queries[i]), path);
@@ -163,10 +163,11 @@ TEST(Exact_geodesics_of_curves, of_a_square_are_those_to_its_sides)
   const Built built(square(9, 0.3, 4));
   Geodesics geodesics(built.mesh);
   geodesics.add_source_border();
+  for(const Mesh::Face_index f : built.mesh.faces())
+    geodesics.add_query(Location(f, {{1. / 3., 1. / 3., 1. / 3.}}));
   for(const double most : {std::numeric_limits<double>::infinity(), 0.21, 0.})
   {
     geodesics.set_maximum_distance(most);
-    geodesics.set_centroids(true);
     geodesics.compute();
     const auto expect = [&](double x, double y, double found)
     {
@@ -182,7 +183,7 @@ TEST(Exact_geodesics_of_curves, of_a_square_are_those_to_its_sides)
     {
       const auto p =
         CGAL::Polygon_mesh_processing::construct_point(Location(f, {{1. / 3., 1. / 3., 1. / 3.}}), built.mesh);
-      expect(p.x(), p.y(), geodesics.centroid_distance(f));
+      expect(p.x(), p.y(), geodesics.distance(Geodesics::Query{f.idx()}));
     }
   }
 }

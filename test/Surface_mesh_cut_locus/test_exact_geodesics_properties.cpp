@@ -119,13 +119,13 @@ TEST(Exact_geodesics, paths_are_straight_and_as_long_as_the_distance)
       geodesics.run(sources, options);
       for(Index v = i % 5; v < mesh.number_of_vertices(); v += 5)
       {
-        const std::vector<Indexed_location> path = tracing.path_from_vertex(v);
+        const std::vector<Indexed_location> path = tracing.path_from_query(geodesics.at_vertex(v));
         EXPECT_EQ(defect_of_path(geodesics, mesh, path, mesh.points[v], geodesics.distance(v)), "") << "vertex " << v;
         EXPECT_LE(distance(point(mesh, path.back()), point(mesh, sources[geodesics.nearest_source(v)])), 1e-12);
       }
       for(std::size_t q = 0; q < options.queries.size(); ++q)
       {
-        const std::vector<Indexed_location> path = tracing.path_from_query(geodesics.query(q));
+        const std::vector<Indexed_location> path = tracing.path_from_query(geodesics.answer(q));
         EXPECT_EQ(defect_of_path(geodesics, mesh, path, point(mesh, options.queries[q]), geodesics.query_distance(q)),
                   "")
           << "query " << q;
@@ -139,12 +139,12 @@ TEST(Exact_geodesics, path_from_the_source_is_one_point)
   const Mesh mesh = bumpy_grid(5, 5, 0.3, 1);
   Geodesics geodesics(mesh);
   geodesics.run(7);
-  EXPECT_EQ(Path_tracing(geodesics).path_from_vertex(7).size(), 1u);
+  EXPECT_EQ(Path_tracing(geodesics).path_from_query(geodesics.at_vertex(7)).size(), 1u);
   Options options;
   options.queries.push_back(location(3, 0.2, 0.3, 0.5));
   geodesics.run({location(3, 0.2, 0.3, 0.5)}, options);
   EXPECT_EQ(geodesics.query_distance(0), 0.);
-  EXPECT_EQ(Path_tracing(geodesics).path_from_query(geodesics.query(0)).size(), 1u);
+  EXPECT_EQ(Path_tracing(geodesics).path_from_query(geodesics.answer(0)).size(), 1u);
 }
 
 TEST(Exact_geodesics, first_and_last_steps_of_paths_have_the_directions_told)
@@ -181,7 +181,7 @@ TEST(Exact_geodesics, first_and_last_steps_of_paths_have_the_directions_told)
       {
         if(v == s)
           continue;
-        const std::vector<Indexed_location> path = tracing.path_from_vertex(v);
+        const std::vector<Indexed_location> path = tracing.path_from_query(geodesics.at_vertex(v));
         ASSERT_GE(path.size(), 2u);
         const auto common = [&](const Indexed_location& a, const Indexed_location& b)
         {
@@ -279,7 +279,7 @@ TEST(Exact_geodesics, several_sources_are_the_nearest_of_each)
     {
       Options options;
       options.directions = true;
-      options.all_centroids = true;
+      options.queries = centroids(mesh);
       std::vector<Indexed_location> sources;
       for(unsigned k = 0; k < 2 + i; ++k)
         sources.push_back(random_location(mesh, random, k + i));
@@ -328,7 +328,7 @@ TEST(Exact_geodesics, maximum_distance)
   {
     Geodesics geodesics(mesh), bounded(mesh);
     Options options;
-    options.all_centroids = true;
+    options.queries = centroids(mesh);
     for(Index s = 0; s < mesh.number_of_vertices(); s += 31)
     {
       geodesics.run(s, options);
@@ -353,7 +353,7 @@ TEST(Exact_geodesics, maximum_distance)
             EXPECT_NEAR(bounded.query_distance(f), geodesics.query_distance(f), exact);
           }
         for(Index f = 0; f < mesh.number_of_faces(); f += 17)
-          if(const double found = Point_search(bounded, d)(bounded.query(f).location).distance;
+          if(const double found = Point_search(bounded, d)(bounded.answer(f).location).distance;
              geodesics.query_distance(f) > d + exact)
           {
             EXPECT_EQ(found, infinity);
@@ -422,20 +422,20 @@ TEST(Exact_geodesics, other_components_are_not_reached)
   mesh = make_mesh(points, triangles);
   Geodesics geodesics(mesh);
   Options options;
-  options.all_centroids = true;
+  options.queries = centroids(mesh);
   geodesics.run(3, options);
   for(Index v = 0; v < mesh.number_of_vertices(); ++v)
   {
     EXPECT_EQ(geodesics.is_reached(v), v < vertices);
     EXPECT_EQ(geodesics.distance(v) < infinity, v < vertices);
     EXPECT_EQ(geodesics.nearest_source(v), v < vertices ? 0 : null_index);
-    EXPECT_EQ(Path_tracing(geodesics).path_from_vertex(v).empty(), v >= vertices);
+    EXPECT_EQ(Path_tracing(geodesics).path_from_query(geodesics.at_vertex(v)).empty(), v >= vertices);
   }
   for(Index f = 0; f < mesh.number_of_faces(); ++f)
   {
     EXPECT_EQ(geodesics.query_distance(f) < infinity, f < faces);
-    EXPECT_EQ(Path_tracing(geodesics).path_from_query(geodesics.query(f)).empty(), f >= faces);
-    EXPECT_EQ(Point_search(geodesics)(geodesics.query(f).location).distance < infinity, f < faces);
+    EXPECT_EQ(Path_tracing(geodesics).path_from_query(geodesics.answer(f)).empty(), f >= faces);
+    EXPECT_EQ(Point_search(geodesics)(geodesics.answer(f).location).distance < infinity, f < faces);
   }
 }
 

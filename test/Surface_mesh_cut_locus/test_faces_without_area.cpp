@@ -12,13 +12,13 @@
 #include "checked_curves.h"
 #include "fuzz_surfaces.h"
 #include "node_distances.h"
+#include "Shortest_path_geodesic_solver.h"
 
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/mollified_lengths.h>
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
-#include <CGAL/Shortest_path_geodesic_solver.h>
 #include <CGAL/cut_along_cut_locus.h>
 #include <CGAL/exact_geodesic_distances.h>
 #include <CGAL/refine_along_cut_locus.h>

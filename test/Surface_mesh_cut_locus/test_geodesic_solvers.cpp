@@ -5,10 +5,10 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "surface_test.h"
+#include "Shortest_path_geodesic_solver.h"
 
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
-#include <CGAL/Shortest_path_geodesic_solver.h>
 
 namespace test_geodesic_solvers {
 
@@ -251,7 +251,8 @@ TEST(Insert_vertex, keeps_the_surface_and_puts_the_vertex_where_it_was_asked_for
           std::vector<std::array<double, 3>>{{{0.2, 0.3, 0.5}}, {{0., 0.3, 0.7}}, {{0.3, 0., 0.7}}, {{0.3, 0.7, 0.}}})
       {
         const Indexed_source source = location(f, c);
-        const Indexed_triangle_mesh refined = CGAL::Cut_loci::internal::insert_vertex(mesh, source.location);
+        Indexed_triangle_mesh refined = mesh;
+        CGAL::Cut_loci::internal::insert_vertex_into(refined, source.location);
         expect_consistent(refined);
         const Index v = mesh.number_of_vertices();
         ASSERT_EQ(refined.number_of_vertices(), v + 1);

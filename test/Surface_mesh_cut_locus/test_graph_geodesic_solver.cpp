@@ -5,12 +5,12 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "surface_test.h"
+#include "Shortest_path_geodesic_solver.h"
 
 #include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/insert_vertex.h>
 #include <CGAL/Graph_geodesic_solver.h>
-#include <CGAL/Shortest_path_geodesic_solver.h>
 
 namespace test_graph_geodesic_solver {
 
@@ -180,7 +180,8 @@ TEST(Graph_geodesic_solver, takes_sources_in_faces_and_on_edges)
       const Index f = static_cast<Index>(uniform(random) * mesh.number_of_faces());
       const Indexed_source s = k % 2 == 0 ? in_face(f, a, b, 1. - a - b) : in_face(f, a, 0., 1. - a);
       const std::vector<double> d = graph(mesh, s);
-      const Mesh refined = CGAL::Cut_loci::internal::insert_vertex(mesh, s.location);
+      Mesh refined = mesh;
+      CGAL::Cut_loci::internal::insert_vertex_into(refined, s.location);
       std::vector<double> reference = exact(refined, at_vertex(refined, mesh.number_of_vertices()));
       reference.pop_back();
       const Error e = relative_error(d, reference);

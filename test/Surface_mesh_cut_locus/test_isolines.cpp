@@ -79,7 +79,7 @@ void expect_right_places(const Mesh& mesh, Geodesics& geodesics, const Isolines&
   }
   geodesics.compute();
   for(std::size_t i = 0; i < expected.size(); ++i)
-    EXPECT_NEAR(geodesics.query_distance(i), expected[i], tolerance) << "vertex " << i;
+    EXPECT_NEAR(geodesics.distance(Geodesics::Query{i}), expected[i], tolerance) << "vertex " << i;
   geodesics.clear_queries();
 }
 
@@ -369,7 +369,7 @@ std::vector<long> characteristics_by_samples(const Mesh& mesh, Geodesics& geodes
   for(const double level : levels)
   {
     std::set<std::pair<std::size_t, std::size_t>> edges;
-    const auto is_nearer = [&](std::size_t i) { return geodesics.query_distance(i) < level; };
+    const auto is_nearer = [&](std::size_t i) { return geodesics.distance(Geodesics::Query{i}) < level; };
     long sum = 0;
     for(std::size_t i = 0; i < number.size(); ++i)
       sum += is_nearer(i);
@@ -405,7 +405,8 @@ long characteristic_by_isolines(const Mesh& mesh, const Isolines& lines, const s
   std::map<Mesh::Face_index, int> part_of;
   std::vector<double> farthest; // distance from the level, by part
   Geodesics geodesics(refined);
-  geodesics.set_centroids(true);
+  for(const Mesh::Face_index f : refined.faces())
+    geodesics.add_query(Location(f, {{1. / 3., 1. / 3., 1. / 3.}}));
   for(const Location& source : sources)
   {
     const Kernel::Point_3 p = point(mesh, source);
@@ -428,7 +429,7 @@ long characteristic_by_isolines(const Mesh& mesh, const Isolines& lines, const s
     {
       const Mesh::Face_index f = stack.back();
       stack.pop_back();
-      const double d = geodesics.centroid_distance(f) - level;
+      const double d = geodesics.distance(Geodesics::Query{f.idx()}) - level;
       if(std::fabs(d) > 2. * deviation)
       {
         EXPECT_GE(d * farthest[std::size_t(part)], 0.) << "a part on both sides";

@@ -8,10 +8,10 @@
 
 #include "result_numbers.h"
 #include "several_sources_cases.h"
+#include "Shortest_path_geodesic_solver.h"
 
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
-#include <CGAL/Shortest_path_geodesic_solver.h>
 
 namespace test_laplacian_several_sources {
 

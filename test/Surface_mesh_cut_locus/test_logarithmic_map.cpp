@@ -96,10 +96,11 @@ TEST(Logarithmic_map, is_the_plane)
     }
     for(std::size_t q = 0; q < queries.size(); ++q)
     {
-      const std::size_t i = geodesics.query_nearest_source(q);
-      EXPECT_NEAR(geodesics.query_distance(q), norm(point(mesh, queries[q]) - point(mesh, sources[i])), 1e-9);
-      expect_near(geodesics.query_logarithmic_map(q), expected(i, point(mesh, queries[q])), 1e-9);
-      EXPECT_EQ(geodesics.query_polar_coordinates(q)[0], geodesics.query_distance(q));
+      const std::size_t i = geodesics.nearest_source(Geodesics::Query{q});
+      EXPECT_NEAR(geodesics.distance(Geodesics::Query{q}), norm(point(mesh, queries[q]) - point(mesh, sources[i])),
+                  1e-9);
+      expect_near(geodesics.logarithmic_map(Geodesics::Query{q}), expected(i, point(mesh, queries[q])), 1e-9);
+      EXPECT_EQ(geodesics.polar_coordinates(Geodesics::Query{q})[0], geodesics.distance(Geodesics::Query{q}));
     }
   }
 }
@@ -256,9 +257,10 @@ std::size_t expect_walks_to_end(const Mesh_data& data, unsigned seed)
     for(std::size_t q = 0; q < queries.size(); ++q)
     {
       std::vector<Location> path;
-      geodesics.query_shortest_path(q, std::back_inserter(path));
+      geodesics.shortest_path(Geodesics::Query{q}, std::back_inserter(path));
       if(!meets_vertex(path))
-        check(geodesics.query_logarithmic_map(q), geodesics.query_nearest_source(q), point(mesh, queries[q]));
+        check(geodesics.logarithmic_map(Geodesics::Query{q}), geodesics.nearest_source(Geodesics::Query{q}),
+              point(mesh, queries[q]));
     }
   }
   return number;
@@ -396,9 +398,9 @@ TEST(Logarithmic_map, of_sources_and_what_is_not_reached)
   { EXPECT_TRUE(std::isnan(place[0]) && std::isnan(place[1]) && std::isinf(polar[0]) && std::isnan(polar[1])); };
   for(std::size_t v = n; v < 2 * n; ++v)
     expect_unreached(geodesics.logarithmic_map(built.vertices[v]), geodesics.polar_coordinates(built.vertices[v]));
-  expect_unreached(geodesics.query_logarithmic_map(0), geodesics.query_polar_coordinates(0));
+  expect_unreached(geodesics.logarithmic_map(Geodesics::Query{0}), geodesics.polar_coordinates(Geodesics::Query{0}));
   geodesics.compute(centroid);
-  EXPECT_EQ(geodesics.query_logarithmic_map(1), (Place{{0., 0.}}));
+  EXPECT_EQ(geodesics.logarithmic_map(Geodesics::Query{1}), (Place{{0., 0.}}));
   geodesics.set_maximum_distance(0.1);
   geodesics.compute(built.vertices[0]);
   expect_unreached(geodesics.logarithmic_map(built.vertices[1]), geodesics.polar_coordinates(built.vertices[1]));
@@ -418,7 +420,7 @@ TEST(Logarithmic_map, needs_directions)
   EXPECT_THROW(geodesics.logarithmic_map(v), Invalid_input);
   geodesics.compute();
   EXPECT_NO_THROW(geodesics.logarithmic_map(v));
-  EXPECT_THROW(geodesics.query_logarithmic_map(0), Invalid_input);
+  EXPECT_THROW(geodesics.logarithmic_map(Geodesics::Query{0}), Invalid_input);
 }
 
 /// products of lengths leave the range of numbers

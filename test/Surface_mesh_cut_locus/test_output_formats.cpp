@@ -9,7 +9,6 @@
 #include "surface_test.h"
 #include "cut_locus_by_hand.h"
 
-#include <CGAL/Cut_loci/IO/edges.h>
 #include <CGAL/Cut_loci/IO/write_cut_locus.h>
 #include <CGAL/Cut_loci/statistics.h>
 

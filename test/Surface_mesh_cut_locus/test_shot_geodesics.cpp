@@ -186,12 +186,12 @@ void expect_shots_are_found(const Mesh_data& data, unsigned seed, Counts& counts
     for(std::size_t q = 0; q < polar.size(); ++q)
     {
       const double length = polar[q][0], turn = polar[q][1], tolerance = 1e-9 * length;
-      EXPECT_LE(geodesics.query_distance(q), length + tolerance) << "seed " << seed << ", " << k;
+      EXPECT_LE(geodesics.distance(Geodesics::Query{q}), length + tolerance) << "seed " << seed << ", " << k;
       ++counts.shots;
-      if(geodesics.query_distance(q) < length - tolerance)
+      if(geodesics.distance(Geodesics::Query{q}) < length - tolerance)
         continue;
       ++counts.shortest;
-      const auto place = geodesics.query_logarithmic_map(q);
+      const auto place = geodesics.logarithmic_map(Geodesics::Query{q});
       EXPECT_NEAR(place[0], length * std::cos(turn), tolerance) << "seed " << seed << ", " << k;
       EXPECT_NEAR(place[1], length * std::sin(turn), tolerance) << "seed " << seed << ", " << k;
     }

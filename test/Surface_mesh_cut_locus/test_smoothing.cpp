@@ -5,6 +5,7 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "surface_test.h"
+#include "Shortest_path_geodesic_solver.h"
 
 #include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>
 #include <CGAL/Cut_loci/laplacian/Laplacian_solver.h>
@@ -12,7 +13,6 @@
 #include <CGAL/Cut_loci/surface/insert_vertex.h>
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
-#include <CGAL/Shortest_path_geodesic_solver.h>
 
 #include <numeric>
 

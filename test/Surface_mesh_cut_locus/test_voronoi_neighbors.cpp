@@ -159,7 +159,7 @@ TEST(Voronoi_cells, divide_random_surfaces)
     geodesics.compute();
     double wrong = 0.;
     for(const Mesh::Face_index f : refined.faces())
-      if(geodesics.query_nearest_source(f.idx()) != cell[f])
+      if(geodesics.nearest_source(Geodesics::Query{f.idx()}) != cell[f])
         wrong += area(refined, f);
     EXPECT_LT(wrong, 1e-4 * whole); // chords of the curves in faces
   }

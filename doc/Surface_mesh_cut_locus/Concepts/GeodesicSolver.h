@@ -22,7 +22,6 @@
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Exact_geodesic_solver}
- * \cgalHasModels{CGAL::Shortest_path_geodesic_solver}
  * \cgalHasModels{CGAL::Heat_method_geodesic_solver}
  * \cgalHasModels{CGAL::Graph_geodesic_solver}
  * \cgalHasModelsEnd

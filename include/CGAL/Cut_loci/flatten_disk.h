@@ -15,8 +15,7 @@
 #include <CGAL/Cut_loci/flattening/Disk_shape.h>
 #include <CGAL/Cut_loci/flattening/Multilevel_layout.h>
 #include <CGAL/Cut_loci/flattening/layout_overlap.h>
-#include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
-#include <CGAL/Cut_loci/surface/connected_components.h>
+#include <CGAL/Cut_loci/surface/cut_open.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -88,27 +87,18 @@ inline Layout_quality layout_quality(const Disk_shape& disk, const Planar_points
 // Throws unless the mesh is connected and its border one loop around a disk.
 inline Disk_shape shape_of_disk(const Indexed_triangle_mesh& mesh)
 {
-  Index number_of_components = 0;
-  face_components(mesh, number_of_components);
   if(std::all_of(mesh.points.begin(), mesh.points.end(), [&](const auto& p) { return p == mesh.points.front(); }))
     throw Invalid_input(Cause::FACE_WITHOUT_AREA, "all vertices of the surface are at the same point");
-  const Disk_shape disk = disk_shape(mesh);
-  const auto border_edges =
-    std::count_if(mesh.opposite.begin(), mesh.opposite.end(), [](Index o) { return o == null_index; });
-  const std::ptrdiff_t edges = (mesh.number_of_halfedges() + border_edges) / 2;
-  if(number_of_components != 1 || static_cast<std::ptrdiff_t>(disk.border.size()) != border_edges ||
-     mesh.number_of_vertices() - edges + mesh.number_of_faces() != 1)
+  if(!is_disk(mesh))
     throw Invalid_input(Cause::NO_DISK, "the surface is not a disk with one border loop: cut it open first, as "
                                         "CGAL::cut_along_cut_locus() does");
-  return disk;
+  return disk_shape(mesh);
 }
 
 template <typename TriangleMesh, typename NamedParameters>
 Read_triangle_mesh<TriangleMesh> read_disk(const TriangleMesh& tm, const NamedParameters& np)
 {
-  auto read =
-    read_triangle_mesh(tm, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                        get_const_property_map(vertex_point, tm)));
+  auto read = read_triangle_mesh(tm, point_map(tm, np));
   normalize_lengths(read);
   return read;
 }

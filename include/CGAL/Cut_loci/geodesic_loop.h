@@ -10,7 +10,6 @@
 #include <CGAL/Cut_loci/face_graph/build_face_graph.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
-#include <CGAL/Cut_loci/face_graph/snapping_of_curves.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/location_in_part.h>
@@ -115,8 +114,7 @@ std::vector<Point_3> geodesic_loop(const TriangleMesh& tm, const Cut_locus<Trian
   const auto read = internal::read_triangle_mesh(tm, get_const_property_map(CGAL::vertex_point, tm));
   internal::Curve_on_mesh curve = internal::curve_on_mesh(read, tm, cut_locus);
   const Index node = internal::nearest_node(read.mesh, cut_locus, curve.graph);
-  const internal::Disk_of_curve disk =
-    internal::cut_along(read.mesh, std::move(curve), internal::resolution_of(1. / (1 << 20)));
+  const internal::Disk_of_curve disk = internal::cut_along(read.mesh, std::move(curve), internal::finest_resolution);
   Mesh mesh;
   const auto built = internal::build_face_graph(disk.cut.mesh, mesh);
   for(Index v = 0; v < disk.cut.mesh.number_of_vertices(); ++v)

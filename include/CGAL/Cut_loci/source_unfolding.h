@@ -329,8 +329,7 @@ auto source_unfolding(const TriangleMesh& tm, const Source& source,
   using parameters::get_parameter;
   using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::const_type;
 
-  const Vertex_point_map vpm =
-    choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tm));
+  const Vertex_point_map vpm = internal::point_map(tm, np);
   const auto read = internal::read_triangle_mesh(tm, vpm);
   const Indexed_source in_mesh =
     internal::read_source(tm, read, source,

@@ -10,7 +10,6 @@
 #include <CGAL/Cut_loci/face_graph/cells_of_faces.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
-#include <CGAL/Cut_loci/face_graph/snapping_of_curves.h>
 #include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
@@ -89,7 +88,7 @@ std::vector<double> voronoi_cell_areas(const TriangleMesh& tm, const Cut_locus<T
   const internal::Curve_on_mesh curve = internal::curve_on_mesh(read, tm, cut_locus);
   const Cut_mesh fans = cut_open(read.mesh); // components may touch in a vertex
   const Refined_mesh refined =
-    refine_along_curve(fans.mesh, Mesh_connectivity(fans.mesh), curve.graph, internal::resolution_of(1. / (1 << 20)));
+    refine_along_curve(fans.mesh, Mesh_connectivity(fans.mesh), curve.graph, internal::finest_resolution);
   const std::vector<std::size_t> cells = internal::cells_of_faces(read, fans.vertices, curve, refined, cut_locus);
   std::vector<double> result(cut_locus.number_of_sources(), 0.);
   for(std::size_t f = 0; f < cells.size(); ++f)

@@ -6,10 +6,7 @@
 
 #include "Session.h"
 
-#include <CGAL/Cut_loci/IO/OBJ.h>
-#include <CGAL/Cut_loci/IO/PLY.h>
-#include <CGAL/Cut_loci/IO/VTP.h>
-#include <CGAL/Cut_loci/IO/polylines.h>
+#include <CGAL/Cut_loci/IO/write_cut_locus.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Cut_loci/statistics.h>
 

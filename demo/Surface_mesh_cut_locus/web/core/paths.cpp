@@ -142,15 +142,15 @@ std::vector<Paths::Path> Paths::find(const std::vector<Location>& sources, const
   std::vector<Path> paths;
   for(std::size_t i = 0; i < ends.size(); ++i)
   {
-    if(!std::isfinite(geodesics_->query_distance(i)))
+    if(!std::isfinite(geodesics_->distance(Geodesics::Query{i})))
       continue;
     Path path;
     std::vector<Location> locations;
-    geodesics_->query_shortest_path(i, std::back_inserter(locations));
+    geodesics_->shortest_path(Geodesics::Query{i}, std::back_inserter(locations));
     path.points.push_back(target);
     for(const Location& location : locations)
       path.points.push_back(point_at(mesh_, location));
-    path.length = geodesics_->query_distance(i) + std::sqrt(CGAL::squared_distance(target, path.points[1]));
+    path.length = geodesics_->distance(Geodesics::Query{i}) + std::sqrt(CGAL::squared_distance(target, path.points[1]));
     paths.push_back(std::move(path));
   }
   std::sort(paths.begin(), paths.end(), [](const Path& a, const Path& b) { return a.length < b.length; });

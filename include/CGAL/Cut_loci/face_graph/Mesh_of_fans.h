@@ -52,11 +52,8 @@ class Mesh_of_fans
 public:
   template <typename NamedParameters>
   Mesh_of_fans(const TriangleMesh& tm, const NamedParameters& np)
-    : tm_(&tm),
-      read_(read_triangle_mesh(tm,
-                               parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                            get_const_property_map(CGAL::vertex_point, tm)),
-                               !has_edge_lengths<NamedParameters>(), {}, excluded_faces<TriangleMesh>(np)))
+    : tm_(&tm), read_(read_triangle_mesh(tm, point_map(tm, np), !has_edge_lengths<NamedParameters>(), {},
+                                         excluded_faces<TriangleMesh>(np)))
   {
     give_fans_vertices();
     read_edge_lengths(tm, read_, parameters::get_parameter(np, internal_np::edge_length_map));

@@ -11,7 +11,6 @@
 #include <CGAL/Cut_loci/internal/Progress.h>
 
 #include <functional>
-#include <memory>
 #include <type_traits>
 #include <utility>
 
@@ -21,50 +20,49 @@ namespace CGAL::Cut_loci::internal {
 // for; `Default_visitor` itself costs nothing there.
 class Visitor_handle
 {
-  struct Concept
-  {
-    virtual ~Concept() = default;
-    virtual std::unique_ptr<Concept> copy() const = 0;
-    virtual void start_stage(Stage stage) = 0;
-    virtual void end_stage(Stage stage) = 0;
-    virtual bool wants_progress() const = 0;
-    virtual void progress(Stage stage, double share) = 0;
-  };
+  enum class Event { START, END, PROGRESS };
 
 public:
   Visitor_handle() = default;
-
   template <typename Visitor>
-  explicit Visitor_handle(const Visitor& visitor) : model_(new Model<Visitor>(visitor))
+  explicit Visitor_handle(const Visitor& visitor)
+    : tell_(
+        [told = Visitor(visitor)](Event event, Stage stage, double share) mutable
+        {
+    auto& v = unwrapped(told);
+    if(event == Event::START)
+      v.start_stage(stage);
+    else if(event == Event::END)
+      v.end_stage(stage);
+    else if constexpr(has_progress<decltype(v)>)
+      tell_progress(v, stage, share);
+      }),
+  wants_progress_(has_progress<decltype(unwrapped(std::declval<Visitor&>()))> &&
+                  !std::is_same<decltype(unwrapped(std::declval<Visitor&>())), Default_visitor&>::value)
   {
   }
-
-  Visitor_handle(const Visitor_handle& other) : model_(other.model_ ? other.model_->copy() : nullptr) {}
-  Visitor_handle& operator=(Visitor_handle&&) = default;
 
   // for a stage; it must not outlive the handle
   Progress progress(Stage stage) const
   {
-    Concept* const model = model_.get();
-    return model != nullptr && model->wants_progress()
-             ? Progress([model, stage](double share) { model->progress(stage, share); })
-             : Progress();
+    return wants_progress_ ? Progress([this, stage](double share) { tell_(Event::PROGRESS, stage, share); })
+                           : Progress();
   }
 
   // A stage lasts as long as its scope.
   class Scope
   {
   public:
-    Scope(const Visitor_handle& handle, Stage stage) : visitor_(*handle.model_), stage_(stage)
+    Scope(const Visitor_handle& handle, Stage stage) : handle_(handle), stage_(stage)
     {
-      visitor_.start_stage(stage_);
+      handle_.tell_(Event::START, stage_, 0.);
     }
-    ~Scope() { visitor_.end_stage(stage_); }
+    ~Scope() { handle_.tell_(Event::END, stage_, 1.); }
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
 
   private:
-    Concept& visitor_;
+    const Visitor_handle& handle_;
     Stage stage_;
   };
 
@@ -80,28 +78,13 @@ private:
     return t.get();
   }
 
+  static constexpr auto tell_progress =
+    [](auto& v, Stage stage, double share) -> decltype(void(v.progress(stage, share))) { v.progress(stage, share); };
   template <typename Visitor>
-  struct Model : public Concept
-  {
-    using Unwrapped = typename std::remove_reference<decltype(unwrapped(std::declval<Visitor&>()))>::type;
+  static constexpr bool has_progress = std::is_invocable<decltype(tell_progress), Visitor, Stage, double>::value;
 
-    explicit Model(const Visitor& v) : visitor(v) {}
-    std::unique_ptr<Concept> copy() const override { return std::unique_ptr<Concept>(new Model(visitor)); }
-    void start_stage(Stage stage) override { unwrapped(visitor).start_stage(stage); }
-    void end_stage(Stage stage) override { unwrapped(visitor).end_stage(stage); }
-    static constexpr auto tell = [](auto& v, Stage stage, double share) -> decltype(void(v.progress(stage, share)))
-    { v.progress(stage, share); };
-    static constexpr bool has_progress = std::is_invocable<decltype(tell), Unwrapped&, Stage, double>::value;
-    bool wants_progress() const override { return has_progress && !std::is_same<Unwrapped, Default_visitor>::value; }
-    void progress(Stage stage, double share) override
-    {
-      if constexpr(has_progress)
-        tell(unwrapped(visitor), stage, share);
-    }
-    Visitor visitor;
-  };
-
-  std::unique_ptr<Concept> model_;
+  std::function<void(Event, Stage, double)> tell_; // has the visitor, and copies it with itself
+  bool wants_progress_ = false;
 };
 
 } // namespace CGAL::Cut_loci::internal

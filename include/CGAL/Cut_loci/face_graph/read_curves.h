@@ -11,6 +11,7 @@
 #include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/connected_components.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -106,23 +107,7 @@ std::vector<Indexed_curve> read_curves(const TriangleMesh&, const Read_triangle_
 // Each border loop is a curve.
 inline std::vector<Indexed_curve> border_curves(const Indexed_triangle_mesh& mesh)
 {
-  std::vector<Indexed_curve> result;
-  std::vector<Index> leaving(mesh.number_of_vertices(), null_index); // on the border
-  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-    if(mesh.is_border_edge(h))
-      leaving[mesh.source(h)] = h;
-  std::vector<unsigned char> is_done(mesh.number_of_vertices(), 0);
-  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-  {
-    if(leaving[v] == null_index || is_done[v])
-      continue;
-    result.emplace_back();
-    for(Index w = v; leaving[w] != null_index && !is_done[w]; w = mesh.target(leaving[w]))
-    {
-      is_done[w] = 1;
-      result.back().halfedges.push_back(leaving[w]);
-    }
-  }
+  std::vector<Indexed_curve> result = border_loops(mesh);
   if(result.empty())
     throw Invalid_input(Cause::NO_SOURCE, "the mesh has no border that could be a source");
   return result;

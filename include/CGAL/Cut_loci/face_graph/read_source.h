@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <variant>
@@ -117,6 +118,17 @@ Indexed_source source_in_face(const TriangleMesh& tm, const Read_triangle_mesh<T
     throw Invalid_input(Cause::INVALID_SOURCE, "the face of the source is not a face of the mesh");
   return source_at(read.mesh, number, coordinates, tolerance);
 }
+
+template <typename T, typename = void>
+struct Is_range : std::false_type
+{
+};
+
+template <typename T>
+struct Is_range<T, std::void_t<decltype(std::declval<const T&>().begin()), decltype(std::declval<const T&>().end())>>
+  : std::true_type
+{
+};
 
 // One of several sources: a vertex, a face location, or a variant of both.
 template <typename TriangleMesh, typename FT>

@@ -12,8 +12,10 @@
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
@@ -146,6 +148,14 @@ void read_points(const TriangleMesh& tm, VertexPointMap vpm, bool needs_points,
     }
     ++position;
   }
+}
+
+// The named parameter `vertex_point_map`, or the map of the mesh.
+template <typename TriangleMesh, typename NamedParameters>
+auto point_map(const TriangleMesh& tm, const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                      get_const_property_map(CGAL::vertex_point, tm));
 }
 
 // This is the one place that touches the mesh: everything after it runs on dense indices.

@@ -10,6 +10,7 @@
 #include <CGAL/Cut_loci/Index.h>
 #include <CGAL/Cut_loci/flattening/Symmetric_dirichlet.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/connected_components.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>
 
 #include <algorithm>
@@ -57,25 +58,6 @@ inline double distance(const Planar_point& p, const Planar_point& q)
   return std::hypot(q[0] - p[0], q[1] - p[1]);
 }
 
-// The border loop of a mesh that has one.
-inline std::vector<Index> border_halfedges(const Indexed_triangle_mesh& mesh)
-{
-  std::vector<Index> next(mesh.number_of_vertices(), null_index), loop;
-  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-    if(mesh.is_border_edge(h))
-      next[mesh.source(h)] = h;
-  const auto first = std::find_if(next.begin(), next.end(), [](Index h) { return h != null_index; });
-  if(first == next.end())
-    return loop;
-  Index h = *first;
-  do
-  {
-    loop.push_back(h);
-    h = next[mesh.target(h)];
-  } while(h != *first);
-  return loop;
-}
-
 // From the points and the triangles.
 inline void find_rest_shapes(Disk_shape& disk)
 {
@@ -98,13 +80,15 @@ inline void find_rest_shapes(Disk_shape& disk)
   }
 }
 
+// of a mesh that is a disk
 inline Disk_shape disk_shape(const Indexed_triangle_mesh& mesh)
 {
   Disk_shape disk;
   disk.points = mesh.points;
   disk.triangles = mesh.triangles;
   find_rest_shapes(disk);
-  for(const Index h : border_halfedges(mesh))
+  const Indexed_curve border = border_loops(mesh).front();
+  for(const Index h : border.halfedges)
   {
     disk.border.push_back(mesh.source(h));
     disk.border_lengths.push_back(disk.lengths[h / 3][h % 3]);

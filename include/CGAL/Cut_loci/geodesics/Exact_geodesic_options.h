@@ -43,8 +43,7 @@ struct Exact_geodesic_options
   double maximum_distance = (std::numeric_limits<double>::infinity)(); ///< nothing beyond it is reached
   bool directions = false;                                             ///< whether directions at the source are wanted
   double maximum_relative_error = 0.;                                  ///< by which distances may be wrong
-  double merging_angle = 0.;  ///< with such an error: by which directions may change where windows are merged
-  bool all_centroids = false; ///< whether face centroids are query locations
+  double merging_angle = 0.; ///< with such an error: by which directions may change where windows are merged
   std::vector<Indexed_location> queries; ///< further points whose distance is wanted
   std::vector<Geodesic_line> lines;      ///< sources that are edges; with directions, and without an error
   std::vector<Index> owners;             ///< of the sources that are points, see `Geodesic_line`; empty: its own number

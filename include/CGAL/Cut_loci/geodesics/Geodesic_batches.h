@@ -9,7 +9,7 @@
 
 #include <CGAL/Cut_loci/geodesics/Geodesic_bucket_queue.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_filters.h>
+#include <CGAL/Cut_loci/geodesics/geodesic_window_kernels.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 

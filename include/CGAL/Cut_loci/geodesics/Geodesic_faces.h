@@ -29,6 +29,14 @@ struct Plane_point
   double x, y;
 };
 
+/// a point in the frame that begins at `from` and has its x-axis towards `to`, which is `length` away
+inline Plane_point change_frame(const Plane_point& p, const Plane_point& from, const Plane_point& to, double length)
+{
+  const double ux = (to.x - from.x) / length, uy = (to.y - from.y) / length;
+  const double dx = p.x - from.x, dy = p.y - from.y;
+  return {dx * ux + dy * uy, dy * ux - dx * uy};
+}
+
 /// twice the arc tangent of `y / x`, where `0 <= y <= x` and `x > 0`, within two roundings
 ///
 /// It has no branches and needs half the time of `std::atan2`. The series is a polynomial interpolated in Chebyshev

@@ -10,7 +10,6 @@
 #include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_queries.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_results.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_filters.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_window_kernels.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -53,7 +52,7 @@ public:
     shortest_ = maximum_distance_;
     const Geodesic_results::Source at = geodesics_.classify(location);
     if(at.vertex != null_index)
-      return at_vertex(at.vertex);
+      return geodesics_.at_vertex(at.vertex);
     look_around(at.location, at.halfedge);
     const Index o = at.halfedge == null_index ? null_index : faces_.opposite(at.halfedge);
     const Indexed_location behind = o == null_index ? at.location : across(at.halfedge, o, at.location);
@@ -103,15 +102,6 @@ private:
   static bool is_later(const Sector& s, const Sector& t) { return s.bound > t.bound; }
 
   double limit() const { return (1. + rounding) * shortest_; }
-
-  Geodesic_query at_vertex(Index v) const
-  {
-    const Geodesic_arrival& arrival = geodesics_.arrival(v);
-    Index h = geodesics_.is_reached(v) ? arrival.halfedge : faces_.first_halfedge(v);
-    while(faces_.source(h) != v)
-      h = Mesh::next(h);
-    return {location_on(h), geodesics_.distance(v), arrival};
-  }
 
   /// from a point in a face, or on an edge of it: that edge is not looked through
   void look_around(const Indexed_location& location, Index edge)

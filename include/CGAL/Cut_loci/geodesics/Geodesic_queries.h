@@ -52,18 +52,10 @@ public:
   const Geodesic_query& operator[](std::size_t i) const { return queries_[i]; }
   std::vector<Geodesic_query>& all() { return queries_; }
 
-  void prepare(std::vector<Indexed_location> locations, bool all_centroids, Index number_of_faces)
+  void prepare(const std::vector<Indexed_location>& locations, Index number_of_faces)
   {
     queries_.clear();
     by_face_ = {};
-    if(all_centroids)
-      for(Index f = 0; f < number_of_faces; ++f)
-      {
-        Indexed_location centroid;
-        centroid.face = f;
-        centroid.coordinates = {{1. / 3., 1. / 3., 1. / 3.}};
-        locations.push_back(centroid);
-      }
     for(const Indexed_location& location : locations)
       queries_.push_back({location, (std::numeric_limits<double>::infinity)(), Geodesic_arrival()});
     if(queries_.empty())

@@ -13,7 +13,6 @@
 #include <CGAL/Cut_loci/geodesics/Geodesic_queries.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_sources.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_filters.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_window_kernels.h>
 #include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -139,17 +138,28 @@ public:
   /// the owner of the source nearest to `v`
   Index nearest_source(Index v) const { return is_reached(v) ? owner(source_of(arrival_[v])) : null_index; }
 
-  /// the number of query locations: those of the options, then one per face if centroids have been asked for
+  /// the number of query locations
   std::size_t number_of_queries() const { return queries_.size(); }
-  /// with its distance by the images of lines
-  const Geodesic_query& query(std::size_t i) const { return queries_[i]; }
-  double query_distance(std::size_t i) const
+  /// what is known of one
+  Geodesic_query answer(std::size_t i) const
   {
-    const Geodesic_query& query = queries_[i];
-    if(!has_lines() || !(query.distance < infinity))
-      return query.distance;
-    const Plane_point end = faces_.in_frame(query.arrival.halfedge, query.location.coordinates);
-    return (std::max)(true_length(query.arrival, end, query.distance), 0.); // on a line, rounding may be below it
+    Geodesic_query result = queries_[i];
+    if(has_lines() && result.distance < infinity)
+    {
+      const Plane_point end = faces_.in_frame(result.arrival.halfedge, result.location.coordinates);
+      result.distance =
+        (std::max)(true_length(result.arrival, end, result.distance), 0.); // on a line, rounding may be below it
+    }
+    return result;
+  }
+  double query_distance(std::size_t i) const { return answer(i).distance; }
+  /// a vertex in a face from which the path comes
+  Geodesic_query at_vertex(Index v) const
+  {
+    Index h = is_reached(v) ? arrival_[v].halfedge : faces_.first_halfedge(v);
+    while(faces_.source(h) != v)
+      h = Mesh::next(h);
+    return {location_on(h), distance_[v], arrival_[v]};
   }
   Index nearest_source(const Geodesic_query& query) const
   {
@@ -277,7 +287,7 @@ protected:
       bends_.resize(faces_.number_of_vertices());
     for(const Indexed_location& location : options.queries)
       check(location);
-    queries_.prepare(options.queries, options.all_centroids, faces_.number_of_faces());
+    queries_.prepare(options.queries, faces_.number_of_faces());
   }
 
   /// up to which lengths of paths are equal: far above rounding, and far below what happens by chance

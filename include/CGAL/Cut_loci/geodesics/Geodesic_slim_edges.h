@@ -13,7 +13,6 @@
 #include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <unordered_map>
 #include <utility>

@@ -61,34 +61,18 @@ public:
   Source classify(Indexed_location location) const
   {
     check(location);
-    // a point nearer than this to an edge is on it: no coordinate of a mesh is known any better
+    // a point not farther than this from an edge is on it: no coordinate of a mesh is known any better
     constexpr double snap = 1e-13;
-    double sum = 0.;
-    for(double& c : location.coordinates)
-    {
-      c = c < snap ? 0. : c;
-      sum += c;
-    }
-    std::size_t zeros = 0;
-    for(double& c : location.coordinates)
-    {
-      c /= sum;
-      zeros += c == 0.;
-    }
-    Source source{location, null_index, null_index, 2. * geodesic_pi};
-    const Index h = 3 * location.face;
-    for(Index i = 0; i < 3; ++i)
-      if(zeros == 2 && location.coordinates[i] != 0.)
+    normalize(location.coordinates, snap);
+    Source source{location, null_index, edge_of(location), 2. * geodesic_pi};
+    for(std::size_t i = 0; i < 3; ++i)
+      if(location.coordinates[i] == 1.)
       {
         source.vertex = faces_.face(location.face).vertex[i];
         source.total_angle = faces_.total_angle(source.vertex);
       }
-      else if(zeros == 1 && location.coordinates[i] == 0.)
-      {
-        source.halfedge = Mesh::next(h + i);
-        if(faces_.opposite(source.halfedge) == null_index)
-          source.total_angle = geodesic_pi;
-      }
+    if(source.halfedge != null_index && faces_.opposite(source.halfedge) == null_index)
+      source.total_angle = geodesic_pi;
     return source;
   }
 

@@ -7,7 +7,6 @@
 #ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOWS_H
 #define CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOWS_H
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -30,17 +30,6 @@ public:
   {
   }
 
-  /// the shortest path from the vertex `v` to its source, empty if `v` is not reached
-  std::vector<Indexed_location> path_from_vertex(Index v)
-  {
-    path_.clear();
-    if(!geodesics_.is_reached(v))
-      return path_;
-    add(at_vertex(v));
-    trace_from_vertex(v);
-    return path_;
-  }
-
   /// the last straight piece of the shortest path to `v`, from there to the vertex `begin`, to a source in a face, or to the
   /// first face edge nearer than a distance; valid until the next call
   /// \pre `v` is reached and no source
@@ -54,7 +43,7 @@ public:
     return path_;
   }
 
-  /// the shortest path from a query location to its source, empty if it is not reached
+  /// the shortest path from a vertex or a query location to its source, empty if it is not reached
   std::vector<Indexed_location> path_from_query(const Geodesic_query& query)
   {
     path_.clear();
@@ -218,13 +207,6 @@ private:
     const double d = geodesics_.is_line(arrival.origin) ? distance_ - std::hypot(p.x - end.x, p.y - end.y)
                                                         : arrival.sigma + std::hypot(p.x - image.x, p.y - image.y);
     return std::fabs(geodesics_.distance(v) - d) <= geodesic_cover * d;
-  }
-
-  static Plane_point change_frame(const Plane_point& p, const Plane_point& from, const Plane_point& to, double length)
-  {
-    const double ux = (to.x - from.x) / length, uy = (to.y - from.y) / length;
-    const double dx = p.x - from.x, dy = p.y - from.y;
-    return {dx * ux + dy * uy, dy * ux - dx * uy};
   }
 
   /// remembers the point of the face of `h` that fits the image best; returns whether it fits

@@ -41,6 +41,17 @@ struct Refined_mesh
 
 namespace internal {
 
+// A curve through the faces is known to some hundredths of an edge: a grid of 256 moves it by less.
+constexpr double default_snapping_of_curves = 1. / 256.;
+constexpr Index finest_resolution = 1 << 20; // its square is far below what rounding errors spoil
+
+inline Index resolution_of(double tolerance)
+{
+  if(!(tolerance >= 1. / finest_resolution && tolerance <= 0.5))
+    throw Invalid_input(Cause::INVALID_PARAMETER, "the snapping tolerance must be from 2^-20 to 0.5");
+  return static_cast<Index>(std::lround(1. / tolerance));
+}
+
 class Curve_refinement
 {
 public:

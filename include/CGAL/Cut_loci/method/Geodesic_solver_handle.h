@@ -107,23 +107,16 @@ private:
     virtual void report_to(const Progress& progress) = 0;
   };
 
-  template <typename Solver, typename = void>
-  struct Is_solver : std::false_type
-  {
-  };
-  template <typename Solver>
-  struct Is_solver<Solver,
-                   std::void_t<decltype(std::declval<Solver&>().set_mesh(std::declval<const Indexed_triangle_mesh&>())),
-                               decltype(std::declval<Solver&>().compute_distances(
-                                 std::declval<const Indexed_source&>(), std::declval<std::vector<double>&>()))>>
-    : std::true_type
-  {
-  };
+  static constexpr auto use =
+    [](auto& solver, const Indexed_triangle_mesh& mesh, const Indexed_source& source,
+       std::vector<double>& distances) -> decltype(solver.set_mesh(mesh),
+                                                   void(solver.compute_distances(source, distances))) {};
 
   template <typename Solver>
   struct Model : public Concept
   {
-    static_assert(Is_solver<Solver>::value,
+    static_assert(std::is_invocable<decltype(use), Solver&, const Indexed_triangle_mesh&, const Indexed_source&,
+                                    std::vector<double>&>::value,
                   "geodesic_solver takes a model of GeodesicSolver: an object with set_mesh() "
                   "and compute_distances()");
     explicit Model(const Solver& s) : solver(s) {}

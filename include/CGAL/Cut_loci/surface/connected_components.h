@@ -49,6 +49,29 @@ inline std::vector<Index> face_components(const Indexed_triangle_mesh& mesh, Ind
   return label;
 }
 
+// The border loops, in the order of their first vertices.
+inline std::vector<Indexed_curve> border_loops(const Indexed_triangle_mesh& mesh)
+{
+  std::vector<Indexed_curve> result;
+  std::vector<Index> leaving(mesh.number_of_vertices(), null_index); // on the border
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    if(mesh.is_border_edge(h))
+      leaving[mesh.source(h)] = h;
+  std::vector<unsigned char> is_done(mesh.number_of_vertices(), 0);
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+  {
+    if(leaving[v] == null_index || is_done[v])
+      continue;
+    result.emplace_back();
+    for(Index w = v; leaving[w] != null_index && !is_done[w]; w = mesh.target(leaving[w]))
+    {
+      is_done[w] = 1;
+      result.back().halfedges.push_back(leaving[w]);
+    }
+  }
+  return result;
+}
+
 // One component of a mesh as a mesh of its own, with the way back to the indices of the whole.
 struct Mesh_component
 {

@@ -126,14 +126,6 @@ inline std::vector<Face_at_inserted_vertex> insert_vertex_into(Indexed_triangle_
   return result;
 }
 
-// A copy of `mesh` with one more vertex, the last one, at `location`, which is inside a face or on an edge.
-inline Indexed_triangle_mesh insert_vertex(const Indexed_triangle_mesh& mesh, const Indexed_location& location)
-{
-  Indexed_triangle_mesh result = mesh;
-  insert_vertex_into(result, location);
-  return result;
-}
-
 } // namespace CGAL::Cut_loci::internal
 
 #endif // CGAL_CUT_LOCI_SURFACE_INSERT_VERTEX_H

@@ -12,7 +12,7 @@
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/internal/Edges_left.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
-#include <CGAL/Cut_loci/internal/Source_forest.h>
+#include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/polyhedral/curves/Face_cells.h>
 #include <CGAL/Cut_loci/polyhedral/joining/Tree_graph.h>
 #include <CGAL/Cut_loci/graph/Divided_mesh.h>

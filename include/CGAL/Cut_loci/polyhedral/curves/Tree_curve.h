@@ -13,7 +13,6 @@
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Segment_crossings.h>
 #include <CGAL/Cut_loci/polyhedral/curves/Merged_nodes.h>
-#include <CGAL/Cut_loci/polyhedral/curves/planar_positions.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Image_bisector.h>
 #include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/polyhedral/tree/Exact_tree.h>
@@ -27,7 +26,6 @@
 #include <cstddef>
 #include <limits>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Cut_loci::internal {

@@ -8,7 +8,7 @@
 #define CGAL_CUT_LOCI_POLYHEDRAL_JOINING_CUT_GRAPH_H
 
 #include <CGAL/Cut_loci/internal/Progress.h>
-#include <CGAL/Cut_loci/internal/Source_forest.h>
+#include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/internal/rough_sort.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Ridges.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Label_changes.h>
@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>

@@ -57,10 +57,8 @@ public:
           .strength;
   }
 
-  // for the cut locus of the surface that the polyhedron stands for
   const Exact_tree_thresholds& default_thresholds() const override { return thresholds_; }
 
-  // What does not pass may be left out; `filter()` computes it if it is asked for.
   void expect(const Branch_strength& least) override
   {
     expected_ = least;

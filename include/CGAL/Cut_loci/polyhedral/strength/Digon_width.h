@@ -213,13 +213,6 @@ private:
     return h;
   }
 
-  static Plane_point change_frame(const Plane_point& p, const Plane_point& from, const Plane_point& to, double length)
-  {
-    const double ux = (to.x - from.x) / length, uy = (to.y - from.y) / length;
-    const double dx = p.x - from.x, dy = p.y - from.y;
-    return {dx * ux + dy * uy, dy * ux - dx * uy};
-  }
-
   /// through the face behind the halfedge
   void cross_face(Walk& walk) const
   {

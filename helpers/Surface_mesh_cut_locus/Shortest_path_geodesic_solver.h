@@ -4,8 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
-#define CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
+#ifndef SURFACE_MESH_CUT_LOCUS_SHORTEST_PATH_GEODESIC_SOLVER_H
+#define SURFACE_MESH_CUT_LOCUS_SHORTEST_PATH_GEODESIC_SOLVER_H
 
 #include <CGAL/Cut_loci/Laplacian_method.h>
 #include <CGAL/Cut_loci/graph/Divided_mesh.h>
@@ -23,18 +23,8 @@
 
 namespace CGAL {
 
-/*!
- * \ingroup PkgSurfaceMeshCutLocusSolvers
- *
- * computes exact geodesic distances with `CGAL::Surface_mesh_shortest_path` \cgalCite{Xin2009Improvingchenandhan}.
- * Exact on the polyhedron, and slow: a sequence tree for 100 000 faces takes many seconds.
- *
- * It gives no directions, so the default of the parameter `cut_locus_method` is `Cut_loci::Laplacian_method`:
- * directions that are estimated from distances put the ends of branches off by up to 2.8 edges, where those of
- * `Exact_geodesic_solver` put them off by up to 1.1.
- *
- * \cgalModels{GeodesicSolver}
- */
+// Exact geodesic distances by CGAL::Surface_mesh_shortest_path, to check those of the package by: slow, a sequence tree for
+// 100 000 faces takes many seconds. A model of GeodesicSolver.
 class Shortest_path_geodesic_solver
 {
 public:
@@ -108,4 +98,4 @@ private:
 
 } // namespace CGAL
 
-#endif // CGAL_SHORTEST_PATH_GEODESIC_SOLVER_H
+#endif // SURFACE_MESH_CUT_LOCUS_SHORTEST_PATH_GEODESIC_SOLVER_H
