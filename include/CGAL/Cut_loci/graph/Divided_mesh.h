@@ -215,7 +215,7 @@ private:
         sides[k][i] = halfedge_[3 * replaced[k] + i];
       parts_of_face_[whole[k]].erase(replaced[k]);
     }
-    const std::vector<Face_at_inserted_vertex> faces = insert_vertex_into(mesh_, place);
+    std::vector<Face_at_inserted_vertex> faces = insert_vertex_into(mesh_, place);
     face_.resize(mesh_.number_of_faces());
     halfedge_.resize(mesh_.number_of_halfedges());
     for(const Face_at_inserted_vertex& f : faces)
