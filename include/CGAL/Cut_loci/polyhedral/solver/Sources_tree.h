@@ -23,7 +23,6 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -187,9 +186,9 @@ public:
   }
 
 private:
-  // By how much a source is moved. What one move leaves doubtful, the next one decides, in another direction and farther, but
-  // not much: the radius of sources that are symmetric to each other differs by no more.
-  static double share_of_face(int number) { return 2e-6 * std::pow(1.5, number - 1); }
+  // By how much a source is moved, each time in another direction. The radius of sources that are symmetric to each other
+  // differs by no more, whichever move leaves no doubts.
+  static constexpr double share_of_face = 2e-6;
 
   double longest_edge() const
   {
@@ -367,7 +366,7 @@ private:
     for(std::size_t i = 0; i < points_.size() && number > 0; ++i)
     {
       const double share = static_cast<double>(i) / static_cast<double>(points_.size());
-      result[i] = moves_->moved(i, share_of_face(number) * (1. + share), number);
+      result[i] = moves_->moved(i, share_of_face * (1. + share), number);
     }
     return result;
   }
