@@ -533,7 +533,7 @@ private:
 
   Cut_loci::internal::Geodesic_query at(const Place& place) const
   {
-    return std::visit([this](const auto& p) { return at(p); }, place);
+    return std::visit([this](const auto& p) { return this->at(p); }, place);
   }
 
   Cut_loci::internal::Geodesic_query at(vertex_descriptor v) const
