@@ -8,7 +8,7 @@
 #define CGAL_CUT_ALONG_CUT_LOCUS_H
 
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
-#include <CGAL/Cut_loci/face_graph/build_face_graph.h>
+#include <CGAL/Cut_loci/face_graph/output_maps.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 #include <CGAL/Cut_locus.h>
 

@@ -7,8 +7,8 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_LAPLACIAN_SET_SOLVER_H
 #define CGAL_CUT_LOCI_LAPLACIAN_LAPLACIAN_SET_SOLVER_H
 
-#include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/graph/Divided_mesh.h>
+#include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/graph/Mesh_beside_curves.h>
 #include <CGAL/Cut_loci/graph/short_branches.h>
 #include <CGAL/Cut_loci/internal/Progress.h>

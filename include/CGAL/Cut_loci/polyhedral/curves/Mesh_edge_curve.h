@@ -8,6 +8,7 @@
 #define CGAL_CUT_LOCI_POLYHEDRAL_CURVES_MESH_EDGE_CURVE_H
 
 #include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/graph/Divided_mesh.h>
 #include <CGAL/Cut_loci/graph/Edges_off_sources.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/internal/Edges_left.h>
@@ -15,7 +16,6 @@
 #include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/polyhedral/curves/Face_cells.h>
 #include <CGAL/Cut_loci/polyhedral/joining/Tree_graph.h>
-#include <CGAL/Cut_loci/graph/Divided_mesh.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Tree_branches.h>
 #include <CGAL/Cut_loci/polyhedral/tree/Exact_tree.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>

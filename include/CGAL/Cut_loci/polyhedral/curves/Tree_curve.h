@@ -13,6 +13,7 @@
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Segment_crossings.h>
 #include <CGAL/Cut_loci/polyhedral/curves/Merged_nodes.h>
+#include <CGAL/Cut_loci/polyhedral/curves/planar_positions.h>
 #include <CGAL/Cut_loci/polyhedral/faces/Image_bisector.h>
 #include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/polyhedral/tree/Exact_tree.h>

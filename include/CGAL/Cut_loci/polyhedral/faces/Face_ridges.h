@@ -200,8 +200,9 @@ private:
     std::push_heap(meetings_.begin(), meetings_.end());
   }
 
-  /// whether two rays from the same light are one, up to the accuracy of windows: where a surface is symmetric, families of
-  /// paths that other ones part may have the same image, and leave the source in the same directions
+  /// whether two fronts between the same images are on one line if one of them is a ray, up to the accuracy of windows: where
+  /// a surface is symmetric, families of paths that other ones part may have the same image, and leave the source in the same
+  /// directions
   bool are_in_line(const Front& first, const Front& second) const
   {
     if(!first.is_ray && !second.is_ray)

@@ -8,10 +8,10 @@
 #define CGAL_CUT_LOCI_POLYHEDRAL_SOURCES_PREPARED_SURFACE_H
 
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/graph/Divided_mesh.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/method/distances_from_curves.h>
-#include <CGAL/Cut_loci/graph/Divided_mesh.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
