@@ -179,7 +179,7 @@ private:
       n = equidistant_points(q, light(second), first.before, first.after, points);
     for(std::size_t k = 0; k < n; ++k)
     {
-      if(!clamp(points[k]))
+      if(!clamp(points[k]) || !are_alike(first, second, points[k]))
         continue;
       stay_at_node(first, second, points[k]);
       stay_at_node(second, first, points[k]);
@@ -209,6 +209,15 @@ private:
       return true;
     const Plane_point l = light(first), &p = nodes[first.node], &q = nodes[second.node];
     return std::fabs(cross(l, p, q)) <= tolerance_ * (std::max)(distance(l, p), distance(l, q));
+  }
+
+  /// whether a point that has been moved into the face still has the same distance from the images of two fronts: of the
+  /// points that have it, the one outside may be near
+  bool are_alike(const Front& first, const Front& second, const Plane_point& p) const
+  {
+    const double d = first.after.distance(p);
+    return std::fabs(first.before.distance(p) - d) <= tolerance_ &&
+           std::fabs(second.after.distance(p) - d) <= tolerance_;
   }
 
   /// Where several pieces meet nearly in a point, a front may have been put beyond a ray, by as little as the paths on both
