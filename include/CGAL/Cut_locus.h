@@ -189,11 +189,10 @@ public:
 
   /// whether other curves are as right: several shortest paths of the same length, up to rounding, lead to a vertex at
   /// which they bend, so that all points of a region behind it have several shortest paths. That takes a symmetric surface
-  /// and source, or a regular grid. The curve runs on one side of the region, as if the source were a little beside it, in
-  /// a direction that depends on the shape of the surface alone. The injectivity radius and the length are those of this
-  /// curve. For sources that are symmetric to each other they are equal, but where the curve follows edges of the mesh in a
-  /// second plane of symmetry. It is not looked for with `Cut_loci::Laplacian_method`, `maximum_relative_error` or curves
-  /// as sources
+  /// and source, or a regular grid. The curve runs on one side of the region, as on a surface that is a little less
+  /// symmetric, in a way that depends on its shape alone. The injectivity radius and the length are those of this curve. For
+  /// sources that a rotation takes to each other they are equal. It is not looked for with `Cut_loci::Laplacian_method`,
+  /// `maximum_relative_error` or curves as sources
   bool is_one_of_several() const { return is_one_of_several_; }
 
 private:

@@ -125,23 +125,64 @@ Mesh_data turned(const std::vector<std::array<double, 2>>& profile, std::size_t 
   return result;
 }
 
+void expect_no_path_is_cut(const std::vector<std::array<double, 2>>& profile, std::size_t n)
+{
+  const Built built(turned(profile, n));
+  Solver solver(built.mesh);
+  for(auto v : built.vertices)
+  {
+    SCOPED_TRACE(std::to_string(n) + " sides, source " + std::to_string(std::size_t(v)));
+    solver.set_source(v);
+    EXPECT_LT(checked_curves::measured(built.mesh, solver.cut_locus(through_faces)).max, 1e-6);
+  }
+}
+
 // Families of paths that others part may have the same image there, and leave the source in the same directions.
 TEST(Symmetric_sources, on_turned_bodies_cut_no_shortest_path)
 {
-  const std::vector<std::array<double, 2>> profile = {
-    {{0., 0.}},  {{0.5, 0.}},  {{1., 0.}},    {{1., 0.5}}, {{1.75, 0.5}}, {{2.5, 0.5}}, {{2.5, 1.}}, {{2., 1.}},
-    {{1.5, 1.}}, {{1.5, 1.5}}, {{1.25, 1.5}}, {{1., 1.5}}, {{1., 2.}},    {{0.5, 2.}},  {{0., 3.}}};
   for(std::size_t n : {5, 6, 7})
-  {
-    const Built built(turned(profile, n));
-    Solver solver(built.mesh);
-    for(auto v : built.vertices)
-    {
-      SCOPED_TRACE(std::to_string(n) + " sides, source " + std::to_string(std::size_t(v)));
-      solver.set_source(v);
-      EXPECT_LT(checked_curves::measured(built.mesh, solver.cut_locus(through_faces)).max, 1e-6);
-    }
-  }
+    expect_no_path_is_cut({{{0., 0.}},
+                           {{0.5, 0.}},
+                           {{1., 0.}},
+                           {{1., 0.5}},
+                           {{1.75, 0.5}},
+                           {{2.5, 0.5}},
+                           {{2.5, 1.}},
+                           {{2., 1.}},
+                           {{1.5, 1.}},
+                           {{1.5, 1.5}},
+                           {{1.25, 1.5}},
+                           {{1., 1.5}},
+                           {{1., 2.}},
+                           {{0.5, 2.}},
+                           {{0., 3.}}},
+                          n);
+}
+
+// Paths that graze two vertices on a line of symmetry are equally long from every source behind that: no place of the source
+// tells them apart.
+TEST(Symmetric_sources, whose_paths_are_equally_long_wherever_they_are_cut_none)
+{
+  const double third = 2. / 3.;
+  expect_no_path_is_cut({{{0., 0.}},
+                         {{0.75, 0.}},
+                         {{1.5, 0.}},
+                         {{1.5, third}},
+                         {{1.5, 2. * third}},
+                         {{1.5, 2.}},
+                         {{2., 2.}},
+                         {{2.5, 2.}},
+                         {{2.5, 2.25}},
+                         {{2.5, 2.5}},
+                         {{2., 2.5}},
+                         {{1.5, 2.5}},
+                         {{1.5, 3.5}},
+                         {{1.75, 3.5}},
+                         {{2., 3.75}},
+                         {{2., 4.25}},
+                         {{1., 4.25}},
+                         {{0., 6.25}}},
+                        4);
 }
 
 } // namespace

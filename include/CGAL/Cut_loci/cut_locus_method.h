@@ -106,7 +106,7 @@ class Default_method : public Path_options<Default_method>
 /// \ingroup PkgSurfaceMeshCutLocusRef
 /// the same with all branches: the cut locus of the polyhedron itself, of which every vertex of positive curvature is a part. It
 /// is exact up to rounding, but where shortest paths are equally long by symmetry and bend, as in machine parts: there
-/// pieces can be off by up to a face.
+/// it is that of a surface whose lengths differ by some millionths of them.
 class Polyhedral_method : public Path_options<Polyhedral_method>
 {
 };

@@ -119,7 +119,7 @@ inline double fold_angle(const Indexed_triangle_mesh& mesh, Index h)
 }
 
 // A source that is placed symmetrically may have branches too close to each other to be told apart. Then it is moved, by
-// more each time.
+// more each time: the polygon of a perturbed surface would not be exact.
 inline Unfolded_polygon unfolded_polygon(const Indexed_triangle_mesh& mesh, Exact_tree_solver& solver,
                                          const Indexed_source& wanted)
 {
@@ -133,7 +133,9 @@ inline Unfolded_polygon unfolded_polygon(const Indexed_triangle_mesh& mesh, Exac
     {
       solver.compute_distance(source);
       solver.compute_strengths();
-      solver.grow_tree();
+      solver.tree().join();
+      if(!solver.tree().is_sure())
+        throw Unfolding_failure();
       if(shift > 0. && wanted.vertex != null_index)
         solver.tree().remove_branch_to(wanted.vertex);
       return Unfolded_polygon(mesh, solver.connectivity(), solver.geodesics(), solver.tree(), wanted);
@@ -276,10 +278,10 @@ private:
  * the source to the nearest end of a branch, and starts with the corner at the source, which has this angle.
  *
  * A source that is placed so that shortest paths run along edges of the mesh, or many branches all but meet, may be
- * moved: by 1e-6 of its face, as with `Cut_loci::Polyhedral_method`, and by more, up to 3e-4, only where that is not
- * enough. Then `Source_unfolding::is_source_moved` is `true`. The polygon is exact all the same, that of the source where
- * it is then: symmetries hold up to the way by which it has moved, and where more than three branches should meet there
- * are edges of such lengths. A source that is a vertex remains the corner at the origin.
+ * moved: by 4e-6 of its face, and by more, up to 3e-4, only where that is not enough. Then
+ * `Source_unfolding::is_source_moved` is `true`. The polygon is exact all the same, that of the source where it is then:
+ * symmetries hold up to the way by which it has moved, and where more than three branches should meet there are edges of
+ * such lengths. A source that is a vertex remains the corner at the origin.
  *
  * The surface must be one on which shortest paths do not bend: no vertex has a total angle of more than 2 pi, or of more
  * than pi on the border. These are convex polyhedra, open ones with a convex border, and what is isometric to such, as

@@ -101,7 +101,7 @@ public:
 
   const Mesh_connectivity& connectivity() const { return *surface_->connectivity; }
   const Geodesic_faces& faces() const { return *surface_->faces; }
-  const Exact_geodesic_propagation& geodesics() const { return first_.prepared().geodesics(); }
+  const Exact_geodesic_propagation& geodesics() const { return first_.tree().geodesics(); }
   Exact_tree& tree() { return first_.tree(); }
   const std::vector<double>& distance() const override { return first_.distance(); }
   Index farthest() const override { return first_.farthest(); }

@@ -15,8 +15,8 @@
 #include <CGAL/Cut_loci/method/distances_from_curves.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/polyhedral/solver/Polyhedral_surface.h>
+#include <CGAL/Cut_loci/polyhedral/sources/Perturbed_surface.h>
 #include <CGAL/Cut_loci/polyhedral/sources/Prepared_surface.h>
-#include <CGAL/Cut_loci/polyhedral/sources/Source_moves.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Tree_branches.h>
 #include <CGAL/Cut_loci/polyhedral/tree/Exact_tree.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -32,8 +32,8 @@
 namespace CGAL::Cut_loci::internal {
 
 /*!
- * is the tree of one set of sources, with branches down to some strength: the distances, what is symmetric and has to be
- * moved, and what has to be seen besides for the topology.
+ * is the tree of one set of sources, with branches down to some strength: the distances, the surface perturbed where it is
+ * symmetric, and what has to be seen besides for the topology.
  */
 class Sources_tree
 {
@@ -70,20 +70,19 @@ public:
   {
     least_ = start_;
     refuse_error_without_strength(least_);
-    if(prepared_ && prepared_->is_other())
+    if(is_perturbed() || (prepared_ && prepared_->is_other()))
       tree_.reset(); // it is on that
+    perturbed_.reset();
     points_ = points;
     curves_ = curves;
     distance_.clear();
-    moves_.reset();
     const Progress all = progress_;
     prepare(0, all.part(0., 0.1));
+    if(prepared_->is_other())
+      tree_.reset();
     report_to(prepared_->is_other() ? all.part(0.1, 1.) : all);
-    start();
-    if(!distance_.empty())
-      return;
-    read_distances();
-    if(has_to_be_moved())
+    start(0);
+    if(has_to_be_perturbed())
       start(1);
   }
 
@@ -92,12 +91,10 @@ public:
   /*
    * Where several shortest paths lead to a vertex at which they bend, all points behind it have several, and where such
    * paths run along edges of the mesh, it takes no more than rounding to choose other ones in neighboring faces. Both
-   * need a symmetric placement of the source. Then it is moved, unless what is left out matters more: by far less than
-   * the accuracy of any mesh, and far more than that of the windows. The former is seen by the distances: it is moved at
-   * once, as rounding would decide whether it matters. Of several sources all are moved, each one by another length, as
-   * they may be symmetric to each other too. Vertices of curves are always moved, as the waves of the edges at a corner are
-   * symmetric to each other often, and once more where a face could be drawn by its labels only: that may be where edges
-   * face each other.
+   * need a symmetric surface. Then it is perturbed, unless what is left out matters more. The former is seen by the
+   * distances: it is perturbed at once, as rounding would decide whether it matters. Vertices of curves are always moved, as
+   * the waves of the edges at a corner are symmetric to each other often, and by more where a face could be drawn by its
+   * labels only: that may be where edges face each other.
    */
   void grow_tree()
   {
@@ -105,15 +102,13 @@ public:
     const double first = least_.is_none() ? 0.2 : 1.;
     report_to(all.part(0., first));
     tree_->join();
-    remove_branches_to_moved_sources();
     // what is kept is looked at when it is known
-    const auto needs_move = [this]
+    const auto is_open = [this]
     {
-      const bool counts_all = !curves_.empty() || (least_.is_none() && number_of_moves_ > 0);
+      const bool counts_all = !curves_.empty() || (least_.is_none() && is_perturbed());
       return (least_.is_none() && !tree_->is_sure()) || (counts_all && tree_->has_doubtful_faces());
     };
-    constexpr int most = Source_moves::most_moves;
-    for(int number = number_of_moves_ + 1; number <= most && needs_move(); ++number)
+    for(int number = number_ + 1; number <= most && is_open(); ++number)
     {
       const Progress part = all.part(first + (1. - first) * (number - 1) / most, first + (1. - first) * number / most);
       report_to(part.part(0., 0.6));
@@ -122,7 +117,6 @@ public:
       tree_->draw_ridges(threads_);
       report_to(part.part(0.8, 1.));
       tree_->join();
-      remove_branches_to_moved_sources();
     }
   }
 
@@ -148,7 +142,7 @@ public:
   double maximum_relative_error() const { return maximum_relative_error_; }
   // see `Cut_locus`
   bool is_one_of_several() const { return is_one_of_several_; }
-  bool has_moved() const { return number_of_moves_ > 0; }
+  bool is_perturbed() const { return perturbed_ != nullptr; }
 
   // whether all that is asked for is known, or has been looked for in vain
   bool has_seen(const Branch_strength& asked, const std::vector<Tree_branches::Edge>& kept) const
@@ -172,13 +166,15 @@ public:
   /*
    * What is left out, or has not been looked for, is on branches on which paths meet at small angles: there the distance
    * grows from a vertex of positive curvature on, or from a corner of a curve. So what is nearest is such a vertex, or
-   * known. Sources that are moved, and errors, have other distances.
+   * known. Perturbed surfaces, curves, and errors, have other distances.
    */
   double least_distance() const
   {
     double result = tree_->least_distance();
-    if(number_of_moves_ > 0 || !curves_.empty())
-      result -= 1.2e-4 * longest_edge(); // more than any move, and what the waves of lines are off
+    if(is_perturbed())
+      result *= 1. - perturbed_->change();
+    if(!curves_.empty())
+      result -= 1.2e-4 * longest_edge(); // more than they are moved, and what the waves of lines are off
     for(Index v = 0; v < distance_.size(); ++v)
       if(surface_->faces->is_tip(v) && distance_[v] > 0.)
         result = (std::min)(result, distance_[v]);
@@ -186,9 +182,7 @@ public:
   }
 
 private:
-  // By how much a source is moved, each time in another direction. The radius of sources that are symmetric to each other
-  // differs by no more, whichever move leaves no doubts.
-  static constexpr double share_of_face = 2e-6;
+  static constexpr int most = 4; // tries: what is open then is left so
 
   double longest_edge() const
   {
@@ -226,47 +220,42 @@ private:
     is_one_of_several_ = prepared_->geodesics().has_several_paths_to_bends();
   }
 
-  bool has_to_be_moved() const { return is_one_of_several_ && points_.size() == 1 && curves_.empty(); }
+  bool has_to_be_perturbed() const { return is_one_of_several_ && points_.size() == 1 && curves_.empty(); }
 
-  // `number` of the move
+  // `number` of the perturbation, or of the move of curves
   void prepare(int number, const Progress& progress)
   {
     prepared_.reset(new Prepared_surface(mesh_, connectivity_, geodesics_, points_, curves_, number, progress));
   }
 
-  /// \pre distances are known if `number` is not 0
-  void set_number_of_moves(int number)
+  // `number` other than 0: once more, perturbed in another way
+  void start(int number)
   {
-    if(number > 0 && !moves_)
-      moves_.reset(new Source_moves(prepared_->geodesics()));
-    number_of_moves_ = number;
-  }
-
-  // `number` other than 0: with the sources moved, each time elsewhere
-  void start(int number = 0)
-  {
-    set_number_of_moves(number);
-    if(number > 0 && !curves_.empty())
-      prepare(number, Progress());
-    if(!tree_ || prepared_->is_other())
-      tree_.reset(new Exact_tree(prepared_->mesh(), prepared_->connectivity(), prepared_->geodesics()));
+    number_ = number;
+    if(number > 0)
+    {
+      tree_.reset();
+      if(curves_.empty())
+        perturbed_.reset(new Perturbed_surface(prepared_->mesh(), prepared_->geodesics(), number));
+      else
+        prepare(number, Progress());
+    }
+    if(!tree_)
+      tree_.reset(new Exact_tree(is_perturbed() ? perturbed_->mesh() : prepared_->mesh(), prepared_->connectivity(),
+                                 is_perturbed() ? perturbed_->geodesics() : prepared_->geodesics()));
     tree_->report_to(progress_);
     if(!curves_.empty())
       tree_->add_lines(prepared_->cut()->lines(), prepared_->cut()->owners());
     // Windows may be merged where what is between them is half of what the weakest branch needs.
     tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(surface_->extent));
-    tree_->propagate(locations(number), prepared_->vertices(), least_, threads_,
-                     [this](std::vector<Indexed_location>& sources)
-                     {
-      if(!distance_.empty())
-        return false;
-      read_distances();
-      if(!has_to_be_moved())
-        return false;
-      set_number_of_moves(1);
-      sources = locations(1);
-      return true;
-    });
+    const auto read_distances_once = [this]
+    {
+      if(distance_.empty())
+        read_distances();
+      return is_perturbed() || !has_to_be_perturbed();
+    };
+    tree_->propagate(prepared_->locations(), prepared_->vertices(), least_, threads_, read_distances_once);
+    read_distances_once();
     for(double d : prepared_->geodesics().distances())
       if(!(d < (std::numeric_limits<double>::infinity)()))
         throw Invalid_input(Cause::TOO_INACCURATE,
@@ -286,8 +275,8 @@ private:
   /*
    * Cycles stay whatever their strength, and what leads to a hole of the surface. Where that is weaker than what has been
    * looked for, it is looked for where shortest paths separate what it joins, and again where it leaves these faces and
-   * comes back. A symmetric source leaves it to rounding where it is, or what is drawn along an edge of the mesh: then the
-   * source is moved, if there is one only, as what is between several depends on where they are.
+   * comes back. A symmetric surface leaves it to rounding where it is, or what is drawn along an edge of the mesh: then it
+   * is perturbed, if there is one source only.
    */
   void see_all_of(const Branch_strength& asked, const Progress& progress)
   {
@@ -297,14 +286,13 @@ private:
     std::vector<Tree_branches::Edge> kept = tree_->kept(asked);
     if(!curves_.empty() && !tree_->is_known(kept))
     {
-      compute_more(Branch_strength(), 0, progress);
+      compute_more(Branch_strength(), number_, progress);
       return;
     }
     look_where_paths_part(kept, asked, progress.part(0., 0.4));
     const auto is_open = [&]
     { return !tree_->is_known(kept) || (is_symmetric_ && !tree_->faces_off_bisectors(kept).empty()); };
-    constexpr int most = Source_moves::most_moves;
-    for(int number = number_of_moves_ + 1; number <= most && points_.size() == 1 && is_open(); ++number)
+    for(int number = number_ + 1; number <= most && points_.size() == 1 && is_open(); ++number)
     {
       const Progress part = progress.part(0.4 + 0.6 * (number - 1) / most, 0.4 + 0.6 * number / most);
       compute_more(least_, number, part.part(0., 0.5));
@@ -353,24 +341,6 @@ private:
     tree_->prepare_widths();
   }
 
-  void remove_branches_to_moved_sources()
-  {
-    for(Index v : prepared_->vertices())
-      if(number_of_moves_ > 0)
-        tree_->remove_branch_to(v);
-  }
-
-  std::vector<Indexed_location> locations(int number) const
-  {
-    std::vector<Indexed_location> result = prepared_->locations();
-    for(std::size_t i = 0; i < points_.size() && number > 0; ++i)
-    {
-      const double share = static_cast<double>(i) / static_cast<double>(points_.size());
-      result[i] = moves_->moved(i, share_of_face * (1. + share), number);
-    }
-    return result;
-  }
-
   bool is_source(Index v) const
   {
     return std::any_of(points_.begin(), points_.end(),
@@ -400,8 +370,8 @@ private:
   std::vector<double> distance_;
   std::vector<Index> nearest_source_;
   Index farthest_ = null_index;
-  std::unique_ptr<Source_moves> moves_; // once the sources have been moved
-  int number_of_moves_ = 0;
+  int number_ = 0; // of the perturbation, or of the move of curves
+  std::unique_ptr<Perturbed_surface> perturbed_;
   bool is_symmetric_ = false; // whether several shortest paths of one length lead to some vertex
   bool is_one_of_several_ = false;
   std::unique_ptr<Exact_tree> tree_;

@@ -70,7 +70,7 @@ inline Indexed_cut_locus mesh_edges_of_sources(Sources_tree& of, const std::vect
 }
 
 /// Pieces that the topology alone has added have no paths to tell them, in doubtful faces there may be shorter ones, and
-/// those of a moved source are of other lengths.
+/// those of a perturbed surface are of other lengths.
 inline void correct_distances(const Sources_tree& of, const std::vector<Tree_branches::Edge>& kept,
                               Indexed_cut_locus& curve)
 {
@@ -80,9 +80,9 @@ inline void correct_distances(const Sources_tree& of, const std::vector<Tree_bra
     return;
   }
   const std::vector<Index> faces = of.tree().faces_off_bisectors(kept);
-  if(!of.has_moved() && (faces.empty() || of.maximum_relative_error() > 0.))
+  if(!of.is_perturbed() && (faces.empty() || of.maximum_relative_error() > 0.))
     return;
-  const bool are_all = of.has_moved() || of.prepared().is_other(); // else faces have their own numbers
+  const bool are_all = of.is_perturbed() || of.prepared().is_other(); // else faces have their own numbers
   std::vector<Index> nodes;
   Exact_geodesic_options options;
   for(Index i = 0; i < curve.nodes.size(); ++i)

@@ -85,10 +85,10 @@ public:
   ///
   /// @param source_vertices those at, or right beside, several sources; of one it may be empty
   /// @param least what is weaker may be left out
-  /// @param move may move the sources by a little once the distances are known, if something is left out; returns whether
-  template <typename Move>
+  /// @param go_on is asked once the distances are known, if something is left out: if it returns false, all ends there
+  template <typename Function>
   void propagate(const std::vector<Indexed_location>& sources, const std::vector<Index>& source_vertices,
-                 const Branch_strength& least, const Threads& threads, const Move& move)
+                 const Branch_strength& least, const Threads& threads, const Function& go_on)
   {
     least_ = least;
     source_vertices_ = source_vertices;
@@ -99,8 +99,8 @@ public:
       is_drawn_.assign(mesh_.number_of_faces(), 1);
       bend_.clear();
     }
-    else if(find_drawn_faces(threads, move))
-      find_drawn_faces(threads, [](std::vector<Indexed_location>&) { return false; });
+    else if(!find_drawn_faces(threads, go_on))
+      return;
     if(!crossings_)
       find_crossings();
   }
@@ -507,33 +507,32 @@ private:
 
   /// finds, if there are threads, the crossings at the same time, in a run that follows the one that finds the faces
   ///
-  /// @return whether the sources have been moved, so that all is to be found for these
-  template <typename Move>
-  bool find_drawn_faces(const Threads& threads, const Move& move)
+  /// @return whether to go on
+  template <typename Function>
+  bool find_drawn_faces(const Threads& threads, const Function& go_on)
   {
-    const std::vector<Indexed_location> sources = sources_;
     Halfedge_trail trail(geodesics_.faces().mean_edge_length());
     Drawn_faces found(geodesics_, least_, trail);
     Exact_geodesic_options options = options_;
     options_.progress = progress_.part(0., 0.5);
     options.progress = Progress();
     is_drawn_.assign(mesh_.number_of_faces(), 0);
-    bool is_moved = false;
+    bool goes_on = true;
     const auto find = [&]
     {
       try
       {
-        geodesics_.run(sources, options_, found);
+        geodesics_.run(sources_, options_, found);
         trail.end();
         found.finish();
-        is_moved = move(sources_);
+        goes_on = go_on();
       }
       catch(...)
       {
         trail.stop();
         throw;
       }
-      if(is_moved)
+      if(!goes_on)
         trail.stop();
     };
     const auto follow = [&]
@@ -543,21 +542,21 @@ private:
         if(!following_)
           following_.reset(new Exact_geodesic_propagation(geodesics_.shared_faces()));
         crossings_.reset(new Edge_crossings(*following_, is_drawn_, least_, first_slack, &trail));
-        following_->run(sources, options, *crossings_);
+        following_->run(sources_, options, *crossings_);
       }
       catch(...) // what is wrong will be so once more, in the thread that asks
       {
         crossings_.reset();
       }
     };
-    if(threads.are_there() && sources.size() == 1) // which faces are between several is known at the end
+    if(threads.are_there() && sources_.size() == 1) // which faces are between several is known at the end
       threads.run_both(find, follow);
     else
       find();
-    if(is_moved)
+    if(!goes_on)
     {
       crossings_.reset();
-      return true;
+      return false;
     }
     // between sources at the ends of an edge there may be no windows
     for(Index f = 0; f < mesh_.number_of_faces() && sources_.size() > 1; ++f)
@@ -572,7 +571,7 @@ private:
       if(crossings_->number_of_late() > 0)
         crossings_.reset();
     }
-    return false;
+    return true;
   }
 
   // windows of an edge come once the front is there, up to a face or two
