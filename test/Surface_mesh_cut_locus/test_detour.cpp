@@ -261,7 +261,7 @@ TEST(Node_distances, Are_exact_in_faces_with_branches_in_two_corners)
   {
     SCOPED_TRACE(v);
     solver.set_source(v);
-    EXPECT_LT(node_distance_errors(built.mesh, solver.cut_locus()).max, 1e-5); // some are moved
+    EXPECT_LT(node_distance_errors(built.mesh, solver.cut_locus()).max, 1e-5); // some surfaces are perturbed
   }
 }
 
@@ -317,7 +317,7 @@ TEST(Detour, Vanishes_where_paths_with_the_same_image_pass_a_saddle_on_both_side
     {
       SCOPED_TRACE(v);
       solver.set_source(v);
-      EXPECT_LT(measured(built.mesh, solver.cut_locus()).max, 1e-5); // some are moved
+      EXPECT_LT(measured(built.mesh, solver.cut_locus()).max, 1e-5); // some surfaces are perturbed
     }
   }
 }

@@ -152,7 +152,7 @@ void expect_dirichlet_polygon(const Flat_surface& torus, const Result& result, c
   for(const auto v : CGAL::make_range(vertices(graph)))
   {
     const std::vector<double> images = distances_to_images(torus.position(graph[v].location), source, a, b);
-    EXPECT_NEAR(images[0], images[1], 1e-5); // the source may be moved by some 1e-6
+    EXPECT_NEAR(images[0], images[1], 1e-5); // lengths may be changed by some 1e-6
     EXPECT_NEAR(images[0], graph[v].distance, 1e-5);
     EXPECT_GE(degree(v, graph), 2u);
     number_of_branch_points += degree(v, graph) > 2;

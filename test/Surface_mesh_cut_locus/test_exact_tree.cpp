@@ -206,10 +206,8 @@ double length_of_tree(const Mesh_data& data, Index source)
   return length(mesh, Solved(mesh, at_vertex(mesh, source), Branch_strength()).all());
 }
 
-TEST(Exact_tree, touches_the_border_wherever_a_symmetric_source_is_moved_to)
+TEST(Exact_tree, touches_the_border_on_a_symmetric_surface)
 {
-  // A source at a corner is moved into a face, and what then leads to the corner is removed again: up to the border, if
-  // that is where it comes from.
   for(int n : {1, 2})
   {
     Mesh_data data = cube(n);

@@ -66,7 +66,7 @@ TEST(Fans, the_default_is_what_is_strong_of_all_of_the_cut_locus)
       const Solved all(mesh, at_vertex(mesh, v), Branch_strength()), run(mesh, at_vertex(mesh, v));
       const double expected = length(mesh, all.through_faces()), found = length(mesh, run.through_faces());
       EXPECT_GT(found, 1.);
-      EXPECT_NEAR(found, expected, 1e-4); // to see all of it, a symmetric source is moved
+      EXPECT_NEAR(found, expected, 1e-4); // to see all of it, a symmetric surface is perturbed
     }
 }
 

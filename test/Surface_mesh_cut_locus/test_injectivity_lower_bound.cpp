@@ -74,7 +74,7 @@ struct Counts
   int all = 0, equal = 0;
 };
 
-// that no bound is too high, whatever the thresholds, and none is too low by more than sources may be moved
+// that no bound is too high, whatever the thresholds, and none is too low by more than lengths may be changed
 void expect_bounds(const Built& built, const Solver& direction, const Result& full, Counts& counts)
 {
   const double rounding = 1e-9 * mean_edge_length(built.data), least = least_distance(full);

@@ -209,8 +209,8 @@ TEST(Farthest_node, Is_beyond_the_opposite_corner_of_a_box)
       EXPECT_NEAR(farthest.point.z(), 2., 1e-5);
       EXPECT_NEAR(farthest.point.x(), 0.75, 1e-5);
       EXPECT_NEAR(farthest.point.y(), 0.75, 1e-5);
-      // where all branches are asked for, the source may be moved by a part of its face, and the curve with it
-      const double moved = std::holds_alternative<Polyhedral_method>(method) ? 1e-6 / n : 1e-12;
+      // where all branches are asked for, lengths may be changed by some millionths, and the curve with them
+      const double moved = std::holds_alternative<Polyhedral_method>(method) ? 1e-5 : 1e-12;
       EXPECT_LE(cut_locus.distance(cut_locus.farthest_vertex()), farthest.distance + moved);
     }
   }

@@ -25,7 +25,7 @@ void expect_voronoi_diagram(const Built& built, const std::vector<Source>& sourc
                             const std::string& what)
 {
   const Distances d(built, sources, result);
-  // a source may have been moved by a millionth of a face, and a curve leaves the cut locus by 1e-4 edges
+  // lengths may have been changed by some millionths, and a curve leaves the cut locus by 1e-4 edges
   const double exact = 1e-9 * diagonal(built), drawn = 4e-4 * mean_edge_length(built.data);
   for(std::size_t v = 0; v < built.vertices.size(); ++v)
   {
