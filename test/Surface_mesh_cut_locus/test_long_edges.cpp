@@ -6,8 +6,10 @@
 
 // Where faces are as long as a machine part, the method of the Laplacian divides them.
 
+#include "canceling_visitor.h"
 #include "checked_curves.h"
 #include "node_distances.h"
+#include "result_numbers.h"
 #include "surface_test.h"
 
 #include <CGAL/Cut_loci/graph/Divided_mesh.h>
@@ -19,6 +21,7 @@ namespace test_long_edges {
 namespace {
 
 using namespace surface_test;
+using CGAL::Cut_loci::Stage;
 using CGAL::Cut_loci::internal::Divided_mesh;
 
 // A square plate through which a round hole is drilled, of 24 sides in 12 rows: all else are faces as long as the plate, or that
@@ -114,6 +117,49 @@ TEST(Long_edges, have_nodes_where_they_should_be)
     checked_curves::measured(built.mesh, of_map);
     EXPECT_NE(num_vertices(of_map.graph()), num_vertices(through_faces.graph()));
   }
+}
+
+// Mesh edges are found on the mesh itself, as with distances that are given, whether the other curve was asked for before or
+// not, in a copy, and after it has been left.
+TEST(Long_edges, are_not_divided_for_curves_of_mesh_edges)
+{
+  const Built built(drilled_plate());
+  const auto edges_of = [](const Solver& solver)
+  { return result_numbers(solver.cut_locus(params::cut_locus_curve(Curve::MESH_EDGES))); };
+  Canceling_visitor visitor(Stage::FILTER, 0);
+  Solver solver(built.mesh, by(Laplacian_method()).visitor(std::ref(visitor)));
+  solver.set_source(built.vertices[30]);
+  const std::vector<double> through_faces = result_numbers(solver.cut_locus());
+  visitor = Canceling_visitor(Stage::FILTER, 0);
+  const std::vector<double> edges = edges_of(solver);
+  const std::size_t last = visitor.number;
+  EXPECT_GT(last, 5u);
+  EXPECT_EQ(edges_of(solver), edges);
+  EXPECT_LT(visitor.number, last + 5) << "once per source";
+  Solver copy(solver);
+  copy.set_source(built.vertices[30]);
+  EXPECT_EQ(edges_of(copy), edges);
+  EXPECT_EQ(result_numbers(solver.cut_locus()), through_faces);
+
+  for(std::size_t at : {std::size_t(1), (last + 1) / 2, last})
+  {
+    SCOPED_TRACE(at);
+    Solver left(built.mesh, by(Laplacian_method()).visitor(std::ref(visitor)));
+    left.set_source(built.vertices[30]);
+    visitor = Canceling_visitor(Stage::FILTER, at);
+    EXPECT_THROW(edges_of(left), Canceled);
+    visitor = Canceling_visitor(Stage::FILTER, 0);
+    EXPECT_EQ(result_numbers(left.cut_locus()), through_faces);
+    EXPECT_EQ(edges_of(left), edges);
+  }
+
+  std::map<Mesh::Vertex_index, double> map;
+  const Result result = solver.cut_locus();
+  for(const Mesh::Vertex_index w : built.vertices)
+    map[w] = result.distance(w);
+  solver.set_source(built.vertices[30], params::vertex_distance_map(boost::make_assoc_property_map(map)));
+  EXPECT_EQ(edges_of(solver), edges);
+  EXPECT_NE(result_numbers(solver.cut_locus()), through_faces);
 }
 
 TEST(Long_edges, are_divided_for_sources_of_all_kinds)

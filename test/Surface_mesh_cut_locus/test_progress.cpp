@@ -7,11 +7,10 @@
 // A visitor is told how far a stage is, and what it throws there leaves the computation, not the object.
 
 #include "surface_test.h"
+#include "canceling_visitor.h"
 #include "result_numbers.h"
 
 #include <CGAL/Cut_loci/Default_visitor.h>
-
-#include <stdexcept>
 
 namespace test_progress {
 
@@ -35,27 +34,6 @@ struct Recording_visitor : public CGAL::Cut_loci::Default_visitor
   {
     EXPECT_FALSE(open.empty() || open.back() != stage);
     shares[stage].push_back(share);
-  }
-};
-
-struct Canceled : public std::runtime_error
-{
-  Canceled() : std::runtime_error("canceled") {}
-};
-
-// throws at one of the calls within a stage
-struct Canceling_visitor
-{
-  Stage stage;
-  std::size_t at, number = 0;
-
-  Canceling_visitor(Stage s, std::size_t i) : stage(s), at(i) {}
-  void start_stage(Stage) {}
-  void end_stage(Stage) {}
-  void progress(Stage s, double)
-  {
-    if(s == stage && ++number == at)
-      throw Canceled();
   }
 };
 

@@ -8,9 +8,15 @@
 #define CGAL_CUT_LOCI_FACE_GRAPH_MAKE_LAPLACIAN_SOLVER_IMPL_H
 
 #include <CGAL/Cut_loci/face_graph/make_solver.h>
+#include <CGAL/Cut_loci/graph/Divided_mesh.h>
+#include <CGAL/Cut_loci/laplacian/Laplacian_divided_solver.h>
 #include <CGAL/Cut_loci/laplacian/Laplacian_set_solver.h>
+#include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
+#include <CGAL/Cut_loci/surface/flat_triangles.h>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Cut_loci::internal {
 
@@ -19,7 +25,13 @@ CGAL_CUT_LOCI_INLINE std::unique_ptr<Laplacian_stages> make_laplacian_solver(con
                                                                              const Threads& threads,
                                                                              const Progress& progress)
 {
-  return std::unique_ptr<Laplacian_stages>(new Laplacian_set_solver(mesh, type, threads, progress));
+  constexpr double longest = 3.; // in the mean: halves of most others are still longer than most edges
+  auto divided =
+    std::make_shared<const Divided_mesh>(mesh, std::vector<Indexed_source>(), longest * mean_edge_length(mesh));
+  if(divided->mesh().number_of_vertices() == mesh.number_of_vertices())
+    return std::unique_ptr<Laplacian_stages>(new Laplacian_set_solver(mesh, type, threads, progress));
+  return std::unique_ptr<Laplacian_stages>(
+    new Laplacian_divided_solver(mesh, std::move(divided), type, threads, progress));
 }
 
 } // namespace CGAL::Cut_loci::internal

@@ -7,7 +7,6 @@
 #ifndef CGAL_CUT_LOCI_LAPLACIAN_LAPLACIAN_SET_SOLVER_H
 #define CGAL_CUT_LOCI_LAPLACIAN_LAPLACIAN_SET_SOLVER_H
 
-#include <CGAL/Cut_loci/graph/Divided_mesh.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/graph/Mesh_beside_curves.h>
 #include <CGAL/Cut_loci/graph/short_branches.h>
@@ -20,7 +19,6 @@
 #include <CGAL/Cut_loci/surface/connected_components.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -35,23 +33,15 @@ namespace CGAL::Cut_loci::internal {
  * With each of these shrunk to a point, what holds for points holds for them. So the complement of the cut locus in a
  * component is a disk for each point, and for each part of the border that is a source an annulus, if that is a loop, or
  * else a disk; and the graph has 2g - 1 + k independent cycles for k of them together.
- *
- * Through the faces, the curve is that of a mesh with long edges divided, on which distances of vertices tell more.
  */
 class Laplacian_set_solver : public Laplacian_stages
 {
 public:
-  // once per mesh; edges are divided that are longer than `longest` in the mean, whose halves are still longer than most
+  // once per mesh
   Laplacian_set_solver(const Indexed_triangle_mesh& mesh, Laplacian_operator type, const Threads& threads = {},
-                       const Progress& progress = {}, double longest = 3.)
-    : mesh_(mesh), type_(type), whole_(new Laplacian_solver(mesh, type, threads, progress.part(0., 0.5)))
+                       const Progress& progress = {})
+    : mesh_(mesh), type_(type), whole_(new Laplacian_solver(mesh, type, threads, progress))
   {
-    divided_ = std::make_shared<const Divided_mesh>(mesh, std::vector<Indexed_source>(),
-                                                    longest * whole_->connectivity().mean_edge_length);
-    if(divided_->mesh().number_of_vertices() > mesh.number_of_vertices())
-      fine_.reset(new Laplacian_set_solver(divided_->mesh(), type, threads, progress.part(0.5, 1.), HUGE_VAL));
-    else
-      divided_.reset();
   }
 
   std::unique_ptr<Laplacian_stages> for_other_sources() const override
@@ -59,14 +49,7 @@ public:
     return std::unique_ptr<Laplacian_stages>(new Laplacian_set_solver(*this));
   }
 
-  void report_to(const Progress& progress) override
-  {
-    progress_ = fine_ ? progress.part(0., 0.5) : progress;
-    if(fine_)
-      fine_->report_to(progress.part(0.5, 1.));
-  }
-
-  const Divided_mesh* divided() const override { return divided_.get(); }
+  void report_to(const Progress& progress) override { progress_ = progress; }
 
   void set_distance(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,
                     std::vector<double> distance, std::vector<Index> nearest, bool is_approximate) override
@@ -74,13 +57,6 @@ public:
     pieces_.clear();
     beside_.reset();
     number_of_sources_ = points.size() + curves.size();
-    is_fine_ = distance.size() > mesh_.number_of_vertices();
-    if(is_fine_)
-    {
-      fine_->set_distance(divided_->divided(points), divided_->divided(curves), distance, nearest, is_approximate);
-      distance.resize(mesh_.number_of_vertices());
-      nearest.resize((std::min)(nearest.size(), distance.size()));
-    }
     if(curves.empty())
     {
       whole_->set_distance(points, std::move(distance), std::move(nearest), is_approximate);
@@ -104,33 +80,20 @@ public:
     for_each_solver([](Laplacian_solver& solver) { solver.compute_strengths(); });
     if(has_curves())
       collect_distances();
-    if(is_fine_)
-      fine_->compute_strengths();
   }
   void grow_tree() override
   {
     for_each_solver([](Laplacian_solver& solver) { solver.grow_tree(); });
-    if(is_fine_)
-      fine_->grow_tree();
   }
   void close_cycles() override
   {
     for_each_solver([](Laplacian_solver& solver) { solver.close_cycles(); });
-    if(is_fine_)
-      fine_->close_cycles();
   }
 
   Indexed_cut_locus filter(const Branch_thresholds& thresholds, const Smoothing_parameters& smoothing,
                            Kept_part part) override
   {
     Indexed_cut_locus result;
-    if(is_fine_ && smoothing.number_of_iterations > 0)
-    {
-      result = fine_->filter(thresholds, smoothing, part);
-      std::vector<Index> faces;
-      divided_->to_whole(result, faces);
-      return result;
-    }
     if(!has_curves())
     {
       whole_->report_to(progress_);
@@ -197,8 +160,7 @@ private:
   };
 
   Laplacian_set_solver(const Laplacian_set_solver& other)
-    : mesh_(other.mesh_), type_(other.type_), whole_(other.whole_->for_other_sources()), divided_(other.divided_),
-      fine_(other.fine_ ? new Laplacian_set_solver(*other.fine_) : nullptr)
+    : mesh_(other.mesh_), type_(other.type_), whole_(other.whole_->for_other_sources())
   {
   }
 
@@ -269,11 +231,8 @@ private:
   const Indexed_triangle_mesh& mesh_;
   Laplacian_operator type_;
   std::unique_ptr<Laplacian_solver> whole_;
-  std::shared_ptr<const Divided_mesh> divided_; // if there are long edges, and
-  std::unique_ptr<Laplacian_set_solver> fine_;  // the solver on it
-  bool is_fine_ = false;                        // whether distances on it are known
-  std::unique_ptr<Mesh_beside_curves> beside_;  // if there are curves
-  std::vector<std::unique_ptr<Piece>> pieces_;  // of that
+  std::unique_ptr<Mesh_beside_curves> beside_; // if there are curves
+  std::vector<std::unique_ptr<Piece>> pieces_; // of that
   std::vector<Indexed_source> points_;
   std::vector<double> distance_; // if there are curves; until there are pieces, on the mesh that is cut open
   bool is_approximate_ = false;

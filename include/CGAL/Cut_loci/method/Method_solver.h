@@ -51,7 +51,7 @@ public:
   // another one for the same mesh, which shares what depends on it alone, also in another thread
   virtual std::unique_ptr<Laplacian_stages> for_other_sources() const = 0;
   // the mesh with long edges divided, its further vertices last; null if there are none; `distance` may have these
-  virtual const Divided_mesh* divided() const = 0;
+  virtual const Divided_mesh* divided() const { return nullptr; }
   // comes first; `distance` is that to the nearest source, of which the points come first, and `nearest` which that is
   // for each vertex; empty if it has to be found. Straightened lengths of ways take the place of approximate distances.
   virtual void set_distance(const std::vector<Indexed_source>& points, const std::vector<Indexed_curve>& curves,

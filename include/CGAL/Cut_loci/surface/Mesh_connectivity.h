@@ -11,7 +11,6 @@
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL::Cut_loci {
@@ -63,7 +62,6 @@ private:
     const Index nh = mesh.number_of_halfedges();
     edge_of_halfedge.resize(nh);
     halfedge_of_edge.reserve(nh / 2 + nh / 16);
-    double sum = 0.;
     for(Index h = 0; h < nh; ++h)
     {
       progress(h, nh);
@@ -75,9 +73,8 @@ private:
       }
       edge_of_halfedge[h] = number_of_edges();
       halfedge_of_edge.push_back(h);
-      sum += internal::edge_length(mesh, h);
     }
-    mean_edge_length = sum / (std::max)(number_of_edges(), Index(1));
+    mean_edge_length = internal::mean_edge_length(mesh);
   }
 
   void build_rings(const Indexed_triangle_mesh& mesh, const internal::Progress& progress)

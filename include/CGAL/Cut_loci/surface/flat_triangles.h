@@ -88,6 +88,19 @@ inline double edge_length(const Indexed_triangle_mesh& mesh, Index h)
   return norm(mesh.points[mesh.target(h)] - mesh.points[mesh.source(h)]);
 }
 
+inline double mean_edge_length(const Indexed_triangle_mesh& mesh)
+{
+  double sum = 0.;
+  Index n = 0;
+  for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    if(!(mesh.opposite[h] < h)) // once per edge: null_index is larger than any halfedge
+    {
+      sum += edge_length(mesh, h);
+      ++n;
+    }
+  return sum / (std::max)(n, Index(1));
+}
+
 // the vertex opposite to `h`
 inline Planar_vector apex(const Indexed_triangle_mesh& mesh, Index h)
 {
