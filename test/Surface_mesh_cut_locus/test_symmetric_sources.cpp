@@ -14,6 +14,8 @@
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Cut_loci/statistics.h>
 
+#include <map>
+
 namespace test_symmetric_sources {
 
 namespace {
@@ -183,6 +185,44 @@ TEST(Symmetric_sources, whose_paths_are_equally_long_wherever_they_are_cut_none)
                          {{1., 4.25}},
                          {{0., 6.25}}},
                         4);
+}
+
+// a grid of n x n squares with a square hole in the middle of each 8 x 8 of them, bent in the middle like a roof
+Mesh_data perforated_roof(std::size_t n)
+{
+  const auto is_hole = [](std::size_t i) { return i % 8 == 3 || i % 8 == 4; };
+  Mesh_data result;
+  std::map<std::array<std::size_t, 2>, std::size_t> number;
+  const auto vertex = [&](std::size_t i, std::size_t j)
+  {
+    const auto found = number.insert({{{i, j}}, result.points.size()}).first;
+    if(found->second == result.points.size())
+      result.points.push_back({{double(i), double(j), 0.5 * std::fabs(double(i) - 0.5 * double(n))}});
+    return found->second;
+  };
+  for(std::size_t i = 0; i < n; ++i)
+    for(std::size_t j = 0; j < n; ++j)
+      if(!is_hole(i) || !is_hole(j))
+      {
+        const std::size_t a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1), d = vertex(i, j + 1);
+        const bool is_even = (i + j) % 2 == 0;
+        result.triangles.push_back({{a, b, is_even ? d : c}});
+        result.triangles.push_back({{is_even ? b : a, c, d}});
+      }
+  return result;
+}
+
+// Between rows of holes, paths bend at corners that are in line with each other, on both sides equally often.
+TEST(Symmetric_sources, on_perforated_parts_cut_no_shortest_path)
+{
+  const Built built(perforated_roof(48));
+  Solver solver(built.mesh);
+  for(std::size_t source = 0; source < built.vertices.size(); source += 188)
+  {
+    SCOPED_TRACE(source);
+    solver.set_source(built.vertices[source]);
+    EXPECT_LT(checked_curves::measured(built.mesh, solver.cut_locus(through_faces)).max, 1e-4);
+  }
 }
 
 } // namespace
