@@ -220,7 +220,7 @@ private:
     is_one_of_several_ = prepared_->geodesics().has_several_paths_to_bends();
   }
 
-  bool has_to_be_perturbed() const { return is_one_of_several_ && points_.size() == 1 && curves_.empty(); }
+  bool has_to_be_perturbed() const { return is_one_of_several_ && curves_.empty(); }
 
   // `number` of the perturbation, or of the move of curves
   void prepare(int number, const Progress& progress)
@@ -276,7 +276,7 @@ private:
    * Cycles stay whatever their strength, and what leads to a hole of the surface. Where that is weaker than what has been
    * looked for, it is looked for where shortest paths separate what it joins, and again where it leaves these faces and
    * comes back. A symmetric surface leaves it to rounding where it is, or what is drawn along an edge of the mesh: then it
-   * is perturbed, if there is one source only.
+   * is perturbed.
    */
   void see_all_of(const Branch_strength& asked, const Progress& progress)
   {
@@ -292,7 +292,7 @@ private:
     look_where_paths_part(kept, asked, progress.part(0., 0.4));
     const auto is_open = [&]
     { return !tree_->is_known(kept) || (is_symmetric_ && !tree_->faces_off_bisectors(kept).empty()); };
-    for(int number = number_ + 1; number <= most && points_.size() == 1 && is_open(); ++number)
+    for(int number = number_ + 1; number <= most && curves_.empty() && is_open(); ++number)
     {
       const Progress part = progress.part(0.4 + 0.6 * (number - 1) / most, 0.4 + 0.6 * number / most);
       compute_more(least_, number, part.part(0., 0.5));
