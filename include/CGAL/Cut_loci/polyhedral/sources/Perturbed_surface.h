@@ -28,12 +28,11 @@ namespace CGAL::Cut_loci::internal {
  * is a surface with other lengths, by a little, so that no two paths are equally long by symmetry: what rounding has left
  * open is decided.
  *
- * The lengths are those of a discrete conformal map, \f$l_{ij} \, e^{s (u_i + u_j)}\f$ \cgalCite{cgal:ssp-cetm-08}, under
- * which angles change by the cotangent Laplacian of \f$u\f$, to first order. With \f$(L + |K|) u = |K| r\f$ the curvature
- * \f$K_i\f$ of a vertex changes by \f$s |K_i| (r_i - u_i)\f$: what is flat stays flat, however slim its faces are, and no
- * vertex turns from convex to concave.
+ * The lengths are those of a discrete conformal map, l_ij exp(s (u_i + u_j)) \cgalCite{cgal:ssp-cetm-08}, under which angles
+ * change by the cotangent Laplacian of u, to first order. With (L + |K|) u = |K| r the curvature K_i of a vertex changes by
+ * s |K_i| (r_i - u_i): what is flat stays flat, however slim its faces are, and no vertex turns from convex to concave.
  *
- * What is wanted, \f$r\f$, depends on nothing but the surface as the source sees it: the distance of a vertex, and the
+ * What is wanted, r, depends on nothing but the surface as the source sees it: the distance of a vertex, and the
  * directions of the path to it. So sources that a rotation takes to each other have the same cut locus but for it.
  */
 class Perturbed_surface
