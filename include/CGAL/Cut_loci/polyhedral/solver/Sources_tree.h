@@ -248,6 +248,7 @@ private:
       tree_->add_lines(prepared_->cut()->lines(), prepared_->cut()->owners());
     // Windows may be merged where what is between them is half of what the weakest branch needs.
     tree_->allow_error(maximum_relative_error_, 0.5 * least_.least_angle(surface_->extent));
+    // returns whether what follows is of use
     const auto read_distances_once = [this]
     {
       if(distance_.empty())
