@@ -332,43 +332,53 @@ TEST(Closed_forms, cone_with_more_than_a_full_turn)
     });
 }
 
+void expect_directions_in_the_plane(const Mesh& mesh, const Geodesics& geodesics, const Point& source)
+{
+  const auto direction = [&](Index h)
+  {
+    const Point &p = mesh.points[mesh.source(h)], &q = mesh.points[mesh.target(h)];
+    return std::atan2(q[1] - p[1], q[0] - p[0]);
+  };
+  const auto difference = [](double a, double b) { return std::fabs(std::remainder(a - b, 2. * pi)); };
+  const double zero = direction(geodesics.source_halfedge());
+  double worst = 0., worst_arrival = 0.;
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+  {
+    const Point& p = mesh.points[v];
+    if(distance(p, source) < 1e-9)
+      continue;
+    const double a = std::atan2(p[1] - source[1], p[0] - source[0]);
+    const double d = geodesics.direction_at_source(v);
+    EXPECT_GE(d, 0.);
+    EXPECT_LE(d, geodesics.source_angle());
+    worst = (std::max)(worst, difference(d + zero, a));
+    const auto arrival = geodesics.arrival_direction(v);
+    EXPECT_EQ(mesh.source(arrival.halfedge), v);
+    EXPECT_GE(arrival.angle, 0.);
+    EXPECT_LE(arrival.angle, geodesics.faces().angle(arrival.halfedge));
+    worst_arrival = (std::max)(worst_arrival, difference(direction(arrival.halfedge) + arrival.angle, a + pi));
+    EXPECT_LE(difference(geodesics.arrival_angle(v) + direction(geodesics.faces().first_halfedge(v)), a + pi), 1e-10);
+  }
+  EXPECT_LE(worst, 1e-11);
+  EXPECT_LE(worst_arrival, 1e-11);
+}
+
+// Where vertices are in one line but for a little, paths pass some of them on the other side than their windows do.
 TEST(Closed_forms, directions_in_the_plane)
 {
-  const Mesh mesh = flat_grid(14, 14, 2, 0.25);
-  Geodesics geodesics(mesh);
-  Options options;
-  options.directions = true;
-  std::mt19937 random(3);
-  for(unsigned k = 0; k < 30; ++k)
+  for(double jitter : {0.25, 1e-6, 1e-7, 1e-8})
   {
-    const Indexed_location source = random_location(mesh, random, k);
-    geodesics.run({source}, options);
-    const Point s = point(mesh, source);
-    const auto direction = [&](Index h)
+    const Mesh mesh = flat_grid(14, 14, 2, jitter);
+    Geodesics geodesics(mesh);
+    Options options;
+    options.directions = true;
+    std::mt19937 random(3);
+    for(unsigned k = 0; k < 30; ++k)
     {
-      const Point &p = mesh.points[mesh.source(h)], &q = mesh.points[mesh.target(h)];
-      return std::atan2(q[1] - p[1], q[0] - p[0]);
-    };
-    const auto difference = [](double a, double b) { return std::fabs(std::remainder(a - b, 2. * pi)); };
-    const double zero = direction(geodesics.source_halfedge());
-    double worst = 0., worst_arrival = 0.;
-    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-    {
-      const Point& p = mesh.points[v];
-      if(distance(p, s) < 1e-9)
-        continue;
-      const double a = std::atan2(p[1] - s[1], p[0] - s[0]);
-      const double d = geodesics.direction_at_source(v);
-      EXPECT_GE(d, 0.);
-      EXPECT_LE(d, geodesics.source_angle());
-      worst = (std::max)(worst, difference(d + zero, a));
-      const auto arrival = geodesics.arrival_direction(v);
-      EXPECT_EQ(mesh.source(arrival.halfedge), v);
-      worst_arrival = (std::max)(worst_arrival, difference(direction(arrival.halfedge) + arrival.angle, a + pi));
-      EXPECT_LE(difference(geodesics.arrival_angle(v) + direction(geodesics.faces().first_halfedge(v)), a + pi), 1e-10);
+      const Indexed_location source = random_location(mesh, random, k);
+      geodesics.run({source}, options);
+      expect_directions_in_the_plane(mesh, geodesics, point(mesh, source));
     }
-    EXPECT_LE(worst, 1e-11);
-    EXPECT_LE(worst_arrival, 1e-11);
   }
 }
 

@@ -120,11 +120,7 @@ public:
     }
     const double dx = arrival.x - end.x, dy = arrival.y - end.y;
     const double angle = std::atan2(along.x * dy - along.y * dx, along.x * dx + along.y * dy);
-    // a path along an edge may turn out on the other side of it by a rounding error
-    const double corner = faces_.angle(h);
-    if(angle < 0.5 * (corner - 2. * geodesic_pi) || angle > corner)
-      return {h, corner};
-    return {h, (std::max)(angle, 0.)};
+    return in_its_face(h, angle < 0.5 * (faces_.angle(h) - full_turn) ? angle + full_turn : angle);
   }
 
   /// the same as an angle in the unrolled tangent plane of `v`, counterclockwise from its first halfedge
@@ -465,6 +461,30 @@ protected:
   }
 
 private:
+  static constexpr double full_turn = 2. * geodesic_pi;
+
+  /// a direction at the source of `h`: a path along an edge, or past a vertex, may turn out beside the face by rounding
+  Geodesic_arrival_direction in_its_face(Index h, double angle) const
+  {
+    while(angle < 0.)
+    {
+      const Index before = faces_.previous_around_source(h);
+      if(before == null_index)
+        return {h, 0.};
+      h = before;
+      angle += faces_.angle(h);
+    }
+    while(angle > faces_.angle(h))
+    {
+      const Index behind = faces_.next_around_source(h);
+      if(behind == null_index)
+        return {h, faces_.angle(h)};
+      angle -= faces_.angle(h);
+      h = behind;
+    }
+    return {h, angle};
+  }
+
   bool has_images_of_lines() const { return has_lines() && !has_parallel_waves(); }
 
   /// whether two paths come to `v` from different directions
