@@ -272,15 +272,16 @@ private:
   bool emits(Index v) const { return geodesics_.distance(v) == 0. || faces_.is_pseudo_source(v); }
 
   /// Ends the window where the path along the edge from its end at `from` becomes shorter; returns whether it is not so
-  /// on all of it. `near` is the end of the window on that side.
+  /// on all of it. `near` is the end of the window on that side. What rounding does not tell apart is the window's, whose
+  /// direction is the more accurate one.
   bool end_slower(const Piece& window, double far, double& near, double from, double distance) const
   {
     const auto gain = [&](double t) { return distance + std::fabs(t - from) - window.label.distance(t); };
     const double rounding = 1e-14 * (distance + length_);
-    if(gain(far) <= rounding)
-      return false;
     if(gain(near) >= -rounding)
       return true;
+    if(gain(far) <= rounding)
+      return false;
     double slow = near;
     for(int i = 0; i < 60; ++i)
     {
