@@ -30,7 +30,8 @@ namespace CGAL::Cut_loci::internal {
  *
  * The lengths are those of a discrete conformal map, l_ij exp(s (u_i + u_j)) \cgalCite{cgal:ssp-cetm-08}, under which angles
  * change by the cotangent Laplacian of u, to first order. With (L + |K|) u = |K| r the curvature K_i of a vertex changes by
- * s |K_i| (r_i - u_i): what is flat stays flat, however slim its faces are, and no vertex turns from convex to concave.
+ * s |K_i| (r_i - u_i): what is flat stays flat, however slim its faces are, and no vertex turns from convex to concave. A
+ * straight border stays straight, where K_i is the angle by which it turns.
  *
  * What is wanted, r, depends on nothing but the surface as the source sees it: the distance of a vertex, and the
  * directions of the path to it. So sources that a rotation takes to each other have the same cut locus but for it.
@@ -142,8 +143,8 @@ private:
     Eigen::VectorXd right(wanted.size());
     for(Index v = 0; v < faces_.number_of_vertices(); ++v)
     {
-      // a border may turn, as no branch starts there; what all of a flat surface is multiplied by does not matter
-      const double weight = faces_.is_border(v) ? 1. : std::fabs(curvature(v)) + 1e-12;
+      // what all of a flat surface is multiplied by does not matter
+      const double weight = std::fabs(curvature(v)) + 1e-12;
       entries.emplace_back(v, v, weight);
       right[v] = weight * wanted[v];
     }
