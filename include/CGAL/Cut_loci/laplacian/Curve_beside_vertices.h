@@ -276,10 +276,16 @@ private:
     if(from.entry != null_index || to.entry != null_index)
       return null_index;
     const Index edge = walk.chain.edges[static_cast<std::size_t>(stop.place)], node = graph_.edges[edge].source;
-    Index entry = entry_of_edge(graph_.nodes[node].vertex == from.vertex ? node : graph_.edges[edge].target, edge);
-    while(connectivity_.ring_vertex[entry] != to.vertex)
+    const Index first =
+      entry_of_edge(graph_.nodes[node].vertex == from.vertex ? node : graph_.edges[edge].target, edge);
+    Index entry = first;
+    do
+    {
+      if(connectivity_.ring_vertex[entry] == to.vertex)
+        return connectivity_.ring_halfedge[entry];
       entry = walk.side == Side::RIGHT ? previous(from.vertex, entry) : next(from.vertex, entry);
-    return connectivity_.ring_halfedge[entry];
+    } while(entry != first);
+    return null_index;
   }
 
   bool is_at_edge(Index point, Index edge) const
