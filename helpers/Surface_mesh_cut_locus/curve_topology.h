@@ -132,8 +132,11 @@ private:
   {
     const Index i = graph_.edges[e].source, j = graph_.edges[e].target;
     Index face = null;
-    CGAL::Cut_loci::internal::for_each_common_face(mesh_, connectivity_, location_[i], location_[j],
-                                                   [&](Index f) { face = f; });
+    if(const Index h = graph_.edges[e].halfedge; h != null) // one of several edges that may join two vertices
+      face = h / 3;
+    else
+      CGAL::Cut_loci::internal::for_each_common_face(mesh_, connectivity_, location_[i], location_[j],
+                                                     [&](Index f) { face = f; });
     if(face == null)
       return; // its ends are joined by no segment: they stay apart
     const auto a = CGAL::Cut_loci::internal::in_face(mesh_, location_[i], face).coordinates,

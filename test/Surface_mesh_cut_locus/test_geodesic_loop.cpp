@@ -4,8 +4,10 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
+#include "cut_locus_by_hand.h"
 #include "surface_test.h"
 
+#include <CGAL/Cut_loci/face_graph/build_face_graph.h>
 #include <CGAL/Cut_loci/geodesic_loop.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
 
@@ -74,6 +76,43 @@ TEST(Geodesic_loop, is_twice_the_radius_on_random_surfaces)
       way += std::sqrt(CGAL::squared_distance(loop[i], loop[i + 1]));
     }
     EXPECT_LT(closest, 1e-5);
+  }
+}
+
+/// A square with two sides: edges on both join the same two vertices. The cut locus is one of them, the source on the other.
+TEST(Geodesic_loop, passes_the_edge_of_the_cut_locus)
+{
+  Indexed_triangle_mesh square;
+  square.points = {{{0., 0., 0.}}, {{1., 0., 0.}}, {{0.5, 0.5, 0.}}, {{0.5, -0.5, 0.}}};
+  square.triangles = {{{0, 1, 2}}, {{1, 0, 2}}, {{1, 0, 3}}, {{0, 1, 3}}};
+  square.opposite = {6, 5, 4, 9, 2, 1, 0, 11, 10, 3, 8, 7};
+  Mesh mesh;
+  const auto built = CGAL::Cut_loci::internal::build_face_graph(square, mesh);
+  for(Index v = 0; v < 4; ++v)
+    mesh.point(built.vertices[v]) = {square.points[v][0], square.points[v][1], square.points[v][2]};
+  using Cut_locus = CGAL::Cut_locus<Mesh, Kernel::Point_3>;
+  const auto at = [&](Index h, double share)
+  {
+    Cut_locus::Vertex result;
+    const Indexed_location x = CGAL::Cut_loci::internal::location_on(h, share);
+    // the face has its corners from those of the first halfedge on
+    result.location = {face(built.halfedges[h], mesh), x.coordinates};
+    result.mesh_vertex = share == 0. ? built.vertices[square.source(h)] : Mesh::null_vertex();
+    result.point = {(1. - share) * square.points[square.source(h)][0] + share * square.points[square.target(h)][0], 0.,
+                    0.};
+    result.distance = std::sqrt(0.5);
+    return result;
+  };
+  for(const auto& [cut, opposite] : {std::pair<Index, Index>(0, 9), std::pair<Index, Index>(9, 0)})
+  {
+    Cut_locus::Graph graph;
+    add_vertex(at(0, 0.), graph);
+    add_vertex(at(3, 0.), graph);
+    Cut_locus::Edge edge;
+    edge.mesh_halfedge = built.halfedges[cut];
+    add_edge(0, 1, edge, graph);
+    const Points loop = CGAL::Cut_loci::geodesic_loop(mesh, cut_locus_by_hand<Cut_locus>(graph, {at(opposite, 0.5)}));
+    EXPECT_NEAR(length(loop), std::sqrt(2.), 1e-5) << "edge " << cut;
   }
 }
 

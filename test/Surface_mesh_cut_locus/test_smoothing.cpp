@@ -5,9 +5,11 @@
 // Author(s) : The Surface_mesh_cut_locus authors
 
 #include "surface_test.h"
+#include "curve_topology.h"
 #include "Shortest_path_geodesic_solver.h"
 
 #include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>
+#include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/laplacian/Laplacian_solver.h>
 #include <CGAL/Cut_loci/laplacian/smoothing.h>
 #include <CGAL/Cut_loci/surface/insert_vertex.h>
@@ -62,10 +64,8 @@ struct Smoothed
 };
 
 template <typename Solver>
-Smoothed smoothed(const Mesh& mesh, Index source_vertex, double angle, Index iterations = 4)
+void compute_strengths(const Mesh& mesh, const Indexed_source& source, Laplacian_solver& component)
 {
-  Laplacian_solver component(mesh, CGAL::Cut_loci::Laplacian_operator::QUADRATIC_FIT);
-  const Indexed_source source = at_vertex(mesh, source_vertex);
   Solver solver;
   solver.set_mesh(mesh);
   std::vector<double> distance;
@@ -73,6 +73,13 @@ Smoothed smoothed(const Mesh& mesh, Index source_vertex, double angle, Index ite
   component.set_distance({source}, distance, {},
                          CGAL::Cut_loci::internal::Geodesic_solver_handle(solver).is_approximate());
   component.compute_strengths();
+}
+
+template <typename Solver>
+Smoothed smoothed(const Mesh& mesh, Index source_vertex, double angle, Index iterations = 4)
+{
+  Laplacian_solver component(mesh, CGAL::Cut_loci::Laplacian_operator::QUADRATIC_FIT);
+  compute_strengths<Solver>(mesh, at_vertex(mesh, source_vertex), component);
   component.grow_tree();
   component.close_cycles();
   CGAL::Cut_loci::Branch_thresholds thresholds;
@@ -157,7 +164,8 @@ void expect_sound(const Mesh& mesh, const Smoothed& s)
     const Indexed_location &a = s.after.nodes[e.source].location, &b = s.after.nodes[e.target].location;
     ASSERT_TRUE(share_a_face(mesh, connectivity, a, b));
     ASSERT_GT(norm(position(mesh, a) - position(mesh, b)), 0.);
-    ASSERT_EQ(e.halfedge, null_index);
+    ASSERT_EQ(e.halfedge != null_index,
+              s.after.nodes[e.source].vertex != null_index && s.after.nodes[e.target].vertex != null_index);
     ASSERT_LT(e.origin, s.before.edges.size());
     ASSERT_EQ(e.strength, s.before.edges[e.origin].strength);
   }
@@ -305,6 +313,48 @@ TEST(Smoothing, comes_closer_than_given_distances)
     expect_sound(mesh, s);
     EXPECT_LT(mean_error_on_torus(mesh, s.after), 0.1 * h);
   }
+}
+
+// Two triangles that are glued along two sides, like a pocket, and a third one that is glued to one side of its mouth: vertices
+// 0 and 1 are joined by halfedge 0, which is on the border, and by halfedges 3 and 6.
+TEST(Smoothing, tells_edges_between_the_same_vertices_apart)
+{
+  Mesh mesh;
+  mesh.points = {{{0., 0., 0.}}, {{1., 0., 0.}}, {{0.4, -0.6, 0.}}, {{0.5, 1., 0.}}};
+  mesh.triangles = {{{0, 1, 2}}, {{1, 0, 2}}, {{0, 1, 3}}};
+  mesh.opposite = {null_index, 5, 4, 6, 2, 1, 3, null_index, null_index};
+  const auto on_edges = [&](const std::vector<Index>& halfedges)
+  {
+    Indexed_cut_locus result;
+    std::map<Index, Index> node;
+    for(Index h : halfedges)
+      for(Index v : {mesh.source(h), mesh.target(h)})
+        if(node.emplace(v, static_cast<Index>(result.nodes.size())).second)
+          result.nodes.push_back({location_of_vertex(Mesh_connectivity(mesh), v), v});
+    for(Index h : halfedges)
+      result.edges.push_back({node[mesh.source(h)], node[mesh.target(h)], h, 1.f, 0});
+    return result;
+  };
+  Laplacian_solver component(mesh, CGAL::Cut_loci::Laplacian_operator::QUADRATIC_FIT);
+  compute_strengths<CGAL::Graph_geodesic_solver>(mesh, at_vertex(mesh, 3), component);
+  const auto expect = [&](const std::vector<Index>& halfedges, const std::set<Index>& edge, const std::string& fault)
+  {
+    const Indexed_cut_locus curve = component.smoothed(on_edges(halfedges), {});
+    ASSERT_EQ(curve.edges.size(), 1u);
+    EXPECT_EQ(edge.count(curve.edges[0].halfedge), 1u) << curve.edges[0].halfedge;
+    EXPECT_EQ(curve_measures::internal::Curve_topology(mesh, curve).fault(), fault);
+    const CGAL::Cut_loci::Seams seams =
+      CGAL::Cut_loci::refine_along_curve(mesh, Mesh_connectivity(mesh), curve, 256).seams;
+    EXPECT_EQ(std::size_t(std::count_if(seams.begin(), seams.end(), [](auto s) { return s != 0; })),
+              edge.size() == 1 ? 0u : 2u); // none on the border
+  };
+  expect({0}, {0}, "");
+  const std::string no_disk = "1 independent cycles on a surface of genus 0";
+  expect({3}, {3, 6}, no_disk);
+  // vertex 2 is passed where no path to it arrives: through face 1 from vertex 3, and from a point of face 0 through that
+  expect({2, 1}, {0}, "");
+  compute_strengths<CGAL::Graph_geodesic_solver>(mesh, {{0, {{0.3, 0.4, 0.3}}}, null_index}, component);
+  expect({2, 1}, {3, 6}, no_disk);
 }
 
 TEST(Smoothing, does_not_depend_on_scale_and_pose)

@@ -53,14 +53,17 @@ Index nearest_node(const Indexed_triangle_mesh& mesh, const Cut_locus<TriangleMe
   const Indexed_location &a = curve.nodes[edge.source].location, &b = curve.nodes[edge.target].location;
   const Mesh_connectivity connectivity(mesh);
   Indexed_location between;
-  for_each_common_face(mesh, connectivity, a, b,
-                       [&](Index face)
-                       {
+  const auto put_in = [&](Index face)
+  {
     const Indexed_location from = in_face(mesh, a, face), to = in_face(mesh, b, face);
     between.face = face;
     for(std::size_t i = 0; i < 3; ++i)
       between.coordinates[i] = (1. - share) * from.coordinates[i] + share * to.coordinates[i];
-  });
+  };
+  if(edge.halfedge != null_index) // one of several edges that may join two vertices
+    put_in(edge.halfedge / 3);
+  else
+    for_each_common_face(mesh, connectivity, a, b, put_in);
   if(between.face == null_index)
     return static_cast<Index>(nearest.vertex);
   const Index result = static_cast<Index>(curve.nodes.size());

@@ -39,11 +39,16 @@ public:
     Index entry = null_index; // of the ring of that vertex: the edge
     bool is_end = true;       // of chains
   };
+  struct Stop
+  {
+    Index point;
+    double place;                // from node to node of the chain of the graph
+    Index halfedge = null_index; // of the edge of the mesh along which it is reached from another vertex
+  };
   struct Chain
   {
-    std::vector<Index> points;  // the first one again at the end if it is a loop
-    std::vector<double> places; // of these, from node to node of the chain of the graph
-    std::vector<Index> edges;   // of the graph
+    std::vector<Stop> stops;  // the first one again at the end if it is a loop
+    std::vector<Index> edges; // of the graph
   };
 
   Curve_beside_vertices(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
@@ -240,37 +245,47 @@ private:
   // Where the curve would come back to the edge that it has crossed last, it turns before that: there is no vertex between.
   void push(Index v, Index entry, Walk& walk)
   {
-    Chain& chain = walk.chain;
+    std::vector<Stop>& stops = walk.chain.stops;
     const Index edge = connectivity_.ring_edge(entry);
-    if(!chain.points.empty() && is_at_edge(chain.points.back(), edge))
-    {
-      if(!points_[chain.points.back()].is_end)
-        pop(chain);
-      return;
-    }
-    chain.points.push_back(add_point(v, entry, false));
-    chain.places.push_back(walk.place);
+    if(stops.empty() || !is_at_edge(stops.back().point, edge))
+      stops.push_back({add_point(v, entry, false), walk.place});
+    else if(!points_[stops.back().point].is_end)
+      stops.pop_back();
   }
 
   void push_end(Index end, Walk& walk)
   {
-    Chain& chain = walk.chain;
+    std::vector<Stop>& stops = walk.chain.stops;
     const auto is_next = [&](Index point)
     {
       const Index edge = edge_of(points_[point]);
       return !points_[point].is_end && is_at_edge(end, edge);
     };
-    while(!chain.points.empty() && is_next(chain.points.back()))
-      pop(chain);
-    chain.points.push_back(end);
-    chain.places.push_back(walk.place);
+    while(!stops.empty() && is_next(stops.back().point))
+      stops.pop_back();
+    stops.push_back({end, walk.place, stops.empty() ? null_index : halfedge_to(end, walk)});
     walk.side = Side::ON;
   }
 
-  static void pop(Chain& chain)
+  // The edge along which a curve that crosses none gets from its last stop to a point, if both are at vertices: two may join
+  // them. It is the first one from the edge of the graph on, on the side on which the vertices between are passed.
+  Index halfedge_to(Index point, const Walk& walk) const
   {
-    chain.points.pop_back();
-    chain.places.pop_back();
+    const Stop& stop = walk.chain.stops.back();
+    const Point &from = points_[stop.point], &to = points_[point];
+    if(from.entry != null_index || to.entry != null_index)
+      return null_index;
+    const Index edge = walk.chain.edges[static_cast<std::size_t>(stop.place)], node = graph_.edges[edge].source;
+    const Index first =
+      entry_of_edge(graph_.nodes[node].vertex == from.vertex ? node : graph_.edges[edge].target, edge);
+    Index entry = first;
+    do
+    {
+      if(connectivity_.ring_vertex[entry] == to.vertex)
+        return connectivity_.ring_halfedge[entry];
+      entry = walk.side == Side::RIGHT ? previous(from.vertex, entry) : next(from.vertex, entry);
+    } while(entry != first);
+    return null_index;
   }
 
   bool is_at_edge(Index point, Index edge) const
@@ -283,18 +298,17 @@ private:
   void close(const Curve_network::Chain& chain, Side side_of_first, Walk& walk)
   {
     change_side(chain, chain.edges.size(), side_of_first, walk);
-    std::vector<Index>& points = walk.chain.points;
-    std::size_t begin = 0;
-    while(points.size() > begin + 1 && !points_[points.back()].is_end &&
-          is_at_edge(points[begin], edge_of(points_[points.back()])))
+    std::vector<Stop>& stops = walk.chain.stops;
+    auto first = stops.begin();
+    while(first + 1 < stops.end() && !points_[stops.back().point].is_end &&
+          is_at_edge(first->point, edge_of(points_[stops.back().point])))
     {
-      pop(walk.chain);
-      begin += points_[points[begin]].is_end ? 0 : 1;
+      stops.pop_back();
+      first += points_[first->point].is_end ? 0 : 1;
     }
-    points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(begin));
-    walk.chain.places.erase(walk.chain.places.begin(), walk.chain.places.begin() + static_cast<std::ptrdiff_t>(begin));
-    points.push_back(points.front());
-    walk.chain.places.push_back(walk.place);
+    stops.erase(stops.begin(), first);
+    walk.side = side_of_first;
+    stops.push_back({stops.front().point, walk.place, halfedge_to(stops.front().point, walk)});
   }
 
   void note_root(const Curve_network::Chain& chain, const Chain& result)
@@ -302,9 +316,9 @@ private:
     const auto found = std::find(chain.nodes.begin(), chain.nodes.end(), Index(0));
     if(found == chain.nodes.end())
       return;
-    const auto place =
-      std::lower_bound(result.places.begin(), result.places.end(), static_cast<double>(found - chain.nodes.begin()));
-    root_ = result.points[static_cast<std::size_t>(place - result.places.begin())];
+    const auto place = static_cast<double>(found - chain.nodes.begin());
+    root_ =
+      std::find_if(result.stops.begin(), result.stops.end(), [&](const Stop& s) { return s.place >= place; })->point;
   }
 
   const Indexed_triangle_mesh& mesh_;

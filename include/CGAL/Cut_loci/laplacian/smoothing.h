@@ -65,15 +65,14 @@ public:
     for(const Point& p : curve_.points())
       places_.push_back(place_of(p));
     for(const Chain& chain : curve_.chains())
-      for(std::size_t i = 0; i < chain.points.size(); ++i)
+      for(std::size_t i = 0; i < chain.stops.size(); ++i)
       {
-        const Index p = chain.points[i];
-        Place& place = places_[p];
+        Place& place = places_[chain.stops[i].point];
         place.is_used = true;
         if(i > 0)
-          place.neighbors.push_back(chain.points[i - 1]);
-        if(i + 1 < chain.points.size())
-          place.neighbors.push_back(chain.points[i + 1]);
+          place.neighbors.push_back(chain.stops[i - 1].point);
+        if(i + 1 < chain.stops.size())
+          place.neighbors.push_back(chain.stops[i + 1].point);
       }
     keep_order();
   }
@@ -237,12 +236,13 @@ private:
     };
     add(curve_.root());
     for(const Chain& chain : curve_.chains())
-      for(std::size_t i = 0; i + 1 < chain.points.size(); ++i)
+      for(std::size_t i = 1; i < chain.stops.size(); ++i)
       {
-        const auto edge = static_cast<std::size_t>(0.5 * (chain.places[i] + chain.places[i + 1]));
+        const Curve_beside_vertices::Stop &from = chain.stops[i - 1], &to = chain.stops[i];
+        const auto edge = static_cast<std::size_t>(0.5 * (from.place + to.place));
         const Indexed_cut_locus::Edge& origin = input_.edges[chain.edges[(std::min)(edge, chain.edges.size() - 1)]];
-        const Index source = add(chain.points[i]), target = add(chain.points[i + 1]);
-        result.edges.push_back({source, target, null_index, origin.strength, origin.origin, 0.f, origin.sources});
+        const Index source = add(from.point), target = add(to.point);
+        result.edges.push_back({source, target, to.halfedge, origin.strength, origin.origin, 0.f, origin.sources});
       }
     return result;
   }
