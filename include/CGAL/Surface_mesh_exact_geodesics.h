@@ -353,7 +353,7 @@ public:
   Direction arrival_direction(vertex_descriptor v) const
   {
     require_exact();
-    const Cut_loci::internal::Geodesic_arrival_direction direction = computed().arrival_direction(index(v));
+    const Cut_loci::internal::Geodesic_direction direction = computed().arrival_direction(index(v));
     return Direction(mesh_.read().halfedges[direction.halfedge], direction.angle);
   }
 

@@ -70,6 +70,13 @@ struct alignas(64) Geodesic_face
   std::array<Corner, 3> corner;
 };
 
+/// is a direction at a vertex: an angle from a halfedge that leaves it, counterclockwise, in the face of the halfedge.
+struct Geodesic_direction
+{
+  Index halfedge;
+  double angle;
+};
+
 /*!
  * holds the intrinsic geometry of a triangle mesh, read once.
  *
@@ -154,6 +161,28 @@ public:
     for(Index g = first_[source(h)]; g != h; g = next_around_source(g))
       sum += angle(g);
     return sum;
+  }
+
+  /// the direction at any finite angle from `h`, counterclockwise; none is beyond the border
+  Geodesic_direction direction(Index h, double angle) const
+  {
+    while(angle < 0.)
+    {
+      const Index before = previous_around_source(h);
+      if(before == null_index)
+        return {h, 0.};
+      h = before;
+      angle += this->angle(h);
+    }
+    while(angle > this->angle(h))
+    {
+      const Index behind = next_around_source(h);
+      if(behind == null_index)
+        return {h, this->angle(h)};
+      angle -= this->angle(h);
+      h = behind;
+    }
+    return {h, angle};
   }
 
   /// the mesh that has been read, by its lengths: all points are zero

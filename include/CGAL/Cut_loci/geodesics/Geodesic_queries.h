@@ -28,13 +28,6 @@ struct Geodesic_arrival
   double rate = 1., error = 0.;  // as in `Geodesic_window`
 };
 
-/// is the direction of a shortest path at its end: an angle from a halfedge that leaves the end, counterclockwise.
-struct Geodesic_arrival_direction
-{
-  Index halfedge;
-  double angle;
-};
-
 /// is a point with its distance and the last piece of its path, in whose face it is given.
 struct Geodesic_query
 {

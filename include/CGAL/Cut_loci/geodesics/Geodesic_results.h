@@ -96,8 +96,8 @@ public:
 
   /// the direction at `v` in which the shortest path to it leads back
   /// \pre `v` is reached and no source
-  Geodesic_arrival_direction arrival_direction(Index v) const { return arrival_direction(v, arrival_[v]); }
-  Geodesic_arrival_direction arrival_direction(Index v, const Geodesic_arrival& arrival) const
+  Geodesic_direction arrival_direction(Index v) const { return arrival_direction(v, arrival_[v]); }
+  Geodesic_direction arrival_direction(Index v, const Geodesic_arrival& arrival) const
   {
     Index h = arrival.halfedge;
     while(faces_.source(h) != v)
@@ -120,14 +120,16 @@ public:
     }
     const double dx = arrival.x - end.x, dy = arrival.y - end.y;
     const double angle = std::atan2(along.x * dy - along.y * dx, along.x * dx + along.y * dy);
-    return in_its_face(h, angle < 0.5 * (faces_.angle(h) - full_turn) ? angle + full_turn : angle);
+    // a path along an edge, or past a vertex, may turn out beside the face by a rounding error
+    constexpr double full_turn = 2. * geodesic_pi;
+    return faces_.direction(h, angle < 0.5 * (faces_.angle(h) - full_turn) ? angle + full_turn : angle);
   }
 
   /// the same as an angle in the unrolled tangent plane of `v`, counterclockwise from its first halfedge
   double arrival_angle(Index v) const { return arrival_angle(v, arrival_[v]); }
   double arrival_angle(Index v, const Geodesic_arrival& arrival) const
   {
-    const Geodesic_arrival_direction direction = arrival_direction(v, arrival);
+    const Geodesic_direction direction = arrival_direction(v, arrival);
     return faces_.angle_around_source(direction.halfedge) + direction.angle;
   }
 
@@ -461,30 +463,6 @@ protected:
   }
 
 private:
-  static constexpr double full_turn = 2. * geodesic_pi;
-
-  /// a direction at the source of `h`: a path along an edge, or past a vertex, may turn out beside the face by rounding
-  Geodesic_arrival_direction in_its_face(Index h, double angle) const
-  {
-    while(angle < 0.)
-    {
-      const Index before = faces_.previous_around_source(h);
-      if(before == null_index)
-        return {h, 0.};
-      h = before;
-      angle += faces_.angle(h);
-    }
-    while(angle > faces_.angle(h))
-    {
-      const Index behind = faces_.next_around_source(h);
-      if(behind == null_index)
-        return {h, faces_.angle(h)};
-      angle -= faces_.angle(h);
-      h = behind;
-    }
-    return {h, angle};
-  }
-
   bool has_images_of_lines() const { return has_lines() && !has_parallel_waves(); }
 
   /// whether two paths come to `v` from different directions

@@ -224,7 +224,7 @@ protected:
     const double sigma = distance_[v];
     if(sigma == 0. || sigma > maximum_distance_)
       return;
-    const Geodesic_arrival_direction in = arrival_direction(v);
+    const Geodesic_direction in = arrival_direction(v);
     Geodesic_arrival start = from_vertex(v);
     const bool is_turned = has_turns() && is_origin(v);
     if(columns > 5 && is_turned)

@@ -94,7 +94,7 @@ private:
   {
     if(!geodesics.is_source(origin))
     {
-      const Geodesic_arrival_direction back = geodesics.arrival_direction(geodesics.vertex_of_origin(origin));
+      const Geodesic_direction back = geodesics.arrival_direction(geodesics.vertex_of_origin(origin));
       return start_at_vertex(back.halfedge, direction + back.angle);
     }
     const Index h = geodesics.source_halfedge(origin);
@@ -112,25 +112,8 @@ private:
   /// at this angle from `h`, counterclockwise around its source
   Line start_at_vertex(Index h, double angle) const
   {
-    const Index first = h;
-    const double full = faces_.total_angle(faces_.source(h));
-    if(!faces_.is_border(faces_.source(h)))
-      angle -= full * std::floor(angle / full);
-    while(angle < 0. && faces_.previous_around_source(h) != null_index)
-    {
-      h = faces_.previous_around_source(h);
-      angle += faces_.angle(h);
-    }
-    while(angle > faces_.angle(h))
-    {
-      const Index next = faces_.next_around_source(h);
-      if(next == null_index || next == first)
-        break;
-      angle -= faces_.angle(h);
-      h = next;
-    }
-    angle = (std::min)((std::max)(angle, 0.), faces_.angle(h));
-    return {h, {0., 0.}, std::cos(angle), std::sin(angle)};
+    const Geodesic_direction start = faces_.direction(h, angle);
+    return {start.halfedge, {0., 0.}, std::cos(start.angle), std::sin(start.angle)};
   }
 
   void leave_first_face()
