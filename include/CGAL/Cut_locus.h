@@ -83,7 +83,6 @@ struct Source_result
 {
   std::vector<double> distance;      // for each dense index of the whole mesh; infinity where unreached
   std::vector<Index> nearest_source; // the same; null where unreached; empty if there is one source
-  Index root = null_index;
   Index farthest = null_index;
   Index genus = 0;
   Index number_of_border_loops = 0;

@@ -559,7 +559,6 @@ private:
     run(Cut_loci::Stage::HOMOLOGY, [&] { solver.close_cycles(); });
 
     auto result = std::make_shared<Cut_loci::internal::Source_result>();
-    result->root = component.vertex(solver.root());
     result->farthest = component.vertex(solver.farthest());
     result->genus = solver.genus();
     result->number_of_border_loops = solver.number_of_border_loops();

@@ -92,7 +92,6 @@ public:
   const std::vector<double>& distance() const override { return distance_; }
   Index number_of_border_loops() const override { return in_use_->number_of_border_loops(); }
   Index genus() const override { return in_use_->genus(); }
-  Index root() const override { return farthest(); }
   Index farthest() const override
   {
     const Index result = in_use_->farthest();

@@ -108,7 +108,6 @@ public:
   const std::vector<double>& distance() const override { return has_curves() ? distance_ : whole_->distance(); }
   Index number_of_border_loops() const override { return whole_->connectivity().number_of_border_loops; }
   Index genus() const override { return whole_->genus(); }
-  Index root() const override { return has_curves() ? farthest_ : whole_->root(); }
   Index farthest() const override { return has_curves() ? farthest_ : whole_->farthest(); }
 
   std::vector<Index> nearest_sources() const override

@@ -176,7 +176,6 @@ public:
   const std::vector<float>& laplacian() const { return laplacian_; }
   Index number_of_border_loops() const { return connectivity_.number_of_border_loops; }
   Index genus() const { return surface_->genus; }
-  Index root() const { return tree_.root; }
   Index farthest() const { return farthest_; }
   // by the numbers under which they are known; empty if there is one
   std::vector<Index> nearest_sources() const

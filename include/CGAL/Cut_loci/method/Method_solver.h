@@ -34,7 +34,6 @@ public:
   virtual void close_cycles() = 0;
 
   virtual const std::vector<double>& distance() const = 0;
-  virtual Index root() const = 0;
   virtual Index farthest() const = 0;
   virtual Index genus() const = 0;
   virtual Index number_of_border_loops() const = 0;

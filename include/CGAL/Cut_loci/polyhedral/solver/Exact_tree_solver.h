@@ -107,8 +107,6 @@ public:
   Index farthest() const override { return first_.farthest(); }
   Index number_of_border_loops() const override { return connectivity().number_of_border_loops; }
   Index genus() const override { return connectivity().genus(mesh_); }
-  // the farthest vertex: on a closed surface it is on the cut locus
-  Index root() const override { return first_.farthest(); }
   std::vector<Index> nearest_sources() const override { return first_.nearest_source(); }
   double least_distance() const override { return first_.least_distance(); }
 
