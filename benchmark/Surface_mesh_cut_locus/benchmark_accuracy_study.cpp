@@ -170,9 +170,9 @@ struct Options
 
 CGAL::Cut_loci::Method method_named(const std::string& name)
 {
-  if(name != "direction" && name != "laplacian")
+  if(name != "default" && name != "laplacian")
     throw std::runtime_error("there is no method " + name);
-  if(name == "direction")
+  if(name == "default")
     return CGAL::Cut_loci::Default_method();
   return CGAL::Cut_loci::Laplacian_method();
 }
@@ -244,7 +244,7 @@ int main(int argc, char** argv)
   options.add_options()("help", "print this")("cache", po::value(&o.cache), "folder that keeps the generated meshes")(
     "csv", po::value(&o.csv), "file for the table, as comma separated values")(
     "faces", po::value(&o.faces)->multitoken()->default_value({5000, 20000, 80000}, "5000 20000 80000"),
-    "numbers of faces, nearly")("method", po::value(&o.method)->default_value("direction"), "direction or laplacian")(
+    "numbers of faces, nearly")("method", po::value(&o.method)->default_value("default"), "default or laplacian")(
     "surface", po::value(&o.surfaces)->multitoken(), "only the surfaces whose names contain one of these")(
     "mesh", po::value(&o.meshes)->multitoken(),
     "only the kinds of meshes whose names contain one of these; all are isotropic, jittered, 4:1 and "

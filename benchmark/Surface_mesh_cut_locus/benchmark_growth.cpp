@@ -119,7 +119,7 @@ std::vector<Solver_case> solver_cases()
   using Direct_heat = CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Direct>;
   const std::size_t any = 10000000;
   return {
-    {"exact-direction", any,
+    {"exact-default", any,
      [](std::size_t n, int k) { return measure(n, CGAL::Exact_geodesic_solver(), Default_method(), k); }},
     {"exact-laplacian", any,
      [](std::size_t n, int k) { return measure(n, CGAL::Exact_geodesic_solver(), Laplacian_method(), k); }},

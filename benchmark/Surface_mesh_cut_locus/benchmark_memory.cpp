@@ -77,7 +77,7 @@ private:
 
 void measure(const std::string& name, const Mesh& mesh, Method method, double error)
 {
-  const char* const method_name = std::holds_alternative<Default_method>(method)      ? "direction"
+  const char* const method_name = std::holds_alternative<Default_method>(method)      ? "default"
                                   : std::holds_alternative<Polyhedral_method>(method) ? "polyhedral"
                                                                                       : "laplacian";
   Memory_of_stages memory(name, method_name, error, mesh.number_of_faces());

@@ -70,7 +70,7 @@ Configuration configuration(const std::string& method_name, const std::string& s
 
 std::vector<Configuration> all_configurations()
 {
-  return {configuration<CGAL::Exact_geodesic_solver>("direction", "exact", Default_method()),
+  return {configuration<CGAL::Exact_geodesic_solver>("default", "exact", Default_method()),
           configuration<CGAL::Exact_geodesic_solver>("laplacian", "exact", Laplacian_method()),
           configuration<CGAL::Heat_method_geodesic_solver<CGAL::Heat_method_3::Intrinsic_Delaunay>>("laplacian", "heat",
                                                                                                     Laplacian_method()),
@@ -332,7 +332,7 @@ int main(int argc, char** argv)
   std::string folder;
   po::options_description options("The cut locus on the mesh files of a folder");
   options.add_options()("help", "print this")("folder", po::value(&folder), "the folder, or one file")(
-    "only", po::value(&settings.names)->multitoken(), "methods and solvers: direction-exact laplacian-heat ...")(
+    "only", po::value(&settings.names)->multitoken(), "methods and solvers: default-exact laplacian-heat ...")(
     "angle", po::value(&settings.angles)->multitoken()->default_value({0.3, 0.7, 1.5}, "0.3 0.7 1.5"),
     "thresholds of the method laplacian")(
     "curve", po::value(&settings.curves)->multitoken()->default_value({"edges", "faces"}, "edges faces"), "curves")(

@@ -104,7 +104,7 @@ std::map<std::string, Times> times_of_run(const Mesh& mesh, Method method, int t
 void measure(const std::string& name, const Mesh& mesh, const std::vector<int>& threads, int runs)
 {
   for(const auto& method :
-      {std::make_pair(Method(Default_method()), "direction"), std::make_pair(Method(Laplacian_method()), "laplacian")})
+      {std::make_pair(Method(Default_method()), "default"), std::make_pair(Method(Laplacian_method()), "laplacian")})
   {
     std::map<std::pair<int, std::string>, std::array<std::vector<double>, 3>> times;
     for(int run = 0; run < runs; ++run)

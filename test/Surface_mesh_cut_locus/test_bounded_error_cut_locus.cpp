@@ -7,7 +7,7 @@
 // Cut loci from distances with a maximum relative error.
 
 #include "surface_test.h"
-#include "direction_results.h"
+#include "default_results.h"
 
 #include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/property_map.h>
@@ -17,7 +17,7 @@ namespace test_bounded_error_cut_locus {
 namespace {
 
 using namespace surface_test;
-using namespace direction_test;
+using namespace default_test;
 
 constexpr double rounding = 1e-12;
 

@@ -6,7 +6,7 @@
 
 // What is left of the cut locus at a threshold: all that is as strong, and nothing that ends in anything weaker.
 
-#include "direction_results.h"
+#include "default_results.h"
 #include "several_sources_cases.h"
 
 #include <CGAL/Iterator_range.h>
@@ -17,7 +17,7 @@ namespace test_branch_thresholds {
 namespace {
 
 using namespace surface_test;
-using namespace direction_test;
+using namespace default_test;
 using CGAL::Cut_loci::internal::Exact_tree;
 using CGAL::Cut_loci::internal::Tree_graph;
 

@@ -8,13 +8,13 @@
 // turned, or rounded.
 
 #include "surface_test.h"
-#include "direction_results.h"
+#include "default_results.h"
 
 namespace test_default_strength {
 
 namespace {
 
-using namespace direction_test;
+using namespace default_test;
 using namespace surface_test;
 using namespace CGAL::Cut_loci::internal;
 

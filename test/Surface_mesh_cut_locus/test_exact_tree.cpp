@@ -8,7 +8,7 @@
 // is told by an oracle that unfolds the surface on its own.
 
 #include "surface_test.h"
-#include "direction_results.h"
+#include "default_results.h"
 #include "polyhedral_oracle.h"
 
 namespace test_exact_tree {
@@ -16,7 +16,7 @@ namespace test_exact_tree {
 namespace {
 
 using namespace surface_test;
-using namespace direction_test;
+using namespace default_test;
 using checked_curves::measured;
 
 Indexed_cut_locus curve_of(const Solved& solved, double gap = 0., double width = 0.)

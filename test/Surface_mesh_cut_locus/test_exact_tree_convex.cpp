@@ -7,7 +7,7 @@
 // All of the cut locus of convex polyhedra, against what is known of it.
 
 #include "surface_test.h"
-#include "direction_results.h"
+#include "default_results.h"
 
 #include <CGAL/boost/graph/generators.h>
 
@@ -16,7 +16,7 @@ namespace test_exact_tree_convex {
 namespace {
 
 using namespace surface_test;
-using namespace direction_test;
+using namespace default_test;
 using namespace CGAL::Cut_loci;
 
 // The cut locus is a tree whose leaves are the vertices of positive curvature, all of them on it but the source.

@@ -8,7 +8,7 @@
 // scaled or refined in its planes.
 
 #include "surface_test.h"
-#include "direction_results.h"
+#include "default_results.h"
 
 #include <CGAL/Cut_loci/statistics.h>
 #include <CGAL/cut_along_cut_locus.h>
@@ -18,7 +18,7 @@ namespace test_exact_tree_invariance {
 namespace {
 
 using namespace surface_test;
-using namespace direction_test;
+using namespace default_test;
 using CGAL::Cut_loci::internal::Vector;
 using checked_curves::measured;
 

@@ -8,14 +8,14 @@
 // from all around the rim cross. How they are triangulated is nothing to the surface.
 
 #include "surface_test.h"
-#include "direction_results.h"
+#include "default_results.h"
 
 namespace test_fans {
 
 namespace {
 
 using namespace surface_test;
-using namespace direction_test;
+using namespace default_test;
 
 std::vector<std::unique_ptr<Built>> cylinders(std::size_t n)
 {

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_TEST_DIRECTION_RESULTS_H
-#define CGAL_CUT_LOCI_TEST_DIRECTION_RESULTS_H
+#ifndef CGAL_CUT_LOCI_TEST_DEFAULT_RESULTS_H
+#define CGAL_CUT_LOCI_TEST_DEFAULT_RESULTS_H
 
 #include "checked_curves.h"
 #include "surface_test.h"
@@ -13,7 +13,7 @@
 #include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>
 
 // Cut loci on dense arrays from the exact distances, and what must hold for every result.
-namespace direction_test {
+namespace default_test {
 
 using namespace surface_test;
 using CGAL::Cut_loci::internal::Branch_strength;
@@ -185,6 +185,6 @@ inline void expect_invariants(const Indexed_triangle_mesh& mesh, const Indexed_s
   }
 }
 
-} // namespace direction_test
+} // namespace default_test
 
-#endif // CGAL_CUT_LOCI_TEST_DIRECTION_RESULTS_H
+#endif // CGAL_CUT_LOCI_TEST_DEFAULT_RESULTS_H

@@ -21,7 +21,7 @@
 
 #include <random>
 
-namespace test_direction_accuracy {
+namespace test_default_accuracy {
 
 namespace {
 
@@ -59,7 +59,7 @@ Errors torus_errors(Mesh mesh, const Point& source, const std::function<Polyline
   return e;
 }
 
-TEST(Direction_accuracy, torus)
+TEST(Default_accuracy, torus)
 {
   const Torus torus;
   for(double length : {0.08, 0.05})
@@ -83,7 +83,7 @@ TEST(Direction_accuracy, torus)
 
 // The cut locus of a pole of an ellipsoid of revolution is the other pole; that of a point of the equator of an oblate
 // one is an arc of the equator that ends at the first conjugate points, those at half the length b pi of a meridian.
-TEST(Direction_accuracy, ellipsoid_of_revolution)
+TEST(Default_accuracy, ellipsoid_of_revolution)
 {
   Ellipsoid oblate;
   oblate.a = oblate.b = 1.;
@@ -138,7 +138,7 @@ void expect_near_shot(const Surface& surface, Mesh mesh, const Point& at)
   EXPECT_EQ(CGAL::Cut_loci::compute_statistics(result).leaves, truth.tips.size());
 }
 
-TEST(Direction_accuracy, general_sources)
+TEST(Default_accuracy, general_sources)
 {
   const Ellipsoid ellipsoid;
   const Torus torus;
@@ -148,7 +148,7 @@ TEST(Direction_accuracy, general_sources)
 }
 
 // A checker that accepts anything would be none.
-TEST(Direction_accuracy, shooting_rejects_wrong_points)
+TEST(Default_accuracy, shooting_rejects_wrong_points)
 {
   const Torus torus;
   const Point source = torus.point(0., 0.);
@@ -161,7 +161,7 @@ TEST(Direction_accuracy, shooting_rejects_wrong_points)
   EXPECT_GT(std::fabs(found->point.y() - torus.project(wrong + Vector(0., 0.05, 0.)).y()), 0.04);
 }
 
-TEST(Direction_accuracy, noise)
+TEST(Default_accuracy, noise)
 {
   const Torus torus;
   const Mesh smooth = remeshed(torus, 0.09);
@@ -187,4 +187,4 @@ TEST(Direction_accuracy, noise)
 
 } // namespace
 
-} // namespace test_direction_accuracy
+} // namespace test_default_accuracy

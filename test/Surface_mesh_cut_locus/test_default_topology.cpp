@@ -7,15 +7,15 @@
 // The topology of the direction method's results, on meshes chosen to break it.
 
 #include "surface_test.h"
-#include "direction_results.h"
+#include "default_results.h"
 
 #include <CGAL/Cut_loci/geodesics/geodesic_path_tracing.h>
 
-namespace test_direction_topology {
+namespace test_default_topology {
 
 namespace {
 
-using namespace direction_test;
+using namespace default_test;
 using namespace surface_test;
 
 void check_all_kinds_of_sources(const Mesh_data& data, const std::string& name)
@@ -29,7 +29,7 @@ void check_all_kinds_of_sources(const Mesh_data& data, const std::string& name)
   expect_invariants(mesh, in_face(f, 1. - 2e-6, 1e-6, 1e-6), name + ", near a vertex");
 }
 
-TEST(Direction_topology, flat_polyhedra)
+TEST(Default_topology, flat_polyhedra)
 {
   for(int n : {1, 2, 5})
   {
@@ -43,7 +43,7 @@ TEST(Direction_topology, flat_polyhedra)
   check_all_kinds_of_sources(revolution(3, {{{0., 0.}}, {{1., 0.}}, {{1., 2.}}, {{0., 2.}}}), "prism");
 }
 
-TEST(Direction_topology, genus)
+TEST(Default_topology, genus)
 {
   for(int holes : {1, 2, 3})
     for(int n : {1, 2, 4})
@@ -53,7 +53,7 @@ TEST(Direction_topology, genus)
   check_all_kinds_of_sources(torus(1., 0.4, 3, 3), "torus of 18 faces");
 }
 
-TEST(Direction_topology, symmetry)
+TEST(Default_topology, symmetry)
 {
   // All is a tie: circles of equally good points, and a sphere whose cut locus is one point.
   check_all_kinds_of_sources(sphere_of_squares(8), "sphere");
@@ -69,7 +69,7 @@ TEST(Direction_topology, symmetry)
   check_all_kinds_of_sources(revolution(12, limb), "thin limb");
 }
 
-TEST(Direction_topology, bad_shapes)
+TEST(Default_topology, bad_shapes)
 {
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> random(-1., 1.);
@@ -92,7 +92,7 @@ TEST(Direction_topology, bad_shapes)
   check_all_kinds_of_sources(crumpled, "crumpled sphere");
 }
 
-TEST(Direction_topology, boundary)
+TEST(Default_topology, boundary)
 {
   const Mesh_data ball = sphere_of_squares(8);
   const Mesh_data cap = without_ball(ball, {{0., 0., 1.}}, 0.5);
@@ -150,7 +150,7 @@ int paths_across_cycles(const Indexed_triangle_mesh& mesh, const Indexed_source&
   return result;
 }
 
-TEST(Direction_topology, shortest_paths_do_not_cross_the_cycles)
+TEST(Default_topology, shortest_paths_do_not_cross_the_cycles)
 {
   // Behind a hole, the paths around it bend at the same corners, so that their directions at the source hardly differ.
   std::mt19937 generator(5);
@@ -178,7 +178,7 @@ TEST(Direction_topology, shortest_paths_do_not_cross_the_cycles)
     }
 }
 
-TEST(Direction_topology, sphere_is_cut_at_a_point)
+TEST(Default_topology, sphere_is_cut_at_a_point)
 {
   const Indexed_triangle_mesh ball = indexed(sphere_of_squares(20));
   const Index v = static_cast<Index>(nearest_vertex(ball.points, {{0., 0., 1.}}));
@@ -193,4 +193,4 @@ TEST(Direction_topology, sphere_is_cut_at_a_point)
 
 } // namespace
 
-} // namespace test_direction_topology
+} // namespace test_default_topology

@@ -7,16 +7,16 @@
 // Noise along the normals moves the cut locus a little; with its defaults the method neither loses it nor adds to it.
 
 #include "surface_test.h"
-#include "direction_results.h"
+#include "default_results.h"
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
-namespace test_direction_noise {
+namespace test_default_noise {
 
 namespace {
 
-using namespace direction_test;
+using namespace default_test;
 using namespace surface_test;
 using namespace CGAL::Cut_loci::internal;
 
@@ -83,7 +83,7 @@ double farthest(const std::vector<Vector>& from, const std::vector<Vector>& to)
   return result;
 }
 
-TEST(Direction_noise, ellipsoids)
+TEST(Default_noise, ellipsoids)
 {
   for(int n : {20, 35, 50})
   {
@@ -125,7 +125,7 @@ int number_of_limbs(const Indexed_triangle_mesh& mesh, const Indexed_cut_locus& 
   return static_cast<int>(result.size());
 }
 
-TEST(Direction_noise, limbs_are_not_taken_for_noise)
+TEST(Default_noise, limbs_are_not_taken_for_noise)
 {
   const Indexed_triangle_mesh smooth = limbs(50);
   const Index v = static_cast<Index>(nearest_vertex(smooth.points, {{1.7, 1.7, 1.7}}));
@@ -135,7 +135,7 @@ TEST(Direction_noise, limbs_are_not_taken_for_noise)
 }
 
 // Paths part where a limb begins: what noise does to them before does not matter. The narrower limbs are five edges thick.
-TEST(Direction_noise, limbs_of_noisy_bodies)
+TEST(Default_noise, limbs_of_noisy_bodies)
 {
   for(double sharpness : {15., 40.})
   {
@@ -178,7 +178,7 @@ Indexed_triangle_mesh decimated(const Mesh_data& data, std::size_t number_of_fac
   return indexed(result);
 }
 
-TEST(Direction_noise, limbs_of_coarse_bodies)
+TEST(Default_noise, limbs_of_coarse_bodies)
 {
   for(double sharpness : {25., 40., 60., 80.})
   {
@@ -202,7 +202,7 @@ TEST(Direction_noise, limbs_of_coarse_bodies)
 }
 
 // What is around almost a full turn is a limb, and steps of voxels do not make it one that noise explains.
-TEST(Direction_noise, limbs_of_voxels)
+TEST(Default_noise, limbs_of_voxels)
 {
   for(int radius : {2, 4})
   {
@@ -228,7 +228,7 @@ TEST(Direction_noise, limbs_of_voxels)
 }
 
 // Bumps of six edges are shape, at whatever height; the same roughness from vertex to vertex is noise.
-TEST(Direction_noise, rough_shape_is_no_noise)
+TEST(Default_noise, rough_shape_is_no_noise)
 {
   const Indexed_triangle_mesh smooth = ellipsoid(40);
   const double h = Mesh_connectivity(smooth).mean_edge_length;
@@ -257,4 +257,4 @@ TEST(Direction_noise, rough_shape_is_no_noise)
 
 } // namespace
 
-} // namespace test_direction_noise
+} // namespace test_default_noise
