@@ -16,9 +16,6 @@
 #include <CGAL/Cut_loci/polyhedral/joining/Cut_graph.h>
 #include <CGAL/Cut_loci/polyhedral/joining/Tree_graph.h>
 #include <CGAL/Cut_loci/polyhedral/joining/Tree_graph_builder.h>
-#include <CGAL/Cut_loci/polyhedral/labels/Drawn_faces.h>
-#include <CGAL/Cut_loci/polyhedral/labels/Edge_crossings.h>
-#include <CGAL/Cut_loci/polyhedral/labels/Halfedge_trail.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Label_changes.h>
 #include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Branch_widths.h>
@@ -29,6 +26,7 @@
 #include <CGAL/Cut_loci/polyhedral/strength/Tree_branches.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Width_bounds.h>
 #include <CGAL/Cut_loci/polyhedral/strength/spurs.h>
+#include <CGAL/Cut_loci/polyhedral/tree/Crossing_runs.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 
@@ -52,7 +50,7 @@ class Exact_tree
 public:
   Exact_tree(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
              Exact_geodesic_propagation& geodesics)
-    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics),
+    : mesh_(mesh), connectivity_(connectivity), geodesics_(geodesics), runs_(mesh, geodesics),
       graph_(ridges_, connectivity.number_of_border_loops)
   {
   }
@@ -60,8 +58,8 @@ public:
   /// lets the distances have an error, see `Exact_geodesic_options`; the tree is one above some strength then
   void allow_error(double maximum_relative_error, double merging_angle)
   {
-    options_.maximum_relative_error = maximum_relative_error;
-    options_.merging_angle = merging_angle;
+    runs_.options.maximum_relative_error = maximum_relative_error;
+    runs_.options.merging_angle = merging_angle;
   }
 
   /// is told the share of a stage that is done
@@ -72,8 +70,8 @@ public:
   /// @param owners of the sources that are points, first those of `source_vertices`
   void add_lines(const std::vector<Geodesic_line>& lines, const std::vector<Index>& owners)
   {
-    options_.lines = lines;
-    options_.owners = owners;
+    runs_.options.lines = lines;
+    runs_.options.owners = owners;
   }
 
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
@@ -92,17 +90,7 @@ public:
   {
     least_ = least;
     source_vertices_ = source_vertices;
-    sources_ = sources;
-    crossings_.reset();
-    if(least.is_none())
-    {
-      is_drawn_.assign(mesh_.number_of_faces(), 1);
-      bend_.clear();
-    }
-    else if(!find_drawn_faces(threads, go_on))
-      return;
-    if(!crossings_)
-      find_crossings();
+    runs_(sources, least, threads, go_on, progress_);
   }
 
   /// The same, with what `edges` need that are not known: `draw_ridges()` and what follows have to be called again. The
@@ -131,17 +119,15 @@ public:
       }
     if(!is_more)
       return false;
-    is_drawn_.swap(is_drawn);
-    bend_.clear(); // no other edge has to be crossed
-    find_crossings();
+    runs_.once_more(std::move(is_drawn), progress_);
     return true;
   }
 
   void draw_ridges(const Threads& threads = {})
   {
-    changes_ = Label_changes(connectivity_, geodesics_, *crossings_, std::move(is_drawn_), std::move(bend_), least_,
-                             progress_.part(0., 0.4));
-    crossings_.reset();
+    changes_ = Label_changes(connectivity_, geodesics_, *runs_.crossings, std::move(runs_.is_drawn),
+                             std::move(runs_.bend), least_, progress_.part(0., 0.4));
+    runs_.crossings.reset();
     ridges_ = Ridges(mesh_, connectivity_, geodesics_, changes_, threads, progress_.part(0.4, 1.));
     ridges_.renumber_crossings(changes_.forget_all_but(ridges_.crossings_with_pieces()));
   }
@@ -296,7 +282,7 @@ private:
     constexpr double whole = (std::numeric_limits<double>::infinity)();
     if(edge.piece == null_index || edge.is_between_sources())
       return {0., whole};
-    return options_.lines.empty() ? ridges_.enclosed(edge.piece, edge.face) : Ridges::Enclosed{edge.gap, whole};
+    return runs_.options.lines.empty() ? ridges_.enclosed(edge.piece, edge.face) : Ridges::Enclosed{edge.gap, whole};
   }
 
   /// how wide an edge has to be
@@ -312,7 +298,7 @@ private:
   {
     constexpr double infinity = (std::numeric_limits<double>::infinity)();
     // in the middle of a curve that is nearly a circle, what it encloses is no corner
-    if(!options_.lines.empty() || graph_.edges[e].piece == null_index)
+    if(!runs_.options.lines.empty() || graph_.edges[e].piece == null_index)
       return infinity;
     const Ridges::Enclosed there = enclosed(e);
     if(!least.is_enough(there.curvature, there.length))
@@ -490,105 +476,13 @@ private:
     return result;
   }
 
-  void find_crossings()
-  {
-    // If the first slack is not enough on this mesh, once more with room for more, and then for all.
-    options_.progress = progress_.part(least_.is_none() ? 0. : 0.5, 1.);
-    for(double slack : {first_slack, 32., (std::numeric_limits<double>::infinity)()})
-    {
-      crossings_.reset(new Edge_crossings(geodesics_, is_drawn_, least_, slack));
-      geodesics_.run(sources_, options_, *crossings_);
-      crossings_->finish(progress_.part(1., 1.));
-      if(crossings_->number_of_late() == 0)
-        return;
-      options_.progress = progress_.part(1., 1.);
-    }
-  }
-
-  /// finds, if there are threads, the crossings at the same time, in a run that follows the one that finds the faces
-  ///
-  /// @return whether to go on
-  template <typename Function>
-  bool find_drawn_faces(const Threads& threads, const Function& go_on)
-  {
-    Halfedge_trail trail(geodesics_.faces().mean_edge_length());
-    Drawn_faces found(geodesics_, least_, trail);
-    Exact_geodesic_options options = options_;
-    options_.progress = progress_.part(0., 0.5);
-    options.progress = Progress();
-    is_drawn_.assign(mesh_.number_of_faces(), 0);
-    bool goes_on = true;
-    const auto find = [&]
-    {
-      try
-      {
-        geodesics_.run(sources_, options_, found);
-        trail.end();
-        found.finish();
-        goes_on = go_on();
-      }
-      catch(...)
-      {
-        trail.stop();
-        throw;
-      }
-      if(!goes_on)
-        trail.stop();
-    };
-    const auto follow = [&]
-    {
-      try
-      {
-        if(!following_)
-          following_.reset(new Exact_geodesic_propagation(geodesics_.shared_faces()));
-        crossings_.reset(new Edge_crossings(*following_, is_drawn_, least_, first_slack, &trail));
-        following_->run(sources_, options, *crossings_);
-      }
-      catch(...) // what is wrong will be so once more, in the thread that asks
-      {
-        crossings_.reset();
-      }
-    };
-    if(threads.are_there() && sources_.size() == 1) // which faces are between several is known at the end
-      threads.run_both(find, follow);
-    else
-      find();
-    if(!goes_on)
-    {
-      crossings_.reset();
-      return false;
-    }
-    // between sources at the ends of an edge there may be no windows
-    for(Index f = 0; f < mesh_.number_of_faces() && sources_.size() > 1; ++f)
-      for(Index v : mesh_.triangles[f])
-        if(geodesics_.nearest_source(v) != geodesics_.nearest_source(mesh_.triangles[f][0]))
-          found.is_drawn[f] = 1;
-    is_drawn_ = std::move(found.is_drawn);
-    bend_ = std::move(found.bend);
-    if(crossings_)
-    {
-      crossings_->finish();
-      if(crossings_->number_of_late() > 0)
-        crossings_.reset();
-    }
-    return true;
-  }
-
-  // windows of an edge come once the front is there, up to a face or two
-  static constexpr double first_slack = 4.;
-
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
   Exact_geodesic_propagation& geodesics_;
-  std::unique_ptr<Exact_geodesic_propagation> following_; // in another thread
+  Crossing_runs runs_;
   std::vector<Index> source_vertices_;
-  std::vector<Indexed_location> sources_;
-  Exact_geodesic_options options_;
   Progress progress_;
   Branch_strength least_;
-  std::vector<unsigned char> is_drawn_; // by face, and
-  std::vector<float> bend_;             // by halfedge, until the ridges are drawn
-  std::unique_ptr<Edge_crossings> crossings_;
   Label_changes changes_;
   Ridges ridges_;
   Tree_graph graph_;
