@@ -6,6 +6,7 @@
 
 #include "surface_test.h"
 
+#include <CGAL/Cut_loci/laplacian/Branch_tips.h>
 #include <CGAL/Graph_geodesic_solver.h>
 #include <CGAL/Heat_method_geodesic_solver.h>
 #include <CGAL/exact_geodesic_distances.h>
@@ -125,6 +126,28 @@ TEST(Branch_tips, are_not_passed_because_of_noise)
       for(const Point& p : leaves(solver.cut_locus(mesh_edges)))
         EXPECT_LT(p[0], 3. * h) << noise << ", " << n; // measured: -0.9 h at most
     }
+}
+
+// A double pyramid with the source at one apex: only the other one is no neighbor of it, and tells the noise.
+TEST(Branch_tips, have_the_noise_of_what_is_no_neighbor_of_the_source)
+{
+  const Index n = 12;
+  Mesh_data pyramids;
+  pyramids.points = {{{0., 0., -1.}}, {{0., 0., 1.}}};
+  for(Index i = 0; i < n; ++i)
+  {
+    pyramids.points.push_back({{std::cos(2. * pi * i / n), std::sin(2. * pi * i / n), 0.}});
+    const Index here = 2 + i, next = 2 + (i + 1) % n;
+    pyramids.triangles.push_back({{next, here, 0}});
+    pyramids.triangles.push_back({{here, next, 1}});
+  }
+  const Mesh_connectivity connectivity(indexed(pyramids));
+  std::vector<float> laplacian(n + 2, 0.1f);
+  laplacian[0] = (std::numeric_limits<float>::max)();
+  laplacian[1] = 0.3f;
+  EXPECT_NEAR(CGAL::Cut_loci::internal::Branch_tips::noise_of(connectivity, laplacian), 3. * 0.2 * n / (n + 1), 1e-6);
+  laplacian[1] = laplacian[0]; // two sources, and nothing that tells
+  EXPECT_EQ(CGAL::Cut_loci::internal::Branch_tips::noise_of(connectivity, laplacian), 0.f);
 }
 
 // So do errors that vary slowly, as those of the heat method. If only noise is looked for, tips are passed by up to 18 h.

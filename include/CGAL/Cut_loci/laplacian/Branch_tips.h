@@ -44,12 +44,18 @@ public:
   }
 
   // By how much a value may differ from the mean around it because of errors: two standard deviations, which are three
-  // times the median if errors are normal. Most vertices are far from the cut locus.
+  // times the median if errors are normal. Most vertices are far from the cut locus. Where a source is, there is no value
+  // to compare: those next to it do not count.
   static float noise_of(const Mesh_connectivity& connectivity, const std::vector<float>& laplacian)
   {
-    std::vector<float> difference(laplacian.size());
+    const auto exists = [&](Index v) { return laplacian[v] < (std::numeric_limits<float>::max)(); };
+    const auto first = connectivity.ring_vertex.begin();
+    std::vector<float> difference;
     for(Index v = 0; v < laplacian.size(); ++v)
-      difference[v] = static_cast<float>(std::abs(laplacian[v] - mean_around(connectivity, laplacian, v)));
+      if(exists(v) && std::all_of(first + connectivity.ring_begin[v], first + connectivity.ring_begin[v + 1], exists))
+        difference.push_back(static_cast<float>(std::abs(laplacian[v] - mean_around(connectivity, laplacian, v))));
+    if(difference.empty())
+      return 0.f;
     const auto middle = difference.begin() + static_cast<std::ptrdiff_t>(difference.size() / 2);
     std::nth_element(difference.begin(), middle, difference.end());
     return 3.f * *middle;
