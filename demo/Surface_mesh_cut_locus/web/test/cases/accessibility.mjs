@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
+import { patience } from '../page_driver.mjs';
 
 const axeSource = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
@@ -110,9 +111,12 @@ export const tests = {
     }, [cross[0] - box.x, cross[1] - box.y, away - 8]));
     // on the surface itself there is the crosshair alone
     for (let i = 0; i < 12; ++i) await page.keyboard.press('ArrowUp');
-    await page.waitForTimeout(300);
-    const isOnSurface = await d.app(({ viewer }) => Boolean(viewer.pointer.onModel(...viewer.pixelAt(viewer.controls.target))));
-    assert.equal(await page.locator('#crosshair-target').isVisible(), !isOnSurface);
+    await d.settle();
+    await page.waitForFunction(() => {
+      const { viewer } = window.cutLocusPage;
+      const isOnSurface = Boolean(viewer.pointer.onModel(...viewer.pixelAt(viewer.controls.target)));
+      return document.getElementById('crosshair-target').hidden === isOnSurface;
+    }, null, { timeout: patience }); // a slow machine draws the next picture later
     await page.mouse.click(...cross);
     await page.focus('#cut');
     assert.ok(!await page.locator('#crosshair').isVisible());
