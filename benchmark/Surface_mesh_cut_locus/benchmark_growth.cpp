@@ -95,7 +95,7 @@ Figures measure(std::size_t faces, const Solver& solver, Method method, int tria
     clock.reset();
     cut_loci.set_source(
       *(mesh.vertices_begin() + Mesh::size_type(i) * mesh.number_of_vertices() / Mesh::size_type(trials)));
-    cut_loci.cut_locus(params::cut_locus_curve(CGAL::Cut_loci::Curve::MESH_EDGES));
+    cut_loci.cut_locus();
     for(Stage stage : {Stage::DISTANCE, Stage::STRENGTH, Stage::TREE, Stage::HOMOLOGY, Stage::FILTER})
       times[stage].push_back(clock[stage]);
   }

@@ -84,13 +84,12 @@ export const tests = {
     await page.keyboard.press('Shift+Tab'); // from the buttons after it
     await page.focus('#model-view');
     await page.keyboard.press('Shift'); // the focus is that of the keyboard
-    const middleOf = async (id) => {
-      const box = await page.locator(id).boundingBox();
-      return [box.x + box.width / 2, box.y + box.height / 2];
-    };
-    const cross = await middleOf('#crosshair');
-    await page.waitForSelector('#crosshair-target:not([hidden])'); // the middle is the hole
-    const target = await middleOf('#crosshair-target');
+    // each picture hides the target until the view rests
+    const middleOf = async (id) => (await page.waitForFunction((selector) => {
+      const element = document.querySelector(selector), box = element.getBoundingClientRect();
+      return !element.hidden && [box.x + box.width / 2, box.y + box.height / 2];
+    }, id, { timeout: patience })).jsonValue();
+    const cross = await middleOf('#crosshair'), target = await middleOf('#crosshair-target'); // the middle is the hole
     const away = Math.hypot(...cross.map((x, k) => x - target[k]));
     assert.ok(away > 20 && away < 250, `${away}`);
     await d.picture('crosshair.png');
