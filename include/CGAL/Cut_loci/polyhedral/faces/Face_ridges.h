@@ -77,6 +77,16 @@ public:
     draw_by_labels(changes, nodes, ridges);
   }
 
+  /// of a point, by all ways into the face; where the drawing is doubtful, the images beside the point do not tell it
+  double distance_in_doubt(const Plane_point& p) const
+  {
+    double result = infinity;
+    for(const Entry& e : *entries_)
+      if(sees(e, p))
+        result = (std::min)(result, e.image.distance(p));
+    return result;
+  }
+
 private:
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
 

@@ -384,7 +384,9 @@ private:
     for(int k = 0; k < 2; ++k)
     {
       Node& node = nodes_[face.first_node + piece.nodes[k]];
-      node.distance = 0.5 * (piece.images[0].distance(node.point) + piece.images[1].distance(node.point));
+      node.distance = work.drawing.is_doubtful
+                        ? work.drawing.distance_in_doubt(node.point)
+                        : 0.5 * (piece.images[0].distance(node.point) + piece.images[1].distance(node.point));
       if(node.crossing != null_index)
         piece.gaps[k] = (*changes_)[node.crossing].gap;
       else if(node.vertex == null_index)

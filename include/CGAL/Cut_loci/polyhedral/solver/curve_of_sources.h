@@ -69,8 +69,8 @@ inline Indexed_cut_locus mesh_edges_of_sources(Sources_tree& of, const std::vect
   return result;
 }
 
-/// Pieces that the topology alone has added have no paths to tell them, in doubtful faces there may be shorter ones, and
-/// those of a perturbed surface are of other lengths.
+/// Pieces that the topology alone has added have no paths to tell them, and those of a perturbed surface are of other
+/// lengths.
 inline void correct_distances(const Sources_tree& of, const std::vector<Tree_branches::Edge>& kept,
                               Indexed_cut_locus& curve)
 {
@@ -79,7 +79,10 @@ inline void correct_distances(const Sources_tree& of, const std::vector<Tree_bra
     set_distances_from_curves(of.mesh(), of.points(), of.curves(), curve);
     return;
   }
-  const std::vector<Index> faces = of.tree().faces_off_bisectors(kept);
+  std::vector<Index> faces;
+  for(Index e : of.tree().unknown(kept))
+    faces.push_back(of.tree().graph().edges[e].face);
+  std::sort(faces.begin(), faces.end());
   if(!of.is_perturbed() && (faces.empty() || of.maximum_relative_error() > 0.))
     return;
   const bool are_all = of.is_perturbed() || of.prepared().is_other(); // else faces have their own numbers
