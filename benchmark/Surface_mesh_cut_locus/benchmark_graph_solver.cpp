@@ -8,7 +8,7 @@
 // exact distances. Arguments: mesh files.
 
 #include <CGAL/Cut_loci/face_graph/Mesh_of_points.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Graph_geodesic_solver.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -9,7 +9,7 @@
 #include "output_file.h"
 #include "surface_files.h"
 
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 
 #include <algorithm>

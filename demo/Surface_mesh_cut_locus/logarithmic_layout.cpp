@@ -6,7 +6,7 @@
 
 #include "logarithmic_layout.h"
 
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/logarithmic_chart.h>
 #include <CGAL/Cut_loci/surface/location_in_part.h>
 

@@ -8,7 +8,7 @@
 #include "log_map.h"
 #include "output_file.h"
 
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 
 #include <cmath>
 #include <ostream>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Cut_loci/Index.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
-#include <CGAL/Cut_loci/face_graph/read_curves.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_curves.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 

@@ -13,15 +13,15 @@
 #include "topology_beside_curves.h"
 
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/graph/curve_refinement.h>
-#include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
-#include <CGAL/Cut_loci/surface/location_in_part.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
+#include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
+#include <CGAL/Cut_loci/surface/location_in_part.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 #include <CGAL/Cut_locus.h>
 

@@ -11,7 +11,7 @@
 #include "detour.h"
 
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_locus.h>

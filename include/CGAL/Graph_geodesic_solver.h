@@ -8,7 +8,7 @@
 #define CGAL_GRAPH_GEODESIC_SOLVER_H
 
 #include <CGAL/Cut_loci/Laplacian_method.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_bucket_queue.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_bucket_queue.h>
 #include <CGAL/Cut_loci/internal/Compressed_rows.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>

@@ -14,11 +14,11 @@
 #include <CGAL/Cut_loci/face_graph/Surface_component.h>
 #include <CGAL/Cut_loci/face_graph/Visitor_handle.h>
 #include <CGAL/Cut_loci/face_graph/concurrency.h>
-#include <CGAL/Cut_loci/face_graph/method_parameters.h>
-#include <CGAL/Cut_loci/face_graph/read_curves.h>
-#include <CGAL/Cut_loci/face_graph/read_edge_lengths.h>
-#include <CGAL/Cut_loci/face_graph/read_source.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/method_parameters.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_curves.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_edge_lengths.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_source.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/graph/Divided_mesh.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/method/Geodesic_solver_handle.h>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/face_graph/Mesh_of_fans.h>
-#include <CGAL/Cut_loci/face_graph/read_curves.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_curves.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_fronts.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_point_search.h>

@@ -7,7 +7,7 @@
 #ifndef CGAL_EXACT_GEODESIC_DISTANCES_H
 #define CGAL_EXACT_GEODESIC_DISTANCES_H
 
-#include <CGAL/Cut_loci/face_graph/read_source.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_source.h>
 #include <CGAL/Surface_mesh_exact_geodesics.h>
 
 namespace CGAL {

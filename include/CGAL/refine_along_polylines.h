@@ -7,10 +7,10 @@
 #ifndef CGAL_REFINE_ALONG_POLYLINES_H
 #define CGAL_REFINE_ALONG_POLYLINES_H
 
-#include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/face_graph/output_maps.h>
-#include <CGAL/Cut_loci/face_graph/read_polylines.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_polylines.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>
 

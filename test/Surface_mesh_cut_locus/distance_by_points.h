@@ -7,7 +7,7 @@
 #ifndef DISTANCE_BY_POINTS_H
 #define DISTANCE_BY_POINTS_H
 
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 #include "surface_test.h"
 #include "checked_curves.h"
 
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 
 namespace several_sources {
 

@@ -8,7 +8,7 @@
 
 #include "exact_geodesics_test_meshes.h"
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_bucket_queue.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_bucket_queue.h>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include "surface_test.h"
 
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/flatten_disk.h>
 #include <CGAL/Cut_loci/logarithmic_chart.h>
 #include <CGAL/Cut_loci/surface/location_in_part.h>

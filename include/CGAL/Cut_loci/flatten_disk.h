@@ -11,7 +11,7 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/Layout_quality.h>
 #include <CGAL/Cut_loci/face_graph/Visitor_handle.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/flattening/Disk_shape.h>
 #include <CGAL/Cut_loci/flattening/Multilevel_layout.h>
 #include <CGAL/Cut_loci/flattening/layout_overlap.h>

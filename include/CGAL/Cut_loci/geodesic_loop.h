@@ -9,7 +9,7 @@
 
 #include <CGAL/Cut_loci/face_graph/build_face_graph.h>
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/injectivity_radius.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/location_in_part.h>

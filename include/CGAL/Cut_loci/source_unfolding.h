@@ -9,8 +9,8 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/face_graph/Surface_component.h>
-#include <CGAL/Cut_loci/face_graph/read_source.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_source.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 #include <CGAL/Cut_loci/polyhedral/curves/Unfolded_polygon.h>
 #include <CGAL/Cut_loci/polyhedral/solver/Exact_tree_solver.h>

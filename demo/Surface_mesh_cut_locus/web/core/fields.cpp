@@ -6,7 +6,7 @@
 
 #include "fields.h"
 
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/laplacian/Differential_operators.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 

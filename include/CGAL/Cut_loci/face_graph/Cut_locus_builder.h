@@ -8,7 +8,7 @@
 #define CGAL_CUT_LOCI_FACE_GRAPH_CUT_LOCUS_BUILDER_H
 
 #include <CGAL/Cut_loci/face_graph/Surface_component.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/vector_3.h>

@@ -8,7 +8,7 @@
 #define CGAL_CUT_LOCI_FACE_GRAPH_CELLS_OF_FACES_H
 
 #include <CGAL/Cut_loci/face_graph/curve_on_mesh.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/surface/location_in_part.h>

@@ -8,7 +8,7 @@
 #define CGAL_CUT_LOCI_FACE_GRAPH_CURVE_ON_MESH_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>

@@ -8,7 +8,7 @@
 #define CGAL_CUT_LOCI_FACE_GRAPH_OUTPUT_MAPS_H
 
 #include <CGAL/Cut_loci/face_graph/build_face_graph.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/cut_open.h>

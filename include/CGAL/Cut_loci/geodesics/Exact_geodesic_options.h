@@ -8,7 +8,7 @@
 #define CGAL_CUT_LOCI_GEODESICS_EXACT_GEODESIC_OPTIONS_H
 
 #include <CGAL/Cut_loci/Index.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_windows.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 

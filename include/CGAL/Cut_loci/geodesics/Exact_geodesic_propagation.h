@@ -10,9 +10,9 @@
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_options.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_crossing.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_starts.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_windows.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/separate_compilation.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>

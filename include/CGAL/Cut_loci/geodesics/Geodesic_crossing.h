@@ -8,14 +8,14 @@
 #define CGAL_CUT_LOCI_GEODESICS_GEODESIC_CROSSING_H
 
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_options.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_merging.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_queries.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_slim_edges.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_starts.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_kernels.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_merging.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_slim_edges.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_windows.h>
+#include <CGAL/Cut_loci/geodesics/windows/geodesic_window_kernels.h>
+#include <CGAL/Cut_loci/geodesics/windows/geodesic_window_trimming.h>
 
 #include <algorithm>
 #include <array>

@@ -7,11 +7,11 @@
 #ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_POINT_SEARCH_H
 #define CGAL_CUT_LOCI_GEODESICS_GEODESIC_POINT_SEARCH_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_queries.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_results.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_kernels.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/windows/geodesic_window_kernels.h>
+#include <CGAL/Cut_loci/geodesics/windows/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 

@@ -9,12 +9,12 @@
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_options.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_queries.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_sources.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_kernels.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_windows.h>
+#include <CGAL/Cut_loci/geodesics/windows/geodesic_window_kernels.h>
+#include <CGAL/Cut_loci/geodesics/windows/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>

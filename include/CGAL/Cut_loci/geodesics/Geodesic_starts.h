@@ -7,12 +7,12 @@
 #ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_STARTS_H
 #define CGAL_CUT_LOCI_GEODESICS_GEODESIC_STARTS_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_batches.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_queries.h>
 #include <CGAL/Cut_loci/geodesics/Geodesic_results.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_batches.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_windows.h>
+#include <CGAL/Cut_loci/geodesics/windows/geodesic_window_trimming.h>
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Cut_loci/geodesics/Geodesic_fronts.h>
 #include <CGAL/Cut_loci/geodesics/Isoline_arcs.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/geodesics/windows/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 

@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_POLYHEDRAL_CURVES_FACE_CELLS_H
 #define CGAL_CUT_LOCI_POLYHEDRAL_CURVES_FACE_CELLS_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_faces.h>
 #include <CGAL/Cut_loci/internal/Compressed_rows.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/polyhedral/joining/Tree_graph.h>

@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_POLYHEDRAL_CURVES_MESH_EDGE_CURVE_H
 #define CGAL_CUT_LOCI_POLYHEDRAL_CURVES_MESH_EDGE_CURVE_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_faces.h>
 #include <CGAL/Cut_loci/graph/Divided_mesh.h>
 #include <CGAL/Cut_loci/graph/Edges_off_sources.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>

@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_POLYHEDRAL_FACES_IMAGE_BISECTOR_H
 #define CGAL_CUT_LOCI_POLYHEDRAL_FACES_IMAGE_BISECTOR_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_faces.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Path_label.h>
 #include <CGAL/Cut_loci/polyhedral/labels/face_plane.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>

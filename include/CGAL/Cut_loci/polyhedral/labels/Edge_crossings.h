@@ -8,8 +8,8 @@
 #define CGAL_CUT_LOCI_POLYHEDRAL_LABELS_EDGE_CROSSINGS_H
 
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_window_lists.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_window_lists.h>
+#include <CGAL/Cut_loci/geodesics/windows/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/internal/Growing_list.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Edge_envelope.h>

@@ -8,7 +8,7 @@
 #define CGAL_CUT_LOCI_POLYHEDRAL_LABELS_EDGE_ENVELOPE_H
 
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/geodesics/windows/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Path_label.h>
 #include <CGAL/Cut_loci/polyhedral/labels/Vertex_labels.h>
 

@@ -8,7 +8,7 @@
 #define CGAL_CUT_LOCI_POLYHEDRAL_LABELS_PATH_LABEL_H
 
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/geodesics/windows/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_POLYHEDRAL_LABELS_FACE_PLANE_H
 #define CGAL_CUT_LOCI_POLYHEDRAL_LABELS_FACE_PLANE_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_faces.h>
 
 #include <array>
 #include <cmath>

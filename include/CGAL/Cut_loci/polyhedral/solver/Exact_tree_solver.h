@@ -9,7 +9,7 @@
 
 #include <CGAL/Cut_loci/cut_locus_method.h>
 #include <CGAL/Cut_loci/geodesics/Exact_geodesic_propagation.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_faces.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>

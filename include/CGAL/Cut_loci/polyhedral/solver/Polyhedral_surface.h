@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_POLYHEDRAL_SOLVER_POLYHEDRAL_SURFACE_H
 #define CGAL_CUT_LOCI_POLYHEDRAL_SOLVER_POLYHEDRAL_SURFACE_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_faces.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/internal/Threads.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>

@@ -7,7 +7,7 @@
 #ifndef CGAL_CUT_LOCI_POLYHEDRAL_STRENGTH_DEFAULT_BRANCH_STRENGTH_H
 #define CGAL_CUT_LOCI_POLYHEDRAL_STRENGTH_DEFAULT_BRANCH_STRENGTH_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_faces.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/polyhedral/strength/Curve_turns.h>

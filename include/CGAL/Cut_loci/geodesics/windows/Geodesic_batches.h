@@ -4,13 +4,13 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_BATCHES_H
-#define CGAL_CUT_LOCI_GEODESICS_GEODESIC_BATCHES_H
+#ifndef CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_BATCHES_H
+#define CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_BATCHES_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_bucket_queue.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_kernels.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_bucket_queue.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_windows.h>
+#include <CGAL/Cut_loci/geodesics/windows/geodesic_window_kernels.h>
+#include <CGAL/Cut_loci/geodesics/windows/geodesic_window_trimming.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
 #include <algorithm>
@@ -222,4 +222,4 @@ private:
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_BATCHES_H
+#endif // CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_BATCHES_H

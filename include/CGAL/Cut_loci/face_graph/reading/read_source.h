@@ -4,11 +4,11 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_FACE_GRAPH_READ_SOURCE_H
-#define CGAL_CUT_LOCI_FACE_GRAPH_READ_SOURCE_H
+#ifndef CGAL_CUT_LOCI_FACE_GRAPH_READING_READ_SOURCE_H
+#define CGAL_CUT_LOCI_FACE_GRAPH_READING_READ_SOURCE_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
 
@@ -225,4 +225,4 @@ inline void check_sources(const Indexed_triangle_mesh& mesh, const std::vector<I
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_FACE_GRAPH_READ_SOURCE_H
+#endif // CGAL_CUT_LOCI_FACE_GRAPH_READING_READ_SOURCE_H

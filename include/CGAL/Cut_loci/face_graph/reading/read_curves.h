@@ -4,11 +4,11 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_FACE_GRAPH_READ_CURVES_H
-#define CGAL_CUT_LOCI_FACE_GRAPH_READ_CURVES_H
+#ifndef CGAL_CUT_LOCI_FACE_GRAPH_READING_READ_CURVES_H
+#define CGAL_CUT_LOCI_FACE_GRAPH_READING_READ_CURVES_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/internal/Union_find.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/connected_components.h>
@@ -153,4 +153,4 @@ inline void check_curves(const Indexed_triangle_mesh& mesh, const std::vector<In
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_FACE_GRAPH_READ_CURVES_H
+#endif // CGAL_CUT_LOCI_FACE_GRAPH_READING_READ_CURVES_H

@@ -4,11 +4,11 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_MERGING_H
-#define CGAL_CUT_LOCI_GEODESICS_GEODESIC_MERGING_H
+#ifndef CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_MERGING_H
+#define CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_MERGING_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_windows.h>
+#include <CGAL/Cut_loci/geodesics/windows/geodesic_window_trimming.h>
 
 #include <algorithm>
 #include <cmath>
@@ -199,4 +199,4 @@ private:
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_MERGING_H
+#endif // CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_MERGING_H

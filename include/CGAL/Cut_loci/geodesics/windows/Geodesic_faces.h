@@ -4,8 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_FACES_H
-#define CGAL_CUT_LOCI_GEODESICS_GEODESIC_FACES_H
+#ifndef CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_FACES_H
+#define CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_FACES_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
@@ -346,4 +346,4 @@ private:
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_FACES_H
+#endif // CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_FACES_H

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOWS_H
-#define CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOWS_H
+#ifndef CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_WINDOWS_H
+#define CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_WINDOWS_H
 
 #include <cmath>
 #include <cstddef>
@@ -245,4 +245,4 @@ private:
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOWS_H
+#endif // CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_WINDOWS_H

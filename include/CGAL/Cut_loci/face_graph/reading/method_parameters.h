@@ -4,12 +4,12 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_FACE_GRAPH_METHOD_PARAMETERS_H
-#define CGAL_CUT_LOCI_FACE_GRAPH_METHOD_PARAMETERS_H
+#ifndef CGAL_CUT_LOCI_FACE_GRAPH_READING_METHOD_PARAMETERS_H
+#define CGAL_CUT_LOCI_FACE_GRAPH_READING_METHOD_PARAMETERS_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_faces.h>
 #include <CGAL/Cut_loci/method/method_thresholds.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
@@ -234,4 +234,4 @@ double read_maximum_relative_error(const NamedParameters& np)
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_FACE_GRAPH_METHOD_PARAMETERS_H
+#endif // CGAL_CUT_LOCI_FACE_GRAPH_READING_METHOD_PARAMETERS_H

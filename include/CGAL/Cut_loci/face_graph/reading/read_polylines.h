@@ -4,12 +4,12 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_FACE_GRAPH_READ_POLYLINES_H
-#define CGAL_CUT_LOCI_FACE_GRAPH_READ_POLYLINES_H
+#ifndef CGAL_CUT_LOCI_FACE_GRAPH_READING_READ_POLYLINES_H
+#define CGAL_CUT_LOCI_FACE_GRAPH_READING_READ_POLYLINES_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
-#include <CGAL/Cut_loci/face_graph/read_source.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_source.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/graph/Indexed_cut_locus.h>
 #include <CGAL/Cut_loci/graph/curve_refinement.h>
 #include <CGAL/Cut_loci/internal/Union_find.h>
@@ -128,4 +128,4 @@ inline std::vector<std::vector<Index>> connected_seams(const Refined_mesh& refin
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_FACE_GRAPH_READ_POLYLINES_H
+#endif // CGAL_CUT_LOCI_FACE_GRAPH_READING_READ_POLYLINES_H

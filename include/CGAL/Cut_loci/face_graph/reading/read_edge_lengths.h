@@ -4,13 +4,13 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_FACE_GRAPH_READ_EDGE_LENGTHS_H
-#define CGAL_CUT_LOCI_FACE_GRAPH_READ_EDGE_LENGTHS_H
+#ifndef CGAL_CUT_LOCI_FACE_GRAPH_READING_READ_EDGE_LENGTHS_H
+#define CGAL_CUT_LOCI_FACE_GRAPH_READING_READ_EDGE_LENGTHS_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/cut_locus_method.h>
-#include <CGAL/Cut_loci/face_graph/method_parameters.h>
-#include <CGAL/Cut_loci/face_graph/read_triangle_mesh.h>
+#include <CGAL/Cut_loci/face_graph/reading/method_parameters.h>
+#include <CGAL/Cut_loci/face_graph/reading/read_triangle_mesh.h>
 #include <CGAL/Cut_loci/named_parameters.h>
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
@@ -94,4 +94,4 @@ inline void refuse_lengths(const std::string& who)
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_FACE_GRAPH_READ_EDGE_LENGTHS_H
+#endif // CGAL_CUT_LOCI_FACE_GRAPH_READING_READ_EDGE_LENGTHS_H

@@ -4,10 +4,10 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOW_LISTS_H
-#define CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOW_LISTS_H
+#ifndef CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_WINDOW_LISTS_H
+#define CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_WINDOW_LISTS_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_windows.h>
 
 #include <vector>
 
@@ -51,4 +51,4 @@ private:
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOW_LISTS_H
+#endif // CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_WINDOW_LISTS_H

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_BUCKET_QUEUE_H
-#define CGAL_CUT_LOCI_GEODESICS_GEODESIC_BUCKET_QUEUE_H
+#ifndef CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_BUCKET_QUEUE_H
+#define CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_BUCKET_QUEUE_H
 
 #include <CGAL/Cut_loci/surface/Indexed_triangle_mesh.h>
 
@@ -114,4 +114,4 @@ private:
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_BUCKET_QUEUE_H
+#endif // CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_BUCKET_QUEUE_H

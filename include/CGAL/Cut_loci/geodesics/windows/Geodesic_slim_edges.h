@@ -4,13 +4,13 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_SLIM_EDGES_H
-#define CGAL_CUT_LOCI_GEODESICS_GEODESIC_SLIM_EDGES_H
+#ifndef CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_SLIM_EDGES_H
+#define CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_SLIM_EDGES_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_window_lists.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
-#include <CGAL/Cut_loci/geodesics/geodesic_window_trimming.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_window_lists.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_windows.h>
+#include <CGAL/Cut_loci/geodesics/windows/geodesic_window_trimming.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -200,4 +200,4 @@ private:
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_SLIM_EDGES_H
+#endif // CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_SLIM_EDGES_H

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_FACE_GRAPH_READ_TRIANGLE_MESH_H
-#define CGAL_CUT_LOCI_FACE_GRAPH_READ_TRIANGLE_MESH_H
+#ifndef CGAL_CUT_LOCI_FACE_GRAPH_READING_READ_TRIANGLE_MESH_H
+#define CGAL_CUT_LOCI_FACE_GRAPH_READING_READ_TRIANGLE_MESH_H
 
 #include <CGAL/Cut_loci/Invalid_input.h>
 #include <CGAL/Cut_loci/internal/Progress.h>
@@ -215,4 +215,4 @@ void normalize_lengths(Read_triangle_mesh<TriangleMesh>& read)
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_FACE_GRAPH_READ_TRIANGLE_MESH_H
+#endif // CGAL_CUT_LOCI_FACE_GRAPH_READING_READ_TRIANGLE_MESH_H

@@ -4,10 +4,10 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOW_TRIMMING_H
-#define CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOW_TRIMMING_H
+#ifndef CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_WINDOW_TRIMMING_H
+#define CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_WINDOW_TRIMMING_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_windows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -363,4 +363,4 @@ private:
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOW_TRIMMING_H
+#endif // CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_WINDOW_TRIMMING_H

@@ -4,11 +4,11 @@
 //
 // Author(s) : The Surface_mesh_cut_locus authors
 
-#ifndef CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOW_KERNELS_H
-#define CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOW_KERNELS_H
+#ifndef CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_WINDOW_KERNELS_H
+#define CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_WINDOW_KERNELS_H
 
-#include <CGAL/Cut_loci/geodesics/Geodesic_faces.h>
-#include <CGAL/Cut_loci/geodesics/Geodesic_windows.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_faces.h>
+#include <CGAL/Cut_loci/geodesics/windows/Geodesic_windows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -228,4 +228,4 @@ void filter_distance(Geodesic_window_list& list, double maximum_distance)
 
 } // namespace CGAL::Cut_loci::internal
 
-#endif // CGAL_CUT_LOCI_GEODESICS_GEODESIC_WINDOW_KERNELS_H
+#endif // CGAL_CUT_LOCI_GEODESICS_WINDOWS_GEODESIC_WINDOW_KERNELS_H
