@@ -32,6 +32,7 @@
 #include <CGAL/Cut_loci/surface/vector_3.h>
 #include <CGAL/Cut_loci/ways/Source_roots.h>
 #include <CGAL/Cut_loci/ways/Straight_waves.h>
+#include <CGAL/Cut_loci/ways/Way_arrival.h>
 #include <CGAL/Cut_loci/ways/Way_forest.h>
 
 #include <algorithm>
@@ -164,8 +165,8 @@ public:
     for(Index& owner : owners)
       if(owner != null_index && owner >= roots_.points().size())
         owner = null_index;
-    return Cut_locus_smoother(mesh_, connectivity_, distance_, *forest_, crossed_, cut_locus, owners)(parameters,
-                                                                                                      progress_);
+    return Cut_locus_smoother(mesh_, connectivity_, distance_, arrivals_, crossed_, cut_locus, owners)(parameters,
+                                                                                                       progress_);
   }
 
   const Indexed_triangle_mesh& mesh() const { return mesh_; }
@@ -201,28 +202,31 @@ public:
 private:
   void grow_forest(const Progress& progress)
   {
-    forest_.reset(new Way_forest(mesh_, connectivity_, roots_, distance_));
-    forest_->grow(progress);
-    crossed_ = forest_->ways([](Index) { return true; }).is_crossed;
+    Way_forest forest(mesh_, connectivity_, roots_, distance_);
+    forest.grow(progress);
+    crossed_ = forest.ways([](Index) { return true; }).is_crossed;
     if(nearest_source_.empty() && roots_.number_of_sources() > 1)
-      nearest_source_ = forest_->nearest_sources();
+      nearest_source_ = forest.nearest_sources();
     if(is_approximate_)
-      measure_ways();
+      measure_ways(forest);
+    arrivals_.resize(distance_.size());
+    for(Index v = 0; v < distance_.size(); ++v)
+      arrivals_[v] = forest.arrival_at(v, distance_[v]);
   }
 
   bool is_at_source(Index v) const { return is_source_[v] || distance_[v] == 0.; }
 
   // Distances of heat are smoothed, at the cut locus most of all, and those on a graph are longer: the lengths of the ways to
   // which they lead tell more, and take their place, straightened.
-  void measure_ways()
+  void measure_ways(const Way_forest& forest)
   {
-    std::vector<double> lengths = forest_->lengths(), before(lengths.size(), Straight_waves::infinity());
+    std::vector<double> lengths = forest.lengths(), before(lengths.size(), Straight_waves::infinity());
     for(Index v = 0; v < lengths.size(); ++v)
       if(is_source_[v])
         lengths[v] = before[v] = distance_[v];
-      else if(forest_->starts_at(v))
+      else if(forest.starts_at(v))
       {
-        const Way_arrival way = forest_->arrival_at(v, lengths[v]);
+        const Way_arrival way = forest.arrival_at(v, lengths[v]);
         before[v] = way.length - way.straight;
       }
     Straight_waves(mesh_, connectivity_, std::move(before), lengths).straighten();
@@ -373,7 +377,7 @@ private:
   std::vector<float> slope_error_;
   float laplacian_noise_ = 0.f;
   std::vector<unsigned char> crossed_; // edges, by short ways to vertices
-  std::unique_ptr<Way_forest> forest_; // of these ways
+  std::vector<Way_arrival> arrivals_;  // of these ways, by vertex
   Spanning_tree spanning_tree_;
   Spanning_tree tree_; // the same, thinned
   Branch_filter filter_;

@@ -13,7 +13,6 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/ways/Way_arrival.h>
-#include <CGAL/Cut_loci/ways/Way_forest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +74,8 @@ class Wave_arrivals
 {
 public:
   Wave_arrivals(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                const std::vector<double>& distance, const Way_forest& ways, const Indexed_cut_locus& graph)
+                const std::vector<double>& distance, const std::vector<Way_arrival>& ways,
+                const Indexed_cut_locus& graph)
     : mesh_(mesh), connectivity_(connectivity), distance_(distance), arrivals_(distance.size()),
       side_(mesh.number_of_halfedges(), 0)
   {
@@ -94,7 +94,7 @@ public:
               [&](Index v, Index w) { return std::tie(distance[v], v) < std::tie(distance[w], w); });
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     for(Index v : vertices)
-      arrivals_[v] = ways.arrival_at(v, distance[v]);
+      arrivals_[v] = ways[v];
     for(Index v : vertices)
       look_around(v);
   }

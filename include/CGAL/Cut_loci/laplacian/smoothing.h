@@ -16,7 +16,7 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/surface/surface_location.h>
-#include <CGAL/Cut_loci/ways/Way_forest.h>
+#include <CGAL/Cut_loci/ways/Way_arrival.h>
 #include <CGAL/Cut_loci/ways/Ways_across_edges.h>
 
 #include <algorithm>
@@ -55,10 +55,10 @@ public:
   // `crossed` are the edges that ways cross; `source_of_face` the source whose faces each one belongs to, which the curve does
   // not enter, or null.
   Cut_locus_smoother(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
-                     const std::vector<double>& distance, const Way_forest& ways,
+                     const std::vector<double>& distance, const std::vector<Way_arrival>& ways,
                      const std::vector<unsigned char>& crossed, const Indexed_cut_locus& input,
                      const std::vector<Index>& source_of_face)
-    : mesh_(mesh), connectivity_(connectivity), distance_(distance), ways_(mesh, connectivity, ways, distance, crossed),
+    : mesh_(mesh), connectivity_(connectivity), distance_(distance), ways_(mesh, connectivity, ways, crossed),
       input_(input), arrivals_(mesh, connectivity, distance, ways, input),
       curve_(mesh, connectivity, arrivals_, input, source_of_face)
   {

@@ -11,7 +11,6 @@
 #include <CGAL/Cut_loci/surface/Mesh_connectivity.h>
 #include <CGAL/Cut_loci/surface/flat_triangles.h>
 #include <CGAL/Cut_loci/ways/Way_arrival.h>
-#include <CGAL/Cut_loci/ways/Way_forest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +22,10 @@ namespace CGAL::Cut_loci::internal {
 class Ways_across_edges
 {
 public:
-  // `crossed` are the edges that ways to all vertices cross.
-  Ways_across_edges(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity, const Way_forest& ways,
-                    const std::vector<double>& distance, const std::vector<unsigned char>& crossed)
-    : mesh_(mesh), connectivity_(connectivity), ways_(ways), distance_(distance), crossed_(crossed)
+  // `crossed` are the edges that the ways to all vertices cross.
+  Ways_across_edges(const Indexed_triangle_mesh& mesh, const Mesh_connectivity& connectivity,
+                    const std::vector<Way_arrival>& ways, const std::vector<unsigned char>& crossed)
+    : mesh_(mesh), connectivity_(connectivity), ways_(ways), crossed_(crossed)
   {
   }
 
@@ -73,7 +72,7 @@ private:
         {f.left[0] + top[0] * along[0] - top[1] * along[1], f.left[1] + top[0] * along[1] + top[1] * along[0]}};
       const Index to_left = mesh_.previous(f.entry), to_right = mesh_.next(f.entry);
       const Index v = mesh_.source(to_left);
-      const Way_arrival way = ways_.arrival_at(v, distance_[v]);
+      const Way_arrival& way = ways_[v];
       if(way.halfedge == to_left)
         add_way(way, corner, f.left - corner, length, first, last);
       if(const Index o = mesh_.opposite[to_left]; o != null_index && is_entered(o))
@@ -98,8 +97,7 @@ private:
 
   const Indexed_triangle_mesh& mesh_;
   const Mesh_connectivity& connectivity_;
-  const Way_forest& ways_;
-  const std::vector<double>& distance_;
+  const std::vector<Way_arrival>& ways_; // by vertex
   const std::vector<unsigned char>& crossed_;
 };
 
