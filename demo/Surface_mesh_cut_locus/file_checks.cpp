@@ -31,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 using boost::interprocess::ibufferstream;
 
-constexpr char own_formats[] = " .off .obj .stl .ply .ts .vtp", scene_formats[] = " .gltf .glb .fbx .dae .3ds";
+constexpr char own_formats[] = " .off .obj .stl .ply .ts .vtp", scene_formats[] = " .gltf .glb .fbx .dae .3ds .3mf";
 
 bool has_word(const std::string& words, const std::string& word)
 {
@@ -105,6 +105,8 @@ std::string extension_by_content(const std::string& text)
     return ".glb";
   if(text.compare(0, 18, "Kaydara FBX Binary") == 0)
     return ".fbx";
+  if(text.compare(0, 4, "PK\3\4") == 0) // an archive, as ZIP
+    return ".3mf";
   if(word == "<COLLADA" || (word == "<?xml" && text.substr(0, 1000).find("<COLLADA") != std::string::npos))
     return ".dae";
   if(word == "<?xml" || word == "<VTKFile")

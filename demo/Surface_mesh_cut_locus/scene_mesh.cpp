@@ -110,7 +110,8 @@ bool import_scene(const Mesh_file& file, std::FILE* out)
   setrlimit(RLIMIT_CPU, &time);
   if(std::freopen("/dev/null", "w", stderr) == nullptr)
     return false;
-  Assimp::Importer importer;
+  // never deleted, which aborts in assimp 5.2 where a 3MF file has an object of components; the process ends anyway
+  Assimp::Importer& importer = *new Assimp::Importer;
   const std::string format = file.extension.substr(1);
   // a scene with parts in other files is found by its name
   const bool is_named =

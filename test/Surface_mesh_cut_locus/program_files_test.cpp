@@ -6,6 +6,7 @@
 
 // What the program writes for other programs is read back.
 
+#include "octahedron_3mf.h"
 #include "program_fixture.h"
 
 #include <gtest/gtest.h>
@@ -422,7 +423,25 @@ TEST_F(Files, Standard_input_in_all_formats)
   expect_failure(run("- --quiet --input-format ply < " + file("text")), "does not start with 'ply'");
   expect_failure(run("- --quiet --input-format obj < " + file("text")), "standard input");
   expect_failure(run_on_torus("--input-format xyz"),
-                 "--input-format takes off, obj, stl, ply, ts, vtp, gltf, glb, fbx, dae or 3ds, not 'xyz'");
+                 "--input-format takes off, obj, stl, ply, ts, vtp, gltf, glb, fbx, dae, 3ds or 3mf, not 'xyz'");
+}
+
+TEST_F(Files, Parts_that_are_printed_are_read_where_they_stand)
+{
+  write("a.3mf", octahedron_3mf());
+  for(const std::string& mesh : {file("a.3mf"), "- < " + file("a.3mf")})
+  {
+    const Outcome outcome = run(mesh + " --quiet --report -");
+    if(outcome.messages.find("built without libassimp") != std::string::npos)
+      GTEST_SKIP() << "without libassimp";
+    ASSERT_EQ(outcome.status, 0) << outcome.messages;
+    const Json found = Json::parse(outcome.messages);
+    EXPECT_EQ(found.at("faces"), 8);
+    EXPECT_EQ(found.at("source_point"), Json::parse("[12.0, 0.0, 5.0]"));
+    EXPECT_NEAR(found.at("mean_edge_length").get<double>(), std::sqrt(8.), 1e-6);
+  }
+  write("a.3mf", "PK\3\4");
+  expect_failure(run(file("a.3mf") + " --quiet"), "it is damaged, not of the format 3mf");
 }
 
 TEST_F(Files, Scenes_are_read_with_their_nodes)

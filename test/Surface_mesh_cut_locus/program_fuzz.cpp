@@ -11,6 +11,7 @@
 //   program_fuzz [SECONDS [SEED]]
 
 #include "fuzz_surfaces.h"
+#include "octahedron_3mf.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -256,6 +257,7 @@ std::vector<Sample> samples()
           {"VTP", ".vtp", vtp()},
           {"DAE", ".dae", dae()},
           {"GLB", ".glb", glb()},
+          {"3MF", ".3mf", octahedron_3mf()},
           {"TS", ".ts", text_file("GOCAD TSurf 1\nTFACE\n", "VRTX ", "", "TRGL ", 1, true) + "END\n"}};
 }
 
