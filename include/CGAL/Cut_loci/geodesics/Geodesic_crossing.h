@@ -31,13 +31,6 @@ namespace CGAL::Cut_loci::internal {
 class Geodesic_crossing : public Geodesic_starts
 {
 protected:
-  struct Path_beside
-  {
-    Index vertex;
-    double distance;
-    Geodesic_arrival arrival;
-  };
-
   /// the face of a halfedge, as windows see it that cross it from there
   struct Crossing
   {
@@ -76,19 +69,7 @@ protected:
     // the accuracy of windows; what bends by more than its root is in a shadow
     if(d - straight > geodesic_cover * (straight + (w.is_parallel() ? w.sigma : 0.)))
       return;
-    const Path_beside path = {crossing.apex_vertex, w.sigma + d, end_of(w, crossing.halfedge)};
-    if(!is_shorter(path))
-      return;
-    if(is_reached(path.vertex))
-      reach(path.vertex, path.distance, path.arrival);
-    else
-      beside_.push_back(path);
-  }
-
-  /// by more than it is longer than a straight one
-  bool is_shorter(const Path_beside& path) const
-  {
-    return path.distance < (1. - geodesic_cover) * distance_[path.vertex];
+    note({crossing.apex_vertex, w.sigma + d, end_of(w, crossing.halfedge)});
   }
 
   /// takes the windows of `h` across the face of `h`
@@ -295,7 +276,6 @@ protected:
   Geodesic_slim_edges slim_edges_;
   std::vector<Crossing_window>* windows_ = nullptr;
   std::vector<unsigned char> sides_; // of the apex, for the windows in work
-  std::vector<Path_beside> beside_;  // see `note_path_beside()`
   double tolerance_ = 0.;
   std::size_t number_of_windows_ = 0; // that have been propagated across a face in the last run
 };

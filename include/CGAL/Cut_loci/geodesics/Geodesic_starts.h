@@ -54,6 +54,31 @@ protected:
       batches_.push_vertex(d, v);
   }
 
+  /// is straight up to rounding, past the end of a window or a vertex: it counts if no window covers the vertex it leads to,
+  /// or only those of longer paths
+  struct Path_beside
+  {
+    Index vertex;
+    double distance;
+    Geodesic_arrival arrival;
+  };
+
+  /// by more than it is longer than a straight one
+  bool is_shorter(const Path_beside& path) const
+  {
+    return path.distance < (1. - geodesic_cover) * distance_[path.vertex];
+  }
+
+  void note(const Path_beside& path)
+  {
+    if(!is_shorter(path))
+      return;
+    if(is_reached(path.vertex))
+      reach(path.vertex, path.distance, path.arrival);
+    else
+      beside_.push_back(path);
+  }
+
   template <int columns>
   void start_at_vertex(std::size_t number)
   {
@@ -242,11 +267,12 @@ protected:
       const double width = faces_.angle(h);
       if(is_turned)
         start.turn = angle;
+      note_along_edge(h, first - angle, angle - last, start);
       if(angle + width > first && angle < last)
         emit<columns>(h, first - angle, (std::min)(last - angle, width), start);
       angle += width;
       h = faces_.next_around_source(h);
-    } while(h != null_index && angle < last);
+    } while(h != null_index && h != in.halfedge && angle < last + root_of_cover);
     if(!is_border)
       return;
     angle = faces_.angle(in.halfedge) - in.angle;
@@ -257,6 +283,7 @@ protected:
       angle -= width;
       if(is_turned)
         start.turn = angle;
+      note_along_edge(h, first + angle, -infinity, start);
       if(angle < -first)
         emit<columns>(h, 0., (std::min)(-first - angle, width), start);
       h = faces_.previous_around_source(h);
@@ -264,6 +291,20 @@ protected:
   }
 
 private:
+  /// Beside a shadow, windows may be lost to rounding where they are shorter than a path that bends by less than this: by
+  /// half its square, in proportion.
+  static constexpr double root_of_cover = 3e-5;
+
+  /// notes the path to the end of an edge at `start` that is outside of the shadow by one of these angles
+  void note_along_edge(Index h, double before, double behind, Geodesic_arrival start)
+  {
+    if(const double outside = (std::max)(before, behind); outside > 0. && outside < root_of_cover)
+    {
+      start.halfedge = h;
+      note({faces_.target(h), distance_[faces_.source(h)] + faces_.length(h), start});
+    }
+  }
+
   // In the order of the distance, windows that take the same way wait for each other, in long lists, however short some of
   // the edges are.
   static constexpr double finest_order = 1. / 1024.;
@@ -272,6 +313,7 @@ protected:
   Geodesic_batches batches_;
   Geodesic_window_observer* observer_ = nullptr; // in the run in work
   double maximum_distance_ = infinity;
+  std::vector<Path_beside> beside_; // to vertices that have not been reached
 };
 
 } // namespace CGAL::Cut_loci::internal

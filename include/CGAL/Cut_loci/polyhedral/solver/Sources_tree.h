@@ -257,10 +257,14 @@ private:
     };
     tree_->propagate(prepared_->locations(), prepared_->vertices(), least_, threads_, read_distances_once);
     read_distances_once();
-    for(double d : prepared_->geodesics().distances())
-      if(!(d < (std::numeric_limits<double>::infinity)()))
-        throw Invalid_input(Cause::TOO_INACCURATE,
-                            "the exact solver does not reach all vertices: some faces may be too thin for it");
+    const std::vector<double>& distances = tree_->geodesics().distances();
+    if(std::all_of(distances.begin(), distances.end(),
+                   [](double d) { return d < (std::numeric_limits<double>::infinity)(); }))
+      return;
+    if(!is_perturbed() || number == most)
+      throw Invalid_input(Cause::TOO_INACCURATE,
+                          "the exact solver does not reach all vertices: some faces may be too thin for it");
+    start(number + 1);
   }
 
   void refuse_error_without_strength(const Branch_strength& least) const
