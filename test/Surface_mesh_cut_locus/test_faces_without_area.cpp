@@ -173,6 +173,27 @@ TEST(Faces_without_area, do_not_hide_the_order_of_the_branches_at_a_vertex)
   }
 }
 
+// Rounding may take the window that alone leads to a vertex, where the path to it grazes another one.
+TEST(Faces_without_area, hide_no_vertex_behind_another_one)
+{
+  for(const auto& [seed, source] : {std::pair<unsigned, std::size_t>{64, 38}, {142, 37}, {164, 41}, {195, 34}})
+  {
+    Mesh_data data = test_meshes::plate_with_holes(1, 1, 1);
+    for(auto& p : data.points)
+      p = {{7.7 * p[0], 22.17 * p[1], 0.25 * p[2]}};
+    std::mt19937 engine(seed);
+    for(int i = 0; i < 12; ++i)
+    {
+      const std::size_t face = engine() % data.triangles.size(), corner = engine() % 3;
+      if(data.points[data.triangles[face][corner]] != data.points[data.triangles[face][(corner + 1) % 3]])
+        add_needles(data, face, corner);
+    }
+    const Built built(data);
+    SCOPED_TRACE(seed);
+    checked_curves::measured(built.mesh, compute_cut_locus(built.mesh, built.vertices[source], through_faces));
+  }
+}
+
 // A point of face `f` beside one of its corners or edges, by a share of it: three faces, of which two or one are thin.
 void add_beside(Mesh_data& m, std::size_t f, double share, std::mt19937& engine)
 {
