@@ -291,8 +291,8 @@ protected:
   }
 
 private:
-  /// Beside a shadow, windows may be lost to rounding where they are shorter than a path that bends by less than this: by
-  /// half its square, in proportion.
+  /// A path that bends by less than this is as long as the straight one, which saves half its square, up to the accuracy of
+  /// windows: so that beside a shadow, the window of the straight one may be lost.
   static constexpr double root_of_cover = 3e-5;
 
   /// notes the path to the end of an edge at `start` that is outside of the shadow by one of these angles

@@ -262,9 +262,11 @@ private:
                    [](double d) { return d < (std::numeric_limits<double>::infinity)(); }))
       return;
     if(!is_perturbed() || number == most)
-      throw Invalid_input(Cause::TOO_INACCURATE,
-                          "the exact solver does not reach all vertices: some faces may be too thin for it");
-    start(number + 1);
+      throw Invalid_input(
+        Cause::TOO_INACCURATE,
+        "the exact solver does not reach all vertices, as some faces are too thin for it: remesh, or take "
+        "distances along a graph");
+    start(number + 1); // where other windows are lost
   }
 
   void refuse_error_without_strength(const Branch_strength& least) const
